@@ -1,0 +1,33 @@
+use std::fmt;
+use std::sync::Arc;
+
+/// A symbol by its whole name in canonical LaTeX: `v'_1`, `E^*`, `\rho_{\text{air}}`, `\dot{\delta}`.
+///
+/// Two symbols are the same when their canonical names are; they are ordered by name, so no output
+/// depends on the order in which a document happened to mention them.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Symbol(Arc<str>);
+
+impl Symbol {
+    /// The symbol of this canonical name. The notation reader makes names canonical; nothing here does.
+    pub fn new(name: impl Into<Arc<str>>) -> Self {
+        Symbol(name.into())
+    }
+
+    /// The canonical LaTeX name.
+    pub fn name(&self) -> &str {
+        &self.0
+    }
+}
+
+impl fmt::Display for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl fmt::Debug for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}

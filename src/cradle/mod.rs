@@ -1,0 +1,1 @@
+//! Newton's cradle itself, in exact rationals.

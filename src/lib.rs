@@ -1,0 +1,7 @@
+//! Exact verification of the equations in a physics derivation.
+#![forbid(unsafe_code)]
+
+pub mod algebra;
+pub mod cradle;
+pub mod document;
+pub mod notation;

@@ -1,0 +1,111 @@
+use crate::algebra::{Expr, Relation, Symbol};
+use crate::document::Span;
+
+/// A displayed equation as read: its number, and what it states.
+#[derive(Clone, Debug)]
+pub struct Display {
+    /// The number from `\tag{…}`, as printed: `23`.
+    pub tag: Option<Spanned<String>>,
+    /// The key of `\label{…}`.
+    pub label: Option<Spanned<String>>,
+    /// The statements, in order (`a=b, \qquad c=d` are two), or why they could not be read.
+    pub statements: Result<Vec<Statement>, SyntaxError>,
+}
+
+/// One statement: clauses joined by `\Rightarrow` or `\iff`, perhaps with the author's ✓ or ✗.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// Leading words, `Initial` in `\text{Initial: } v_0^2 + v_0^2 = 2 v_0^2`.
+    pub label: Option<String>,
+    /// The clauses; one more than there are connectives.
+    pub clauses: Vec<Clause>,
+    /// What joins each clause to the next.
+    pub connectives: Vec<Spanned<Connective>>,
+    /// The author's own verdict.
+    pub mark: Option<Spanned<Mark>>,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// A clause of a statement.
+#[derive(Clone, Debug)]
+pub enum Clause {
+    /// `a = b \le c`: sides and, between them, links. A single side with no link is not a statement and is refused.
+    Chain {
+        /// The sides; one more than there are links.
+        sides: Vec<Side>,
+        /// The relations between neighbouring sides.
+        links: Vec<Link>,
+    },
+    /// `u_1 = u_2 = \dots = u_n`, perhaps `= w`.
+    AllEqual {
+        /// The sequence, `u`.
+        sequence: Symbol,
+        /// The index of the last element.
+        to: Expr,
+        /// The common value, where the chain goes on to name one.
+        value: Option<Side>,
+        /// The whole clause.
+        span: Span,
+    },
+}
+
+/// One side of a relation.
+#[derive(Clone, Debug)]
+pub struct Side {
+    /// The term.
+    pub expr: Expr,
+    /// Where the side stands.
+    pub span: Span,
+    /// Where each top-level summand of `expr` stands, sign included, in order; one span when there is one summand.
+    pub terms: Vec<Span>,
+}
+
+/// A relation sign between two sides.
+#[derive(Clone, Copy, Debug)]
+pub struct Link {
+    /// The relation.
+    pub relation: Relation,
+    /// `\stackrel{?}{=}`: the author asks rather than asserts.
+    pub questioned: bool,
+    /// Where the sign stands.
+    pub span: Span,
+}
+
+/// What joins two clauses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Connective {
+    /// `\Rightarrow`, `\implies`
+    Implies,
+    /// `\iff`, `\Leftrightarrow`
+    Equivalent,
+}
+
+/// The author's own verdict beside an equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// `\checkmark`, ✓: it holds.
+    Tick,
+    /// A trailing `\times`, ✗: it does not hold.
+    Cross,
+}
+
+/// A value and where it stands in the source.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spanned<T> {
+    /// The value.
+    pub value: T,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// Why a piece of mathematics could not be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SyntaxError {
+    /// The guilty token.
+    pub span: Span,
+    /// What is wrong, as a headline: "`\foo` is not known".
+    pub message: String,
+    /// What to write instead, where something can be said.
+    pub help: Option<String>,
+}
