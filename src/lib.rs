@@ -4,4 +4,6 @@
 pub mod algebra;
 pub mod cradle;
 pub mod document;
+pub mod kernel;
 pub mod notation;
+pub mod search;

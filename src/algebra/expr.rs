@@ -1,4 +1,8 @@
-use super::{BigRational, Symbol};
+use std::collections::BTreeSet;
+
+use num_traits::One;
+
+use super::{BigInt, BigRational, Symbol};
 
 /// A mathematical term, as its author structured it. There is no floating point in it: decimals are rationals.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -98,4 +102,165 @@ pub enum Function {
     Ceiling,
     /// `\lfloor x \rfloor`
     Floor,
+}
+
+impl Expr {
+    /// An integer.
+    pub fn integer(value: impl Into<BigInt>) -> Expr {
+        Expr::Number(BigRational::from_integer(value.into()))
+    }
+
+    /// A symbol by its canonical name.
+    pub fn symbol(name: &str) -> Expr {
+        Expr::Symbol(Symbol::new(name))
+    }
+
+    /// The terms directly below this one.
+    pub fn children(&self) -> Vec<&Expr> {
+        match self {
+            Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => Vec::new(),
+            Expr::Sum(items) | Expr::Product(items) | Expr::Apply(_, items) => {
+                items.iter().collect()
+            }
+            Expr::Negate(inner) | Expr::Call(_, inner) => vec![inner],
+            Expr::Quotient(a, b) | Expr::Power(a, b) => vec![a, b],
+            Expr::Series { from, to, body, .. } | Expr::Integral { from, to, body, .. } => {
+                vec![from, to, body]
+            }
+            Expr::Derivative { body, .. } => vec![body],
+            Expr::Limit { body, point, .. } => match point {
+                LimitPoint::Finite(point) => vec![body, point],
+                _ => vec![body],
+            },
+        }
+    }
+
+    /// The same term with each term directly below it replaced.
+    pub fn map_children(&self, mut change: impl FnMut(&Expr) -> Expr) -> Expr {
+        let mut boxed = |inner: &Expr| Box::new(change(inner));
+        match self {
+            Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => self.clone(),
+            Expr::Sum(items) => Expr::Sum(items.iter().map(change).collect()),
+            Expr::Product(items) => Expr::Product(items.iter().map(change).collect()),
+            Expr::Apply(name, items) => {
+                Expr::Apply(name.clone(), items.iter().map(change).collect())
+            }
+            Expr::Negate(inner) => Expr::Negate(boxed(inner)),
+            Expr::Call(function, inner) => Expr::Call(*function, boxed(inner)),
+            Expr::Quotient(a, b) => Expr::Quotient(boxed(a), boxed(b)),
+            Expr::Power(a, b) => Expr::Power(boxed(a), boxed(b)),
+            Expr::Series {
+                index,
+                from,
+                to,
+                body,
+            } => Expr::Series {
+                index: index.clone(),
+                from: boxed(from),
+                to: boxed(to),
+                body: boxed(body),
+            },
+            Expr::Integral {
+                variable,
+                from,
+                to,
+                body,
+            } => Expr::Integral {
+                variable: variable.clone(),
+                from: boxed(from),
+                to: boxed(to),
+                body: boxed(body),
+            },
+            Expr::Derivative { body, variable } => Expr::Derivative {
+                body: boxed(body),
+                variable: variable.clone(),
+            },
+            Expr::Limit {
+                body,
+                variable,
+                point,
+            } => Expr::Limit {
+                body: boxed(body),
+                variable: variable.clone(),
+                point: match point {
+                    LimitPoint::Finite(point) => LimitPoint::Finite(boxed(point)),
+                    other => other.clone(),
+                },
+            },
+        }
+    }
+
+    /// The symbol that a term binds or works on: a sum's index, the variable of a derivative, limit or integral.
+    pub fn binder(&self) -> Option<&Symbol> {
+        match self {
+            Expr::Series { index, .. } => Some(index),
+            Expr::Derivative { variable, .. }
+            | Expr::Limit { variable, .. }
+            | Expr::Integral { variable, .. } => Some(variable),
+            _ => None,
+        }
+    }
+
+    /// Whether a symbol occurs anywhere, bound or free, as a sequence or as an index too.
+    pub fn mentions(&self, symbol: &Symbol) -> bool {
+        let here = match self {
+            Expr::Symbol(own) | Expr::Apply(own, _) => own == symbol,
+            Expr::Element { sequence, index } => sequence == symbol || index == symbol,
+            _ => self.binder() == Some(symbol),
+        };
+        here || self.children().iter().any(|child| child.mentions(symbol))
+    }
+
+    /// The symbols that have a value of their own in this term: not indices, not the variables of
+    /// limits and integrals. The variable of a derivative has one: the point at which it is taken.
+    pub fn free_symbols(&self) -> BTreeSet<Symbol> {
+        let mut free = BTreeSet::new();
+        for child in self.children() {
+            free.extend(child.free_symbols());
+        }
+        match self {
+            Expr::Symbol(symbol) => {
+                free.insert(symbol.clone());
+            }
+            Expr::Derivative { variable, .. } => {
+                free.insert(variable.clone());
+            }
+            _ => {
+                if let Some(bound) = self.binder() {
+                    free.remove(bound);
+                }
+            }
+        }
+        free
+    }
+
+    /// Puts a term in the place of every free occurrence of a symbol.
+    pub fn substitute(&self, symbol: &Symbol, value: &Expr) -> Expr {
+        match self {
+            Expr::Symbol(own) if own == symbol => value.clone(),
+            _ if self.binder() == Some(symbol) => self.clone(),
+            _ => self.map_children(|child| child.substitute(symbol, value)),
+        }
+    }
+
+    /// The summand of a series at a definite position: `u_i^2` at 3 is `u_3^2`.
+    pub fn at_index(&self, index: &Symbol, position: i64) -> Expr {
+        match self {
+            Expr::Symbol(own) if own == index => Expr::integer(position),
+            Expr::Element {
+                sequence,
+                index: own,
+            } if own == index => {
+                let position = u32::try_from(position).unwrap_or(0);
+                Expr::Symbol(super::element_symbol(sequence, position))
+            }
+            _ if self.binder() == Some(index) => self.clone(),
+            _ => self.map_children(|child| child.at_index(index, position)),
+        }
+    }
+
+    /// Whether this is the number 1.
+    pub fn is_one(&self) -> bool {
+        matches!(self, Expr::Number(value) if value.is_one())
+    }
 }

@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use super::{Expr, Symbol};
 
 /// How two terms are related.
@@ -48,4 +50,84 @@ pub enum Formula {
         /// The common value, where one is named.
         value: Option<Expr>,
     },
+}
+
+impl Formula {
+    /// `left = right`.
+    pub fn equal(left: Expr, right: Expr) -> Formula {
+        Formula::Relation {
+            left,
+            relation: Relation::Equal,
+            right,
+        }
+    }
+
+    /// `term \neq 0`.
+    pub fn nonzero(term: Expr) -> Formula {
+        Formula::Relation {
+            left: term,
+            relation: Relation::NotEqual,
+            right: Expr::integer(0),
+        }
+    }
+
+    /// The terms of the formula.
+    pub fn terms(&self) -> Vec<&Expr> {
+        match self {
+            Formula::Relation { left, right, .. } => vec![left, right],
+            Formula::AllEqual { to, value, .. } => std::iter::once(to).chain(value).collect(),
+        }
+    }
+
+    /// The same formula with each of its terms replaced.
+    pub fn map_terms(&self, mut change: impl FnMut(&Expr) -> Expr) -> Formula {
+        match self {
+            Formula::Relation {
+                left,
+                relation,
+                right,
+            } => Formula::Relation {
+                left: change(left),
+                relation: *relation,
+                right: change(right),
+            },
+            Formula::AllEqual {
+                sequence,
+                to,
+                value,
+            } => Formula::AllEqual {
+                sequence: sequence.clone(),
+                to: change(to),
+                value: value.as_ref().map(change),
+            },
+        }
+    }
+
+    /// The symbols that have a value of their own.
+    pub fn free_symbols(&self) -> BTreeSet<Symbol> {
+        self.terms()
+            .into_iter()
+            .flat_map(Expr::free_symbols)
+            .collect()
+    }
+
+    /// The sequences that occur.
+    pub fn sequences(&self) -> BTreeSet<Symbol> {
+        fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {
+            if let Expr::Element { sequence, .. } = expr {
+                found.insert(sequence.clone());
+            }
+            expr.children()
+                .into_iter()
+                .for_each(|child| collect(child, found));
+        }
+        let mut found = BTreeSet::new();
+        self.terms()
+            .into_iter()
+            .for_each(|term| collect(term, &mut found));
+        if let Formula::AllEqual { sequence, .. } = self {
+            found.insert(sequence.clone());
+        }
+        found
+    }
 }

@@ -1,11 +1,28 @@
 //! Exact algebra: the terms that equations are made of, and polynomials over the rationals.
+//!
+//! [`Expr`] and [`Formula`] keep what the author wrote. [`Lowering`] turns a term into a [`Fraction`] of
+//! [`Polynomial`]s in [`Atoms`] and notes what must not vanish on the way. Everything is exact: there is no
+//! floating point here, and every operation that could grow without bound returns [`TooLarge`] instead.
 
+mod atom;
 mod expr;
 mod formula;
+mod fraction;
+mod lower;
+mod monomial;
+mod polynomial;
 mod symbol;
 
+pub use atom::{Atom, Atoms};
 pub use expr::{Expr, Function, LimitPoint};
 pub use formula::{Formula, Relation};
+pub use fraction::{Fraction, factors, product};
+pub use lower::{
+    Conditions, LowerError, Lowering, element_symbol, expr_of, expr_of_atom, expr_of_fraction,
+    power_sum,
+};
+pub use monomial::{Monomial, Var};
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
+pub use polynomial::{Polynomial, TooLarge};
 pub use symbol::Symbol;

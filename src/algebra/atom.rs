@@ -1,0 +1,83 @@
+use std::collections::BTreeMap;
+
+use super::{Expr, Symbol, Var};
+
+/// What a polynomial is a polynomial in.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Atom {
+    /// A symbol.
+    Symbol(Symbol),
+    /// The element of a sequence at a definite position, from 1: `u_3`.
+    Element {
+        /// The sequence.
+        sequence: Symbol,
+        /// The position.
+        position: u32,
+    },
+    /// The element of a sequence at the bound index of the sum that is being read.
+    Bound {
+        /// The sequence.
+        sequence: Symbol,
+        /// The bound index.
+        index: Symbol,
+    },
+    /// `Σ_{i=1}^{to} Π_s s_i^e`: a power sum over a symbolic number of elements.
+    PowerSum {
+        /// The upper limit.
+        to: Symbol,
+        /// Each sequence with its exponent, by name; never empty.
+        powers: Vec<(Symbol, u32)>,
+    },
+    /// A term that is not rational in simpler ones: a root, a function, an undetermined derivative.
+    /// Its parts are canonical, so that equal terms are one atom.
+    Opaque(Expr),
+}
+
+/// The unknowns of a set of polynomials, in the order in which they were first met.
+#[derive(Clone, Debug, Default)]
+pub struct Atoms {
+    list: Vec<Atom>,
+    index: BTreeMap<Atom, Var>,
+}
+
+impl Atoms {
+    /// The unknown that stands for an atom.
+    pub fn var(&mut self, atom: Atom) -> Var {
+        if let Some(&var) = self.index.get(&atom) {
+            return var;
+        }
+        // A document of 2^32 symbols does not fit in memory.
+        let var = Var(self.list.len() as u32);
+        self.list.push(atom.clone());
+        self.index.insert(atom, var);
+        var
+    }
+
+    /// The unknown of an atom, if it has been met.
+    pub fn find(&self, atom: &Atom) -> Option<Var> {
+        self.index.get(atom).copied()
+    }
+
+    /// The atom that an unknown stands for.
+    pub fn atom(&self, var: Var) -> &Atom {
+        &self.list[var.position()]
+    }
+
+    /// All unknowns with their atoms.
+    pub fn iter(&self) -> impl Iterator<Item = (Var, &Atom)> {
+        self.list
+            .iter()
+            .enumerate()
+            .map(|(at, atom)| (Var(at as u32), atom))
+    }
+
+    /// How many unknowns there are.
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+}

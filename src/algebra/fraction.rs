@@ -1,0 +1,187 @@
+use std::collections::BTreeMap;
+
+use num_traits::{One, Zero};
+
+use super::{BigRational, Monomial, Polynomial, TooLarge, Var};
+
+/// A rational function whose denominator is kept in factors.
+///
+/// The factors are monic and none is constant; a monomial is split into its unknowns. Common factors are
+/// cancelled where that is a plain division, so equality is decided by cross-multiplying, not by comparing.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Fraction {
+    numerator: Polynomial,
+    denominator: BTreeMap<Polynomial, u32>,
+}
+
+impl From<Polynomial> for Fraction {
+    fn from(numerator: Polynomial) -> Self {
+        Fraction {
+            numerator,
+            denominator: BTreeMap::new(),
+        }
+    }
+}
+
+impl Fraction {
+    /// The numerator.
+    pub fn numerator(&self) -> &Polynomial {
+        &self.numerator
+    }
+
+    /// The factors of the denominator with their exponents.
+    pub fn denominator(&self) -> impl Iterator<Item = (&Polynomial, u32)> {
+        self.denominator.iter().map(|(p, &e)| (p, e))
+    }
+
+    /// The denominator, multiplied out.
+    pub fn expanded_denominator(&self) -> Result<Polynomial, TooLarge> {
+        product(self.denominator())
+    }
+
+    /// The value as a polynomial, where nothing is divided by.
+    pub fn as_polynomial(&self) -> Option<&Polynomial> {
+        self.denominator.is_empty().then_some(&self.numerator)
+    }
+
+    /// The value, where no unknown occurs.
+    pub fn as_constant(&self) -> Option<BigRational> {
+        self.as_polynomial()?.as_constant()
+    }
+
+    /// The sum.
+    pub fn plus(&self, other: &Self) -> Result<Self, TooLarge> {
+        let mut denominator = self.denominator.clone();
+        for (factor, exponent) in other.denominator() {
+            let slot = denominator.entry(factor.clone()).or_insert(0);
+            *slot = (*slot).max(exponent);
+        }
+        let left = self.numerator.times(&self.missing(&denominator)?)?;
+        let right = other.numerator.times(&other.missing(&denominator)?)?;
+        Ok(Fraction {
+            numerator: left.plus(&right),
+            denominator,
+        }
+        .cancelled())
+    }
+
+    /// What this fraction must be multiplied by, above and below, to have a larger denominator.
+    fn missing(&self, denominator: &BTreeMap<Polynomial, u32>) -> Result<Polynomial, TooLarge> {
+        let own = |factor| self.denominator.get(factor).copied().unwrap_or(0);
+        product(denominator.iter().map(|(f, &e)| (f, e - own(f))))
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Self) -> Result<Self, TooLarge> {
+        let mut denominator = self.denominator.clone();
+        for (factor, exponent) in other.denominator() {
+            let slot = denominator.entry(factor.clone()).or_insert(0);
+            *slot = slot.checked_add(exponent).ok_or(TooLarge)?;
+        }
+        Ok(Fraction {
+            numerator: self.numerator.times(&other.numerator)?,
+            denominator,
+        }
+        .cancelled())
+    }
+
+    /// The negative.
+    pub fn negated(&self) -> Self {
+        Fraction {
+            numerator: self.numerator.negated(),
+            denominator: self.denominator.clone(),
+        }
+    }
+
+    /// `1 / self`; `None` for 0.
+    pub fn recip(&self) -> Result<Option<Self>, TooLarge> {
+        let Some((_, lead)) = self.numerator.leading() else {
+            return Ok(None);
+        };
+        let numerator = self.expanded_denominator()?.scaled(&lead.recip());
+        Ok(Some(Fraction {
+            numerator,
+            denominator: factors(&self.numerator),
+        }))
+    }
+
+    /// A natural power.
+    pub fn pow(&self, exponent: u32) -> Result<Self, TooLarge> {
+        let mut denominator = BTreeMap::new();
+        for (factor, own) in self.denominator() {
+            let raised = own.checked_mul(exponent).ok_or(TooLarge)?;
+            if raised > 0 {
+                denominator.insert(factor.clone(), raised);
+            }
+        }
+        Ok(Fraction {
+            numerator: self.numerator.pow(exponent)?,
+            denominator,
+        })
+    }
+
+    fn cancelled(mut self) -> Self {
+        if self.numerator.is_zero() {
+            self.denominator.clear();
+            return self;
+        }
+        for (factor, exponent) in &mut self.denominator {
+            while *exponent > 0 {
+                let Some(quotient) = self.numerator.divided_by(factor) else {
+                    break;
+                };
+                self.numerator = quotient;
+                *exponent -= 1;
+            }
+        }
+        self.denominator.retain(|_, exponent| *exponent > 0);
+        self
+    }
+}
+
+/// The product of powers, multiplied out.
+pub fn product<'a>(
+    powers: impl Iterator<Item = (&'a Polynomial, u32)>,
+) -> Result<Polynomial, TooLarge> {
+    let mut product = Polynomial::one();
+    for (factor, exponent) in powers {
+        product = product.times(&factor.pow(exponent)?)?;
+    }
+    Ok(product)
+}
+
+/// The factors that a polynomial visibly has: its unknowns' powers and what is left, monic. Constants are dropped.
+pub fn factors(polynomial: &Polynomial) -> BTreeMap<Polynomial, u32> {
+    let content = polynomial.content();
+    let mut factors: BTreeMap<Polynomial, u32> = content
+        .powers()
+        .iter()
+        .map(|&(v, e): &(Var, u32)| (Polynomial::var(v), e))
+        .collect();
+    let whole = Polynomial::term(content, BigRational::one());
+    if let Some(rest) = polynomial.divided_by(&whole)
+        && rest.as_constant().is_none()
+    {
+        *factors.entry(rest.monic()).or_insert(0) += 1;
+    }
+    factors
+}
+
+impl From<BigRational> for Fraction {
+    fn from(value: BigRational) -> Self {
+        Polynomial::constant(value).into()
+    }
+}
+
+impl Fraction {
+    /// Whether this is 0.
+    pub fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// `coefficient · monomial` as a fraction.
+    pub fn term(monomial: Monomial, coefficient: BigRational) -> Self {
+        debug_assert!(!coefficient.is_zero());
+        Polynomial::term(monomial, coefficient).into()
+    }
+}

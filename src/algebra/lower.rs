@@ -1,0 +1,567 @@
+//! From terms as written to rational functions: `Expr` in, [`Fraction`] out, with all that must not vanish.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use super::{
+    Atom, Atoms, BigRational, Expr, Fraction, LimitPoint, Monomial, Polynomial, Symbol, TooLarge,
+    Var,
+};
+
+/// Sums with definite limits are written out up to this many terms.
+const MOST_EXPLICIT_TERMS: i64 = 512;
+
+/// Why a term has no value as a rational function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LowerError {
+    /// Too large to expand.
+    TooLarge,
+    /// Something is divided by an expression that is identically 0.
+    DivisionByZero,
+}
+
+impl From<TooLarge> for LowerError {
+    fn from(_: TooLarge) -> Self {
+        LowerError::TooLarge
+    }
+}
+
+impl fmt::Display for LowerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LowerError::TooLarge => TooLarge.fmt(f),
+            LowerError::DivisionByZero => f.write_str("division by an expression that is always 0"),
+        }
+    }
+}
+
+/// What must be so for a term to have the value that it is given.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Conditions {
+    /// Denominators: they must not vanish.
+    pub nonzero: BTreeSet<Polynomial>,
+    /// Derivatives of what was held constant: they must vanish.
+    pub zero: BTreeSet<Polynomial>,
+}
+
+/// Reads terms into rational functions over one table of atoms.
+pub struct Lowering<'a> {
+    /// The unknowns met so far.
+    pub atoms: &'a mut Atoms,
+    /// The symbols that name sequences.
+    pub sequences: &'a BTreeSet<Symbol>,
+    /// The symbols that depend on no variable of differentiation.
+    pub constants: &'a BTreeSet<Symbol>,
+    /// What the values found so far depend on.
+    pub conditions: Conditions,
+}
+
+type Lowered = Result<Fraction, LowerError>;
+
+impl Lowering<'_> {
+    /// The value of a term; [`Lowering::conditions`] grows by what it needs.
+    pub fn lower(&mut self, expr: &Expr) -> Lowered {
+        match expr {
+            Expr::Number(value) => Ok(value.clone().into()),
+            Expr::Symbol(symbol) => Ok(self.atom(self.atom_of_symbol(symbol))),
+            Expr::Element { sequence, index } => Ok(self.atom(Atom::Bound {
+                sequence: sequence.clone(),
+                index: index.clone(),
+            })),
+            Expr::Sum(terms) => {
+                let mut sum = Fraction::default();
+                for term in terms {
+                    sum = sum.plus(&self.lower(term)?)?;
+                }
+                Ok(sum)
+            }
+            Expr::Product(factors) => {
+                let mut product = Fraction::from(BigRational::one());
+                for factor in factors {
+                    product = product.times(&self.lower(factor)?)?;
+                }
+                Ok(product)
+            }
+            Expr::Negate(inner) => Ok(self.lower(inner)?.negated()),
+            Expr::Quotient(above, below) => {
+                let (above, below) = (self.lower(above)?, self.lower(below)?);
+                Ok(above.times(&self.recip(&below)?)?)
+            }
+            Expr::Power(base, exponent) => self.power(base, exponent),
+            Expr::Series {
+                index,
+                from,
+                to,
+                body,
+            } => self.series(expr, index, from, to, body),
+            Expr::Derivative { body, variable } => {
+                let body = self.lower(body)?;
+                self.derivative(&body, variable)
+            }
+            Expr::Limit {
+                body,
+                variable,
+                point,
+            } => self.limit(body, variable, point),
+            Expr::Call(function, argument) => {
+                let argument = self.canonical(argument)?;
+                Ok(self.atom(Atom::Opaque(Expr::Call(*function, argument.into()))))
+            }
+            Expr::Apply(function, arguments) => {
+                let opaque = Expr::Apply(function.clone(), arguments.clone());
+                Ok(self.atom(Atom::Opaque(opaque)))
+            }
+            Expr::Integral { .. } => Ok(self.atom(Atom::Opaque(expr.clone()))),
+        }
+    }
+
+    fn atom(&mut self, atom: Atom) -> Fraction {
+        Polynomial::var(self.atoms.var(atom)).into()
+    }
+
+    /// `u_3` is an element where `u` is a sequence.
+    fn atom_of_symbol(&self, symbol: &Symbol) -> Atom {
+        if let Some((name, subscript)) = symbol.name().rsplit_once('_') {
+            let digits = subscript.trim_start_matches('{').trim_end_matches('}');
+            let sequence = Symbol::new(name);
+            if let (Ok(position), true) = (digits.parse(), self.sequences.contains(&sequence))
+                && position > 0
+            {
+                return Atom::Element { sequence, position };
+            }
+        }
+        Atom::Symbol(symbol.clone())
+    }
+
+    fn recip(&mut self, value: &Fraction) -> Lowered {
+        let inverse = value.recip()?.ok_or(LowerError::DivisionByZero)?;
+        for (factor, _) in inverse.denominator() {
+            self.conditions.nonzero.insert(factor.clone());
+        }
+        Ok(inverse)
+    }
+
+    /// The same term with equal terms written in one way only.
+    fn canonical(&mut self, expr: &Expr) -> Result<Expr, LowerError> {
+        let value = self.lower(expr)?;
+        Ok(expr_of_fraction(&value, self.atoms))
+    }
+
+    fn power(&mut self, base: &Expr, exponent: &Expr) -> Lowered {
+        let (base, exponent) = (self.lower(base)?, self.lower(exponent)?);
+        if let Some(exponent) = exponent.as_constant() {
+            return self.rational_power(&base, &exponent);
+        }
+        let Some(terms) = exponent.as_polynomial() else {
+            let opaque = Expr::Power(
+                expr_of_fraction(&base, self.atoms).into(),
+                expr_of_fraction(&exponent, self.atoms).into(),
+            );
+            return Ok(self.atom(Atom::Opaque(opaque)));
+        };
+        // e^(2n+1) = (e^n)^2 · e: each term of the exponent is an integer times something symbolic.
+        let mut product = Fraction::from(BigRational::one());
+        let written = expr_of_fraction(&base, self.atoms);
+        for (monomial, coefficient) in terms.clone().terms() {
+            if monomial.is_one() {
+                product = product.times(&self.rational_power(&base, coefficient)?)?;
+                continue;
+            }
+            let above = BigRational::from_integer(coefficient.numer().clone());
+            let unit = coefficient / &above;
+            let unit = expr_of(&Polynomial::term(monomial.clone(), unit), self.atoms);
+            let opaque = Expr::Power(written.clone().into(), unit.into());
+            let root = self.atom(Atom::Opaque(opaque));
+            product = product.times(&self.rational_power(&root, &above)?)?;
+        }
+        Ok(product)
+    }
+
+    fn rational_power(&mut self, base: &Fraction, exponent: &BigRational) -> Lowered {
+        if exponent.is_negative() {
+            let inverse = self.recip(base)?;
+            return self.rational_power(&inverse, &-exponent);
+        }
+        let power = exponent.numer().to_u32().ok_or(LowerError::TooLarge)?;
+        if exponent.is_integer() {
+            return Ok(base.pow(power)?);
+        }
+        let root = match base.as_constant().and_then(|c| exact_root(&c, exponent)) {
+            Some(root) => root.into(),
+            None => {
+                let written = expr_of_fraction(base, self.atoms);
+                let unit = BigRational::new(One::one(), exponent.denom().clone());
+                self.atom(Atom::Opaque(Expr::Power(
+                    written.into(),
+                    Expr::Number(unit).into(),
+                )))
+            }
+        };
+        Ok(root.pow(power)?)
+    }
+
+    fn series(
+        &mut self,
+        whole: &Expr,
+        index: &Symbol,
+        from: &Expr,
+        to: &Expr,
+        body: &Expr,
+    ) -> Lowered {
+        let integer = |value: &Fraction| {
+            let value = value.as_constant().filter(BigRational::is_integer)?;
+            value.to_integer().to_i64()
+        };
+        let (first, last) = (self.lower(from)?, self.lower(to)?);
+        if let (Some(first), Some(last)) = (integer(&first), integer(&last)) {
+            if last.saturating_sub(first) > MOST_EXPLICIT_TERMS {
+                return Err(LowerError::TooLarge);
+            }
+            let mut sum = Fraction::default();
+            for position in first..=last {
+                sum = sum.plus(&self.lower(&body.at_index(index, position))?)?;
+            }
+            return Ok(sum);
+        }
+        let opaque = Atom::Opaque(whole.clone());
+        let (Some(1), Expr::Symbol(count)) = (integer(&first), to) else {
+            return Ok(self.atom(opaque));
+        };
+        let body = self.lower(body)?;
+        match self.power_sums(&body, index, count)? {
+            Some(value) => Ok(value),
+            None => Ok(self.atom(opaque)),
+        }
+    }
+
+    /// `Σ_i` of a polynomial in the elements, as a linear combination of power sums.
+    fn power_sums(
+        &mut self,
+        body: &Fraction,
+        index: &Symbol,
+        count: &Symbol,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let bound_sequence = |atoms: &Atoms, var: Var| match atoms.atom(var) {
+            Atom::Bound { sequence, index: i } if i == index => Some(sequence.clone()),
+            _ => None,
+        };
+        let depends = |atoms: &Atoms, var: Var| match atoms.atom(var) {
+            Atom::Bound { index: i, .. } => i == index,
+            Atom::Symbol(symbol) => symbol == index,
+            Atom::Opaque(expr) => expr.mentions(index),
+            _ => false,
+        };
+        for (factor, _) in body.denominator() {
+            if factor.vars().iter().any(|&v| depends(self.atoms, v)) {
+                return Ok(None);
+            }
+        }
+        let mut sum = Polynomial::zero();
+        for (monomial, coefficient) in body.numerator().terms() {
+            let (mut outside, mut powers) = (Monomial::one(), Vec::new());
+            for &(var, exponent) in monomial.powers() {
+                match bound_sequence(self.atoms, var) {
+                    Some(sequence) => powers.push((sequence, exponent)),
+                    None if depends(self.atoms, var) => return Ok(None),
+                    None => outside = outside.times(&Monomial::power(var, exponent)),
+                }
+            }
+            powers.sort();
+            let total = power_sum(count, powers);
+            let var = self.atoms.var(total);
+            let term =
+                Polynomial::term(outside.times(&Monomial::power(var, 1)), coefficient.clone());
+            sum = sum.plus(&term);
+        }
+        let mut value = Fraction::from(sum);
+        for (factor, exponent) in body.denominator() {
+            let inverse = Fraction::from(factor.clone()).pow(exponent)?.recip()?;
+            value = value.times(&inverse.ok_or(LowerError::DivisionByZero)?)?;
+        }
+        Ok(Some(value))
+    }
+
+    fn derivative(&mut self, value: &Fraction, variable: &Symbol) -> Lowered {
+        let mut total = Fraction::default();
+        let mut vars = value.numerator().vars();
+        for (factor, _) in value.denominator() {
+            vars.extend(factor.vars());
+        }
+        for var in vars {
+            let inner = self.atom_derivative(var, variable)?;
+            if inner.is_zero() {
+                continue;
+            }
+            total = total.plus(&partial_derivative(value, var)?.times(&inner)?)?;
+        }
+        Ok(total)
+    }
+
+    /// The derivative of one unknown: 1, 0, or an unknown of its own.
+    fn atom_derivative(&mut self, var: Var, variable: &Symbol) -> Lowered {
+        let body = match self.atoms.atom(var).clone() {
+            Atom::Symbol(symbol) if symbol == *variable => return Ok(BigRational::one().into()),
+            atom => expr_of_atom(&atom),
+        };
+        let free = body.free_symbols();
+        if free
+            .iter()
+            .all(|s| s != variable && self.constants.contains(s))
+        {
+            return Ok(Fraction::default());
+        }
+        if let Expr::Power(base, exponent) = &body
+            && let Expr::Number(exponent) = &**exponent
+        {
+            // d(b^r) = r · b^r / b · db
+            let base = self.lower(base)?;
+            let inner = self.derivative(&base, variable)?;
+            let outer = Fraction::from(Polynomial::var(var)).times(&self.recip(&base)?)?;
+            return Ok(outer.times(&inner)?.times(&exponent.clone().into())?);
+        }
+        Ok(self.atom(Atom::Opaque(Expr::Derivative {
+            body: body.into(),
+            variable: variable.clone(),
+        })))
+    }
+
+    fn limit(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
+        let value = self.lower(body)?;
+        let opaque = Expr::Limit {
+            body: expr_of_fraction(&value, self.atoms).into(),
+            variable: variable.clone(),
+            point: point.clone(),
+        };
+        let opaque = Atom::Opaque(opaque);
+        let var = self.atoms.var(Atom::Symbol(variable.clone()));
+        let below = value.expanded_denominator()?;
+        let mut others = value.numerator().vars();
+        others.extend(below.vars());
+        others.remove(&var);
+        let mut held = Vec::new();
+        for &other in &others {
+            if !matches!(self.atoms.atom(other), Atom::Symbol(_)) {
+                return Ok(self.atom(opaque));
+            }
+            let change = self.atom_derivative(other, variable)?;
+            if !change.is_zero() {
+                held.push(change.numerator().clone());
+            }
+        }
+        let found = match point {
+            LimitPoint::Finite(point) => {
+                let point = self.lower(point)?;
+                limit_at(value.numerator(), &below, var, &point)?
+            }
+            LimitPoint::PlusInfinity | LimitPoint::MinusInfinity => {
+                limit_at_infinity(value.numerator(), &below, var)?
+            }
+        };
+        let Some((above, below)) = found else {
+            return Ok(self.atom(opaque));
+        };
+        // A lone symbol that is not known to be constant tells nothing about where it goes.
+        if !held.is_empty() && value.as_polynomial().is_some_and(|p| p.degree_in(var) == 0) {
+            return Ok(self.atom(opaque));
+        }
+        self.conditions.zero.extend(held);
+        Ok(above.times(&self.recip(&below)?)?)
+    }
+}
+
+/// The limit at infinity by the leading terms; `None` where it is not finite.
+fn limit_at_infinity(
+    above: &Polynomial,
+    below: &Polynomial,
+    var: Var,
+) -> Result<Option<(Fraction, Fraction)>, LowerError> {
+    let (m, n) = (above.degree_in(var), below.degree_in(var));
+    if m > 4096 || n > 4096 {
+        return Err(LowerError::TooLarge);
+    }
+    let lead = |p: &Polynomial| p.in_powers_of(var).pop().unwrap_or_default();
+    Ok(match m.cmp(&n) {
+        std::cmp::Ordering::Less => Some((Fraction::default(), lead(below).into())),
+        std::cmp::Ordering::Equal => Some((lead(above).into(), lead(below).into())),
+        std::cmp::Ordering::Greater => None,
+    })
+}
+
+/// The limit at a finite point: common zeros are divided out, then the point is put in.
+fn limit_at(
+    above: &Polynomial,
+    below: &Polynomial,
+    var: Var,
+    point: &Fraction,
+) -> Result<Option<(Fraction, Fraction)>, LowerError> {
+    let Some(point) = point.as_polynomial() else {
+        return Ok(None);
+    };
+    let root = Polynomial::var(var).minus(point);
+    let (mut above, mut below) = (above.clone(), below.clone());
+    loop {
+        let bottom = below.substitute(var, point)?;
+        let top = above.substitute(var, point)?;
+        if !bottom.is_zero() {
+            return Ok(Some((top.into(), bottom.into())));
+        }
+        if !top.is_zero() || above.is_zero() {
+            return Ok(None);
+        }
+        let (Some(a), Some(b)) = (above.divided_by(&root), below.divided_by(&root)) else {
+            return Ok(None);
+        };
+        (above, below) = (a, b);
+    }
+}
+
+fn partial_derivative(value: &Fraction, var: Var) -> Lowered {
+    let mut below = Fraction::from(BigRational::one());
+    for (factor, exponent) in value.denominator() {
+        below = below.times(&Fraction::from(factor.clone()).pow(exponent)?)?;
+    }
+    let invert = |f: &Fraction| -> Lowered { f.recip()?.ok_or(LowerError::DivisionByZero) };
+    let mut total = Fraction::from(value.numerator().derivative(var)).times(&invert(&below)?)?;
+    // (1/f^e)' = -e f' / f^(e+1)
+    for (factor, exponent) in value.denominator() {
+        let slope = factor.derivative(var);
+        if slope.is_zero() {
+            continue;
+        }
+        let slope = slope.scaled(&BigRational::from_integer(exponent.into()));
+        let change = Fraction::from(slope).times(&invert(&factor.clone().into())?)?;
+        total = total.plus(&value.times(&change)?.negated())?;
+    }
+    Ok(total)
+}
+
+/// `Σ_{i=1}^{count}` of a product of elements, or the count itself for the empty product.
+pub fn power_sum(count: &Symbol, powers: Vec<(Symbol, u32)>) -> Atom {
+    if powers.is_empty() {
+        return Atom::Symbol(count.clone());
+    }
+    Atom::PowerSum {
+        to: count.clone(),
+        powers,
+    }
+}
+
+/// The q-th root of a number for an exponent p/q, where it is rational.
+fn exact_root(value: &BigRational, exponent: &BigRational) -> Option<BigRational> {
+    let q = exponent.denom().to_u32()?;
+    if value.is_negative() || q > 64 {
+        return None;
+    }
+    let (above, below) = (value.numer().nth_root(q), value.denom().nth_root(q));
+    let exact = above.pow(q) == *value.numer() && below.pow(q) == *value.denom();
+    exact.then(|| BigRational::new(above, below))
+}
+
+/// The term that an atom stands for.
+pub fn expr_of_atom(atom: &Atom) -> Expr {
+    match atom {
+        Atom::Symbol(symbol) => Expr::Symbol(symbol.clone()),
+        Atom::Element { sequence, position } => Expr::Symbol(element_symbol(sequence, *position)),
+        Atom::Bound { sequence, index } => Expr::Element {
+            sequence: sequence.clone(),
+            index: index.clone(),
+        },
+        Atom::PowerSum { to, powers } => {
+            let index = Symbol::new("i");
+            let elements = powers.iter().map(|(sequence, exponent)| {
+                let element = Expr::Element {
+                    sequence: sequence.clone(),
+                    index: index.clone(),
+                };
+                raised(element, *exponent)
+            });
+            Expr::Series {
+                from: Expr::Number(One::one()).into(),
+                to: Expr::Symbol(to.clone()).into(),
+                body: product_of(elements.collect()).into(),
+                index: index.clone(),
+            }
+        }
+        Atom::Opaque(expr) => expr.clone(),
+    }
+}
+
+/// `u_3`, as a symbol.
+pub fn element_symbol(sequence: &Symbol, position: u32) -> Symbol {
+    match position {
+        0..=9 => Symbol::new(format!("{sequence}_{position}")),
+        _ => Symbol::new(format!("{sequence}_{{{position}}}")),
+    }
+}
+
+fn raised(base: Expr, exponent: u32) -> Expr {
+    match exponent {
+        1 => base,
+        _ => Expr::Power(
+            base.into(),
+            Expr::Number(BigRational::from_integer(exponent.into())).into(),
+        ),
+    }
+}
+
+fn product_of(mut factors: Vec<Expr>) -> Expr {
+    match factors.len() {
+        0 => Expr::Number(One::one()),
+        1 => factors.remove(0),
+        _ => Expr::Product(factors),
+    }
+}
+
+/// A polynomial as a term, in an order that depends on names alone.
+pub fn expr_of(polynomial: &Polynomial, atoms: &Atoms) -> Expr {
+    let mut terms: Vec<(std::cmp::Reverse<u32>, Vec<Expr>, BigRational)> = polynomial
+        .terms()
+        .map(|(monomial, coefficient)| {
+            let powers = monomial.powers().iter();
+            let mut factors: Vec<Expr> = powers
+                .map(|&(var, exponent)| raised(expr_of_atom(atoms.atom(var)), exponent))
+                .collect();
+            factors.sort();
+            (
+                std::cmp::Reverse(monomial.degree()),
+                factors,
+                coefficient.clone(),
+            )
+        })
+        .collect();
+    terms.sort();
+    let mut written: Vec<Expr> = terms
+        .into_iter()
+        .map(|(_, mut factors, coefficient)| {
+            if !coefficient.abs().is_one() || factors.is_empty() {
+                factors.insert(0, Expr::Number(coefficient.abs()));
+            }
+            let product = product_of(factors);
+            match coefficient.is_negative() {
+                true => Expr::Negate(product.into()),
+                false => product,
+            }
+        })
+        .collect();
+    match written.len() {
+        0 => Expr::Number(Zero::zero()),
+        1 => written.remove(0),
+        _ => Expr::Sum(written),
+    }
+}
+
+/// A rational function as a term, in an order that depends on names alone.
+pub fn expr_of_fraction(value: &Fraction, atoms: &Atoms) -> Expr {
+    let above = expr_of(value.numerator(), atoms);
+    let mut below: Vec<Expr> = value
+        .denominator()
+        .map(|(factor, exponent)| raised(expr_of(factor, atoms), exponent))
+        .collect();
+    below.sort();
+    match below.is_empty() {
+        true => above,
+        false => Expr::Quotient(above.into(), product_of(below).into()),
+    }
+}

@@ -1,0 +1,334 @@
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+use num_traits::{One, Signed, Zero};
+
+use super::{BigRational, Monomial, Var};
+
+/// Products of polynomials beyond these sizes are refused rather than waited for.
+const MOST_TERM_PRODUCTS: usize = 400_000;
+const HIGHEST_DEGREE: u32 = 1 << 20;
+/// A coefficient may grow to this many bits in a power.
+const LONGEST_NUMBER: u64 = 1 << 17;
+
+/// A computation would exceed the bounds on degree, number of terms or size of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLarge;
+
+impl fmt::Display for TooLarge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the expression is too large to expand")
+    }
+}
+
+/// A polynomial over the rationals in the unknowns of an [`Atoms`](super::Atoms) table.
+///
+/// Canonical by construction: no coefficient is zero, so two polynomials are equal exactly when their
+/// maps are.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct Polynomial {
+    terms: BTreeMap<Monomial, BigRational>,
+}
+
+impl Polynomial {
+    /// 0.
+    pub fn zero() -> Self {
+        Polynomial::default()
+    }
+
+    /// 1.
+    pub fn one() -> Self {
+        Polynomial::constant(BigRational::one())
+    }
+
+    /// A constant.
+    pub fn constant(value: BigRational) -> Self {
+        Polynomial::term(Monomial::one(), value)
+    }
+
+    /// One unknown.
+    pub fn var(var: Var) -> Self {
+        Polynomial::term(Monomial::power(var, 1), BigRational::one())
+    }
+
+    /// `coefficient · monomial`.
+    pub fn term(monomial: Monomial, coefficient: BigRational) -> Self {
+        let mut terms = BTreeMap::new();
+        if !coefficient.is_zero() {
+            terms.insert(monomial, coefficient);
+        }
+        Polynomial { terms }
+    }
+
+    /// The terms from the lowest to the highest.
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &BigRational)> {
+        self.terms.iter()
+    }
+
+    /// How many terms there are.
+    pub fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// Whether this is 0.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// Whether there are no terms, that is, whether this is 0.
+    pub fn is_empty(&self) -> bool {
+        self.is_zero()
+    }
+
+    /// The value, where no unknown occurs.
+    pub fn as_constant(&self) -> Option<BigRational> {
+        match self.terms.len() {
+            0 => Some(BigRational::zero()),
+            1 => self.coefficient(&Monomial::one()).cloned(),
+            _ => None,
+        }
+    }
+
+    /// The coefficient of a monomial, where it occurs.
+    pub fn coefficient(&self, monomial: &Monomial) -> Option<&BigRational> {
+        self.terms.get(monomial)
+    }
+
+    /// The highest term.
+    pub fn leading(&self) -> Option<(&Monomial, &BigRational)> {
+        self.terms.last_key_value()
+    }
+
+    /// The total degree; 0 for the zero polynomial.
+    pub fn degree(&self) -> u32 {
+        self.leading().map_or(0, |(m, _)| m.degree())
+    }
+
+    /// The unknowns that occur.
+    pub fn vars(&self) -> BTreeSet<Var> {
+        let powers = self.terms.keys().flat_map(|m| m.powers());
+        powers.map(|p| p.0).collect()
+    }
+
+    /// The degree in one unknown.
+    pub fn degree_in(&self, var: Var) -> u32 {
+        self.terms
+            .keys()
+            .map(|m| m.exponent(var))
+            .max()
+            .unwrap_or(0)
+    }
+
+    fn add_term(&mut self, monomial: Monomial, coefficient: BigRational) {
+        use std::collections::btree_map::Entry;
+        match self.terms.entry(monomial) {
+            Entry::Vacant(slot) => {
+                if !coefficient.is_zero() {
+                    slot.insert(coefficient);
+                }
+            }
+            Entry::Occupied(mut slot) => {
+                *slot.get_mut() += coefficient;
+                if slot.get().is_zero() {
+                    slot.remove();
+                }
+            }
+        }
+    }
+
+    /// The sum.
+    pub fn plus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        for (m, c) in &other.terms {
+            sum.add_term(m.clone(), c.clone());
+        }
+        sum
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Self) -> Self {
+        let mut difference = self.clone();
+        for (m, c) in &other.terms {
+            difference.add_term(m.clone(), -c.clone());
+        }
+        difference
+    }
+
+    /// The negative.
+    pub fn negated(&self) -> Self {
+        self.scaled(&-BigRational::one())
+    }
+
+    /// A rational multiple.
+    pub fn scaled(&self, factor: &BigRational) -> Self {
+        if factor.is_zero() {
+            return Polynomial::zero();
+        }
+        let terms = self.terms.iter();
+        Polynomial {
+            terms: terms.map(|(m, c)| (m.clone(), c * factor)).collect(),
+        }
+    }
+
+    /// `coefficient · monomial · self`.
+    pub fn times_term(&self, monomial: &Monomial, coefficient: &BigRational) -> Self {
+        if coefficient.is_zero() {
+            return Polynomial::zero();
+        }
+        let terms = self.terms.iter();
+        Polynomial {
+            terms: terms
+                .map(|(m, c)| (m.times(monomial), c * coefficient))
+                .collect(),
+        }
+    }
+
+    /// The product, within bounds.
+    pub fn times(&self, other: &Self) -> Result<Self, TooLarge> {
+        let degree = self.degree().checked_add(other.degree()).ok_or(TooLarge)?;
+        if self.len().saturating_mul(other.len()) > MOST_TERM_PRODUCTS || degree > HIGHEST_DEGREE {
+            return Err(TooLarge);
+        }
+        let mut product = Polynomial::zero();
+        for (m, c) in &self.terms {
+            for (n, d) in &other.terms {
+                product.add_term(m.times(n), c * d);
+            }
+        }
+        Ok(product)
+    }
+
+    /// The power, within bounds.
+    pub fn pow(&self, exponent: u32) -> Result<Self, TooLarge> {
+        if let (1, Some((m, c))) = (self.len(), self.leading()) {
+            let degree = u64::from(m.degree()) * u64::from(exponent);
+            if degree > u64::from(HIGHEST_DEGREE) {
+                return Err(TooLarge);
+            }
+            let powers = m.powers().iter();
+            let monomial = powers.fold(Monomial::one(), |product, &(v, e)| {
+                product.times(&Monomial::power(v, e * exponent))
+            });
+            return Ok(Polynomial::term(monomial, power(c, exponent)?));
+        }
+        if self.is_zero() && exponent > 0 {
+            return Ok(Polynomial::zero());
+        }
+        // A power of two terms or more has more terms than its exponent.
+        if exponent > 512 {
+            return Err(TooLarge);
+        }
+        let mut product = Polynomial::one();
+        for _ in 0..exponent {
+            product = product.times(self)?;
+        }
+        Ok(product)
+    }
+
+    /// `self / other`, where the division leaves no remainder.
+    pub fn divided_by(&self, other: &Self) -> Option<Self> {
+        let (lead, coefficient) = other.leading()?;
+        let (mut rest, mut quotient) = (self.clone(), Polynomial::zero());
+        while let Some((m, c)) = rest.leading() {
+            let (m, c) = (m.divided_by(lead)?, c / coefficient);
+            rest = rest.minus(&other.times_term(&m, &c));
+            quotient.add_term(m, c);
+        }
+        Some(quotient)
+    }
+
+    /// The coefficients of the powers of one unknown, from the 0th up.
+    pub fn in_powers_of(&self, var: Var) -> Vec<Polynomial> {
+        let mut coefficients = vec![Polynomial::zero(); self.degree_in(var) as usize + 1];
+        for (m, c) in &self.terms {
+            coefficients[m.exponent(var) as usize].add_term(m.without(var), c.clone());
+        }
+        coefficients
+    }
+
+    /// The greatest monomial that divides every term.
+    pub fn content(&self) -> Monomial {
+        let mut monomials = self.terms.keys();
+        let first = monomials.next().cloned().unwrap_or_default();
+        monomials.fold(first, |gcd, m| gcd.gcd(m))
+    }
+
+    /// The polynomial divided by its leading coefficient; 0 stays 0.
+    pub fn monic(&self) -> Self {
+        match self.leading() {
+            Some((_, c)) if !c.is_one() => self.scaled(&c.recip()),
+            _ => self.clone(),
+        }
+    }
+
+    /// The partial derivative.
+    pub fn derivative(&self, var: Var) -> Self {
+        let mut sum = Polynomial::zero();
+        for (m, c) in &self.terms {
+            let exponent = m.exponent(var);
+            if exponent > 0 {
+                let lowered = m.without(var).times(&Monomial::power(var, exponent - 1));
+                sum.add_term(lowered, c * BigRational::from_integer(exponent.into()));
+            }
+        }
+        sum
+    }
+
+    /// Puts a polynomial in the place of an unknown, within bounds.
+    pub fn substitute(&self, var: Var, value: &Polynomial) -> Result<Self, TooLarge> {
+        let coefficients = self.in_powers_of_bounded(var)?;
+        // Horner's rule.
+        let mut sum = Polynomial::zero();
+        for coefficient in coefficients.iter().rev() {
+            sum = sum.times(value)?.plus(coefficient);
+        }
+        Ok(sum)
+    }
+
+    fn in_powers_of_bounded(&self, var: Var) -> Result<Vec<Polynomial>, TooLarge> {
+        if self.degree_in(var) > 4096 {
+            return Err(TooLarge);
+        }
+        Ok(self.in_powers_of(var))
+    }
+
+    /// The value at a point; `None` where the point does not give every unknown a value.
+    pub fn evaluate(
+        &self,
+        value: impl Fn(Var) -> Option<BigRational>,
+    ) -> Result<Option<BigRational>, TooLarge> {
+        let mut sum = BigRational::zero();
+        for (m, c) in &self.terms {
+            let mut product = c.clone();
+            for &(var, exponent) in m.powers() {
+                let Some(value) = value(var) else {
+                    return Ok(None);
+                };
+                product *= power(&value, exponent)?;
+            }
+            sum += product;
+        }
+        Ok(Some(sum))
+    }
+}
+
+/// A power of a number, within bounds.
+pub(super) fn power(base: &BigRational, exponent: u32) -> Result<BigRational, TooLarge> {
+    if base.is_zero() || base.abs().is_one() {
+        let odd = exponent % 2 == 1;
+        return Ok(match exponent {
+            0 => BigRational::one(),
+            _ if odd || base.is_zero() => base.clone(),
+            _ => BigRational::one(),
+        });
+    }
+    let bits = base.numer().bits().max(base.denom().bits());
+    if bits.saturating_mul(exponent.into()) > LONGEST_NUMBER {
+        return Err(TooLarge);
+    }
+    // Both parts are powers of coprime numbers, so nothing is left to reduce.
+    Ok(BigRational::new_raw(
+        base.numer().pow(exponent),
+        base.denom().pow(exponent),
+    ))
+}

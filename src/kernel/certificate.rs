@@ -1,0 +1,147 @@
+//! The certificate language: plain data, written by the search, believed by nobody.
+//!
+//! Polynomials refer to the unknowns of the [`Problem`](super::Problem) that the kernel makes of the claim,
+//! facts to their position in it.
+
+use std::collections::BTreeMap;
+
+use crate::algebra::{BigRational, Polynomial, Symbol};
+
+/// What the search hands over. Nothing in here is believed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Candidate {
+    /// The goal follows.
+    Proof(Certificate),
+    /// The premises can be true and the goal false.
+    Counterexample(Assignment),
+}
+
+/// A proof that a goal follows from its hypotheses.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Certificate {
+    /// The hypotheses of the form `symbol = term` that are put in everywhere first, in order.
+    pub unfold: Vec<usize>,
+    /// Facts to be added, in order, each with its proof.
+    pub lemmas: Vec<Lemma>,
+    /// The proof of the goal.
+    pub conclusion: Proof,
+}
+
+/// A fact with its proof.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lemma {
+    /// What is added to the facts.
+    pub fact: Fact,
+    /// Why it follows from the facts before it.
+    pub proof: Proof,
+}
+
+/// A polynomial and what is known of its value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fact {
+    /// The polynomial.
+    pub polynomial: Polynomial,
+    /// What is known of its value.
+    pub sign: Sign,
+}
+
+/// What can be known of the value of a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// = 0
+    Zero,
+    /// ≠ 0
+    NonZero,
+    /// ≥ 0
+    NonNegative,
+    /// > 0
+    Positive,
+}
+
+/// A product of powers of polynomials.
+pub type Factors = Vec<(Polynomial, u32)>;
+
+/// A combination of the facts that are equations: each by its position, with its cofactor.
+pub type Cofactors = Vec<(usize, Polynomial)>;
+
+/// Why a fact follows from others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Proof {
+    /// `multiplier · goal^power = Σ cofactor · equation`, the multiplier not vanishing: the goal is 0.
+    Combination {
+        /// Known not to vanish, factor by factor.
+        multiplier: Factors,
+        /// At least 1.
+        power: u32,
+        /// The combination.
+        cofactors: Cofactors,
+    },
+    /// `certain = cofactor · goal + Σ cofactor · equation`, `certain` not vanishing: the goal is not 0.
+    NonVanishing {
+        /// Known not to vanish, factor by factor.
+        certain: Factors,
+        /// The cofactor of the goal.
+        cofactor: Polynomial,
+        /// The combination.
+        cofactors: Cofactors,
+    },
+    /// `multiplier · goal = Σ terms + Σ cofactor · equation`, the multiplier positive: the goal is not
+    /// negative, and positive where a term is.
+    Positivity {
+        /// Known to be positive, factor by factor.
+        multiplier: Factors,
+        /// Terms that cannot be negative.
+        terms: Vec<PositiveTerm>,
+        /// The combination.
+        cofactors: Cofactors,
+    },
+    /// `a ≥ 0` and `-a ≥ 0`: the goal is 0.
+    BothBounds {
+        /// That the goal is not negative.
+        below: Box<Proof>,
+        /// That its negative is not.
+        above: Box<Proof>,
+    },
+    /// `-a² ≥ 0`: the goal is 0. So a vanishing sum of squares makes each of its terms vanish.
+    Square(Box<Proof>),
+}
+
+/// `coefficient · Π factors · Π squares² · Π series · Π facts`: a product that cannot be negative.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PositiveTerm {
+    /// Not negative.
+    pub coefficient: BigRational,
+    /// Each is seen not to be negative by inspection, or has an even exponent.
+    pub factors: Factors,
+    /// Each is squared.
+    pub squares: Vec<Polynomial>,
+    /// Sums of squares over all elements of a sequence, or all pairs of elements.
+    pub series: Vec<SeriesSquare>,
+    /// Facts that are known to be non-negative or positive, by position.
+    pub facts: Vec<usize>,
+}
+
+/// `Σ_{i<j} (f_i g_j − f_j g_i)² = Σ f² Σ g² − (Σ f g)²` with `f`, `g` products of elements (Lagrange's
+/// identity); an empty product is 1, so `g = 1` gives `count · Σ f² − (Σ f)²`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SeriesSquare {
+    /// The number of elements.
+    pub count: Symbol,
+    /// `f`: each sequence with its exponent.
+    pub f: Vec<(Symbol, u32)>,
+    /// `g`: each sequence with its exponent.
+    pub g: Vec<(Symbol, u32)>,
+}
+
+/// Exact values for the symbols of a claim.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Assignment {
+    /// The hypotheses `symbol = term` that are put in first; their symbols need no value.
+    pub unfold: Vec<usize>,
+    /// The value of each symbol.
+    pub symbols: BTreeMap<Symbol, BigRational>,
+    /// The elements of each sequence.
+    pub sequences: BTreeMap<Symbol, Vec<BigRational>>,
+    /// The value of `ds/dx` at the point, for symbols `s` of which nothing else is said.
+    pub derivatives: BTreeMap<(Symbol, Symbol), BigRational>,
+}

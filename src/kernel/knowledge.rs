@@ -1,0 +1,148 @@
+use std::collections::BTreeSet;
+
+use num_traits::{Signed, Zero};
+
+use super::{Fact, Sign};
+use crate::algebra::{Monomial, Polynomial, Var};
+
+/// What the facts say by mere inspection about the sign of polynomials.
+///
+/// It looks at single terms and at facts that are multiples of what is asked; it proves nothing that
+/// needs a certificate.
+#[derive(Clone, Debug, Default)]
+pub struct Knowledge {
+    nonnegative_vars: BTreeSet<Var>,
+    nonzero_vars: BTreeSet<Var>,
+    nonzero: BTreeSet<Polynomial>,
+    positive: BTreeSet<Polynomial>,
+    nonnegative: BTreeSet<Polynomial>,
+}
+
+impl Knowledge {
+    /// What some facts say.
+    pub fn new(facts: &[Fact]) -> Self {
+        let mut knowledge = Knowledge::default();
+        facts.iter().for_each(|fact| knowledge.learn(fact));
+        knowledge
+    }
+
+    /// Adds a fact.
+    pub fn learn(&mut self, fact: &Fact) {
+        let polynomial = &fact.polynomial;
+        match fact.sign {
+            Sign::Zero => return,
+            Sign::NonZero => {
+                self.nonzero.insert(polynomial.monic());
+            }
+            Sign::NonNegative => {
+                self.nonnegative.insert(normal(polynomial));
+            }
+            Sign::Positive => {
+                self.nonzero.insert(polynomial.monic());
+                self.positive.insert(normal(polynomial));
+            }
+        }
+        if matches!(fact.sign, Sign::NonZero | Sign::Positive) {
+            // A product that does not vanish has no factor that does.
+            let content = polynomial.content();
+            self.nonzero_vars
+                .extend(content.powers().iter().map(|p| p.0));
+        }
+        self.learn_bound(fact);
+    }
+
+    /// `a v − c ≥ 0` with `a > 0`, `c ≥ 0` bounds an unknown.
+    fn learn_bound(&mut self, fact: &Fact) {
+        let polynomial = &fact.polynomial;
+        if fact.sign == Sign::NonZero || polynomial.degree() != 1 {
+            return;
+        }
+        let mut vars = polynomial.vars().into_iter();
+        let (Some(var), None) = (vars.next(), vars.next()) else {
+            return;
+        };
+        let slope = polynomial.coefficient(&Monomial::power(var, 1));
+        let constant = polynomial.coefficient(&Monomial::one());
+        if slope.is_some_and(|c| c.is_positive()) && constant.is_none_or(|c| !c.is_positive()) {
+            self.nonnegative_vars.insert(var);
+            if fact.sign == Sign::Positive || constant.is_some_and(|c| !c.is_zero()) {
+                self.nonzero_vars.insert(var);
+            }
+        }
+    }
+
+    fn monomial_is_nonnegative(&self, monomial: &Monomial) -> bool {
+        let mut powers = monomial.powers().iter();
+        powers.all(|(v, e)| e % 2 == 0 || self.nonnegative_vars.contains(v))
+    }
+
+    /// Whether a product of unknowns is known not to vanish.
+    pub fn monomial_is_nonzero(&self, monomial: &Monomial) -> bool {
+        let mut powers = monomial.powers().iter();
+        powers.all(|(v, _)| self.nonzero_vars.contains(v))
+    }
+
+    /// Whether a product of unknowns is known to be positive.
+    pub fn monomial_is_positive(&self, monomial: &Monomial) -> bool {
+        self.monomial_is_nonnegative(monomial) && self.monomial_is_nonzero(monomial)
+    }
+
+    /// Whether no term is negative; and whether one is positive.
+    fn inspect(&self, polynomial: &Polynomial) -> (bool, bool) {
+        let mut terms = polynomial.terms();
+        let nonnegative = terms.all(|(m, c)| c.is_positive() && self.monomial_is_nonnegative(m));
+        let mut terms = polynomial.terms();
+        (
+            nonnegative,
+            nonnegative && terms.any(|(m, _)| self.monomial_is_nonzero(m)),
+        )
+    }
+
+    /// Whether a polynomial is known to be positive.
+    pub fn is_positive(&self, polynomial: &Polynomial) -> bool {
+        if self.inspect(polynomial).1 || self.positive.contains(&normal(polynomial)) {
+            return true;
+        }
+        let (content, rest) = split(polynomial);
+        !content.is_one() && self.monomial_is_positive(&content) && self.is_positive(&rest)
+    }
+
+    /// Whether a polynomial is known not to be negative.
+    pub fn is_nonnegative(&self, polynomial: &Polynomial) -> bool {
+        self.inspect(polynomial).0
+            || self.nonnegative.contains(&normal(polynomial))
+            || self.is_positive(polynomial)
+    }
+
+    /// Whether a polynomial is known not to vanish.
+    pub fn is_nonzero(&self, polynomial: &Polynomial) -> bool {
+        if polynomial.is_zero() {
+            return false;
+        }
+        let (content, rest) = split(polynomial);
+        self.nonzero.contains(&polynomial.monic())
+            || self.is_positive(polynomial)
+            || self.is_positive(&polynomial.negated())
+            || self.monomial_is_nonzero(&content)
+                && (rest.as_constant().is_some()
+                    || self.nonzero.contains(&rest.monic())
+                    || self.is_positive(&rest)
+                    || self.is_positive(&rest.negated()))
+    }
+}
+
+/// The positive multiple with leading coefficient 1 or −1.
+fn normal(polynomial: &Polynomial) -> Polynomial {
+    match polynomial.leading() {
+        Some((_, c)) => polynomial.scaled(&c.abs().recip()),
+        None => Polynomial::zero(),
+    }
+}
+
+/// The greatest monomial factor and the rest.
+fn split(polynomial: &Polynomial) -> (Monomial, Polynomial) {
+    let content = polynomial.content();
+    let one = num_rational::BigRational::from_integer(1.into());
+    let rest = polynomial.divided_by(&Polynomial::term(content.clone(), one));
+    (content, rest.unwrap_or_default())
+}

@@ -1,0 +1,67 @@
+//! The kernel: the one place where a verdict can be made.
+//!
+//! A [`Claim`] says what must follow from what. The search hands over a [`Candidate`]; [`check`] replays a
+//! proof or evaluates a counterexample, in exact arithmetic, and builds [`Proven`] or [`Refuted`], which
+//! nothing else can. It searches nothing, reads no file and prints nothing; it depends on the exact algebra
+//! and the certificate language alone.
+//!
+//! | certificate | the kernel's work |
+//! | --- | --- |
+//! | [`Proof::Combination`] | multiplier · goal^power = Σ cofactor · equation, the multiplier not vanishing |
+//! | [`Proof::NonVanishing`] | certain = cofactor · goal + Σ cofactor · equation |
+//! | [`Proof::Positivity`] | multiplier · goal = Σ nonnegative terms + Σ cofactor · equation |
+//! | [`Proof::BothBounds`] | a ≥ 0 and −a ≥ 0 |
+//! | [`Proof::Square`] | −a² ≥ 0 |
+//! | [`Assignment`] | evaluate: premises true, goal false |
+
+mod certificate;
+mod claim;
+mod knowledge;
+mod problem;
+mod replay;
+mod verdict;
+mod witness;
+
+pub use certificate::{
+    Assignment, Candidate, Certificate, Cofactors, Fact, Factors, Lemma, PositiveTerm, Proof,
+    SeriesSquare, Sign,
+};
+pub use claim::{Claim, Domain, Hypothesis, Standing};
+pub use knowledge::Knowledge;
+pub(crate) use problem::definition;
+pub use problem::{Origin, Problem};
+pub use verdict::{Checked, Model, Proven, Refuted, Reject};
+
+/// Decides whether a candidate is evidence for or against a claim.
+///
+/// # Errors
+/// The first reason found for which it is not.
+pub fn check(claim: Claim, candidate: Candidate) -> Result<Checked, Reject> {
+    match candidate {
+        Candidate::Proof(certificate) => {
+            let problem = Problem::new(&claim, &certificate.unfold)?;
+            replay::State::new(&problem).certificate(&certificate)?;
+            Ok(Checked::Proven(Proven { claim, certificate }))
+        }
+        Candidate::Counterexample(witness) => {
+            let mut point = witness::Point::new(&claim, &witness)?;
+            point.premises()?;
+            point.goal_is_false()?;
+            Ok(Checked::Refuted(Refuted { claim, witness }))
+        }
+    }
+}
+
+/// Decides whether all domains and hypotheses of a claim are true at a point. The goal is not looked at.
+///
+/// # Errors
+/// The first reason found for which they are not.
+pub fn check_model(claim: &Claim, point: Assignment) -> Result<Model, Reject> {
+    let zero = crate::algebra::Expr::integer(0);
+    let claim = Claim {
+        goal: crate::algebra::Formula::equal(zero.clone(), zero),
+        ..claim.clone()
+    };
+    witness::Point::new(&claim, &point)?.premises()?;
+    Ok(Model { point })
+}

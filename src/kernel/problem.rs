@@ -1,0 +1,390 @@
+use std::collections::BTreeSet;
+
+use super::{Claim, Domain, Fact, Reject, Sign, Standing};
+use crate::algebra::{
+    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Relation,
+    Symbol, expr_of, power_sum,
+};
+
+/// A claim as facts about polynomials: what certificates speak of.
+///
+/// Made from the claim alone, in one way only, so that the search and the kernel mean the same by
+/// "fact 3".
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// The unknowns.
+    pub atoms: Atoms,
+    /// What is known.
+    pub facts: Vec<Fact>,
+    /// Where each fact comes from.
+    pub origins: Vec<Origin>,
+    /// What is to be shown.
+    pub goal: Fact,
+    /// What must be known for the goal to be defined at all.
+    pub conditions: Conditions,
+    pub(super) readings: Vec<Reading>,
+    pub(super) integers: Vec<Fraction>,
+    pub(super) sequences: BTreeSet<Symbol>,
+    pub(super) constants: BTreeSet<Symbol>,
+    pub(super) formulas: Vec<(Formula, Standing)>,
+    pub(super) goal_formula: Formula,
+}
+
+/// Where a fact comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The hypothesis at this position.
+    Hypothesis(usize),
+    /// The declared domain of a symbol.
+    Domain(Symbol),
+    /// The nature of sums: counts and even power sums are not negative.
+    Sums,
+    /// A lemma of the certificate.
+    Lemma,
+}
+
+/// A premise as it is evaluated at a point: `None` where its relation has no exact meaning there.
+#[derive(Clone, Debug)]
+pub(super) struct Reading {
+    pub fact: Option<Fact>,
+    pub conditions: Conditions,
+}
+
+impl Problem {
+    /// The facts that a claim gives once the hypotheses `unfold` are put in.
+    ///
+    /// # Errors
+    /// A hypothesis that cannot be put in, a goal whose relation certificates do not speak of, or a
+    /// term that is too large or divides by 0.
+    pub fn new(claim: &Claim, unfold: &[usize]) -> Result<Problem, Reject> {
+        let (formulas, goal, values) = unfolded(claim, unfold)?;
+        let sequences: BTreeSet<Symbol> = claim.sequences.keys().cloned().collect();
+        let constant = |d: &Domain| d.constant || d.integer;
+        let declared = claim.domains.iter().filter(|(_, d)| constant(d));
+        let mut problem = Problem {
+            atoms: Atoms::default(),
+            facts: Vec::new(),
+            origins: Vec::new(),
+            goal: Fact {
+                polynomial: Polynomial::zero(),
+                sign: Sign::Zero,
+            },
+            conditions: Conditions::default(),
+            readings: Vec::new(),
+            integers: Vec::new(),
+            sequences,
+            constants: declared.map(|(s, _)| s.clone()).collect(),
+            formulas,
+            goal_formula: goal.clone(),
+        };
+        let (fact, conditions) = problem.read(&goal)?;
+        problem.goal = fact.ok_or(Reject::UnsupportedRelation)?;
+        problem.conditions = conditions;
+        for position in 0..problem.formulas.len() {
+            let formula = problem.formulas[position].0.clone();
+            problem.assume(&formula, Origin::Hypothesis(position))?;
+        }
+        for symbol in claim.free_symbols() {
+            let Some(domain) = claim.domains.get(&symbol) else {
+                continue;
+            };
+            let own = Expr::Symbol(symbol.clone());
+            let term = values.iter().find(|v| v.0 == symbol).map_or(&own, |v| &v.1);
+            for formula in domain.formulas(term) {
+                problem.assume(&formula, Origin::Domain(symbol.clone()))?;
+            }
+            if domain.integer {
+                let value = problem.lowering().lower(term)?;
+                problem.integers.push(value);
+            }
+        }
+        problem.add_facts_about_sums(claim)?;
+        Ok(problem)
+    }
+
+    pub(super) fn lowering(&mut self) -> Lowering<'_> {
+        Lowering {
+            atoms: &mut self.atoms,
+            sequences: &self.sequences,
+            constants: &self.constants,
+            conditions: Conditions::default(),
+        }
+    }
+
+    fn add(&mut self, polynomial: Polynomial, sign: Sign, origin: Origin) {
+        self.facts.push(Fact { polynomial, sign });
+        self.origins.push(origin);
+    }
+
+    /// A formula as a fact. `None` for relations that say nothing exact.
+    fn read(&mut self, formula: &Formula) -> Result<(Option<Fact>, Conditions), Reject> {
+        let mut lowering = self.lowering();
+        let (value, relation) = match formula {
+            Formula::Relation {
+                left,
+                relation,
+                right,
+            } => {
+                let (left, right) = (lowering.lower(left)?, lowering.lower(right)?);
+                let (above, relation) = match relation {
+                    Relation::Less | Relation::LessOrEqual => {
+                        (right.plus(&left.negated())?, *relation)
+                    }
+                    _ => (left.plus(&right.negated())?, *relation),
+                };
+                (above, relation)
+            }
+            // u_1 = … = u_n (= w)  ⇔  n Σu² − (Σu)² = 0  (Σu² − 2w Σu + n w² = 0)
+            Formula::AllEqual {
+                sequence,
+                to,
+                value,
+            } => {
+                let square = Expr::Power(
+                    Expr::Element {
+                        sequence: sequence.clone(),
+                        index: Symbol::new("i"),
+                    }
+                    .into(),
+                    Expr::integer(2).into(),
+                );
+                let element = Expr::Element {
+                    sequence: sequence.clone(),
+                    index: Symbol::new("i"),
+                };
+                let sum = |body: Expr| Expr::Series {
+                    index: Symbol::new("i"),
+                    from: Expr::integer(1).into(),
+                    to: to.clone().into(),
+                    body: body.into(),
+                };
+                let (first, second) = (
+                    lowering.lower(&sum(element))?,
+                    lowering.lower(&sum(square))?,
+                );
+                let count = lowering.lower(to)?;
+                let spread = match value {
+                    None => count.times(&second)?.plus(&first.pow(2)?.negated())?,
+                    Some(value) => {
+                        let value = lowering.lower(value)?;
+                        let two = Fraction::from(BigRational::from_integer(2.into()));
+                        let middle = two.times(&value)?.times(&first)?.negated();
+                        second.plus(&middle)?.plus(&count.times(&value.pow(2)?)?)?
+                    }
+                };
+                (spread, Relation::Equal)
+            }
+        };
+        let conditions = lowering.conditions;
+        let sign = match relation {
+            Relation::Equal => Sign::Zero,
+            Relation::NotEqual => Sign::NonZero,
+            Relation::Less | Relation::Greater => Sign::Positive,
+            Relation::LessOrEqual | Relation::GreaterOrEqual => Sign::NonNegative,
+            _ => return Ok((None, conditions)),
+        };
+        let mut polynomial = value.numerator().clone();
+        if matches!(sign, Sign::Positive | Sign::NonNegative) {
+            // P / Q has the sign of P times the factors of Q with an odd exponent.
+            for (factor, exponent) in value.denominator() {
+                if exponent % 2 == 1 {
+                    polynomial = polynomial.times(factor)?;
+                }
+            }
+        }
+        Ok((Some(Fact { polynomial, sign }), conditions))
+    }
+
+    fn assume(&mut self, formula: &Formula, origin: Origin) -> Result<(), Reject> {
+        let (fact, conditions) = self.read(formula)?;
+        // A limit that was taken with something held constant means what was read only if that is so.
+        let fact = fact.filter(|_| conditions.zero.is_empty());
+        if let Some(fact) = fact.clone() {
+            self.add(fact.polynomial, fact.sign, origin.clone());
+            // What is asserted is defined.
+            for factor in &conditions.nonzero {
+                self.add(factor.clone(), Sign::NonZero, origin.clone());
+            }
+        }
+        self.readings.push(Reading { fact, conditions });
+        Ok(())
+    }
+
+    /// Counts and even power sums are not negative; equal elements make every power sum a multiple of one power.
+    fn add_facts_about_sums(&mut self, claim: &Claim) -> Result<(), Reject> {
+        let sums: BTreeSet<(Symbol, Vec<(Symbol, u32)>)> = self
+            .atoms
+            .iter()
+            .filter_map(|(_, atom)| match atom {
+                Atom::PowerSum { to, powers } => Some((to.clone(), powers.clone())),
+                _ => None,
+            })
+            .collect();
+        let counts: BTreeSet<&Symbol> = sums.iter().map(|(to, _)| to).collect();
+        let sequences: BTreeSet<&Symbol> = sums
+            .iter()
+            .flat_map(|(_, p)| p.iter().map(|x| &x.0))
+            .collect();
+        // The sums that Lagrange's identity for these elements speaks of.
+        for &count in &counts {
+            self.atoms.var(Atom::Symbol(count.clone()));
+            for &a in &sequences {
+                self.atoms.var(power_sum(count, vec![(a.clone(), 1)]));
+                self.atoms.var(power_sum(count, vec![(a.clone(), 2)]));
+                for &b in sequences
+                    .range::<&Symbol, _>((std::ops::Bound::Excluded(a), std::ops::Bound::Unbounded))
+                {
+                    self.atoms
+                        .var(power_sum(count, vec![(a.clone(), 1), (b.clone(), 1)]));
+                }
+            }
+        }
+        let all: Vec<_> = self.atoms.iter().map(|(v, a)| (v, a.clone())).collect();
+        for &count in &counts {
+            if let Some(var) = self.atoms.find(&Atom::Symbol(count.clone())) {
+                self.add(Polynomial::var(var), Sign::NonNegative, Origin::Sums);
+            }
+        }
+        for (var, atom) in all {
+            match atom {
+                Atom::PowerSum { powers, .. } if powers.iter().all(|p| p.1 % 2 == 0) => {
+                    self.add(Polynomial::var(var), Sign::NonNegative, Origin::Sums);
+                }
+                Atom::Element { sequence, .. } => {
+                    let domain = claim.sequences.get(&sequence).cloned().unwrap_or_default();
+                    let term = expr_of(&Polynomial::var(var), &self.atoms);
+                    for formula in domain.formulas(&term) {
+                        self.assume(&formula, Origin::Domain(sequence.clone()))?;
+                    }
+                }
+                _ => {}
+            }
+        }
+        for position in 0..self.formulas.len() {
+            if let Formula::AllEqual {
+                sequence,
+                to: Expr::Symbol(to),
+                value,
+            } = self.formulas[position].0.clone()
+            {
+                self.equal_elements(position, &sequence, &to, value.as_ref(), &sums)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn equal_elements(
+        &mut self,
+        position: usize,
+        sequence: &Symbol,
+        count: &Symbol,
+        value: Option<&Expr>,
+        sums: &BTreeSet<(Symbol, Vec<(Symbol, u32)>)>,
+    ) -> Result<(), Reject> {
+        let common = match value {
+            Some(value) => self.lowering().lower(value)?,
+            None => {
+                let first = Atom::Element {
+                    sequence: sequence.clone(),
+                    position: 1,
+                };
+                Polynomial::var(self.atoms.var(first)).into()
+            }
+        };
+        let Some(common) = common.as_polynomial() else {
+            return Ok(());
+        };
+        let number = Polynomial::var(self.atoms.var(Atom::Symbol(count.clone())));
+        for (to, powers) in sums {
+            if let (true, [(own, exponent)]) = (to == count, powers.as_slice())
+                && own == sequence
+            {
+                let sum = Polynomial::var(self.atoms.var(power_sum(to, powers.clone())));
+                let multiple = number.times(&common.pow(*exponent)?)?;
+                self.add(
+                    sum.minus(&multiple),
+                    Sign::Zero,
+                    Origin::Hypothesis(position),
+                );
+            }
+        }
+        Ok(())
+    }
+}
+
+type Unfolded = (Vec<(Formula, Standing)>, Formula, Vec<(Symbol, Expr)>);
+
+/// Puts hypotheses `symbol = term` in everywhere, in order, and says what each symbol became.
+fn unfolded(claim: &Claim, unfold: &[usize]) -> Result<Unfolded, Reject> {
+    let hypotheses = claim.hypotheses.iter();
+    let mut formulas: Vec<_> = hypotheses
+        .map(|h| (h.formula.clone(), h.standing))
+        .collect();
+    let mut goal = claim.goal.clone();
+    let mut values: Vec<(Symbol, Expr)> = Vec::new();
+    for &position in unfold {
+        let (formula, standing) = formulas.get(position).ok_or(Reject::NoSuchFact(position))?;
+        let (symbol, term) = definition(formula).ok_or(Reject::NotUnfoldable(position))?;
+        let all = || formulas.iter().map(|f| &f.0).chain([&goal]);
+        let moving = |f: &Formula| f.terms().iter().any(|t| moves(t, &symbol));
+        let captured = |f: &Formula| f.terms().iter().any(|t| captures(t, &term));
+        let names = |f: &Formula| f.sequences().contains(&symbol);
+        let derived_by = |f: &Formula| f.terms().iter().any(|t| is_variable(t, &symbol));
+        let pointwise = *standing == Standing::AtPoint && all().any(moving);
+        if pointwise || all().any(captured) || all().any(names) || all().any(derived_by) {
+            return Err(Reject::NotUnfoldable(position));
+        }
+        for (formula, _) in &mut formulas {
+            *formula = formula.map_terms(|t| t.substitute(&symbol, &term));
+        }
+        goal = goal.map_terms(|t| t.substitute(&symbol, &term));
+        for (_, value) in &mut values {
+            *value = value.substitute(&symbol, &term);
+        }
+        values.push((symbol, term));
+    }
+    Ok((formulas, goal, values))
+}
+
+/// `symbol = term`, the term not mentioning the symbol.
+pub(crate) fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
+    let Formula::Relation {
+        left,
+        relation: Relation::Equal,
+        right,
+    } = formula
+    else {
+        return None;
+    };
+    let solved = |a: &Expr, b: &Expr| match a {
+        Expr::Symbol(symbol) if !b.mentions(symbol) => Some((symbol.clone(), b.clone())),
+        _ => None,
+    };
+    solved(left, right).or_else(|| solved(right, left))
+}
+
+/// Whether a symbol stands where it is differentiated, integrated or taken to a limit, or is what that is done by.
+fn moves(term: &Expr, symbol: &Symbol) -> bool {
+    let here = match term {
+        Expr::Derivative { .. } | Expr::Limit { .. } | Expr::Integral { .. } => {
+            term.mentions(symbol)
+        }
+        _ => false,
+    };
+    here || term.children().iter().any(|child| moves(child, symbol))
+}
+
+/// Whether a derivative is taken with respect to a symbol: putting a term in its place would sever the two.
+fn is_variable(term: &Expr, symbol: &Symbol) -> bool {
+    let here = matches!(term, Expr::Derivative { variable, .. } if variable == symbol);
+    here || term
+        .children()
+        .iter()
+        .any(|child| is_variable(child, symbol))
+}
+
+/// Whether a sum binds an index that occurs in `value`.
+fn captures(term: &Expr, value: &Expr) -> bool {
+    let here = matches!(term, Expr::Series { index, .. } if value.mentions(index));
+    here || term.children().iter().any(|child| captures(child, value))
+}

@@ -1,0 +1,214 @@
+use num_traits::{Signed, Zero};
+
+use super::{
+    Certificate, Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Reject,
+    SeriesSquare, Sign,
+};
+use crate::algebra::{Atom, Polynomial, Symbol, expr_of, power_sum, product};
+
+/// Facts with what they say at a glance; lemmas are added to both.
+pub(super) struct State<'a> {
+    problem: &'a Problem,
+    facts: Vec<Fact>,
+    knowledge: Knowledge,
+}
+
+impl<'a> State<'a> {
+    pub fn new(problem: &'a Problem) -> Self {
+        State {
+            problem,
+            facts: problem.facts.clone(),
+            knowledge: Knowledge::new(&problem.facts),
+        }
+    }
+
+    /// Checks every lemma in order, then the goal and that it is defined.
+    pub fn certificate(&mut self, certificate: &Certificate) -> Result<(), Reject> {
+        for lemma in &certificate.lemmas {
+            self.proof(&lemma.fact, &lemma.proof)?;
+            self.knowledge.learn(&lemma.fact);
+            self.facts.push(lemma.fact.clone());
+        }
+        for divisor in &self.problem.conditions.nonzero {
+            if !self.knowledge.is_nonzero(divisor) {
+                return Err(Reject::MayVanish(expr_of(divisor, &self.problem.atoms)));
+            }
+        }
+        for change in &self.problem.conditions.zero {
+            let known = |f: &Fact| f.sign == Sign::Zero && f.polynomial.monic() == change.monic();
+            if !self.facts.iter().any(known) {
+                return Err(Reject::MayVary(expr_of(change, &self.problem.atoms)));
+            }
+        }
+        self.proof(&self.problem.goal, &certificate.conclusion)
+    }
+
+    fn proof(&self, fact: &Fact, proof: &Proof) -> Result<(), Reject> {
+        let goal = &fact.polynomial;
+        match (proof, fact.sign) {
+            (
+                Proof::Combination {
+                    multiplier,
+                    power,
+                    cofactors,
+                },
+                Sign::Zero,
+            ) => {
+                if *power == 0 {
+                    return Err(Reject::ZeroPower);
+                }
+                let left = self
+                    .nonzero_product(multiplier)?
+                    .times(&goal.pow(*power)?)?;
+                self.identity(&left, &self.combination(cofactors)?)
+            }
+            (
+                Proof::NonVanishing {
+                    certain,
+                    cofactor,
+                    cofactors,
+                },
+                Sign::NonZero,
+            ) => {
+                let right = cofactor.times(goal)?.plus(&self.combination(cofactors)?);
+                self.identity(&self.nonzero_product(certain)?, &right)
+            }
+            (
+                Proof::Positivity {
+                    multiplier,
+                    terms,
+                    cofactors,
+                },
+                Sign::NonNegative | Sign::Positive,
+            ) => {
+                let left = self.positive_product(multiplier)?.times(goal)?;
+                let mut right = self.combination(cofactors)?;
+                for term in terms {
+                    right = right.plus(&self.positive_term(term)?);
+                }
+                if fact.sign == Sign::Positive && !terms.iter().any(|t| self.is_strict(t)) {
+                    return Err(Reject::NotStrict);
+                }
+                self.identity(&left, &right)
+            }
+            (Proof::BothBounds { below, above }, Sign::Zero) => {
+                let bound = |polynomial| Fact {
+                    polynomial,
+                    sign: Sign::NonNegative,
+                };
+                self.proof(&bound(goal.clone()), below)?;
+                self.proof(&bound(goal.negated()), above)
+            }
+            (Proof::Square(inner), Sign::Zero) => {
+                let polynomial = goal.pow(2)?.negated();
+                let sign = Sign::NonNegative;
+                self.proof(&Fact { polynomial, sign }, inner)
+            }
+            _ => Err(Reject::WrongKind),
+        }
+    }
+
+    fn identity(&self, left: &Polynomial, right: &Polynomial) -> Result<(), Reject> {
+        match left == right {
+            true => Ok(()),
+            false => Err(Reject::IdentityFails),
+        }
+    }
+
+    fn nonzero_product(&self, factors: &Factors) -> Result<Polynomial, Reject> {
+        for (factor, _) in factors {
+            if !self.knowledge.is_nonzero(factor) {
+                return Err(Reject::MayVanish(expr_of(factor, &self.problem.atoms)));
+            }
+        }
+        Ok(product(factors.iter().map(|(f, e)| (f, *e)))?)
+    }
+
+    fn positive_product(&self, factors: &Factors) -> Result<Polynomial, Reject> {
+        for (factor, exponent) in factors {
+            let square = exponent % 2 == 0 && self.knowledge.is_nonzero(factor);
+            if !square && !self.knowledge.is_positive(factor) {
+                return Err(Reject::MayBeNegative(expr_of(factor, &self.problem.atoms)));
+            }
+        }
+        Ok(product(factors.iter().map(|(f, e)| (f, *e)))?)
+    }
+
+    fn combination(&self, cofactors: &Cofactors) -> Result<Polynomial, Reject> {
+        let mut sum = Polynomial::zero();
+        for (position, cofactor) in cofactors {
+            let fact = self.facts.get(*position).filter(|f| f.sign == Sign::Zero);
+            let equation = &fact.ok_or(Reject::NoSuchFact(*position))?.polynomial;
+            sum = sum.plus(&cofactor.times(equation)?);
+        }
+        Ok(sum)
+    }
+
+    fn positive_term(&self, term: &PositiveTerm) -> Result<Polynomial, Reject> {
+        if term.coefficient.is_negative() {
+            return Err(Reject::NegativeCoefficient);
+        }
+        let mut value = Polynomial::constant(term.coefficient.clone());
+        for (factor, exponent) in &term.factors {
+            if exponent % 2 == 1 && !self.knowledge.is_nonnegative(factor) {
+                return Err(Reject::MayBeNegative(expr_of(factor, &self.problem.atoms)));
+            }
+            value = value.times(&factor.pow(*exponent)?)?;
+        }
+        for square in &term.squares {
+            value = value.times(&square.pow(2)?)?;
+        }
+        for series in &term.series {
+            value = value.times(&self.series(series)?)?;
+        }
+        for position in &term.facts {
+            let known = |f: &&Fact| matches!(f.sign, Sign::NonNegative | Sign::Positive);
+            let fact = self.facts.get(*position).filter(known);
+            value = value.times(&fact.ok_or(Reject::NoSuchFact(*position))?.polynomial)?;
+        }
+        Ok(value)
+    }
+
+    /// Whether a term that is not negative is known to be positive.
+    fn is_strict(&self, term: &PositiveTerm) -> bool {
+        let positive = |at: &usize| {
+            self.facts
+                .get(*at)
+                .is_some_and(|f| f.sign == Sign::Positive)
+        };
+        !term.coefficient.is_zero()
+            && term
+                .factors
+                .iter()
+                .all(|(f, _)| self.knowledge.is_nonzero(f))
+            && term.squares.iter().all(|s| self.knowledge.is_nonzero(s))
+            && term.series.is_empty()
+            && term.facts.iter().all(positive)
+    }
+
+    /// `Σ f² Σ g² − (Σ f g)²`, which is `Σ_{i<j} (f_i g_j − f_j g_i)²`.
+    fn series(&self, series: &SeriesSquare) -> Result<Polynomial, Reject> {
+        let sum = |a: &[(Symbol, u32)], b: &[(Symbol, u32)]| {
+            let mut powers: Vec<(Symbol, u32)> = Vec::new();
+            for (sequence, exponent) in a.iter().chain(b) {
+                match powers.iter_mut().find(|p| p.0 == *sequence) {
+                    Some(slot) => slot.1 = slot.1.checked_add(*exponent).ok_or(Reject::TooLarge)?,
+                    None => powers.push((sequence.clone(), *exponent)),
+                }
+            }
+            powers.retain(|p| p.1 > 0);
+            powers.sort();
+            let atom: Atom = power_sum(&series.count, powers);
+            let var = self.problem.atoms.find(&atom).ok_or(Reject::NoSuchSum)?;
+            Ok::<_, Reject>(Polynomial::var(var))
+        };
+        // Without a sum over it the symbol might not be a count at all.
+        let is_count =
+            |atom: &Atom| matches!(atom, Atom::PowerSum { to, .. } if *to == series.count);
+        if !self.problem.atoms.iter().any(|(_, atom)| is_count(atom)) {
+            return Err(Reject::NoSuchSum);
+        }
+        let (f, g) = (&series.f, &series.g);
+        Ok(sum(f, f)?.times(&sum(g, g)?)?.minus(&sum(f, g)?.pow(2)?))
+    }
+}

@@ -1,0 +1,255 @@
+use num_traits::{Signed, Zero};
+
+use super::{Assignment, Claim, Fact, Problem, Reject, Sign, Standing};
+use crate::algebra::{
+    Atom, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Relation, Symbol,
+    Var,
+};
+
+/// A claim's formulas at one point.
+pub(super) struct Point<'a> {
+    claim: &'a Claim,
+    problem: Problem,
+    at: &'a Assignment,
+}
+
+impl<'a> Point<'a> {
+    pub fn new(claim: &'a Claim, at: &'a Assignment) -> Result<Self, Reject> {
+        let problem = Problem::new(claim, &at.unfold)?;
+        Ok(Point { claim, problem, at })
+    }
+
+    /// Whether every domain condition and every hypothesis is true.
+    pub fn premises(&mut self) -> Result<(), Reject> {
+        for (symbol, value) in &self.at.symbols {
+            if self
+                .claim
+                .domains
+                .get(symbol)
+                .is_some_and(|d| !d.contains(value))
+            {
+                return Err(Reject::OutsideDomain);
+            }
+        }
+        for (sequence, elements) in &self.at.sequences {
+            let domain = self.claim.sequences.get(sequence).ok_or(Reject::NoValue)?;
+            if !elements.iter().all(|e| domain.contains(e)) {
+                return Err(Reject::OutsideDomain);
+            }
+        }
+        for (position, reading) in self.problem.readings.clone().into_iter().enumerate() {
+            let fact = reading.fact.ok_or(Reject::NoValue)?;
+            if !self.is_defined(&reading.conditions)? || !self.is_true(&fact)? {
+                return Err(Reject::PremiseFalse(position));
+            }
+        }
+        for value in self.problem.integers.clone() {
+            if !self.fraction(&value)?.is_some_and(|v| v.is_integer()) {
+                return Err(Reject::OutsideDomain);
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the goal is defined and false.
+    pub fn goal_is_false(&mut self) -> Result<(), Reject> {
+        let (goal, conditions) = (self.problem.goal.clone(), self.problem.conditions.clone());
+        match self.is_defined(&conditions)? && !self.is_true(&goal)? {
+            true => Ok(()),
+            false => Err(Reject::GoalNotFalse),
+        }
+    }
+
+    fn is_defined(&mut self, conditions: &Conditions) -> Result<bool, Reject> {
+        for divisor in &conditions.nonzero {
+            if self.value(divisor)?.is_zero() {
+                return Ok(false);
+            }
+        }
+        for change in &conditions.zero {
+            if !self.value(change)?.is_zero() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    fn is_true(&mut self, fact: &Fact) -> Result<bool, Reject> {
+        let value = self.value(&fact.polynomial)?;
+        Ok(match fact.sign {
+            Sign::Zero => value.is_zero(),
+            Sign::NonZero => !value.is_zero(),
+            Sign::NonNegative => !value.is_negative(),
+            Sign::Positive => value.is_positive(),
+        })
+    }
+
+    fn value(&mut self, polynomial: &Polynomial) -> Result<BigRational, Reject> {
+        let mut values = std::collections::BTreeMap::new();
+        for var in polynomial.vars() {
+            values.insert(var, self.atom(var)?);
+        }
+        let value = polynomial.evaluate(|v| values.get(&v).cloned())?;
+        value.ok_or(Reject::NoValue)
+    }
+
+    fn fraction(&mut self, value: &Fraction) -> Result<Option<BigRational>, Reject> {
+        let mut result = self.value(value.numerator())?;
+        for (factor, exponent) in value.denominator() {
+            let below = self.value(&factor.pow(exponent)?)?;
+            if below.is_zero() {
+                return Ok(None);
+            }
+            result /= below;
+        }
+        Ok(Some(result))
+    }
+
+    fn atom(&mut self, var: Var) -> Result<BigRational, Reject> {
+        match self.problem.atoms.atom(var).clone() {
+            Atom::Symbol(symbol) => self.at.symbols.get(&symbol).cloned().ok_or(Reject::NoValue),
+            Atom::Element { sequence, position } => {
+                let elements = self.elements(&sequence)?;
+                let element = elements.get(position as usize - 1);
+                element.cloned().ok_or(Reject::NoValue)
+            }
+            Atom::PowerSum { to, powers } => self.power_sum(&to, &powers),
+            Atom::Bound { .. } => Err(Reject::NoValue),
+            Atom::Opaque(expr) => self.opaque(&expr),
+        }
+    }
+
+    fn elements(&self, sequence: &Symbol) -> Result<&'a [BigRational], Reject> {
+        let elements = self.at.sequences.get(sequence).ok_or(Reject::NoValue)?;
+        Ok(elements)
+    }
+
+    fn power_sum(&self, to: &Symbol, powers: &[(Symbol, u32)]) -> Result<BigRational, Reject> {
+        let count = self.at.symbols.get(to).ok_or(Reject::NoValue)?;
+        let mut sum = BigRational::zero();
+        let mut position = BigRational::zero();
+        let mut at = 0;
+        // A count that is not a natural number has no sum; the longest list bounds the loop.
+        if count.is_negative() || !count.is_integer() {
+            return Err(Reject::NoValue);
+        }
+        while position < *count {
+            let mut term = BigRational::from_integer(1.into());
+            for (sequence, exponent) in powers {
+                let element = self.elements(sequence)?.get(at).ok_or(Reject::NoValue)?;
+                let power = Polynomial::constant(element.clone()).pow(*exponent)?;
+                term *= power.as_constant().ok_or(Reject::NoValue)?;
+            }
+            sum += term;
+            position += BigRational::from_integer(1.into());
+            at += 1;
+        }
+        Ok(sum)
+    }
+
+    fn opaque(&mut self, expr: &Expr) -> Result<BigRational, Reject> {
+        let mut evaluated = |inner: &Expr| {
+            let value = self.problem.lowering().lower(inner)?;
+            self.fraction(&value)?.ok_or(Reject::NoValue)
+        };
+        match expr {
+            Expr::Call(function, argument) => {
+                let argument = evaluated(argument)?;
+                match function {
+                    Function::Abs => Ok(argument.abs()),
+                    Function::Ceiling => Ok(argument.ceil()),
+                    Function::Floor => Ok(argument.floor()),
+                    _ => Err(Reject::NoValue),
+                }
+            }
+            Expr::Power(base, exponent) => {
+                let (base, exponent) = (evaluated(base)?, evaluated(exponent)?);
+                let power = Expr::Power(Expr::Number(base).into(), Expr::Number(exponent).into());
+                let value = self.problem.lowering().lower(&power)?;
+                value.as_constant().ok_or(Reject::NoValue)
+            }
+            Expr::Derivative { body, variable } => match &**body {
+                Expr::Symbol(symbol) => self.derivative(expr, symbol, variable),
+                _ => Err(Reject::NoValue),
+            },
+            _ => Err(Reject::NoValue),
+        }
+    }
+
+    /// `ds/dx` may be chosen where nothing is said of `s` that a choice could contradict.
+    ///
+    /// Either `s` occurs in this derivative only, and what is said of it throughout is at most one
+    /// equation solved for it: then there is a function with that derivative. Or everything else is held
+    /// constant, which no identity that mentions `x` may forbid: then the derivative is 0.
+    fn derivative(
+        &self,
+        whole: &Expr,
+        symbol: &Symbol,
+        variable: &Symbol,
+    ) -> Result<BigRational, Reject> {
+        let goal = &self.problem.goal_formula;
+        let formulas = self.problem.formulas.iter();
+        let identities: Vec<&Formula> = formulas
+            .clone()
+            .filter(|f| f.1 == Standing::Identity && !is_trivial(&f.0))
+            .map(|f| &f.0)
+            .collect();
+        let all = || formulas.clone().map(|f| &f.0).chain([goal]);
+        let key = (symbol.clone(), variable.clone());
+        if let Some(chosen) = self.at.derivatives.get(&key) {
+            let elsewhere =
+                |f: &Formula| f.terms().iter().any(|t| occurs_outside(t, symbol, whole));
+            let mut about = identities
+                .iter()
+                .filter(|f| f.terms().iter().any(|t| t.mentions(symbol)));
+            let solved = about.next().is_none_or(|f| is_solved_for(f, whole));
+            if all().any(elsewhere) || !solved || about.next().is_some() {
+                return Err(Reject::NoValue);
+            }
+            return Ok(chosen.clone());
+        }
+        let says = |f: &&Formula| f.terms().iter().any(|t| t.mentions(variable));
+        match identities.iter().any(says) {
+            true => Err(Reject::NoValue),
+            false => Ok(BigRational::zero()),
+        }
+    }
+}
+
+/// `a = a`, as a hypothesis becomes that has been put in.
+fn is_trivial(formula: &Formula) -> bool {
+    matches!(formula, Formula::Relation { left, relation: Relation::Equal, right } if left == right)
+}
+
+/// Whether a symbol occurs anywhere but inside one particular term.
+fn occurs_outside(term: &Expr, symbol: &Symbol, inside: &Expr) -> bool {
+    if term == inside {
+        return false;
+    }
+    match term.children().as_slice() {
+        [] => term.mentions(symbol),
+        children => {
+            children
+                .iter()
+                .any(|child| occurs_outside(child, symbol, inside))
+                || term.binder() == Some(symbol)
+        }
+    }
+}
+
+/// `derivative = term`, the term free of that derivative's symbol.
+fn is_solved_for(formula: &Formula, derivative: &Expr) -> bool {
+    let Formula::Relation {
+        left,
+        relation: Relation::Equal,
+        right,
+    } = formula
+    else {
+        return false;
+    };
+    let Expr::Derivative { body, .. } = derivative else {
+        return false;
+    };
+    let free = |side: &Expr| body.free_symbols().iter().all(|s| !side.mentions(s));
+    left == derivative && free(right) || right == derivative && free(left)
+}

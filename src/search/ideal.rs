@@ -1,0 +1,211 @@
+//! What follows from equations: linear unknowns are eliminated, the rest is left to Buchberger's algorithm.
+
+use super::tracked::{Pivot, Reduced, Tracked};
+use crate::algebra::{Polynomial, TooLarge};
+use crate::kernel::{Fact, Knowledge, Sign};
+
+/// Guesses at what a derivation step can need; beyond them the search gives up.
+const MOST_BASIS_ELEMENTS: usize = 40;
+const MOST_PAIRS: usize = 150;
+const MOST_REDUCTIONS: usize = 3_000;
+const HIGHEST_DEGREE: u32 = 14;
+const MOST_TERMS: usize = 300;
+
+/// The equations of a problem in a form that decides membership.
+pub struct Ideal {
+    /// Each removes one unknown from everything after it.
+    pub pivots: Vec<Pivot>,
+    /// What is left, in which no unknown is linear with a coefficient that cannot vanish.
+    pub rest: Vec<Tracked>,
+    divisors: Vec<Polynomial>,
+}
+
+impl Ideal {
+    /// Eliminates all unknowns that can be.
+    pub fn new(facts: &[Fact], knowledge: &Knowledge) -> Result<Self, TooLarge> {
+        let divisors = divisors(facts);
+        let mut pending: Vec<Tracked> = facts
+            .iter()
+            .enumerate()
+            .filter(|(_, f)| f.sign == Sign::Zero && !f.polynomial.is_zero())
+            .map(|(at, f)| Tracked::equation(at, f.polynomial.clone()))
+            .collect();
+        pending
+            .iter_mut()
+            .for_each(|e| e.strip(knowledge, &divisors));
+        let mut pivots: Vec<Pivot> = Vec::new();
+        while let Some((at, pivot)) = best_pivot(&pending, knowledge) {
+            pending.remove(at);
+            for element in &mut pending {
+                *element = element.eliminate(pivot.var, &pivot)?;
+                element.strip(knowledge, &divisors);
+            }
+            pending.retain(|e| !e.polynomial.is_zero());
+            pivots.push(pivot);
+        }
+        Ok(Ideal {
+            pivots,
+            rest: pending,
+            divisors,
+        })
+    }
+
+    /// The goal with all pivots' unknowns removed.
+    pub fn reduce(&self, goal: &Polynomial, keep_sign: bool) -> Result<Reduced, TooLarge> {
+        let mut reduced = Reduced::new(goal.clone());
+        for pivot in &self.pivots {
+            reduced.eliminate(pivot, keep_sign)?;
+        }
+        Ok(reduced)
+    }
+
+    /// A Gröbner basis of what is left, or as much of one as the bounds allow.
+    pub fn basis(&self, knowledge: &Knowledge) -> Vec<Tracked> {
+        let mut basis = self.rest.clone();
+        let mut pairs: Vec<(usize, usize)> = Vec::new();
+        for j in 0..basis.len() {
+            pairs.extend((0..j).map(|i| (i, j)));
+        }
+        let mut steps = MOST_REDUCTIONS;
+        for _ in 0..MOST_PAIRS {
+            // The smallest pair first.
+            let size = |&(i, j): &(usize, usize)| lcm_degree(&basis[i], &basis[j]);
+            let Some(next) = (0..pairs.len()).min_by_key(|&at| (size(&pairs[at]), pairs[at]))
+            else {
+                break;
+            };
+            let (i, j) = pairs.swap_remove(next);
+            let Ok(Some(mut element)) = s_polynomial(&basis[i], &basis[j]) else {
+                continue;
+            };
+            if reduce_element(&mut element, &basis, &mut steps).is_err() {
+                continue;
+            }
+            element.strip(knowledge, &self.divisors);
+            let polynomial = &element.polynomial;
+            if polynomial.is_zero()
+                || polynomial.degree() > HIGHEST_DEGREE
+                || polynomial.len() > MOST_TERMS
+            {
+                continue;
+            }
+            pairs.extend((0..basis.len()).map(|k| (k, basis.len())));
+            let done = knowledge.is_nonzero(polynomial);
+            basis.push(element);
+            if done || basis.len() >= MOST_BASIS_ELEMENTS {
+                break;
+            }
+        }
+        basis
+    }
+}
+
+/// Polynomials that are known not to vanish and may be divided out, unknowns aside.
+fn divisors(facts: &[Fact]) -> Vec<Polynomial> {
+    let mut divisors: Vec<Polynomial> = facts
+        .iter()
+        .filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive) && f.polynomial.len() > 1)
+        .map(|f| f.polynomial.monic())
+        .collect();
+    divisors.sort();
+    divisors.dedup();
+    divisors
+}
+
+/// The element and unknown that are the cheapest to eliminate with.
+fn best_pivot(pending: &[Tracked], knowledge: &Knowledge) -> Option<(usize, Pivot)> {
+    let mut best: Option<((usize, usize, std::cmp::Reverse<usize>), usize, Pivot)> = None;
+    for (at, element) in pending.iter().enumerate() {
+        for var in element.polynomial.vars() {
+            if element.polynomial.degree_in(var) != 1 {
+                continue;
+            }
+            let coefficient = element
+                .polynomial
+                .in_powers_of(var)
+                .pop()
+                .unwrap_or_default();
+            let cost = match coefficient.as_constant() {
+                Some(_) => 0,
+                None => coefficient.len(),
+            };
+            let rank = (
+                cost,
+                element.polynomial.len(),
+                std::cmp::Reverse(var.position()),
+            );
+            if best.as_ref().is_some_and(|b| b.0 <= rank) {
+                continue;
+            }
+            let constant = coefficient.as_constant().is_some();
+            let positive = constant || knowledge.is_positive(&coefficient);
+            let negative = !positive && knowledge.is_positive(&coefficient.negated());
+            if !positive && !negative && !knowledge.is_nonzero(&coefficient) {
+                continue;
+            }
+            let mut pivot = Pivot {
+                var,
+                coefficient,
+                positive: positive || negative,
+                element: element.clone(),
+            };
+            if negative {
+                pivot.coefficient = pivot.coefficient.negated();
+                pivot.element.polynomial = pivot.element.polynomial.negated();
+                let cofactors = pivot.element.cofactors.values_mut();
+                cofactors.for_each(|c| *c = c.negated());
+            }
+            best = Some((rank, at, pivot));
+        }
+    }
+    best.map(|(_, at, pivot)| (at, pivot))
+}
+
+fn lcm_degree(a: &Tracked, b: &Tracked) -> u32 {
+    match (a.polynomial.leading(), b.polynomial.leading()) {
+        (Some((m, _)), Some((n, _))) => m.lcm(n).degree(),
+        _ => u32::MAX,
+    }
+}
+
+/// `None` where the leading terms have nothing in common, so that the result would reduce to 0.
+fn s_polynomial(a: &Tracked, b: &Tracked) -> Result<Option<Tracked>, TooLarge> {
+    let (Some((m, c)), Some((n, d))) = (a.polynomial.leading(), b.polynomial.leading()) else {
+        return Ok(None);
+    };
+    if m.gcd(n).is_one() {
+        return Ok(None);
+    }
+    let lcm = m.lcm(n);
+    let (Some(p), Some(q)) = (lcm.divided_by(m), lcm.divided_by(n)) else {
+        return Ok(None);
+    };
+    let (p, q) = (
+        Polynomial::term(p, c.recip()),
+        Polynomial::term(q, d.recip()),
+    );
+    a.combine(&p, b, &q).map(Some)
+}
+
+fn reduce_element(
+    element: &mut Tracked,
+    basis: &[Tracked],
+    steps: &mut usize,
+) -> Result<(), TooLarge> {
+    'again: loop {
+        for (monomial, coefficient) in element.polynomial.clone().terms().rev() {
+            for other in basis {
+                let Some((lead, own)) = other.polynomial.leading() else {
+                    continue;
+                };
+                if let Some(quotient) = monomial.divided_by(lead) {
+                    *steps = steps.checked_sub(1).ok_or(TooLarge)?;
+                    let quotient = Polynomial::term(quotient, coefficient / own);
+                    *element = element.combine(&Polynomial::one(), other, &quotient)?;
+                    continue 'again;
+                }
+            }
+        }
+        return Ok(());
+    }
+}

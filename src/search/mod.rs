@@ -1,0 +1,265 @@
+//! The search: clever, and believed by nobody. What it finds goes to the kernel, which alone can make a verdict.
+//!
+//! [`decide`] tries, in order of cost: elimination of linear unknowns; a counterexample in small numbers;
+//! Gröbner bases, sums of squares and products of inequalities; a counterexample in larger numbers.
+
+mod ideal;
+mod point;
+mod positivity;
+mod prove;
+mod refute;
+mod simplex;
+mod tracked;
+mod unfold;
+mod values;
+
+use crate::algebra::{Atom, Expr, Formula, expr_of, factors};
+use crate::kernel::{
+    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Problem, Proven,
+    Refuted, Reject, Sign, Standing, check, check_model,
+};
+use prove::{Effort, Prover};
+
+/// How many choices a search for a point may try, quickly and in earnest.
+const QUICK: usize = 250;
+const EARNEST: usize = 2_500;
+
+/// What is known of a claim after the search.
+#[derive(Clone, Debug)]
+pub enum Decision {
+    /// It follows; under `conditions` besides the claim's own hypotheses, where something had to be added.
+    Proven {
+        /// The kernel's word.
+        proven: Proven,
+        /// What must not vanish (or not vary), and is nowhere said not to.
+        conditions: Vec<Formula>,
+    },
+    /// It does not.
+    Refuted(Refuted),
+    /// Neither was found.
+    Open(Stop),
+}
+
+/// Why a search ended without an answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stop {
+    /// In words.
+    pub reason: String,
+    /// How many points were tried.
+    pub tried: usize,
+}
+
+/// Whether premises can be true together.
+#[derive(Clone, Debug)]
+pub enum Consistency {
+    /// They are, here.
+    Model(Model),
+    /// They cannot be.
+    Contradictory(Proven),
+    /// Neither was found.
+    Unknown,
+}
+
+/// Decides a claim, or says why not.
+pub fn decide(claim: &Claim) -> Decision {
+    let mut stop = Stop {
+        reason: "no proof and no counterexample was found".into(),
+        tried: 0,
+    };
+    for (effort, budget) in [(Effort::Light, QUICK), (Effort::Full, EARNEST)] {
+        match prove(claim, effort) {
+            Ok(Some(decision)) => return decision,
+            Ok(None) => {}
+            Err(reject) => {
+                stop.reason = reject.to_string();
+                return Decision::Open(stop);
+            }
+        }
+        let (points, tried) = refute::find_point(claim, true, budget);
+        stop.tried = tried;
+        for point in points {
+            if let Some(refuted) = refuted(claim, point) {
+                return Decision::Refuted(refuted);
+            }
+        }
+    }
+    Decision::Open(stop)
+}
+
+/// A point at which all hypotheses hold, or a proof that there is none.
+pub fn consistency(claim: &Claim) -> Consistency {
+    for budget in [QUICK, EARNEST] {
+        let (points, _) = refute::find_point(claim, false, budget);
+        for point in points {
+            if let Ok(model) = check_model(claim, point) {
+                return Consistency::Model(model);
+            }
+        }
+        let impossible = Claim {
+            goal: Formula::equal(Expr::integer(1), Expr::integer(0)),
+            ..claim.clone()
+        };
+        let negative = Claim {
+            goal: Formula::Relation {
+                left: Expr::integer(-1),
+                relation: crate::algebra::Relation::GreaterOrEqual,
+                right: Expr::integer(0),
+            },
+            ..claim.clone()
+        };
+        for claim in [impossible, negative] {
+            if let Ok(Some(Decision::Proven { proven, conditions })) = prove(&claim, Effort::Full)
+                && conditions.is_empty()
+            {
+                return Consistency::Contradictory(proven);
+            }
+        }
+    }
+    Consistency::Unknown
+}
+
+/// What would have to be different from 0 for a refuted claim to follow, with the proof that it then does.
+pub fn missing_conditions(claim: &Claim) -> Option<(Vec<Formula>, Proven)> {
+    let problem = Problem::new(claim, &unfold::definitions_to_unfold(claim)).ok()?;
+    let prover = Prover::new(&problem).ok()?;
+    let mut candidates: Vec<Expr> = Vec::new();
+    for fact in problem.facts.iter().filter(|f| f.sign == Sign::Zero) {
+        for var in fact.polynomial.vars() {
+            if fact.polynomial.degree_in(var) > 2 {
+                continue;
+            }
+            let parts = fact.polynomial.in_powers_of(var);
+            for factor in parts.last().map(factors).unwrap_or_default().into_keys() {
+                let plain = factor
+                    .vars()
+                    .iter()
+                    .all(|&v| !matches!(problem.atoms.atom(v), Atom::Opaque(_)));
+                let term = expr_of(&factor, &problem.atoms);
+                if plain && !prover.knows_nonzero(&factor) && !candidates.contains(&term) {
+                    candidates.push(term);
+                }
+            }
+        }
+    }
+    candidates.truncate(8);
+    let with = |terms: &[Expr]| {
+        let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
+        match prove(&assuming(claim, &formulas), Effort::Light) {
+            Ok(Some(Decision::Proven {
+                proven,
+                mut conditions,
+            })) => {
+                conditions.splice(0..0, formulas);
+                Some((conditions, proven))
+            }
+            _ => None,
+        }
+    };
+    if let Some(found) = candidates
+        .iter()
+        .find_map(|c| with(std::slice::from_ref(c)))
+    {
+        return Some(found);
+    }
+    with(&candidates)?;
+    // Leave out what is not needed.
+    let mut at = 0;
+    while at < candidates.len() {
+        let mut fewer = candidates.clone();
+        fewer.remove(at);
+        match with(&fewer) {
+            Some(_) => candidates = fewer,
+            None => at += 1,
+        }
+    }
+    with(&candidates)
+}
+
+fn assuming(claim: &Claim, formulas: &[Formula]) -> Claim {
+    let mut claim = claim.clone();
+    claim
+        .hypotheses
+        .extend(formulas.iter().map(|formula| Hypothesis {
+            formula: formula.clone(),
+            standing: Standing::Identity,
+        }));
+    claim
+}
+
+fn refuted(claim: &Claim, point: Assignment) -> Option<Refuted> {
+    match check(claim.clone(), Candidate::Counterexample(point)) {
+        Ok(Checked::Refuted(refuted)) => Some(refuted),
+        _ => None,
+    }
+}
+
+/// A proof of the claim, or of the claim under conditions that are nowhere stated.
+///
+/// # Errors
+/// The kernel cannot even say what the claim means in polynomials.
+fn prove(claim: &Claim, effort: Effort) -> Result<Option<Decision>, Reject> {
+    match attempt(claim, effort)? {
+        Attempt::Nothing => Ok(None),
+        Attempt::Proof(candidate) => Ok(proven(claim.clone(), candidate, Vec::new())),
+        Attempt::Needs(conditions) => {
+            let claim = assuming(claim, &conditions);
+            match attempt(&claim, effort)? {
+                Attempt::Proof(candidate) => Ok(proven(claim, candidate, conditions)),
+                _ => Ok(None),
+            }
+        }
+    }
+}
+
+fn proven(claim: Claim, certificate: Certificate, conditions: Vec<Formula>) -> Option<Decision> {
+    match check(claim, Candidate::Proof(certificate)) {
+        Ok(Checked::Proven(proven)) => Some(Decision::Proven { proven, conditions }),
+        _ => None,
+    }
+}
+
+enum Attempt {
+    Nothing,
+    Proof(Certificate),
+    Needs(Vec<Formula>),
+}
+
+fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
+    let unfold = unfold::definitions_to_unfold(claim);
+    let problem = Problem::new(claim, &unfold)?;
+    let mut prover = Prover::new(&problem)?;
+    let Some(conclusion) = prover.prove(&problem.goal, effort) else {
+        return Ok(Attempt::Nothing);
+    };
+    let mut needs = Vec::new();
+    for divisor in &problem.conditions.nonzero {
+        if prover.knows_nonzero(divisor) {
+            continue;
+        }
+        let fact = Fact {
+            polynomial: divisor.clone(),
+            sign: Sign::NonZero,
+        };
+        match prover.prove(&fact, Effort::Full) {
+            Some(proof) => {
+                prover.add(fact, proof);
+            }
+            None => needs.push(Formula::nonzero(expr_of(divisor, &problem.atoms))),
+        }
+    }
+    for change in &problem.conditions.zero {
+        let known = |f: &Fact| f.sign == Sign::Zero && f.polynomial.monic() == change.monic();
+        if !problem.facts.iter().any(known) {
+            let term = expr_of(change, &problem.atoms);
+            needs.push(Formula::equal(term, Expr::integer(0)));
+        }
+    }
+    if !needs.is_empty() {
+        return Ok(Attempt::Needs(needs));
+    }
+    Ok(Attempt::Proof(Certificate {
+        unfold,
+        lemmas: prover.into_lemmas(),
+        conclusion,
+    }))
+}

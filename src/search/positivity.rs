@@ -1,0 +1,448 @@
+//! Why a polynomial cannot be negative: by inspection, as a sum of squares, or as a nonnegative combination
+//! of products of what is known.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_traits::{One, Signed, Zero};
+
+use super::simplex::nonnegative_solution;
+use super::tracked::Tracked;
+use crate::algebra::{Atom, Atoms, BigRational, Monomial, Polynomial, Symbol, Var, power_sum};
+use crate::kernel::{Fact, Knowledge, PositiveTerm, SeriesSquare, Sign};
+
+/// Guesses at what a step of a derivation can need.
+const MOST_CANDIDATES: usize = 400;
+const MOST_COLUMNS: usize = 90;
+const MOST_ROWS: usize = 60;
+
+/// What a decomposition may use.
+pub struct Known<'a> {
+    pub atoms: &'a Atoms,
+    pub knowledge: &'a Knowledge,
+    /// Facts by their position in the certificate.
+    pub facts: &'a [(usize, Fact)],
+    /// Equations that are left; those with a multiplier of 1 can be added freely.
+    pub equations: &'a [Tracked],
+}
+
+/// `goal = Σ terms + Σ weight · equation`.
+pub struct Decomposition {
+    pub terms: Vec<PositiveTerm>,
+    /// Equations by their position in [`Known::equations`].
+    pub equations: Vec<(usize, Polynomial)>,
+}
+
+fn plain(coefficient: BigRational) -> PositiveTerm {
+    PositiveTerm {
+        coefficient,
+        factors: Vec::new(),
+        squares: Vec::new(),
+        series: Vec::new(),
+        facts: Vec::new(),
+    }
+}
+
+/// The unknowns of a monomial as factors.
+fn monomial_term(monomial: &Monomial, coefficient: BigRational) -> PositiveTerm {
+    let factors = monomial.powers().iter();
+    PositiveTerm {
+        factors: factors.map(|&(v, e)| (Polynomial::var(v), e)).collect(),
+        ..plain(coefficient)
+    }
+}
+
+/// A decomposition of `goal`; with a positive term in it where `strict`.
+pub fn decompose(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decomposition> {
+    let terms_only = |terms| Decomposition {
+        terms,
+        equations: Vec::new(),
+    };
+    if goal.is_zero() && !strict {
+        return Some(terms_only(Vec::new()));
+    }
+    if let Some(terms) = by_inspection(goal, strict, known.knowledge) {
+        return Some(terms_only(terms));
+    }
+    if let Some(terms) = sum_of_squares(goal)
+        && (!strict || terms.iter().any(|t| is_strict(t, known.knowledge)))
+    {
+        return Some(terms_only(terms));
+    }
+    combination(goal, strict, known)
+}
+
+fn is_strict(term: &PositiveTerm, knowledge: &Knowledge) -> bool {
+    !term.coefficient.is_zero() && term.squares.iter().all(|s| knowledge.is_nonzero(s))
+}
+
+fn by_inspection(
+    goal: &Polynomial,
+    strict: bool,
+    knowledge: &Knowledge,
+) -> Option<Vec<PositiveTerm>> {
+    let terms: Vec<_> = goal.terms().collect();
+    let one = |m: &Monomial| Polynomial::term(m.clone(), BigRational::one());
+    let fine = terms
+        .iter()
+        .all(|(m, c)| c.is_positive() && knowledge.is_nonnegative(&one(m)));
+    let positive = terms.iter().any(|(m, _)| knowledge.monomial_is_positive(m));
+    (fine && (!strict || positive)).then(|| {
+        terms
+            .iter()
+            .map(|(m, c)| monomial_term(m, (*c).clone()))
+            .collect()
+    })
+}
+
+/// `z' G z` with `G` positive semidefinite, where the polynomial determines `G`: exact `L D L'`.
+fn sum_of_squares(goal: &Polynomial) -> Option<Vec<PositiveTerm>> {
+    // Half of every even monomial is a candidate for the basis.
+    let basis: Vec<Monomial> = goal
+        .terms()
+        .filter_map(|(m, c)| if c.is_positive() { m.sqrt() } else { None })
+        .collect();
+    let n = basis.len();
+    if n == 0 || n > 12 {
+        return None;
+    }
+    let mut place: BTreeMap<Monomial, (usize, usize)> = BTreeMap::new();
+    for i in 0..n {
+        for j in i..n {
+            if place.insert(basis[i].times(&basis[j]), (i, j)).is_some() {
+                return None;
+            }
+        }
+    }
+    let mut gram = vec![vec![BigRational::zero(); n]; n];
+    let half = BigRational::new(1.into(), 2.into());
+    for (monomial, coefficient) in goal.terms() {
+        let &(i, j) = place.get(monomial)?;
+        match i == j {
+            true => gram[i][i] = coefficient.clone(),
+            false => {
+                gram[i][j] = coefficient * &half;
+                gram[j][i] = coefficient * &half;
+            }
+        }
+    }
+    let mut terms = Vec::new();
+    for k in 0..n {
+        let pivot = gram[k][k].clone();
+        if pivot.is_negative() {
+            return None;
+        }
+        if pivot.is_zero() {
+            if gram[k].iter().any(|x| !x.is_zero()) {
+                return None;
+            }
+            continue;
+        }
+        let row = gram[k].clone();
+        let mut form = Polynomial::zero();
+        for (j, value) in row.iter().enumerate().skip(k) {
+            form = form.plus(&Polynomial::term(basis[j].clone(), value / &pivot));
+        }
+        for i in k..n {
+            let factor = &row[i] / &pivot;
+            for j in k..n {
+                let change = &factor * &row[j];
+                gram[i][j] -= change;
+            }
+        }
+        terms.push(PositiveTerm {
+            squares: vec![form],
+            ..plain(pivot)
+        });
+    }
+    Some(terms)
+}
+
+struct Column {
+    value: Polynomial,
+    /// `None` for an equation, which may be taken with either sign.
+    term: Option<PositiveTerm>,
+    equation: Option<(usize, Polynomial)>,
+    strict: bool,
+}
+
+/// A nonnegative combination of products of what is known, by linear programming.
+fn combination(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decomposition> {
+    let mut columns = candidates(goal, known)?;
+    prune(&mut columns, goal);
+    if columns.len() > MOST_COLUMNS {
+        return None;
+    }
+    if !strict {
+        return solve(goal, &columns);
+    }
+    // goal = ε · (something positive) + the rest, for some ε = 1, 1/2, …
+    let positive: Vec<usize> = (0..columns.len())
+        .filter(|&at| columns[at].strict)
+        .collect();
+    for at in positive {
+        for shift in [0_u32, 2, 6, 12] {
+            let epsilon = BigRational::new(1.into(), num_bigint::BigInt::from(1) << shift);
+            let rest = goal.minus(&columns[at].value.scaled(&epsilon));
+            if let (Some(mut found), Some(term)) = (solve(&rest, &columns), &columns[at].term) {
+                let coefficient = &term.coefficient * epsilon;
+                found.terms.push(PositiveTerm {
+                    coefficient,
+                    ..term.clone()
+                });
+                return Some(found);
+            }
+        }
+    }
+    None
+}
+
+fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
+    let mut rows: BTreeMap<Monomial, usize> = BTreeMap::new();
+    let all = columns.iter().map(|c| &c.value).chain([goal]);
+    for (monomial, _) in all.flat_map(|p| p.terms()) {
+        let next = rows.len();
+        rows.entry(monomial.clone()).or_insert(next);
+    }
+    if rows.len() > MOST_ROWS {
+        return None;
+    }
+    let entries = |p: &Polynomial| -> Vec<(usize, BigRational)> {
+        p.terms().map(|(m, c)| (rows[m], c.clone())).collect()
+    };
+    let mut matrix: Vec<_> = columns.iter().map(|c| entries(&c.value)).collect();
+    let free: Vec<usize> = (0..columns.len())
+        .filter(|&at| columns[at].term.is_none())
+        .collect();
+    matrix.extend(free.iter().map(|&at| entries(&columns[at].value.negated())));
+    let mut right = vec![BigRational::zero(); rows.len()];
+    for (row, value) in entries(goal) {
+        right[row] = value;
+    }
+    let solution = nonnegative_solution(&matrix, &right)?;
+    let (mut terms, mut equations) = (Vec::new(), Vec::new());
+    for (at, column) in columns.iter().enumerate() {
+        let mut weight = solution[at].clone();
+        if let Some(place) = free.iter().position(|&f| f == at) {
+            weight -= &solution[columns.len() + place];
+        }
+        if weight.is_zero() {
+            continue;
+        }
+        match (&column.term, &column.equation) {
+            (Some(term), _) => terms.push(PositiveTerm {
+                coefficient: &term.coefficient * &weight,
+                ..term.clone()
+            }),
+            (None, Some((index, factor))) => equations.push((*index, factor.scaled(&weight))),
+            (None, None) => return None,
+        }
+    }
+    Some(Decomposition { terms, equations })
+}
+
+/// Drops columns with a monomial that nothing else can cancel.
+fn prune(columns: &mut Vec<Column>, goal: &Polynomial) {
+    loop {
+        // For each monomial, whether something can add to it, and take from it.
+        let mut balance: BTreeMap<Monomial, (bool, bool)> = BTreeMap::new();
+        for (monomial, coefficient) in goal.terms() {
+            // The goal stands on the other side.
+            let slot = balance.entry(monomial.clone()).or_default();
+            match coefficient.is_positive() {
+                true => slot.1 = true,
+                false => slot.0 = true,
+            }
+        }
+        for column in columns.iter() {
+            for (monomial, coefficient) in column.value.terms() {
+                let slot = balance.entry(monomial.clone()).or_default();
+                let free = column.term.is_none();
+                slot.0 |= free || coefficient.is_positive();
+                slot.1 |= free || coefficient.is_negative();
+            }
+        }
+        let before = columns.len();
+        columns.retain(|column| {
+            let free = column.term.is_none();
+            column.value.terms().all(|(m, c)| {
+                let (adds, takes) = balance[m];
+                if free {
+                    adds && takes
+                } else if c.is_positive() {
+                    takes
+                } else {
+                    adds
+                }
+            })
+        });
+        if columns.len() == before {
+            return;
+        }
+    }
+}
+
+fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
+    let knowledge = known.knowledge;
+    let mut columns: Vec<Column> = Vec::new();
+    let mut push = |value: Polynomial, term: PositiveTerm, strict: bool| {
+        if !value.is_zero() && columns.len() < MOST_CANDIDATES {
+            columns.push(Column {
+                value,
+                term: Some(term),
+                equation: None,
+                strict,
+            });
+        }
+    };
+    let one = BigRational::one;
+    // What a product may be multiplied by: unknowns (and their products) that are not negative.
+    let vars: BTreeSet<Var> = goal.vars();
+    let single = vars.iter().map(|&v| Monomial::power(v, 1));
+    let mut weights: Vec<Monomial> = single
+        .filter(|m| knowledge.is_nonnegative(&Polynomial::term(m.clone(), one())))
+        .collect();
+    let pairs: Vec<Monomial> = weights
+        .iter()
+        .enumerate()
+        .flat_map(|(i, a)| weights[i..].iter().map(|b| a.times(b)))
+        .collect();
+    weights.insert(0, Monomial::one());
+    if weights.len() <= 5 {
+        weights.extend(pairs);
+    }
+    let polynomial = |m: &Monomial| Polynomial::term(m.clone(), one());
+    let support: BTreeSet<Monomial> = goal
+        .terms()
+        .map(|(m, _)| m.clone())
+        .chain([Monomial::one()])
+        .collect();
+    for monomial in support.iter().chain(&weights) {
+        if knowledge.is_nonnegative(&polynomial(monomial)) {
+            push(
+                polynomial(monomial),
+                monomial_term(monomial, one()),
+                knowledge.monomial_is_positive(monomial),
+            );
+        }
+    }
+    // Sums of squares over the elements of sequences.
+    for (value, series) in series_squares(known.atoms) {
+        for weight in &weights {
+            let mut term = monomial_term(weight, one());
+            term.series.push(series.clone());
+            push(value.times(&polynomial(weight)).ok()?, term, false);
+        }
+    }
+    let facts: Vec<&(usize, Fact)> = known
+        .facts
+        .iter()
+        .filter(|(_, f)| matches!(f.sign, Sign::NonNegative | Sign::Positive))
+        .filter(|(_, f)| f.polynomial.as_constant().is_none())
+        .collect();
+    for (at, fact) in &facts {
+        for weight in &weights {
+            let mut term = monomial_term(weight, one());
+            term.facts.push(*at);
+            let strict = fact.sign == Sign::Positive && knowledge.monomial_is_positive(weight);
+            push(
+                fact.polynomial.times(&polynomial(weight)).ok()?,
+                term,
+                strict,
+            );
+        }
+    }
+    if facts.len() <= 12 {
+        for (i, (at, a)) in facts.iter().enumerate() {
+            for (other, b) in &facts[i..] {
+                let mut term = plain(one());
+                term.facts = vec![*at, *other];
+                let strict = a.sign == Sign::Positive && b.sign == Sign::Positive;
+                push(a.polynomial.times(&b.polynomial).ok()?, term, strict);
+            }
+        }
+    }
+    // Squares of differences and sums of half-monomials.
+    let mut halves: BTreeSet<Monomial> = BTreeSet::from([Monomial::one()]);
+    for monomial in &support {
+        for weight in &weights {
+            halves.extend(monomial.divided_by(weight).and_then(|m| m.sqrt()));
+        }
+    }
+    let halves: Vec<Monomial> = halves.into_iter().take(8).collect();
+    for (i, a) in halves.iter().enumerate() {
+        for b in &halves[i + 1..] {
+            for weight in &weights {
+                for sign in [-1, 1] {
+                    let form = polynomial(a)
+                        .plus(&polynomial(b).scaled(&BigRational::from_integer(sign.into())));
+                    let mut term = monomial_term(weight, one());
+                    term.squares.push(form.clone());
+                    push(
+                        form.pow(2).ok()?.times(&polynomial(weight)).ok()?,
+                        term,
+                        false,
+                    );
+                }
+            }
+        }
+    }
+    let equations = known
+        .equations
+        .iter()
+        .enumerate()
+        .filter(|(_, e)| e.multiplier.is_empty());
+    for (at, equation) in equations {
+        for weight in weights.iter().take(4) {
+            columns.push(Column {
+                value: equation.polynomial.times(&polynomial(weight)).ok()?,
+                term: None,
+                equation: Some((at, polynomial(weight))),
+                strict: false,
+            });
+        }
+    }
+    Some(columns)
+}
+
+/// Lagrange's identity for the sequences that are summed: `n Σu² − (Σu)²`, `Σu² Σw² − (Σuw)²`.
+fn series_squares(atoms: &Atoms) -> Vec<(Polynomial, SeriesSquare)> {
+    let mut counts: BTreeMap<&Symbol, BTreeSet<&Symbol>> = BTreeMap::new();
+    for (_, atom) in atoms.iter() {
+        if let Atom::PowerSum { to, powers } = atom {
+            counts
+                .entry(to)
+                .or_default()
+                .extend(powers.iter().map(|p| &p.0));
+        }
+    }
+    let mut found = Vec::new();
+    for (count, sequences) in counts {
+        let sequences: Vec<&Symbol> = sequences.into_iter().collect();
+        for (i, &u) in sequences.iter().enumerate() {
+            let others = sequences[i + 1..]
+                .iter()
+                .map(|&&ref w| vec![(w.clone(), 1)]);
+            for g in others.chain([Vec::new()]) {
+                let f = vec![(u.clone(), 1)];
+                let sum = |powers: Vec<(Symbol, u32)>| {
+                    let var = atoms.find(&power_sum(count, powers))?;
+                    Some(Polynomial::var(var))
+                };
+                let doubled =
+                    |p: &[(Symbol, u32)]| p.iter().map(|(s, e)| (s.clone(), 2 * e)).collect();
+                let mut both: Vec<_> = f.iter().chain(&g).cloned().collect();
+                both.sort();
+                let (Some(ff), Some(gg), Some(fg)) =
+                    (sum(doubled(&f)), sum(doubled(&g)), sum(both))
+                else {
+                    continue;
+                };
+                if let (Ok(product), Ok(square)) = (ff.times(&gg), fg.pow(2)) {
+                    let count = count.clone();
+                    found.push((product.minus(&square), SeriesSquare { count, f, g }));
+                }
+            }
+        }
+    }
+    found
+}

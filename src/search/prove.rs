@@ -1,0 +1,345 @@
+//! From facts to a certificate: consequence first, sign second.
+
+use std::collections::BTreeMap;
+
+use num_traits::One;
+
+use super::ideal::Ideal;
+use super::positivity::{Known, decompose};
+use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
+use crate::algebra::{BigRational, Polynomial, TooLarge};
+use crate::kernel::{Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign};
+
+/// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
+const HIGHEST_POWER: u32 = 3;
+const REDUCTIONS: usize = 2_000;
+
+/// How hard to try.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// Linear elimination alone: almost free.
+    Light,
+    /// Gröbner bases and sign arguments too.
+    Full,
+}
+
+/// Proves facts from the facts of a problem, adding lemmas on the way.
+pub struct Prover {
+    facts: Vec<Fact>,
+    knowledge: Knowledge,
+    atoms: crate::algebra::Atoms,
+    lemmas: Vec<Lemma>,
+    ideal: Ideal,
+    basis: Option<Vec<Tracked>>,
+    /// The inequalities with the eliminated unknowns removed, by position.
+    signed: Option<Vec<(usize, Fact)>>,
+}
+
+impl Prover {
+    pub fn new(problem: &Problem) -> Result<Self, TooLarge> {
+        let knowledge = Knowledge::new(&problem.facts);
+        Ok(Prover {
+            ideal: Ideal::new(&problem.facts, &knowledge)?,
+            facts: problem.facts.clone(),
+            atoms: problem.atoms.clone(),
+            knowledge,
+            lemmas: Vec::new(),
+            basis: None,
+            signed: None,
+        })
+    }
+
+    pub fn into_lemmas(self) -> Vec<Lemma> {
+        self.lemmas
+    }
+
+    pub fn knows_nonzero(&self, polynomial: &Polynomial) -> bool {
+        self.knowledge.is_nonzero(polynomial)
+    }
+
+    /// Adds a proved fact and says where it stands.
+    pub fn add(&mut self, fact: Fact, proof: Proof) -> usize {
+        self.knowledge.learn(&fact);
+        self.facts.push(fact.clone());
+        self.lemmas.push(Lemma { fact, proof });
+        self.facts.len() - 1
+    }
+
+    /// A proof of a fact, if one is found.
+    pub fn prove(&mut self, fact: &Fact, effort: Effort) -> Option<Proof> {
+        match (fact.sign, effort) {
+            (Sign::Zero, _) => self.zero(&fact.polynomial, effort),
+            (Sign::NonZero, _) => self.nonzero(&fact.polynomial, effort),
+            (_, Effort::Light) => None,
+            (_, Effort::Full) => self.sign(fact),
+        }
+    }
+
+    fn zero(&mut self, goal: &Polynomial, effort: Effort) -> Option<Proof> {
+        let reduced = self.ideal.reduce(goal, false).ok()?;
+        if reduced.polynomial.is_zero() {
+            return Some(combination(&reduced, 1));
+        }
+        if effort == Effort::Light {
+            return None;
+        }
+        if !self.ideal.rest.is_empty() {
+            let basis = self.basis().to_vec();
+            for power in 1..=HIGHEST_POWER {
+                let mut reduced = self.ideal.reduce(&goal.pow(power).ok()?, false).ok()?;
+                let mut steps = REDUCTIONS;
+                if reduced.normal_form(&basis, &mut steps).is_ok() && reduced.polynomial.is_zero() {
+                    return Some(combination(&reduced, power));
+                }
+            }
+            // A consequence that cannot vanish, and does: anything follows.
+            let impossible = basis
+                .iter()
+                .find(|e| self.knowledge.is_nonzero(&e.polynomial));
+            if let Some(element) = impossible {
+                return from_contradiction(element, goal).ok();
+            }
+        }
+        if !self.has_inequalities() && self.ideal.rest.is_empty() {
+            return None;
+        }
+        let bound = |polynomial| Fact {
+            polynomial,
+            sign: Sign::NonNegative,
+        };
+        if let Some(below) = self.sign(&bound(goal.clone()))
+            && let Some(above) = self.sign(&bound(goal.negated()))
+        {
+            return Some(Proof::BothBounds {
+                below: below.into(),
+                above: above.into(),
+            });
+        }
+        let square = bound(goal.pow(2).ok()?.negated());
+        Some(Proof::Square(self.sign(&square)?.into()))
+    }
+
+    fn nonzero(&mut self, goal: &Polynomial, effort: Effort) -> Option<Proof> {
+        let reduced = self.ideal.reduce(goal, false).ok()?;
+        if self.knowledge.is_nonzero(&reduced.polynomial) {
+            // S G = M goal − Σ C h
+            let mut certain = reduced.outer.clone();
+            *certain.entry(reduced.polynomial.clone()).or_insert(0) += 1;
+            return Some(Proof::NonVanishing {
+                certain: listed(&certain),
+                cofactor: expand(&reduced.multiplier).ok()?,
+                cofactors: negated(&reduced.cofactors),
+            });
+        }
+        if effort == Effort::Light {
+            return None;
+        }
+        if let Some(proof) = self.nonzero_by_contradiction(goal) {
+            return Some(proof);
+        }
+        for polynomial in [goal.clone(), goal.negated()] {
+            let fact = Fact {
+                polynomial,
+                sign: Sign::Positive,
+            };
+            if let Some(proof) = self.sign(&fact) {
+                self.add(fact, proof);
+                return Some(Proof::NonVanishing {
+                    certain: vec![(goal.clone(), 1)],
+                    cofactor: Polynomial::one(),
+                    cofactors: Vec::new(),
+                });
+            }
+        }
+        None
+    }
+
+    /// Were the goal 0, something that cannot vanish would.
+    fn nonzero_by_contradiction(&mut self, goal: &Polynomial) -> Option<Proof> {
+        let mut facts = self.facts.clone();
+        let own = facts.len();
+        facts.push(Fact {
+            polynomial: goal.clone(),
+            sign: Sign::Zero,
+        });
+        let ideal = Ideal::new(&facts, &self.knowledge).ok()?;
+        let basis = ideal.basis(&self.knowledge);
+        let element = basis
+            .iter()
+            .find(|e| self.knowledge.is_nonzero(&e.polynomial))?;
+        let mut certain = element.multiplier.clone();
+        *certain.entry(element.polynomial.clone()).or_insert(0) += 1;
+        let mut used = element.cofactors.clone();
+        let cofactor = used.remove(&own).unwrap_or_default();
+        Some(Proof::NonVanishing {
+            certain: listed(&certain),
+            cofactor,
+            cofactors: cofactors(&used),
+        })
+    }
+
+    fn sign(&mut self, fact: &Fact) -> Option<Proof> {
+        let strict = fact.sign == Sign::Positive;
+        let mut reduced = self.ideal.reduce(&fact.polynomial, true).ok()?;
+        self.make_positive(&mut reduced).ok()?;
+        let signed = self.signed_facts();
+        let known = Known {
+            atoms: &self.atoms,
+            knowledge: &self.knowledge,
+            facts: &signed,
+            equations: &self.ideal.rest,
+        };
+        let found = decompose(&reduced.polynomial, strict, &known)?;
+        let mut used: BTreeMap<usize, Polynomial> = BTreeMap::new();
+        for (at, weight) in &found.equations {
+            for (position, cofactor) in &self.ideal.rest[*at].cofactors {
+                let slot = used.entry(*position).or_default();
+                *slot = slot.plus(&cofactor.times(weight).ok()?);
+            }
+        }
+        let inner = Proof::Positivity {
+            multiplier: Vec::new(),
+            terms: found.terms,
+            cofactors: cofactors(&used),
+        };
+        if reduced.multiplier.is_empty() && reduced.outer.is_empty() && reduced.cofactors.is_empty()
+        {
+            return Some(inner);
+        }
+        let lemma = Fact {
+            polynomial: reduced.polynomial.clone(),
+            sign: fact.sign,
+        };
+        let position = self.add(lemma, inner);
+        Some(Proof::Positivity {
+            multiplier: listed(&reduced.multiplier),
+            terms: vec![PositiveTerm {
+                coefficient: BigRational::one(),
+                factors: listed(&reduced.outer),
+                squares: Vec::new(),
+                series: Vec::new(),
+                facts: vec![position],
+            }],
+            cofactors: cofactors(&reduced.cofactors),
+        })
+    }
+
+    /// Makes every factor of the multiplier positive or even, and the outer factor with it.
+    fn make_positive(&self, reduced: &mut Reduced) -> Result<(), TooLarge> {
+        let doubtful = |factors: &Nonzero| -> Vec<Polynomial> {
+            let odd = factors
+                .iter()
+                .filter(|(f, e)| *e % 2 == 1 && !self.knowledge.is_positive(f));
+            odd.map(|(f, _)| f.clone()).collect()
+        };
+        for factor in doubtful(&reduced.multiplier) {
+            *reduced.multiplier.entry(factor.clone()).or_insert(0) += 1;
+            *reduced.outer.entry(factor.clone()).or_insert(0) += 1;
+            for cofactor in reduced.cofactors.values_mut() {
+                *cofactor = cofactor.times(&factor)?;
+            }
+        }
+        for factor in doubtful(&reduced.outer) {
+            reduced.polynomial = reduced.polynomial.times(&factor)?;
+            if let Some(exponent) = reduced.outer.get_mut(&factor) {
+                *exponent -= 1;
+            }
+        }
+        reduced.outer.retain(|_, exponent| *exponent > 0);
+        Ok(())
+    }
+
+    fn has_inequalities(&self) -> bool {
+        let signed = |f: &Fact| matches!(f.sign, Sign::NonNegative | Sign::Positive);
+        self.facts
+            .iter()
+            .any(|f| signed(f) && f.polynomial.as_constant().is_none())
+    }
+
+    fn basis(&mut self) -> &[Tracked] {
+        let (ideal, knowledge) = (&self.ideal, &self.knowledge);
+        self.basis.get_or_insert_with(|| ideal.basis(knowledge))
+    }
+
+    /// Every inequality with the eliminated unknowns removed and positive factors divided out, as lemmas.
+    fn signed_facts(&mut self) -> Vec<(usize, Fact)> {
+        if let Some(known) = &self.signed {
+            return known.clone();
+        }
+        let mut known = Vec::new();
+        for position in 0..self.facts.len() {
+            let fact = self.facts[position].clone();
+            if !matches!(fact.sign, Sign::NonNegative | Sign::Positive) {
+                continue;
+            }
+            match self.simplified(position, &fact) {
+                Ok(Some((lemma, proof))) => {
+                    let at = self.add(lemma.clone(), proof);
+                    known.push((at, lemma));
+                }
+                _ => known.push((position, fact)),
+            }
+        }
+        self.signed = Some(known.clone());
+        known
+    }
+
+    fn simplified(&self, position: usize, fact: &Fact) -> Result<Option<(Fact, Proof)>, TooLarge> {
+        let mut reduced = self.ideal.reduce(&fact.polynomial, true)?;
+        self.make_positive(&mut reduced)?;
+        let content = reduced.polynomial.content();
+        let mut multiplier = listed(&reduced.outer);
+        let mut polynomial = reduced.polynomial.clone();
+        if !content.is_one() && self.knowledge.monomial_is_positive(&content) {
+            let content = Polynomial::term(content, BigRational::one());
+            polynomial = polynomial.divided_by(&content).unwrap_or_default();
+            multiplier.push((content, 1));
+        }
+        if polynomial == fact.polynomial || polynomial.is_zero() {
+            return Ok(None);
+        }
+        // S m Q = M F − Σ C h
+        let proof = Proof::Positivity {
+            multiplier,
+            terms: vec![PositiveTerm {
+                coefficient: BigRational::one(),
+                factors: listed(&reduced.multiplier),
+                squares: Vec::new(),
+                series: Vec::new(),
+                facts: vec![position],
+            }],
+            cofactors: negated(&reduced.cofactors),
+        };
+        let sign = fact.sign;
+        Ok(Some((Fact { polynomial, sign }, proof)))
+    }
+}
+
+fn negated(map: &BTreeMap<usize, Polynomial>) -> Cofactors {
+    let used = map.iter().filter(|(_, c)| !c.is_zero());
+    used.map(|(at, c)| (*at, c.negated())).collect()
+}
+
+/// `M · goal^power = Σ C h`.
+fn combination(reduced: &Reduced, power: u32) -> Proof {
+    Proof::Combination {
+        multiplier: listed(&reduced.multiplier),
+        power,
+        cofactors: cofactors(&reduced.cofactors),
+    }
+}
+
+/// `M e · goal = Σ (goal · cofactor) h`, where `e` cannot vanish.
+fn from_contradiction(element: &Tracked, goal: &Polynomial) -> Result<Proof, TooLarge> {
+    let mut multiplier = element.multiplier.clone();
+    *multiplier.entry(element.polynomial.clone()).or_insert(0) += 1;
+    let mut used = BTreeMap::new();
+    for (at, cofactor) in &element.cofactors {
+        used.insert(*at, cofactor.times(goal)?);
+    }
+    Ok(Proof::Combination {
+        multiplier: listed(&multiplier),
+        power: 1,
+        cofactors: cofactors(&used),
+    })
+}

@@ -1,0 +1,351 @@
+//! Exact counterexamples, and exact points at which premises hold together.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::point::Target;
+use super::unfold::definitions_to_unfold;
+use super::values::candidates;
+use crate::algebra::{
+    Atom, BigRational, Conditions, Expr, Formula, Lowering, Polynomial, Symbol, element_symbol,
+};
+use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Problem, Sign};
+
+/// Sums over a symbolic number of elements are tried with up to this many.
+const MOST_ELEMENTS: i64 = 4;
+
+/// Points at which all hypotheses hold and, with `against_goal`, the goal does not; the simplest first. The
+/// second part says how many choices were tried.
+pub fn find_point(claim: &Claim, against_goal: bool, budget: usize) -> (Vec<Assignment>, usize) {
+    let counts = count_symbols(claim);
+    let mut tried = 0;
+    for sizes in sizes(&counts, claim) {
+        let Some(concrete) = at_sizes(claim, &counts, &sizes) else {
+            continue;
+        };
+        let share = (budget / if counts.is_empty() { 1 } else { 6 }).max(60);
+        let (found, steps) = concrete_point(&concrete, against_goal, share);
+        tried += steps;
+        if let Some(point) = found {
+            return (restored(claim, &counts, &sizes, point), tried);
+        }
+        if tried > budget {
+            break;
+        }
+    }
+    (Vec::new(), tried)
+}
+
+/// The symbols that say how many elements there are.
+fn count_symbols(claim: &Claim) -> Vec<Symbol> {
+    fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {
+        if let Expr::Series { to, .. } = expr {
+            found.extend(to.free_symbols());
+        }
+        expr.children()
+            .into_iter()
+            .for_each(|child| collect(child, found));
+    }
+    let mut found = BTreeSet::new();
+    for formula in claim.formulas() {
+        formula
+            .terms()
+            .into_iter()
+            .for_each(|term| collect(term, &mut found));
+        if let Formula::AllEqual { to, .. } = formula {
+            found.extend(to.free_symbols());
+        }
+    }
+    found.into_iter().collect()
+}
+
+/// All choices of sizes, the smallest total first.
+fn sizes(counts: &[Symbol], claim: &Claim) -> Vec<Vec<i64>> {
+    let mut all: Vec<Vec<i64>> = vec![Vec::new()];
+    for count in counts {
+        let fits = |n: &i64| {
+            let value = BigRational::from_integer((*n).into());
+            claim.domains.get(count).is_none_or(|d| d.contains(&value))
+        };
+        let choices: Vec<i64> = (1..=MOST_ELEMENTS).filter(fits).collect();
+        all = all
+            .iter()
+            .flat_map(|sizes| {
+                choices
+                    .iter()
+                    .map(|&n| sizes.iter().copied().chain([n]).collect())
+            })
+            .take(256)
+            .collect();
+    }
+    all.sort_by_key(|sizes| (sizes.iter().sum::<i64>(), sizes.clone()));
+    all
+}
+
+/// The claim with definite numbers of elements, each element a symbol of its own.
+fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
+    if counts.is_empty() && claim.sequences.is_empty() {
+        return Some(claim.clone());
+    }
+    let number = |expr: &Expr| {
+        counts
+            .iter()
+            .zip(sizes)
+            .fold(expr.clone(), |e, (count, &n)| {
+                e.substitute(count, &Expr::integer(n))
+            })
+    };
+    let mut domains = claim.domains.clone();
+    for (sequence, domain) in &claim.sequences {
+        for position in 1..=MOST_ELEMENTS as u32 {
+            domains.insert(element_symbol(sequence, position), domain.clone());
+        }
+    }
+    let mut hypotheses = Vec::new();
+    for hypothesis in &claim.hypotheses {
+        for formula in written_out(&hypothesis.formula.map_terms(number))? {
+            let standing = hypothesis.standing;
+            hypotheses.push(Hypothesis { formula, standing });
+        }
+    }
+    // The conclusion is one formula: Σ (aᵢ − bᵢ)² = 0.
+    let goals = written_out(&claim.goal.map_terms(number))?;
+    let goal = match goals.as_slice() {
+        [single] => single.clone(),
+        several => {
+            let squares = several.iter().map(|g| match g {
+                Formula::Relation { left, right, .. } => {
+                    let minus = Expr::Negate(right.clone().into());
+                    let difference = Expr::Sum(vec![left.clone(), minus]);
+                    Expr::Power(difference.into(), Expr::integer(2).into())
+                }
+                Formula::AllEqual { .. } => Expr::integer(0),
+            });
+            Formula::equal(Expr::Sum(squares.collect()), Expr::integer(0))
+        }
+    };
+    Some(Claim {
+        domains,
+        sequences: BTreeMap::new(),
+        hypotheses,
+        goal,
+    })
+}
+
+/// A statement about a definite number of elements as equations between them.
+fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
+    let Formula::AllEqual {
+        sequence,
+        to,
+        value,
+    } = formula
+    else {
+        return Some(vec![formula.clone()]);
+    };
+    let Expr::Number(to) = to else {
+        return None;
+    };
+    let to: u32 = to.to_integer().try_into().ok()?;
+    let element = |position| Expr::Symbol(element_symbol(sequence, position));
+    let (first, from) = match value {
+        Some(value) => (value.clone(), 1),
+        None => (element(1), 2),
+    };
+    Some(
+        (from..=to)
+            .map(|position| Formula::equal(element(position), first.clone()))
+            .collect(),
+    )
+}
+
+fn concrete_point(claim: &Claim, against_goal: bool, budget: usize) -> (Option<Assignment>, usize) {
+    let unfold = definitions_to_unfold(claim);
+    let mut claim = claim.clone();
+    if !against_goal {
+        claim.goal = Formula::equal(Expr::integer(0), Expr::integer(0));
+    }
+    let Ok(mut problem) = Problem::new(&claim, &unfold) else {
+        return (None, 0);
+    };
+    let mut facts = problem.facts.clone();
+    if against_goal {
+        facts.insert(0, negation(&problem.goal));
+        facts.extend(problem.conditions.nonzero.iter().map(|p| Fact {
+            polynomial: p.clone(),
+            sign: Sign::NonZero,
+        }));
+    }
+    let Some(roots) = roots(&mut problem) else {
+        return (None, 0);
+    };
+    facts.extend(roots);
+    let whole = |domain: &Domain| domain.integer;
+    let integers = claim.domains.iter().filter(|(_, d)| whole(d));
+    let integers = integers.filter_map(|(s, _)| problem.atoms.find(&Atom::Symbol(s.clone())));
+    let target = Target {
+        facts,
+        integers: integers.collect(),
+        budget,
+    };
+    let (found, tried) = target.find();
+    let Some(values) = found else {
+        return (None, tried);
+    };
+    let mut point = Assignment {
+        unfold: unfold.clone(),
+        ..Assignment::default()
+    };
+    for (var, atom) in problem.atoms.iter() {
+        let Some(value) = values.get(&var) else {
+            continue;
+        };
+        match atom {
+            Atom::Symbol(symbol) => {
+                point.symbols.insert(symbol.clone(), value.clone());
+            }
+            Atom::Opaque(Expr::Derivative { body, variable }) => {
+                if let Expr::Symbol(symbol) = &**body {
+                    let key = (symbol.clone(), variable.clone());
+                    point.derivatives.insert(key, value.clone());
+                }
+            }
+            _ => {}
+        }
+    }
+    complete(&claim, &unfold, &mut point);
+    (Some(point), tried)
+}
+
+fn negation(goal: &Fact) -> Fact {
+    let (polynomial, sign) = match goal.sign {
+        Sign::Zero => (goal.polynomial.clone(), Sign::NonZero),
+        Sign::NonZero => (goal.polynomial.clone(), Sign::Zero),
+        Sign::NonNegative => (goal.polynomial.negated(), Sign::Positive),
+        Sign::Positive => (goal.polynomial.negated(), Sign::NonNegative),
+    };
+    Fact { polynomial, sign }
+}
+
+/// What roots mean: `s^q = base`, `s ≥ 0`. `None` where a term cannot be given a value at all.
+fn roots(problem: &mut Problem) -> Option<Vec<Fact>> {
+    let mut facts = Vec::new();
+    let opaque: Vec<_> = problem
+        .atoms
+        .iter()
+        .filter_map(|(var, atom)| match atom {
+            Atom::Opaque(expr) => Some((var, expr.clone())),
+            _ => None,
+        })
+        .collect();
+    let nothing = BTreeSet::new();
+    for (var, expr) in opaque {
+        match &expr {
+            Expr::Derivative { body, .. } if matches!(**body, Expr::Symbol(_)) => {}
+            Expr::Power(base, exponent) => {
+                let Expr::Number(exponent) = &**exponent else {
+                    return None;
+                };
+                let q: u32 = exponent.denom().try_into().ok()?;
+                let mut lowering = Lowering {
+                    atoms: &mut problem.atoms,
+                    sequences: &nothing,
+                    constants: &nothing,
+                    conditions: Conditions::default(),
+                };
+                let base = lowering.lower(base).ok()?;
+                let root = Polynomial::var(var);
+                let below = base.expanded_denominator().ok()?;
+                let left = root.pow(q).ok()?.times(&below).ok()?;
+                facts.push(Fact {
+                    polynomial: left.minus(base.numerator()),
+                    sign: Sign::Zero,
+                });
+                facts.push(Fact {
+                    polynomial: root,
+                    sign: Sign::NonNegative,
+                });
+            }
+            _ => return None,
+        }
+    }
+    Some(facts)
+}
+
+/// Gives every symbol a value that the search left open, and those that were put in theirs.
+fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
+    let defined: Vec<(Symbol, Expr)> = unfold
+        .iter()
+        .filter_map(|&at| crate::kernel::definition(&claim.hypotheses[at].formula))
+        .collect();
+    let anything = Domain::default();
+    for symbol in claim.free_symbols() {
+        let known = point.symbols.contains_key(&symbol);
+        if known || defined.iter().any(|(s, _)| *s == symbol) {
+            continue;
+        }
+        let domain = claim.domains.get(&symbol).unwrap_or(&anything);
+        let mut values = candidates().into_iter().map(|(_, v)| v);
+        if let Some(value) = values.find(|v| domain.contains(v)) {
+            point.symbols.insert(symbol, value);
+        }
+    }
+    for (symbol, term) in defined.iter().rev() {
+        let mut atoms = crate::algebra::Atoms::default();
+        let nothing = BTreeSet::new();
+        let mut lowering = Lowering {
+            atoms: &mut atoms,
+            sequences: &nothing,
+            constants: &nothing,
+            conditions: Conditions::default(),
+        };
+        let written = point.symbols.iter().fold(term.clone(), |t, (s, v)| {
+            t.substitute(s, &Expr::Number(v.clone()))
+        });
+        if let Ok(value) = lowering.lower(&written)
+            && let Some(value) = value.as_constant()
+        {
+            point.symbols.insert(symbol.clone(), value);
+        }
+    }
+}
+
+/// The point in the claim's own terms: counts and sequences again. Elements in order along the line come first.
+fn restored(
+    claim: &Claim,
+    counts: &[Symbol],
+    sizes: &[i64],
+    mut point: Assignment,
+) -> Vec<Assignment> {
+    if counts.is_empty() && claim.sequences.is_empty() {
+        return vec![point];
+    }
+    for (count, &n) in counts.iter().zip(sizes) {
+        point
+            .symbols
+            .insert(count.clone(), BigRational::from_integer(n.into()));
+    }
+    let longest = sizes.iter().copied().max().unwrap_or(0) as u32;
+    for sequence in claim.sequences.keys() {
+        let mut elements = Vec::new();
+        for position in 1..=MOST_ELEMENTS as u32 {
+            let value = point.symbols.remove(&element_symbol(sequence, position));
+            if position <= longest {
+                elements.push(value.unwrap_or_else(|| BigRational::from_integer(1.into())));
+            }
+        }
+        point.sequences.insert(sequence.clone(), elements);
+    }
+    // Hypotheses were renumbered where one was written out as several.
+    point.unfold = definitions_to_unfold(claim)
+        .into_iter()
+        .filter(|&at| {
+            let formula = &claim.hypotheses[at].formula;
+            crate::kernel::definition(formula).is_some_and(|(s, _)| !counts.contains(&s))
+        })
+        .collect();
+    let mut ordered = point.clone();
+    ordered
+        .sequences
+        .values_mut()
+        .for_each(|elements| elements.sort());
+    vec![ordered, point]
+}

@@ -1,0 +1,236 @@
+//! Polynomials that remember how they were made from the equations.
+
+use std::collections::BTreeMap;
+
+use num_traits::One;
+
+use crate::algebra::{BigRational, Monomial, Polynomial, TooLarge, Var, product};
+use crate::kernel::{Cofactors, Factors, Knowledge};
+
+/// A product of powers that are known not to vanish.
+pub type Nonzero = BTreeMap<Polynomial, u32>;
+
+/// An equation's consequence: `Π multiplier · polynomial = Σ cofactor · equation`.
+#[derive(Clone, Debug)]
+pub struct Tracked {
+    pub polynomial: Polynomial,
+    pub multiplier: Nonzero,
+    pub cofactors: BTreeMap<usize, Polynomial>,
+}
+
+/// What a goal has become: `Π multiplier · goal = Π outer · polynomial + Σ cofactor · equation`.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    pub polynomial: Polynomial,
+    pub multiplier: Nonzero,
+    pub outer: Nonzero,
+    pub cofactors: BTreeMap<usize, Polynomial>,
+}
+
+pub fn expand(factors: &Nonzero) -> Result<Polynomial, TooLarge> {
+    product(factors.iter().map(|(f, e)| (f, *e)))
+}
+
+pub fn listed(factors: &Nonzero) -> Factors {
+    factors.iter().map(|(f, e)| (f.clone(), *e)).collect()
+}
+
+pub fn cofactors(map: &BTreeMap<usize, Polynomial>) -> Cofactors {
+    let used = map.iter().filter(|(_, c)| !c.is_zero());
+    used.map(|(at, c)| (*at, c.clone())).collect()
+}
+
+/// Adds `weight · from` to `to`.
+fn accumulate(
+    to: &mut BTreeMap<usize, Polynomial>,
+    from: &BTreeMap<usize, Polynomial>,
+    weight: &Polynomial,
+) -> Result<(), TooLarge> {
+    for (at, cofactor) in from {
+        let scaled = cofactor.times(weight)?;
+        let slot = to.entry(*at).or_default();
+        *slot = slot.plus(&scaled);
+    }
+    Ok(())
+}
+
+fn scale(map: &mut BTreeMap<usize, Polynomial>, weight: &Polynomial) -> Result<(), TooLarge> {
+    if weight.as_constant().is_some_and(|c| c.is_one()) {
+        return Ok(());
+    }
+    for cofactor in map.values_mut() {
+        *cofactor = cofactor.times(weight)?;
+    }
+    Ok(())
+}
+
+fn include(into: &mut Nonzero, factors: &Nonzero) {
+    for (factor, exponent) in factors {
+        *into.entry(factor.clone()).or_insert(0) += exponent;
+    }
+}
+
+impl Tracked {
+    /// One of the equations themselves.
+    pub fn equation(at: usize, polynomial: Polynomial) -> Self {
+        Tracked {
+            polynomial,
+            multiplier: Nonzero::new(),
+            cofactors: BTreeMap::from([(at, Polynomial::one())]),
+        }
+    }
+
+    /// Divides out what is known not to vanish.
+    pub fn strip(&mut self, knowledge: &Knowledge, divisors: &[Polynomial]) {
+        let content = self.polynomial.content();
+        for &(var, exponent) in content.powers() {
+            let power = Monomial::power(var, 1);
+            if knowledge.monomial_is_nonzero(&power) {
+                let factor = Polynomial::var(var);
+                for _ in 0..exponent {
+                    if let Some(rest) = self.polynomial.divided_by(&factor) {
+                        self.polynomial = rest;
+                        *self.multiplier.entry(factor.clone()).or_insert(0) += 1;
+                    }
+                }
+            }
+        }
+        for divisor in divisors {
+            while self.polynomial.degree() >= divisor.degree() && !self.polynomial.is_zero() {
+                let Some(rest) = self.polynomial.divided_by(divisor) else {
+                    break;
+                };
+                self.polynomial = rest;
+                *self.multiplier.entry(divisor.clone()).or_insert(0) += 1;
+            }
+        }
+    }
+
+    /// `p · self − q · other`.
+    pub fn combine(&self, p: &Polynomial, other: &Self, q: &Polynomial) -> Result<Self, TooLarge> {
+        // Bring both to the same multiplier.
+        let mut multiplier = self.multiplier.clone();
+        for (factor, exponent) in &other.multiplier {
+            let slot = multiplier.entry(factor.clone()).or_insert(0);
+            *slot = (*slot).max(*exponent);
+        }
+        let missing = |own: &Nonzero| {
+            let exponent = |f: &Polynomial| own.get(f).copied().unwrap_or(0);
+            product(multiplier.iter().map(|(f, e)| (f, e - exponent(f))))
+        };
+        let mut cofactors = BTreeMap::new();
+        accumulate(
+            &mut cofactors,
+            &self.cofactors,
+            &missing(&self.multiplier)?.times(p)?,
+        )?;
+        let minus = missing(&other.multiplier)?.times(q)?.negated();
+        accumulate(&mut cofactors, &other.cofactors, &minus)?;
+        Ok(Tracked {
+            polynomial: self.polynomial.times(p)?.minus(&other.polynomial.times(q)?),
+            multiplier,
+            cofactors,
+        })
+    }
+
+    /// Removes an unknown in which `pivot` is linear, by multiplying with its coefficient.
+    pub fn eliminate(&self, var: Var, pivot: &Pivot) -> Result<Self, TooLarge> {
+        let mut current = self.clone();
+        while current.polynomial.degree_in(var) > 0 {
+            let powers = current.polynomial.in_powers_of(var);
+            let degree = powers.len() as u32 - 1;
+            let lead = powers.last().cloned().unwrap_or_default();
+            let quotient = lead.times_term(&Monomial::power(var, degree - 1), &BigRational::one());
+            current = current.combine(&pivot.coefficient, &pivot.element, &quotient)?;
+            // The element is a consequence up to its own coefficient, which does not vanish.
+        }
+        Ok(current)
+    }
+}
+
+/// An element that is linear in an unknown, its coefficient known not to vanish.
+#[derive(Clone, Debug)]
+pub struct Pivot {
+    pub var: Var,
+    pub coefficient: Polynomial,
+    pub positive: bool,
+    pub element: Tracked,
+}
+
+impl Reduced {
+    /// A goal as it is.
+    pub fn new(goal: Polynomial) -> Self {
+        Reduced {
+            polynomial: goal,
+            multiplier: Nonzero::new(),
+            outer: Nonzero::new(),
+            cofactors: BTreeMap::new(),
+        }
+    }
+
+    /// Replaces `polynomial` by `weight · polynomial − quotient · element`, where `weight` does not vanish.
+    fn step(
+        &mut self,
+        weight: &Nonzero,
+        quotient: &Polynomial,
+        element: &Tracked,
+    ) -> Result<(), TooLarge> {
+        let (scale_by, inner) = (expand(weight)?, expand(&element.multiplier)?);
+        let polynomial = self.polynomial.times(&scale_by)?;
+        let polynomial = polynomial.minus(&quotient.times(&element.polynomial)?);
+        // M w Mₑ goal = S Mₑ (w G − q e) + S q Σ cof_e h + w Mₑ Σ C h
+        scale(&mut self.cofactors, &scale_by.times(&inner)?)?;
+        let outer = expand(&self.outer)?.times(quotient)?;
+        accumulate(&mut self.cofactors, &element.cofactors, &outer)?;
+        include(&mut self.multiplier, weight);
+        include(&mut self.multiplier, &element.multiplier);
+        include(&mut self.outer, &element.multiplier);
+        self.polynomial = polynomial;
+        Ok(())
+    }
+
+    /// Removes the pivot's unknown. Where signs matter the goal is multiplied by something positive only.
+    pub fn eliminate(&mut self, pivot: &Pivot, keep_sign: bool) -> Result<(), TooLarge> {
+        while self.polynomial.degree_in(pivot.var) > 0 {
+            let powers = self.polynomial.in_powers_of(pivot.var);
+            let degree = powers.len() as u32 - 1;
+            let lead = powers.last().cloned().unwrap_or_default();
+            let mut quotient =
+                lead.times_term(&Monomial::power(pivot.var, degree - 1), &BigRational::one());
+            let mut weight = Nonzero::new();
+            match pivot.coefficient.as_constant() {
+                Some(c) => quotient = quotient.scaled(&c.recip()),
+                None if keep_sign && !pivot.positive => {
+                    weight.insert(pivot.coefficient.clone(), 2);
+                    quotient = quotient.times(&pivot.coefficient)?;
+                }
+                None => {
+                    weight.insert(pivot.coefficient.clone(), 1);
+                }
+            }
+            self.step(&weight, &quotient, &pivot.element)?;
+        }
+        Ok(())
+    }
+
+    /// Cancels every term that a leading term of the basis divides.
+    pub fn normal_form(&mut self, basis: &[Tracked], steps: &mut usize) -> Result<(), TooLarge> {
+        'again: while *steps > 0 {
+            for (monomial, coefficient) in self.polynomial.clone().terms().rev() {
+                for element in basis {
+                    let Some((lead, own)) = element.polynomial.leading() else {
+                        continue;
+                    };
+                    if let Some(quotient) = monomial.divided_by(lead) {
+                        *steps -= 1;
+                        let quotient = Polynomial::term(quotient, coefficient / own);
+                        self.step(&Nonzero::new(), &quotient, element)?;
+                        continue 'again;
+                    }
+                }
+            }
+            return Ok(());
+        }
+        Err(TooLarge)
+    }
+}
