@@ -173,8 +173,9 @@ impl Chain {
     /// $$ v_N = v_0 \prod_{i=1}^{N-1} \frac{(1 + e)\,m_i}{m_i + m_{i+1}}, \qquad
     ///    \text{for equal masses} \quad \left(\frac{1 + e}{2}\right)^{N-1} v_0 . $$
     ///
-    /// For `e < 1` the balls behind still move, and catch up later. If they are fast enough to catch up before the front
-    /// has passed, as `e` is small or the line long, then [`Chain::settle`] gives the last ball another first speed.
+    /// For `e < 1` the balls behind still move. If they catch up with the front before it has passed, then
+    /// [`Chain::settle`], which lets the leftmost pair go first, strikes the last ball harder. Up to three equal balls that
+    /// cannot be; with four it happens for `e < 3 − 2√2`; with more, for larger `e` too.
     ///
     /// **Units.** Velocities in one unit, `e` a pure number. **Frame.** Where the struck balls rest.
     pub fn first_pass(&mut self) -> Vec<Encounter> {

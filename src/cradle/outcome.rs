@@ -90,7 +90,7 @@ impl fmt::Display for Remark {
         match self {
             Remark::UnitsChosen => write!(
                 f,
-                "m = 1 and v0 = 1 lose nothing: momentum scales with m v0 and kinetic energy with m v0², on both sides alike"
+                "m = 1 and v0 = 1 lose nothing: every momentum scales with m v0, every kinetic energy with m v0²"
             ),
             Remark::PassesThrough {
                 ball,
@@ -98,8 +98,8 @@ impl fmt::Display for Remark {
                 neighbour,
             } => write!(
                 f,
-                "ball {ball} would leave at {velocity} behind ball {} at {neighbour}: \
-                 the one would have to pass through the other",
+                "ball {ball} would still be faster ({velocity}) than ball {} to its right ({neighbour}): \
+                 they would meet again, or pass through each other",
                 ball + 1
             ),
             Remark::NothingCollides => {
