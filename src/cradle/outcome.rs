@@ -11,9 +11,11 @@ use super::laws::Law;
 use super::number::list_text;
 use super::scenario::Scenario;
 
-/// How many collisions are played out for a remark. A guess: it covers twenty equal balls, and a few bouncing hard
-/// between heavy ones, at no noticeable cost.
+/// How many collisions are played out for a remark. A guess: it covers twenty equal balls.
 const COLLISIONS_PLAYED: usize = 200;
+/// How long, in bits, a velocity's denominator may grow while they are. A guess: each collision of unequal balls adds
+/// digits, and a remark of more than a few hundred is read by nobody.
+const BITS_PLAYED: u64 = 512;
 
 /// A scenario, judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -78,7 +80,7 @@ pub enum Remark {
         /// Both laws hold for the proposed ones too, so the laws alone do not decide.
         laws_hold: bool,
     },
-    /// The collisions pair by pair were too many to play out.
+    /// The collisions pair by pair were not played out: too many, or their numbers too long.
     PairByPairUnfinished {
         /// How many were played.
         collisions: usize,
@@ -133,7 +135,7 @@ impl fmt::Display for Remark {
             Remark::PairByPairUnfinished { collisions } => {
                 write!(
                     f,
-                    "elastic collisions, pair by pair, have not ended after {collisions}; what they give is not known here"
+                    "elastic collisions, pair by pair, were given up after {collisions}: too many, or too long their numbers"
                 )
             }
         }
@@ -199,11 +201,16 @@ fn played_out(scenario: &Scenario, laws_hold: bool) -> Option<Remark> {
         BigRational::one(),
     )
     .ok()?;
-    let starts = chain.is_approaching();
-    if chain.settle(COLLISIONS_PLAYED).is_err() {
-        return Some(Remark::PairByPairUnfinished {
-            collisions: COLLISIONS_PLAYED,
-        });
+    let (starts, mut collisions) = (chain.is_approaching(), 0);
+    while chain.collide_next().is_some() {
+        collisions += 1;
+        let too_long = chain
+            .velocities()
+            .iter()
+            .any(|v| v.denom().bits() > BITS_PLAYED);
+        if too_long || (collisions == COLLISIONS_PLAYED && chain.is_approaching()) {
+            return Some(Remark::PairByPairUnfinished { collisions });
+        }
     }
     Some(match (starts, *chain.velocities() == scenario.after) {
         (_, true) => Remark::PairByPairAgrees,
