@@ -5,13 +5,12 @@
 //! elastic balls, which only exchange velocities and so end up sorted by them. For unequal or inelastic balls the real
 //! order depends on gaps that this picture does not know, and so may the outcome.
 
-use std::fmt;
-
 use nalgebra::DVector;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::collision::with_restitution;
+use super::error::{ChainError, massless};
 
 /// Balls on a line, left to right, and how they rebound from one another.
 ///
@@ -39,62 +38,6 @@ pub struct Encounter {
     /// The two velocities after, left ball first.
     pub after: (BigRational, BigRational),
 }
-
-/// Why a chain cannot be set up, or does not come to an end.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ChainError {
-    /// There are no balls.
-    NoBalls,
-    /// A different number of masses and of velocities.
-    LengthsDiffer {
-        /// How many masses.
-        masses: usize,
-        /// How many velocities.
-        velocities: usize,
-    },
-    /// A ball without a positive mass.
-    MassNotPositive {
-        /// The ball, counted from 1.
-        ball: usize,
-        /// Its mass.
-        mass: BigRational,
-    },
-    /// A coefficient of restitution that is not between 0 and 1.
-    RestitutionOutOfRange(BigRational),
-    /// Still colliding after so many collisions.
-    TooManyCollisions(usize),
-}
-
-impl fmt::Display for ChainError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            ChainError::NoBalls => write!(f, "a chain needs at least one ball"),
-            ChainError::LengthsDiffer { masses, velocities } => {
-                write!(
-                    f,
-                    "each ball needs a mass and a velocity, but masses are {masses} and velocities {velocities}"
-                )
-            }
-            ChainError::MassNotPositive { ball, mass } => {
-                write!(f, "ball {ball} has the mass {mass}: it must be positive")
-            }
-            ChainError::RestitutionOutOfRange(e) => {
-                write!(
-                    f,
-                    "a coefficient of restitution lies between 0 and 1, and {e} does not"
-                )
-            }
-            ChainError::TooManyCollisions(count) => {
-                write!(
-                    f,
-                    "the balls are still colliding after {count} collisions: inelastic ones may never stop"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for ChainError {}
 
 impl Chain {
     /// Balls of these masses, moving at these velocities, that rebound with this coefficient of restitution.
@@ -206,14 +149,6 @@ impl Chain {
             after,
         })
     }
-}
-
-/// The first ball, counted from 1, whose mass is not positive.
-pub(super) fn massless(masses: &DVector<BigRational>) -> Option<(usize, BigRational)> {
-    masses
-        .iter()
-        .position(|mass| !mass.is_positive())
-        .map(|at| (at + 1, masses[at].clone()))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 //! - [`collision`]: two balls, elastic or with a coefficient of restitution.
 //! - [`chain`]: a line of balls, colliding pair by pair until they part.
 //! - [`scenario`]: a proposed outcome, "two balls in, one out at twice the speed", and [`outcome`]: what the laws say to it.
+//! - [`error`]: why masses and velocities make no chain and no scenario.
 //! - [`number`]: exact numbers read from text.
 //!
 //! Invariant: nothing here reads an equation. This is the physics told a second time, from collisions rather than from
@@ -15,14 +16,16 @@
 
 pub mod chain;
 pub mod collision;
+pub mod error;
 pub mod laws;
 pub mod number;
 pub mod outcome;
 pub mod scenario;
 
-pub use chain::{Chain, ChainError, Encounter};
+pub use chain::{Chain, Encounter};
 pub use collision::{efficiency, elastic, energy_loss, with_restitution};
+pub use error::{ChainError, ScenarioError};
 pub use laws::{Law, kinetic_energy, momentum};
 pub use number::{NumberError, list_text, parse_exact, parse_list};
 pub use outcome::{Judgement, Outcome, Remark};
-pub use scenario::{Scenario, ScenarioError};
+pub use scenario::Scenario;

@@ -1,13 +1,11 @@
 //! A proposed outcome: these balls come in so, and are said to leave so.
 
-use std::fmt;
-
 use nalgebra::DVector;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::chain::massless;
+use super::error::{ScenarioError, massless};
 use super::laws::Law;
 use super::outcome::Outcome;
 
@@ -24,51 +22,6 @@ pub struct Scenario {
     momentum_equations: &'static [&'static str],
     energy_equations: &'static [&'static str],
 }
-
-/// Why masses and velocities do not make a scenario.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ScenarioError {
-    /// There are no balls.
-    NoBalls,
-    /// Not as many masses, velocities before and velocities after.
-    LengthsDiffer {
-        /// How many masses.
-        masses: usize,
-        /// How many velocities before.
-        before: usize,
-        /// How many velocities after.
-        after: usize,
-    },
-    /// A ball without a positive mass.
-    MassNotPositive {
-        /// The ball, counted from 1.
-        ball: usize,
-        /// Its mass.
-        mass: BigRational,
-    },
-}
-
-impl fmt::Display for ScenarioError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            ScenarioError::NoBalls => write!(f, "a scenario needs at least one ball"),
-            ScenarioError::LengthsDiffer {
-                masses,
-                before,
-                after,
-            } => write!(
-                f,
-                "each ball needs a mass, a velocity before and a velocity after, but there are \
-                 {masses}, {before} and {after} of them"
-            ),
-            ScenarioError::MassNotPositive { ball, mass } => {
-                write!(f, "ball {ball} has the mass {mass}: it must be positive")
-            }
-        }
-    }
-}
-
-impl std::error::Error for ScenarioError {}
 
 impl Scenario {
     /// The names of the report's scenarios.
