@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod algebra;
+pub mod cli;
 pub mod cradle;
 pub mod document;
 pub mod kernel;
