@@ -1,0 +1,224 @@
+//! The vocabulary: which LaTeX commands mean something here, and what to say about those that do not.
+
+use crate::algebra::{Function, Relation};
+
+/// Commands that are letters, and how a terminal shows them.
+pub(super) const LETTERS: &[(&str, &str)] = &[
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ϵ"),
+    ("varepsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("vartheta", "ϑ"),
+    ("iota", "ι"),
+    ("kappa", "κ"),
+    ("varkappa", "ϰ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("pi", "π"),
+    ("varpi", "ϖ"),
+    ("rho", "ρ"),
+    ("varrho", "ϱ"),
+    ("sigma", "σ"),
+    ("varsigma", "ς"),
+    ("tau", "τ"),
+    ("upsilon", "υ"),
+    ("phi", "ϕ"),
+    ("varphi", "φ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Gamma", "Γ"),
+    ("Delta", "Δ"),
+    ("Theta", "Θ"),
+    ("Lambda", "Λ"),
+    ("Xi", "Ξ"),
+    ("Pi", "Π"),
+    ("Sigma", "Σ"),
+    ("Upsilon", "Υ"),
+    ("Phi", "Φ"),
+    ("Psi", "Ψ"),
+    ("Omega", "Ω"),
+    ("ell", "ℓ"),
+    ("hbar", "ħ"),
+];
+
+/// Commands that decorate one letter and belong to its name, and the combining mark a terminal shows.
+pub(super) const ACCENTS: &[(&str, &str)] = &[
+    ("dot", "\u{307}"),
+    ("ddot", "\u{308}"),
+    ("bar", "\u{304}"),
+    ("overline", "\u{305}"),
+    ("hat", "\u{302}"),
+    ("widehat", "\u{302}"),
+    ("tilde", "\u{303}"),
+    ("widetilde", "\u{303}"),
+    ("vec", "\u{20d7}"),
+    ("mathbf", ""),
+    ("boldsymbol", ""),
+    ("mathcal", ""),
+    ("mathit", ""),
+    ("mathsf", ""),
+    ("mathbb", ""),
+];
+
+/// Commands that may stand in a subscript, beside the letters.
+pub(super) const SUBSCRIPTS: &[(&str, &str)] = &[
+    ("max", "max"),
+    ("min", "min"),
+    ("infty", "∞"),
+    ("prime", "′"),
+    ("parallel", "∥"),
+    ("perp", "⊥"),
+    ("odot", "⊙"),
+    ("oplus", "⊕"),
+];
+
+/// Commands that only move ink about. They mean nothing, so ignoring them misreads nothing.
+pub(super) const SPACING: &[&str] = &[
+    ",", ";", ":", "!", " ", ">", "thinspace", "medspace", "thickspace", "enspace", "negthinspace",
+    "displaystyle", "textstyle", "scriptstyle", "nonumber", "notag", "limits", "nolimits", "big",
+    "Big", "bigg", "Bigg", "bigl", "Bigl", "biggl", "Biggl", "bigr", "Bigr", "biggr", "Biggr",
+];
+
+/// Commands with a meaning of their own in the grammar.
+const GRAMMAR: &[&str] = &[
+    "frac", "tfrac", "dfrac", "sfrac", "sqrt", "cdot", "times", "left", "right", "lvert", "rvert",
+    "vert", "lceil", "rceil", "lfloor", "rfloor", "lbrace", "rbrace", "lbrack", "rbrack", "sum",
+    "int", "lim", "to", "infty", "boxed", "underbrace", "overbrace", "text", "mathrm",
+    "operatorname", "stackrel", "overset", "not", "checkmark", "cmark", "xmark", "quad", "qquad",
+    "begin", "end", "tag", "label", "dots", "cdots", "ldots", "prime", "dagger", "Rightarrow",
+    "implies", "Longrightarrow", "iff", "Leftrightarrow", "Longleftrightarrow",
+];
+
+/// Commands that are understood and refused: what they are called, and what to do instead.
+const REFUSED: &[(&str, &str, Option<&str>)] = &[
+    ("pm", "`\\pm` states two equations at once, which is not read", Some("write the two cases as two equations")),
+    ("mp", "`\\mp` states two equations at once, which is not read", Some("write the two cases as two equations")),
+    ("partial", "partial derivatives (`\\partial`) are not read yet", None),
+    ("nabla", "`\\nabla` is not read: the notation has no vector calculus", None),
+    ("prod", "products over an index (`\\prod`) are not read", None),
+    ("oint", "`\\oint` is not read: only definite integrals `\\int_a^b` are", None),
+    ("iint", "`\\iint` is not read: write two definite integrals, one inside the other", None),
+    ("infty", "`\\infty` is no number: it is read only where a limit goes, `\\lim_{x \\to \\infty}`", None),
+    ("to", "`\\to` is read only inside `\\lim_{x \\to a}`", None),
+    ("rightarrow", "`\\rightarrow` states no relation that can be checked", Some("for an implication write `\\Rightarrow`, for a limit `\\lim_{x \\to a}`")),
+    ("color", "`\\color` is not read: colours do not belong to the mathematics", Some("remove the colour")),
+    ("textcolor", "`\\textcolor` is not read: colours do not belong to the mathematics", Some("remove the colour")),
+    ("colorbox", "`\\colorbox` is not read: colours do not belong to the mathematics", Some("use `\\boxed{…}`")),
+    ("cancel", "`\\cancel` is not read: whether what is crossed out counts is not clear", Some("write the equation after cancelling")),
+    ("in", "`\\in` is not read: the notation has no sets", None),
+    ("forall", "`\\forall` is not read: state the quantifier in the text", None),
+    ("exists", "`\\exists` is not read: state the quantifier in the text", None),
+    ("max", "`\\max` is read only as a subscript, as in `\\eta_{\\max}`", None),
+    ("min", "`\\min` is read only as a subscript, as in `\\eta_{\\min}`", None),
+    ("langle", "angle brackets are not read", None),
+    ("over", "`\\over` is not read", Some("write `\\frac{…}{…}`")),
+    ("hspace", "`\\hspace` is not read", Some("write `\\quad`")),
+    ("circ", "`\\circ` is not read: degrees have no exact value here", None),
+    ("middle", "`\\middle` is not read", None),
+    ("therefore", "`\\therefore` is not read", Some("write `\\Rightarrow` after what it follows from")),
+];
+
+/// What a command says as a relation sign.
+pub(super) fn relation(command: &str) -> Option<Relation> {
+    Some(match command {
+        "neq" | "ne" => Relation::NotEqual,
+        "lt" => Relation::Less,
+        "gt" => Relation::Greater,
+        "le" | "leq" | "leqslant" => Relation::LessOrEqual,
+        "ge" | "geq" | "geqslant" => Relation::GreaterOrEqual,
+        "sim" => Relation::Scales,
+        "propto" => Relation::Proportional,
+        "approx" | "simeq" => Relation::Approximately,
+        "ll" => Relation::MuchLess,
+        "gg" => Relation::MuchGreater,
+        "equiv" | "coloneqq" => Relation::Equal,
+        _ => return None,
+    })
+}
+
+const RELATIONS: &[&str] = &[
+    "neq", "leq", "leqslant", "geq", "geqslant", "sim", "propto", "approx", "simeq", "equiv", "coloneqq",
+];
+
+/// The function that a command names.
+pub(super) fn function(command: &str) -> Option<Function> {
+    Some(match command {
+        "sin" => Function::Sin,
+        "cos" => Function::Cos,
+        "tan" => Function::Tan,
+        "exp" => Function::Exp,
+        "ln" | "log" => Function::Ln,
+        _ => return None,
+    })
+}
+
+const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "log"];
+
+/// Looks a command up in one of the tables of this page.
+pub(super) fn find(
+    table: &'static [(&'static str, &'static str)],
+    command: &str,
+) -> Option<&'static str> {
+    table.iter().find(|(name, _)| *name == command).map(|(_, shown)| *shown)
+}
+
+/// Whether a command is three dots.
+pub(super) fn is_dots(command: &str) -> bool {
+    matches!(command, "dots" | "ldots" | "cdots" | "dotsb" | "dotsc" | "dotsm")
+}
+
+/// What to say about a command that cannot stand where it stands: message and help.
+pub(super) fn complaint(command: &str) -> (String, Option<String>) {
+    if let Some((_, message, help)) = REFUSED.iter().find(|(name, ..)| *name == command) {
+        return ((*message).to_owned(), help.map(str::to_owned));
+    }
+    if known().any(|name| name == command) || relation(command).is_some() {
+        return (format!("`\\{command}` cannot stand here"), None);
+    }
+    let help = nearest(command).map(|name| format!("did you mean `\\{name}`?"));
+    (format!("`\\{command}` is not known"), help)
+}
+
+fn known() -> impl Iterator<Item = &'static str> {
+    let tables = [LETTERS, ACCENTS, SUBSCRIPTS].into_iter().flatten().map(|(name, _)| *name);
+    let lists = [GRAMMAR, RELATIONS, FUNCTIONS, &["ln", "exp"]].into_iter().flatten().copied();
+    tables.chain(lists)
+}
+
+/// The known command that a misspelt one is nearest to, if it is near enough to be meant.
+fn nearest(command: &str) -> Option<&'static str> {
+    let length = command.chars().count();
+    if !(2..=20).contains(&length) {
+        return None;
+    }
+    let allowed = if length < 4 { 1 } else { 2 };
+    known()
+        .map(|name| (distance(command, name), name))
+        .filter(|(distance, _)| *distance <= allowed)
+        .min()
+        .map(|(_, name)| name)
+}
+
+/// Levenshtein's distance: how many letters to add, drop or change.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut next = vec![i + 1];
+        for (j, (&y, window)) in b.iter().zip(row.windows(2)).enumerate() {
+            let [diagonal, above] = window else { continue };
+            let left = next.get(j).copied().unwrap_or(i + 1);
+            next.push((diagonal + usize::from(x != y)).min(above + 1).min(left + 1));
+        }
+        row = next;
+    }
+    row.last().copied().unwrap_or(0)
+}

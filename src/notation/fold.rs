@@ -1,0 +1,195 @@
+//! Between lexer and parser: signs that are spelt with several tokens become one, and what depends on its
+//! surroundings is decided once, by looking at the neighbours.
+//!
+//! - `\stackrel{?}{=}`, `\not=`, `:=` become one relation.
+//! - A `\times` with nothing after it but the end of its statement is the author's ✗; between factors it is a product.
+//! - `\boxed{…}` around whole clauses becomes a pair of marks that the statement reader steps over; around a term it
+//!   stays a group.
+//! - `&` goes. A row that starts with a relation or a connective continues the statement before it, and so does a
+//!   row whose first cell is empty and that starts with a sign; any other row is a statement of its own.
+
+use super::commands;
+use super::lexer::{Kind, Token};
+use super::{Connective, Mark};
+use crate::algebra::Relation;
+
+/// Folds the raw tokens. Linear in their number.
+pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
+    let folder = Folder { raw, closing: closing(raw), boxes: Vec::new() };
+    folder.run()
+}
+
+/// For every `{`, where its `}` is.
+fn closing(raw: &[Token]) -> Vec<Option<usize>> {
+    let mut closing = vec![None; raw.len()];
+    let mut open = Vec::new();
+    for (at, token) in raw.iter().enumerate() {
+        match token.kind {
+            Kind::Open => open.push(at),
+            Kind::Close => {
+                if let Some(slot) = open.pop().and_then(|from| closing.get_mut(from)) {
+                    *slot = Some(at);
+                }
+            }
+            _ => {}
+        }
+    }
+    closing
+}
+
+struct Folder<'a, 's> {
+    raw: &'a [Token<'s>],
+    closing: Vec<Option<usize>>,
+    /// Whether the `\boxed` at this place holds whole clauses.
+    boxes: Vec<bool>,
+}
+
+impl<'s> Folder<'_, 's> {
+    fn kind(&self, at: usize) -> Kind<'s> {
+        self.raw.get(at).map_or(Kind::End, |token| token.kind)
+    }
+
+    fn run(mut self) -> Vec<Token<'s>> {
+        self.find_boxes();
+        let mut closes_box = vec![false; self.raw.len()];
+        let mut out = Vec::with_capacity(self.raw.len());
+        let mut at = 0;
+        while let Some(&token) = self.raw.get(at) {
+            let before = at;
+            at += 1;
+            if let Some((kind, length)) = self.relation(before) {
+                at = before + length;
+                let end = self.raw.get(at - 1).map_or(token.span, |last| last.span);
+                out.push(Token { kind, span: token.span.to(end) });
+                continue;
+            }
+            let kind = match token.kind {
+                Kind::Char('&') => continue,
+                Kind::Row if self.continues(at) => continue,
+                Kind::Command("boxed") if self.boxes.get(before) == Some(&true) => {
+                    if let Some(Some(close)) = self.closing.get(at)
+                        && let Some(slot) = closes_box.get_mut(*close)
+                    {
+                        *slot = true;
+                    }
+                    let open = self.raw.get(at).map_or(token.span, |open| open.span);
+                    at += 1;
+                    out.push(Token { kind: Kind::BoxOpen, span: token.span.to(open) });
+                    continue;
+                }
+                Kind::Close if closes_box.get(before) == Some(&true) => Kind::BoxClose,
+                Kind::Command("times") if self.is_cross(before, &closes_box) => Kind::Mark(Mark::Cross),
+                Kind::Command("checkmark" | "cmark") => Kind::Mark(Mark::Tick),
+                Kind::Command("xmark") => Kind::Mark(Mark::Cross),
+                Kind::Text(words) => match words.trim() {
+                    "✓" | "✔" => Kind::Mark(Mark::Tick),
+                    "✗" | "✘" => Kind::Mark(Mark::Cross),
+                    _ => token.kind,
+                },
+                Kind::Command("Rightarrow" | "implies" | "Longrightarrow") => {
+                    Kind::Connective(Connective::Implies)
+                }
+                Kind::Command("iff" | "Leftrightarrow" | "Longleftrightarrow") => {
+                    Kind::Connective(Connective::Equivalent)
+                }
+                kind => kind,
+            };
+            out.push(Token { kind, span: token.span });
+        }
+        out
+    }
+
+    /// The relation that starts here, and over how many tokens it runs.
+    fn relation(&self, at: usize) -> Option<(Kind<'s>, usize)> {
+        if let Some(relation) = self.plain_relation(at) {
+            return Some((Kind::Relation(relation, false), 1));
+        }
+        match self.kind(at) {
+            Kind::Char(':') if self.kind(at + 1) == Kind::Char('=') => {
+                Some((Kind::Relation(Relation::Equal, false), 2))
+            }
+            Kind::Command("not") if self.kind(at + 1) == Kind::Char('=') => {
+                Some((Kind::Relation(Relation::NotEqual, false), 2))
+            }
+            Kind::Command("stackrel" | "overset") => {
+                let asks = [Kind::Open, Kind::Char('?'), Kind::Close];
+                let asked = asks.iter().enumerate().all(|(i, &kind)| self.kind(at + 1 + i) == kind);
+                if !asked {
+                    return None;
+                }
+                match (self.plain_relation(at + 4), self.kind(at + 4), self.kind(at + 6)) {
+                    (Some(relation), ..) => Some((Kind::Relation(relation, true), 5)),
+                    (None, Kind::Open, Kind::Close) => {
+                        Some((Kind::Relation(self.plain_relation(at + 5)?, true), 7))
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    fn plain_relation(&self, at: usize) -> Option<Relation> {
+        match self.kind(at) {
+            Kind::Char('=') => Some(Relation::Equal),
+            Kind::Char('<') => Some(Relation::Less),
+            Kind::Char('>') => Some(Relation::Greater),
+            Kind::Command(name) => commands::relation(name),
+            _ => None,
+        }
+    }
+
+    /// Whether the row that starts here goes on with the statement before it.
+    fn continues(&self, mut at: usize) -> bool {
+        let mut empty_cell = false;
+        loop {
+            match self.kind(at) {
+                Kind::Wide => {}
+                Kind::Char('&') => empty_cell = true,
+                Kind::Char('+' | '-') => return empty_cell,
+                Kind::Command(
+                    "Rightarrow" | "implies" | "Longrightarrow" | "iff" | "Leftrightarrow" | "Longleftrightarrow",
+                ) => return true,
+                _ => return self.relation(at).is_some(),
+            }
+            at += 1;
+        }
+    }
+
+    fn is_cross(&self, at: usize, closes_box: &[bool]) -> bool {
+        let wide_before = at.checked_sub(1).is_some_and(|before| self.kind(before) == Kind::Wide);
+        let mut next = at + 1;
+        while self.kind(next) == Kind::Wide {
+            next += 1;
+        }
+        match self.kind(next) {
+            Kind::End | Kind::Row | Kind::Finish(_) | Kind::And | Kind::Char(',' | ';' | '.') => true,
+            Kind::Close => closes_box.get(next) == Some(&true),
+            _ => wide_before && next > at + 1,
+        }
+    }
+
+    /// Finds the boxes around whole clauses, innermost first, so that each token is looked at once.
+    fn find_boxes(&mut self) {
+        self.boxes = vec![false; self.raw.len()];
+        for at in (0..self.raw.len()).rev() {
+            if self.kind(at) != Kind::Command("boxed") {
+                continue;
+            }
+            let Some(&Some(close)) = self.closing.get(at + 1) else { continue };
+            let mut inside = at + 2;
+            let mut holds = false;
+            while inside < close && !holds {
+                holds = self.relation(inside).is_some() || self.boxes.get(inside) == Some(&true);
+                // What is in braces is a term of its own: step over it.
+                inside = match self.closing.get(inside) {
+                    Some(&Some(end)) => end + 1,
+                    _ => inside + 1,
+                };
+            }
+            if let Some(slot) = self.boxes.get_mut(at) {
+                *slot = holds;
+            }
+        }
+    }
+}

@@ -1,0 +1,312 @@
+//! From characters to tokens: the only part of the reader that looks at single bytes.
+//!
+//! The lexer never fails. What it cannot make out becomes a [`Kind::Bad`] token, so that a `\tag` further on is
+//! still found and the parser says what is wrong, at its place. Spacing that means nothing is dropped here;
+//! `\quad`, which separates statements, is kept. One pass, no backtracking.
+
+use super::commands::SPACING;
+use super::{Connective, Mark, Spanned, SyntaxError};
+use crate::algebra::Relation;
+use crate::document::Span;
+
+/// The most characters of words between two braces; it keeps a run of unclosed ones from costing a scan each.
+const LONGEST_ARGUMENT: usize = 1000;
+
+/// What a token is. `Copy`, borrowing its text from the source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind<'s> {
+    /// One letter.
+    Letter(char),
+    /// Digits, perhaps with a decimal point between them.
+    Number(&'s str),
+    /// `\name`, without the backslash.
+    Command(&'s str),
+    /// `\text{…}`: words.
+    Text(&'s str),
+    /// `\mathrm{…}`, `\operatorname{…}`: an upright name.
+    Upright(&'s str),
+    /// Any other character.
+    Char(char),
+    /// `{`
+    Open,
+    /// `}`
+    Close,
+    /// `\\`
+    Row,
+    /// `\quad` or `\qquad`
+    Wide,
+    /// `\begin{…}`
+    Begin(&'s str),
+    /// `\end{…}`
+    Finish(&'s str),
+    /// The word `and` outside `\text`.
+    And,
+    /// The error of this number, kept in [`Lexed::errors`].
+    Bad(usize),
+    /// A whole relation sign, questioned or not. Made by `fold`, as are the next four.
+    Relation(Relation, bool),
+    /// `\Rightarrow`, `\iff`
+    Connective(Connective),
+    /// ✓ or ✗
+    Mark(Mark),
+    /// `\boxed{` around one or more whole clauses.
+    BoxOpen,
+    /// Its `}`.
+    BoxClose,
+    /// The end of the formula.
+    End,
+}
+
+/// A token and its place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Token<'s> {
+    pub(super) kind: Kind<'s>,
+    pub(super) span: Span,
+}
+
+/// All that the lexer found.
+#[derive(Default)]
+pub(super) struct Lexed<'s> {
+    pub(super) tokens: Vec<Token<'s>>,
+    pub(super) tags: Vec<Spanned<String>>,
+    pub(super) labels: Vec<Spanned<String>>,
+    pub(super) errors: Vec<SyntaxError>,
+}
+
+/// Reads `source[body]` into tokens.
+pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
+    let mut lexer = Lexer { source, at: body.start, end: body.end, out: Lexed::default() };
+    if source.get(body.start..body.end).is_none() {
+        lexer.bad(body, "this place is not inside the document".to_owned(), None);
+        return lexer.out;
+    }
+    while lexer.step() {}
+    lexer.out
+}
+
+struct Lexer<'s> {
+    source: &'s str,
+    at: usize,
+    end: usize,
+    out: Lexed<'s>,
+}
+
+impl<'s> Lexer<'s> {
+    fn rest(&self) -> &'s str {
+        self.source.get(self.at..self.end).unwrap_or("")
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    fn push(&mut self, start: usize, kind: Kind<'s>) {
+        self.out.tokens.push(Token { kind, span: Span::new(start, self.at) });
+    }
+
+    fn bad(&mut self, span: Span, message: String, help: Option<String>) {
+        let number = self.out.errors.len();
+        self.out.errors.push(SyntaxError { span, message, help });
+        self.out.tokens.push(Token { kind: Kind::Bad(number), span });
+    }
+
+    /// Takes the longest run of characters that satisfy `keep`.
+    fn take(&mut self, keep: impl Fn(char) -> bool) -> &'s str {
+        let rest = self.rest();
+        let length = rest.find(|c| !keep(c)).unwrap_or(rest.len());
+        self.at += length;
+        rest.get(..length).unwrap_or("")
+    }
+
+    fn step(&mut self) -> bool {
+        let start = self.at;
+        let Some(c) = self.peek() else { return false };
+        if c.is_ascii_digit() {
+            self.number(start);
+        } else if c.is_ascii_alphabetic() {
+            self.letter(start, c);
+        } else if c == '\\' {
+            self.at += 1;
+            self.command(start);
+        } else {
+            self.at += c.len_utf8();
+            self.other(start, c);
+        }
+        true
+    }
+
+    fn number(&mut self, start: usize) {
+        self.take(|c| c.is_ascii_digit());
+        let rest = self.rest();
+        if rest.starts_with('.') && rest.chars().nth(1).is_some_and(|c| c.is_ascii_digit()) {
+            self.at += 1;
+            self.take(|c| c.is_ascii_digit());
+        }
+        let text = self.source.get(start..self.at).unwrap_or("");
+        self.push(start, Kind::Number(text));
+    }
+
+    fn letter(&mut self, start: usize, c: char) {
+        let before = self.source.get(..start).and_then(|text| text.chars().next_back());
+        let alone = |c: Option<char>| c.is_none_or(|c| c.is_whitespace() || "$,;".contains(c));
+        if let Some(after) = self.rest().strip_prefix("and")
+            && alone(before)
+            && alone(after.chars().next())
+        {
+            self.at += 3;
+            return self.push(start, Kind::And);
+        }
+        self.at += 1;
+        self.push(start, Kind::Letter(c));
+    }
+
+    fn other(&mut self, start: usize, c: char) {
+        let kind = match c {
+            '{' => Kind::Open,
+            '}' => Kind::Close,
+            '−' => Kind::Char('-'),
+            '·' => Kind::Command("cdot"),
+            '×' => Kind::Command("times"),
+            '…' | '⋯' => Kind::Command("dots"),
+            '′' | '’' => Kind::Char('\''),
+            '≠' => Kind::Command("neq"),
+            '≤' => Kind::Command("leq"),
+            '≥' => Kind::Command("geq"),
+            '✓' | '✔' => Kind::Mark(Mark::Tick),
+            '✗' | '✘' => Kind::Mark(Mark::Cross),
+            '%' => {
+                self.take(|c| c != '\n');
+                return;
+            }
+            '~' => return,
+            c if c.is_whitespace() => return,
+            c if c.is_ascii_punctuation() => Kind::Char(c),
+            c => {
+                let help = super::commands::LETTERS
+                    .iter()
+                    .find(|(_, shown)| shown.chars().eq([c]) || (c == 'µ' && *shown == "μ"))
+                    .map(|(name, _)| format!("write `\\{name}`"));
+                let span = Span::new(start, self.at);
+                return self.bad(span, format!("the character `{c}` is not known"), help);
+            }
+        };
+        self.push(start, kind);
+    }
+
+    fn command(&mut self, start: usize) {
+        let mut name = self.take(|c| c.is_ascii_alphabetic());
+        if name.is_empty() {
+            let Some(c) = self.peek() else {
+                let span = Span::new(start, self.at);
+                return self.bad(span, "a backslash at the end names no command".to_owned(), None);
+            };
+            let from = self.at;
+            self.at += c.len_utf8();
+            name = self.source.get(from..self.at).unwrap_or("");
+            if c.is_whitespace() {
+                return;
+            }
+        }
+        match name {
+            "\\" => self.row(start),
+            "quad" | "qquad" => self.push(start, Kind::Wide),
+            _ if SPACING.contains(&name) => {}
+            "tag" | "label" => self.reference(start, name),
+            "text" | "textrm" | "textnormal" | "mbox" => {
+                if let Some(words) = self.argument(start, name) {
+                    self.push(start, Kind::Text(words));
+                }
+            }
+            "mathrm" | "operatorname" | "rm" => self.upright(start, name),
+            "begin" | "end" => {
+                if let Some(environment) = self.argument(start, name) {
+                    let begin = name == "begin";
+                    self.push(start, if begin { Kind::Begin(environment) } else { Kind::Finish(environment) });
+                }
+            }
+            _ => self.push(start, Kind::Command(name)),
+        }
+    }
+
+    /// `\\`, perhaps with a star and a length in brackets, as TeX takes them.
+    fn row(&mut self, start: usize) {
+        if self.rest().starts_with('*') {
+            self.at += 1;
+        }
+        if let Some((length, _)) = self.rest().strip_prefix('[').and_then(|rest| rest.split_once(']')) {
+            let unit = length.trim_start_matches(|c: char| c.is_ascii_digit() || "+-. ".contains(c));
+            if ["pt", "em", "ex", "mm", "cm", "jot"].contains(&unit.trim_start_matches('\\').trim()) {
+                self.at += length.len() + 2;
+            }
+        }
+        self.push(start, Kind::Row);
+    }
+
+    /// The raw text between the braces that follow.
+    fn argument(&mut self, start: usize, name: &str) -> Option<&'s str> {
+        self.take(char::is_whitespace);
+        if self.peek() != Some('{') {
+            let span = Span::new(start, self.at);
+            self.bad(span, format!("`\\{name}` needs braces after it"), Some(format!("write `\\{name}{{…}}`")));
+            return None;
+        }
+        let open = self.at;
+        let mut depth = 0usize;
+        for (offset, c) in self.rest().char_indices().take(LONGEST_ARGUMENT) {
+            match c {
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                _ => continue,
+            }
+            if depth == 0 {
+                self.at = open + offset + 1;
+                return self.source.get(open + 1..open + offset);
+            }
+        }
+        // An unclosed brace would hide the rest of the formula, its `\tag` too: go on behind it.
+        self.at = open + 1;
+        self.bad(Span::new(open, open + 1), "this brace is never closed".to_owned(), None);
+        None
+    }
+
+    fn reference(&mut self, start: usize, name: &'s str) {
+        if name == "tag" && self.rest().starts_with('*') {
+            self.at += 1;
+        }
+        let Some(text) = self.argument(start, name) else { return };
+        let text = text.trim();
+        let bare = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(text);
+        let span = Span::new(start, self.at);
+        let found = Spanned { value: if name == "tag" { bare } else { text }.to_owned(), span };
+        let (list, what) = match name {
+            "tag" => (&mut self.out.tags, "an equation has one number: this is a second `\\tag`"),
+            _ => (&mut self.out.labels, "an equation has one key: this is a second `\\label`"),
+        };
+        list.push(found);
+        if list.len() > 1 {
+            self.bad(span, what.to_owned(), None);
+        }
+    }
+
+    fn upright(&mut self, start: usize, name: &'s str) {
+        if self.rest().starts_with('*') {
+            self.at += 1;
+        }
+        self.take(char::is_whitespace);
+        let text = match self.peek() {
+            Some(c) if c.is_ascii_alphabetic() => {
+                let from = self.at;
+                self.at += 1;
+                self.source.get(from..self.at)
+            }
+            _ => self.argument(start, name),
+        };
+        let Some(text) = text.map(str::trim) else { return };
+        if !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric()) {
+            self.push(start, Kind::Upright(text));
+        } else {
+            let span = Span::new(start, self.at);
+            self.bad(span, format!("`\\{name}{{{text}}}` is no name: only letters and digits are read in it"), None);
+        }
+    }
+}

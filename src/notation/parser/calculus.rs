@@ -1,0 +1,207 @@
+//! Derivatives, definite integrals and limits.
+//!
+//! `\frac{d …}{dx}` is a derivative if, and only if, its denominator is `d` and one name (and a whole power, the same as
+//! above); `d` anywhere else is an ordinary symbol. What `\frac{d}{dx}` applies to is the product that follows; if that
+//! starts with a bracket it must end with it, since `\frac{d}{dx}(f) g` says too little. An integrand ends at its `dx`.
+
+use super::term::invisible;
+use super::{Kind, Parser, Read, Shape, refuse, refuse_with};
+use crate::algebra::{Expr, LimitPoint, Symbol};
+use crate::notation::commands;
+
+/// The highest derivative that is read.
+const ORDER: usize = 9;
+
+impl Parser<'_> {
+    fn is_d(&self, at: usize) -> bool {
+        matches!(self.kind(at), Kind::Letter('d') | Kind::Upright("d") | Kind::Text("d"))
+    }
+
+    /// Whether `dx` stands here.
+    pub(super) fn at_differential(&self) -> bool {
+        self.is_d(self.at) && self.starts_name(self.at + 1)
+    }
+
+    /// The variable after `d`.
+    fn variable(&mut self, power_allowed: bool) -> Read<(Symbol, usize)> {
+        let start = self.at;
+        let mut name = self.name()?;
+        let order = match name.power.take() {
+            None => 1,
+            Some(Expr::Number(n)) if power_allowed && n.is_integer() => {
+                n.to_string().parse().unwrap_or(usize::MAX)
+            }
+            Some(_) => return refuse(self.since(start), "the variable of a differential has no power"),
+        };
+        match self.symbol(&name, self.since(start))? {
+            Expr::Symbol(symbol) if !matches!(symbol.name(), "d" | "\\text{d}") => Ok((symbol, order)),
+            _ => refuse(self.since(start), "this cannot be the variable of a differential"),
+        }
+    }
+
+    /// A `\frac` that is a derivative; nothing is taken if it is not one.
+    pub(super) fn derivative(&mut self) -> Read<Option<(Expr, Shape)>> {
+        // The shape is looked for before anything is read: `\frac{d`, and `{d name}` or `{d name^n}` below.
+        let start = self.at;
+        if self.kind(start + 1) != Kind::Open || !self.is_d(start + 2) {
+            return Ok(None);
+        }
+        let Some(under) = self.after_group(start + 1) else { return Ok(None) };
+        if self.kind(under) != Kind::Open || !self.is_d(under + 1) || !self.starts_name(under + 2) {
+            return Ok(None);
+        }
+        let Some(end) = self.after_group(under) else { return Ok(None) };
+        self.at = under + 2;
+        let denominator = self.variable(true);
+        let ends = self.at + 1 == end;
+        self.at = start;
+        if !ends {
+            return Ok(None);
+        }
+        let (variable, below) = denominator?;
+        self.at = start + 3;
+        let above = match self.peek() {
+            Kind::Char('^') => match self.superscript()?.power {
+                Some(Expr::Number(n)) => n.to_string().parse().unwrap_or(0),
+                _ => 0,
+            },
+            Kind::Char('_' | '\'') => return self.unexpected(),
+            _ => 1usize,
+        };
+        if above != below || !(1..=ORDER).contains(&above) {
+            self.at = end;
+            let message = "the orders above and below in this derivative do not agree, or are too high";
+            return refuse_with(self.since(start), message, "write `\\frac{d^2 x}{dt^2}`");
+        }
+        let open = self.span();
+        let inner = if self.peek() == Kind::Close {
+            None
+        } else {
+            let content = self.inside(false, Self::sum)?;
+            if content.shape == Shape::Loose && matches!(content.expr, Expr::Sum(_)) {
+                return invisible(content.span);
+            }
+            Some(content.expr)
+        };
+        self.close(open)?;
+        self.at = end;
+        let (body, shape) = match inner {
+            Some(body) => (body, Shape::Tight),
+            None => (self.differentiated()?, Shape::Loose),
+        };
+        let derive = |body, _| Expr::Derivative { body: Box::new(body), variable: variable.clone() };
+        Ok(Some(((0..above).fold(body, derive), shape)))
+    }
+
+    /// What an operator `\frac{d}{dx}` applies to.
+    fn differentiated(&mut self) -> Read<Expr> {
+        if !self.at_delimiter() {
+            return Ok(self.term()?.expr);
+        }
+        let body = self.factor()?;
+        let goes_on = matches!(self.peek(), Kind::Command("cdot" | "times") | Kind::Char('*' | '/'));
+        if goes_on || self.starts_factor() {
+            let help = "put all that is differentiated into one bracket, or the derivative in parentheses";
+            return refuse_with(self.span(), "whether this is differentiated too is not clear", help);
+        }
+        Ok(body.expr)
+    }
+
+    /// The token after the group that opens at `at`. Derivatives are few, and their groups are short.
+    fn after_group(&self, at: usize) -> Option<usize> {
+        const FAR: usize = 400;
+        let mut depth = 0usize;
+        for next in at..at + FAR {
+            match self.kind(next) {
+                Kind::Open | Kind::BoxOpen => depth += 1,
+                Kind::Close | Kind::BoxClose => depth = depth.checked_sub(1)?,
+                Kind::End => return None,
+                _ => {}
+            }
+            if depth == 0 {
+                return Some(next + 1);
+            }
+        }
+        None
+    }
+
+    /// `\int_a^b body \, dx`.
+    pub(super) fn integral(&mut self) -> Read<Expr> {
+        let start = self.at;
+        self.advance();
+        let (mut from, mut to) = (None, None);
+        loop {
+            match self.peek() {
+                Kind::Char('_') if from.is_none() => {
+                    self.advance();
+                    from = Some(self.argument("\\int_")?);
+                }
+                Kind::Char('^') if to.is_none() => {
+                    self.advance();
+                    to = Some(self.argument("\\int^")?);
+                }
+                _ => break,
+            }
+        }
+        let sign = self.since(start);
+        let (Some(from), Some(to)) = (from, to) else {
+            return refuse_with(sign, "only definite integrals are read", "write `\\int_{a}^{b} f \\, dx`");
+        };
+        let outside = (self.bar, self.integrand);
+        (self.bar, self.integrand) = (false, true);
+        let body = if self.at_differential() {
+            Ok(Expr::Number(num_rational::BigRational::from_integer(1.into())))
+        } else {
+            self.sum().map(|body| body.expr)
+        };
+        (self.bar, self.integrand) = outside;
+        let body = body?;
+        if !self.at_differential() {
+            if self.peek() == Kind::End || self.peek() == Kind::Close {
+                return refuse_with(sign, "this integral has no differential", "end the integrand with `\\, dx`");
+            }
+            return self.unexpected();
+        }
+        self.advance();
+        let (variable, _) = self.variable(false)?;
+        if !self.integrand && self.at_differential() {
+            return refuse(self.span(), "this is a second differential: an integral has one");
+        }
+        Ok(Expr::Integral { body: Box::new(body), variable, from: Box::new(from), to: Box::new(to) })
+    }
+
+    /// `\lim_{x \to a} body`; the body is the product that follows.
+    pub(super) fn limit(&mut self) -> Read<Expr> {
+        let start = self.at;
+        self.advance();
+        if self.peek() != Kind::Char('_') || self.kind(self.at + 1) != Kind::Open {
+            let help = "write `\\lim_{x \\to a}`";
+            return refuse_with(self.since(start), "this limit does not say what goes where", help);
+        }
+        self.advance();
+        let open = self.span();
+        self.advance();
+        if !self.starts_name(self.at) {
+            return self.no_term();
+        }
+        let (variable, _) = self.variable(false)?;
+        if !matches!(self.peek(), Kind::Command("to" | "rightarrow")) {
+            return refuse(self.span(), "after the variable of a limit, `\\to` is expected");
+        }
+        self.advance();
+        let signed = matches!(self.peek(), Kind::Char('+' | '-'));
+        let point = if self.kind(self.at + usize::from(signed)) == Kind::Command("infty") {
+            let minus = self.peek() == Kind::Char('-');
+            self.at += 1 + usize::from(signed);
+            if minus { LimitPoint::MinusInfinity } else { LimitPoint::PlusInfinity }
+        } else {
+            LimitPoint::Finite(Box::new(self.inside(false, Self::sum)?.expr))
+        };
+        self.close(open)?;
+        if matches!(self.peek(), Kind::Command(name) if commands::is_dots(name)) {
+            return self.no_term();
+        }
+        let body = self.term()?.expr;
+        Ok(Expr::Limit { body: Box::new(body), variable, point })
+    }
+}

@@ -1,0 +1,266 @@
+//! From tokens to statements, by recursive descent: one file per kind of thing that is read.
+//!
+//! `statement` reads what is said, `term` the arithmetic, `atom` single factors, `name` whole symbol names, `series`
+//! the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
+//!
+//! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
+//! [`DEPTH`], so that no input can exhaust the stack.
+
+mod atom;
+mod calculus;
+mod name;
+mod series;
+mod statement;
+mod term;
+
+pub(super) use name::{split_subscript, with_subscript};
+
+use super::SyntaxError;
+use super::commands;
+use super::lexer::{Kind, Token};
+use crate::algebra::Expr;
+use crate::document::Span;
+
+/// How deep a formula may nest. People stop at ten.
+const DEPTH: usize = 200;
+/// The longest numeral, in digits.
+const DIGITS: usize = 2_000;
+
+/// The result of reading a part of a formula.
+type Read<T> = Result<T, SyntaxError>;
+
+/// The reader's place in the tokens, and what it must remember there.
+pub(super) struct Parser<'s> {
+    tokens: Vec<Token<'s>>,
+    errors: Vec<SyntaxError>,
+    body: Span,
+    /// Whether the word `and` separates formulas here.
+    words: bool,
+    at: usize,
+    depth: usize,
+    /// The indices bound by the sums around this place.
+    bound: Vec<String>,
+    /// Whether `dx` ends the integrand that is being read.
+    integrand: bool,
+    /// Whether the innermost open delimiter is a bare `|`, so that the next one closes it.
+    bar: bool,
+    /// The places of the summands of the sum that was read last.
+    summands: Vec<Span>,
+    /// The name that was read last, for braces around nothing but a name: `{v'_1}^2`.
+    last_name: Option<LastName>,
+    /// A group after a name that turned out to be a factor, not an argument: `v_0(1 - \mu)`.
+    pending: Option<Factor>,
+}
+
+/// A name, and the tokens it was read from.
+struct LastName {
+    name: name::Name,
+    start: usize,
+    end: usize,
+}
+
+/// How firmly the parts of a term hold together, as a reader of the printed page sees them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shape {
+    /// Digits.
+    Number,
+    /// A name, a fraction, a group with visible delimiters.
+    Tight,
+    /// Something with a superscript.
+    Power,
+    /// A sum, a product, a sign: braces around it cannot be seen.
+    Loose,
+}
+
+/// A factor as read.
+struct Factor {
+    expr: Expr,
+    shape: Shape,
+    span: Span,
+    /// Whether braces, which TeX does not print, are all that holds it together.
+    braces: bool,
+}
+
+/// A term as read.
+struct Term {
+    expr: Expr,
+    shape: Shape,
+    span: Span,
+    negative: bool,
+    /// Whether braces are all that holds a loose term together.
+    braces: bool,
+}
+
+fn refuse<T>(span: Span, message: impl Into<String>) -> Read<T> {
+    Err(SyntaxError { span, message: message.into(), help: None })
+}
+
+fn refuse_with<T>(span: Span, message: impl Into<String>, help: impl Into<String>) -> Read<T> {
+    Err(SyntaxError { span, message: message.into(), help: Some(help.into()) })
+}
+
+impl<'s> Parser<'s> {
+    pub(super) fn new(tokens: Vec<Token<'s>>, errors: Vec<SyntaxError>, body: Span, words: bool) -> Self {
+        Parser {
+            tokens,
+            errors,
+            body,
+            words,
+            at: 0,
+            depth: 0,
+            bound: Vec::new(),
+            integrand: false,
+            bar: false,
+            summands: Vec::new(),
+            last_name: None,
+            pending: None,
+        }
+    }
+
+    /// Reads one term and nothing after it.
+    pub(super) fn whole_term(mut self) -> Read<Expr> {
+        let term = self.sum()?;
+        match self.peek() {
+            Kind::End => Ok(term.expr),
+            _ => self.unexpected(),
+        }
+    }
+
+    fn kind(&self, at: usize) -> Kind<'s> {
+        self.tokens.get(at).map_or(Kind::End, |token| token.kind)
+    }
+
+    fn peek(&self) -> Kind<'s> {
+        self.kind(self.at)
+    }
+
+    /// The place of the next token; at the end, that of the last.
+    fn span(&self) -> Span {
+        self.tokens.get(self.at).or(self.tokens.last()).map_or(self.body, |token| token.span)
+    }
+
+    /// From the token at `start` to the one before this place.
+    fn since(&self, start: usize) -> Span {
+        let first = self.tokens.get(start).map_or(self.body, |token| token.span);
+        let last = self.at.checked_sub(1).and_then(|at| self.tokens.get(at)).map_or(first, |token| token.span);
+        if last.end < first.start { first } else { first.to(last) }
+    }
+
+    fn advance(&mut self) {
+        self.at += 1;
+    }
+
+    fn accept(&mut self, kind: Kind) -> bool {
+        let found = self.peek() == kind;
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    /// Takes the `}` of the group that opened at `open`.
+    fn close(&mut self, open: Span) -> Read<()> {
+        match self.peek() {
+            Kind::Close => {
+                self.advance();
+                Ok(())
+            }
+            Kind::End => refuse(open, "this brace is never closed"),
+            _ => self.unexpected(),
+        }
+    }
+
+    /// Reads something nested, keeping count of the depth.
+    fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
+        if self.depth >= DEPTH {
+            return refuse(self.span(), format!("this is nested more than {DEPTH} deep"));
+        }
+        self.depth += 1;
+        let result = read(self);
+        self.depth -= 1;
+        result
+    }
+
+    /// Reads what stands between delimiters, where neither a bare `|` nor a `dx` of outside counts.
+    fn inside<T>(&mut self, bar: bool, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
+        let outside = (self.bar, self.integrand);
+        (self.bar, self.integrand) = (bar, false);
+        let result = self.nested(read);
+        (self.bar, self.integrand) = outside;
+        result
+    }
+
+    /// The refusal of the next token, which cannot stand where it stands.
+    fn unexpected<T>(&self) -> Read<T> {
+        let span = self.span();
+        match self.peek() {
+            Kind::Bad(number) => match self.errors.get(number) {
+                Some(error) => Err(error.clone()),
+                None => refuse(span, "this cannot be read"),
+            },
+            Kind::End => refuse(span, "the formula ends where something more is expected"),
+            Kind::Command(name) => {
+                let (message, help) = commands::complaint(name);
+                Err(SyntaxError { span, message, help })
+            }
+            Kind::Relation(..) => refuse(span, "a relation sign cannot stand here"),
+            Kind::Connective(_) => refuse(span, "an implication joins whole statements, so it cannot stand here"),
+            Kind::Mark(_) => refuse(span, "a mark belongs at the end of a statement"),
+            Kind::Wide => refuse(span, "`\\quad` separates statements, so it cannot stand inside one"),
+            Kind::Row => refuse(span, "a new row cannot start here"),
+            Kind::And => refuse_with(
+                span,
+                "the word `and` stands in the mathematics, where TeX sets it as a product of three symbols",
+                "write `\\text{ and }`",
+            ),
+            Kind::Text(words) => refuse_with(
+                span,
+                format!("the words `{}` cannot be read here", words.trim()),
+                "words are read as a label in front (`\\text{Initial: }`), as `\\text{and}` between statements, \
+                 or as a name",
+            ),
+            Kind::Begin(name) => refuse(span, format!("the environment `{name}` cannot start here")),
+            Kind::Finish(name) => refuse(span, format!("the environment `{name}` cannot end here")),
+            Kind::BoxOpen => refuse(span, "a boxed relation must be a whole statement"),
+            Kind::Open | Kind::BoxClose => refuse(span, "a brace cannot stand here"),
+            Kind::Close => refuse(span, "this `}` closes nothing that is open here"),
+            Kind::Number(text) => refuse(span, format!("the number `{text}` cannot stand here")),
+            Kind::Letter(c) => refuse(span, format!("`{c}` cannot stand here")),
+            Kind::Upright(text) => refuse(span, format!("`{text}` cannot stand here")),
+            Kind::Char('^') => refuse(span, "this superscript belongs to nothing"),
+            Kind::Char('_') => refuse(span, "this subscript belongs to nothing"),
+            Kind::Char('!') => refuse(span, "factorials are not read"),
+            Kind::Char(c @ (')' | ']' | '|')) => refuse(span, format!("`{c}` closes nothing that is open here")),
+            Kind::Char(',' | ';') => {
+                refuse(span, "a comma or semicolon separates statements, so it cannot stand here")
+            }
+            Kind::Char(c) => refuse(span, format!("`{c}` cannot stand here")),
+        }
+    }
+
+    /// The refusal of this place, where a term should stand.
+    fn no_term<T>(&self) -> Read<T> {
+        let span = self.span();
+        match self.peek() {
+            Kind::Relation(..) => refuse(span, "a term is missing before this relation sign"),
+            Kind::End if self.tokens.is_empty() => refuse(span, "there is nothing here to read"),
+            Kind::End => refuse(span, "a term is missing after this"),
+            Kind::Close => refuse(span, "a term is missing before this brace"),
+            Kind::BoxClose => refuse(span, "a term is missing before the end of the box"),
+            Kind::Char('+' | '-') => refuse_with(
+                span,
+                "two signs stand side by side",
+                "put the signed term in parentheses",
+            ),
+            Kind::Command("cdot" | "times") | Kind::Char('*' | '/') => {
+                refuse(span, "a factor is missing before this sign")
+            }
+            Kind::Command(name) if commands::is_dots(name) => {
+                refuse(span, "dots are read only between `+` signs, as in `u_1 + \\cdots + u_k`, or between `=` signs")
+            }
+            Kind::Char(c @ (')' | ']' | '|')) => refuse(span, format!("a term is missing before `{c}`")),
+            Kind::Char(',' | ';' | '.') => refuse(span, "a term is missing before this punctuation"),
+            _ => self.unexpected(),
+        }
+    }
+}

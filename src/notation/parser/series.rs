@@ -1,0 +1,197 @@
+//! Sums over an index: `\sum_{i=1}^{k} u_i`, and `u_1 + u_2 + \cdots + u_k`.
+//!
+//! The summand of a `\sum` is the product that follows it, up to the next `+`, `-`, relation or closing delimiter.
+//! For a sum with dots, the term before the dots and the one after them must be the same but for a subscript; the
+//! terms before them must run up from 1 in the same pattern. What does not match is refused, never guessed at.
+
+use super::name::{split_subscript, with_subscript};
+use super::{Kind, Parser, Read, Term, refuse, refuse_with};
+use crate::algebra::{BigRational, Expr, Symbol};
+use crate::document::Span;
+use crate::notation::SyntaxError;
+
+impl Parser<'_> {
+    /// `\sum_{i=1}^{k} body`.
+    pub(super) fn series(&mut self) -> Read<Expr> {
+        let start = self.at;
+        self.advance();
+        let (mut lower, mut upper) = (None, None);
+        while lower.is_none() || upper.is_none() {
+            match self.peek() {
+                Kind::Char('_') if lower.is_none() => {
+                    self.advance();
+                    let open = self.span();
+                    if !self.accept(Kind::Open) {
+                        break;
+                    }
+                    lower = Some(self.index()?);
+                    self.close(open)?;
+                }
+                Kind::Char('^') if upper.is_none() => {
+                    self.advance();
+                    upper = Some(self.argument("\\sum^")?);
+                }
+                Kind::Bad(_) => return self.unexpected(),
+                _ => break,
+            }
+        }
+        let (Some((index, from)), Some(to)) = (lower, upper) else {
+            let help = "write `\\sum_{i=1}^{k} u_i`";
+            return refuse_with(self.since(start), "this sum does not say where its index starts and ends", help);
+        };
+        self.bound.push(index.name().to_owned());
+        let body = self.term();
+        self.bound.pop();
+        Ok(Expr::Series { index, from: Box::new(from), to: Box::new(to), body: Box::new(body?.expr) })
+    }
+
+    /// `i=1`
+    fn index(&mut self) -> Read<(Symbol, Expr)> {
+        if !self.is_letter(self.at) {
+            return refuse(self.span(), "the index of a sum must be a single letter");
+        }
+        let index = Symbol::new(self.single_letter()?.canonical());
+        match self.peek() {
+            Kind::Relation(crate::algebra::Relation::Equal, false) => self.advance(),
+            _ => return refuse(self.span(), "after the index of a sum, `=` and its first value are expected"),
+        }
+        Ok((index, self.inside(false, Self::sum)?.expr))
+    }
+
+    /// Makes one term of `… + u_1 + u_2 + \cdots + u_k`, taking back from `terms` what belongs to it.
+    pub(super) fn dotted(&mut self, terms: &mut Vec<Term>, last: Term, dots: Span) -> Read<Term> {
+        let Some(first) = terms.last() else { return refuse(dots, "nothing stands before these dots") };
+        let mismatch = |span: Span| -> SyntaxError {
+            SyntaxError {
+                span,
+                message: "the terms around these dots do not follow one pattern".to_owned(),
+                help: Some("write `u_1 + u_2 + \\cdots + u_k`, or `\\sum_{i=1}^{k} u_i`".to_owned()),
+            }
+        };
+        let mut hole = None;
+        let found = merge(&first.expr, &last.expr, &mut |a, b| {
+            let (low, high) = hole_of(a, b)?;
+            match &hole {
+                None => hole = Some((low.to_owned(), high.to_owned())),
+                Some((l, h)) if l == low && h == high => {}
+                Some(_) => return None,
+            }
+            Some(Expr::Symbol(a.clone()))
+        });
+        let (Some(_), Some((low, high))) = (found, hole) else { return Err(mismatch(dots)) };
+        let first_span = first.span;
+        let Some(count) = low.parse::<usize>().ok().filter(|&count| count > 0) else {
+            return Err(mismatch(first_span));
+        };
+        let to = self.end_of_range(&high, last.span)?;
+        if let Expr::Number(end) = &to
+            && *end <= BigRational::from_integer(count.into())
+        {
+            return Err(mismatch(last.span));
+        }
+        let index = fresh_index(&[&last.expr, &to]);
+        let body_of = |expr: &Expr, number: usize| {
+            let number = number.to_string();
+            merge(expr, &last.expr, &mut |a, b| {
+                let (low, upper) = hole_of(a, b)?;
+                let (stem, _) = split_subscript(a.name())?;
+                (low == number && upper == high)
+                    .then(|| Expr::Element { sequence: Symbol::new(stem), index: index.clone() })
+            })
+        };
+        let Some(body) = body_of(&first.expr, count) else { return Err(mismatch(first_span)) };
+        let mut span = last.span;
+        for number in (1..=count).rev() {
+            let Some(term) = terms.pop() else { return refuse(dots, "a sum with dots must start at the index 1") };
+            if term.negative || last.negative || body_of(&term.expr, number).as_ref() != Some(&body) {
+                return Err(mismatch(term.span));
+            }
+            span = span.to(term.span);
+        }
+        let from = Box::new(Expr::Number(BigRational::from_integer(1.into())));
+        let expr = Expr::Series { index, from, to: Box::new(to), body: Box::new(body) };
+        Ok(Term { expr, span, ..last })
+    }
+
+    /// The last index of a sequence, `k` or `5` or `n-1`, as a term.
+    pub(super) fn end_of_range(&self, text: &str, span: Span) -> Read<Expr> {
+        match crate::notation::read_expr(text, Span::new(0, text.len())) {
+            Ok(expr) => Ok(expr),
+            Err(_) => refuse(span, format!("the subscript `{text}` is no number of elements")),
+        }
+    }
+}
+
+/// The subscripts in which two symbols of one sequence differ: `1` and `k` of `u_1` and `u_k`.
+pub(super) fn hole_of<'a>(a: &'a Symbol, b: &'a Symbol) -> Option<(&'a str, &'a str)> {
+    let (stem, low) = split_subscript(a.name())?;
+    let (other, high) = split_subscript(b.name())?;
+    (stem == other).then_some((low, high))
+}
+
+/// Walks over two terms of the same form at once. Where a symbol differs, `differ` says what stands there.
+fn merge(a: &Expr, b: &Expr, differ: &mut dyn FnMut(&Symbol, &Symbol) -> Option<Expr>) -> Option<Expr> {
+    if let (Expr::Symbol(x), Expr::Symbol(y)) = (a, b) {
+        return if x == y { Some(a.clone()) } else { differ(x, y) };
+    }
+    let mut both = |a: &Expr, b: &Expr| merge(a, b, differ).map(Box::new);
+    Some(match (a, b) {
+        (Expr::Negate(a), Expr::Negate(b)) => Expr::Negate(both(a, b)?),
+        (Expr::Quotient(a, c), Expr::Quotient(b, d)) => Expr::Quotient(both(a, b)?, both(c, d)?),
+        (Expr::Power(a, c), Expr::Power(b, d)) => Expr::Power(both(a, b)?, both(c, d)?),
+        (Expr::Call(f, a), Expr::Call(g, b)) if f == g => Expr::Call(*f, both(a, b)?),
+        (Expr::Sum(a), Expr::Sum(b)) => Expr::Sum(merge_all(a, b, differ)?),
+        (Expr::Product(a), Expr::Product(b)) => Expr::Product(merge_all(a, b, differ)?),
+        (Expr::Apply(f, a), Expr::Apply(g, b)) if f == g => Expr::Apply(f.clone(), merge_all(a, b, differ)?),
+        _ => (a == b).then(|| a.clone())?,
+    })
+}
+
+fn merge_all(
+    a: &[Expr],
+    b: &[Expr],
+    differ: &mut dyn FnMut(&Symbol, &Symbol) -> Option<Expr>,
+) -> Option<Vec<Expr>> {
+    if a.len() != b.len() {
+        return None;
+    }
+    a.iter().zip(b).map(|(a, b)| merge(a, b, differ)).collect()
+}
+
+/// An index that means nothing yet in these terms, as a symbol or as a subscript.
+fn fresh_index(terms: &[&Expr]) -> Symbol {
+    let free = |letter: &&&str| {
+        !terms.iter().any(|term| mentions(term, letter))
+    };
+    let letters = ["i", "j", "l", "m", "n", "p", "q", "r", "s", "t", "a", "b", "c", "f", "g", "h", "o"];
+    let index = letters.iter().find(free).copied().unwrap_or("\\iota");
+    Symbol::new(index)
+}
+
+fn mentions(expr: &Expr, letter: &str) -> bool {
+    let named = |symbol: &Symbol| {
+        symbol.name().split(|c: char| !c.is_ascii_alphanumeric()).any(|part| part == letter)
+            || symbol.name() == with_subscript("", letter)
+    };
+    match expr {
+        Expr::Number(_) => false,
+        Expr::Symbol(symbol) => named(symbol),
+        Expr::Element { sequence, index } => named(sequence) || named(index),
+        Expr::Sum(all) | Expr::Product(all) => all.iter().any(|expr| mentions(expr, letter)),
+        Expr::Apply(symbol, all) => named(symbol) || all.iter().any(|expr| mentions(expr, letter)),
+        Expr::Negate(a) | Expr::Call(_, a) => mentions(a, letter),
+        Expr::Quotient(a, b) | Expr::Power(a, b) => mentions(a, letter) || mentions(b, letter),
+        Expr::Series { index, from, to, body } => {
+            named(index) || [from, to, body].into_iter().any(|expr| mentions(expr, letter))
+        }
+        Expr::Derivative { body, variable } => named(variable) || mentions(body, letter),
+        Expr::Limit { body, variable, point } => {
+            named(variable)
+                || mentions(body, letter)
+                || matches!(point, crate::algebra::LimitPoint::Finite(point) if mentions(point, letter))
+        }
+        Expr::Integral { body, variable, from, to } => {
+            named(variable) || [from, to, body].into_iter().any(|expr| mentions(expr, letter))
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! Statements: chains of relations, joined by implications, labelled and marked.
+
+use super::series::hole_of;
+use super::{Kind, Parser, Read, refuse, refuse_with};
+use crate::algebra::{BigRational, Expr, Relation, Symbol};
+use crate::document::Span;
+use crate::notation::commands;
+use crate::notation::parser::name::split_subscript;
+use crate::notation::{Clause, Link, Mark, Side, Spanned, Statement};
+
+/// The environments whose rows are statements.
+const ENVIRONMENTS: &[&str] = &[
+    "aligned", "align", "align*", "split", "gather", "gather*", "gathered", "equation", "equation*",
+];
+
+/// A place in a chain: a term, or the dots of `u_1 = \dots = u_n`.
+enum Place {
+    Side(Side),
+    Dots(Span),
+}
+
+impl<'s> Parser<'s> {
+    /// All statements, to the end.
+    pub(in crate::notation) fn statements(mut self) -> Read<Vec<Statement>> {
+        let mut statements = Vec::new();
+        let mut environments: Vec<(&'s str, Span)> = Vec::new();
+        loop {
+            self.skip_wide();
+            while let Kind::Begin(name) = self.peek() {
+                if !ENVIRONMENTS.contains(&name) {
+                    return refuse(self.span(), format!("the environment `{name}` is not read"));
+                }
+                environments.push((name, self.span()));
+                self.advance();
+                self.skip_wide();
+            }
+            statements.push(self.statement()?);
+            let mut separated = self.separator()?;
+            while let Kind::Finish(name) = self.peek() {
+                match environments.pop() {
+                    Some((begun, _)) if begun == name => {}
+                    _ => return refuse(self.span(), format!("this ends `{name}`, which was not begun here")),
+                }
+                self.advance();
+                separated |= self.separator()?;
+            }
+            if self.peek() == Kind::End {
+                break;
+            }
+            if !separated {
+                return self.unexpected();
+            }
+        }
+        match environments.pop() {
+            Some((name, span)) => refuse(span, format!("the environment `{name}` is never ended")),
+            None => Ok(statements),
+        }
+    }
+
+    fn skip_wide(&mut self) -> bool {
+        let start = self.at;
+        while self.peek() == Kind::Wide {
+            self.advance();
+        }
+        self.at > start
+    }
+
+    /// Takes what separates two statements; says whether there was anything.
+    fn separator(&mut self) -> Read<bool> {
+        let mut separated = self.skip_wide();
+        match self.peek() {
+            Kind::Char(',' | ';') => {
+                self.advance();
+                separated = true;
+            }
+            Kind::Char('.') => {
+                self.advance();
+                self.skip_wide();
+                if !matches!(self.peek(), Kind::End | Kind::Row | Kind::Finish(_)) {
+                    self.at -= 1;
+                    return refuse(self.span(), "a full stop ends the formulas, and more follows");
+                }
+                separated = true;
+            }
+            _ => {}
+        }
+        separated |= self.skip_wide();
+        match self.peek() {
+            Kind::Text(words) if matches!(words.trim(), "and" | "," | ";" | ", and" | "; and" | ",and") => {
+                self.advance();
+                separated = true;
+            }
+            Kind::And if self.words => {
+                self.advance();
+                separated = true;
+            }
+            _ => {}
+        }
+        while self.skip_wide() || self.accept(Kind::Row) {
+            separated = true;
+        }
+        Ok(separated)
+    }
+
+    fn statement(&mut self) -> Read<Statement> {
+        let start = self.at;
+        let label = self.label();
+        let (mut clauses, mut connectives) = (vec![self.clause()?], Vec::new());
+        let mut mark = None;
+        loop {
+            let end = self.at;
+            self.skip_closing();
+            let span = self.span();
+            match self.peek() {
+                Kind::Connective(value) => {
+                    self.advance();
+                    connectives.push(Spanned { value, span });
+                    self.skip_wide();
+                    clauses.push(self.clause()?);
+                }
+                Kind::Mark(value) if mark.is_none() => {
+                    self.advance();
+                    mark = Some(Spanned::<Mark> { value, span });
+                }
+                _ => {
+                    // A `\quad` after the statement is for the separator to find.
+                    while self.at > end && self.kind(self.at - 1) == Kind::Wide {
+                        self.at -= 1;
+                    }
+                    break;
+                }
+            }
+            if mark.is_some() && matches!(self.peek(), Kind::Connective(_)) {
+                return refuse(self.span(), "a mark belongs at the end of the whole statement");
+            }
+        }
+        Ok(Statement { label, clauses, connectives, mark, span: self.since(start) })
+    }
+
+    fn skip_closing(&mut self) {
+        while matches!(self.peek(), Kind::Wide | Kind::BoxClose) {
+            self.advance();
+        }
+    }
+
+    /// `\text{Initial: }`
+    fn label(&mut self) -> Option<String> {
+        let Kind::Text(words) = self.peek() else { return None };
+        let label = words.trim().strip_suffix(':')?.trim_end();
+        if label.is_empty() {
+            return None;
+        }
+        self.advance();
+        self.skip_wide();
+        Some(label.to_owned())
+    }
+
+    fn clause(&mut self) -> Read<Clause> {
+        while matches!(self.peek(), Kind::Wide | Kind::BoxOpen) {
+            self.advance();
+        }
+        let start = self.at;
+        let mut places = vec![self.place()?];
+        let mut links = Vec::new();
+        loop {
+            let end = self.at;
+            self.skip_wide();
+            let Kind::Relation(relation, questioned) = self.peek() else {
+                self.at = end;
+                break;
+            };
+            links.push(Link { relation, questioned, span: self.span() });
+            self.advance();
+            self.skip_wide();
+            if let Kind::Relation(..) = self.peek() {
+                return refuse(self.span(), "a term is missing between two relation signs");
+            }
+            if self.peek() == Kind::End {
+                let sign = links.last().map_or(self.span(), |link| link.span);
+                return refuse(sign, "a term is missing after this relation sign");
+            }
+            places.push(self.place()?);
+        }
+        let span = self.since(start);
+        if links.is_empty() {
+            return self.lone(span);
+        }
+        self.chain(places, links, span)
+    }
+
+    /// The refusal of a term without a relation, or of what stopped the reader there.
+    fn lone<T>(&self, span: Span) -> Read<T> {
+        match self.peek() {
+            Kind::End | Kind::Wide | Kind::Row | Kind::Finish(_) | Kind::BoxClose | Kind::And | Kind::Mark(_)
+            | Kind::Connective(_) | Kind::Char(',' | ';' | '.') => {
+                let help = "a statement needs a relation sign, such as `=`";
+                refuse_with(span, "this is a term, not a statement", help)
+            }
+            _ => self.unexpected(),
+        }
+    }
+
+    fn place(&mut self) -> Read<Place> {
+        let start = self.at;
+        if let Kind::Command(name) = self.peek()
+            && commands::is_dots(name)
+        {
+            self.advance();
+            return Ok(Place::Dots(self.since(start)));
+        }
+        let expr = self.sum()?.expr;
+        let span = self.since(start);
+        let terms = match &expr {
+            Expr::Sum(terms) if terms.len() == self.summands.len() => self.summands.clone(),
+            _ => vec![span],
+        };
+        Ok(Place::Side(Side { expr, span, terms }))
+    }
+
+    fn chain(&self, places: Vec<Place>, links: Vec<Link>, span: Span) -> Read<Clause> {
+        let dots = places.iter().enumerate().find_map(|(at, place)| match place {
+            Place::Dots(span) => Some((at, *span)),
+            Place::Side(_) => None,
+        });
+        let mut sides = Vec::new();
+        for place in places {
+            match place {
+                Place::Side(side) => sides.push(side),
+                Place::Dots(span) if dots.is_some_and(|(_, first)| first != span) => {
+                    return refuse(span, "dots are read only once in a chain");
+                }
+                Place::Dots(_) => {}
+            }
+        }
+        match dots {
+            None => Ok(Clause::Chain { sides, links }),
+            Some((at, dots)) => self.all_equal(sides, at, dots, &links, span),
+        }
+    }
+
+    /// `u_1 = u_2 = \dots = u_n`: the first elements in order, the dots, the last element, perhaps one value.
+    fn all_equal(&self, sides: Vec<Side>, at: usize, dots: Span, links: &[Link], span: Span) -> Read<Clause> {
+        let mismatch = |span| {
+            let help = "write `u_1 = u_2 = \\dots = u_n`, perhaps with `= w` at the end";
+            refuse_with(span, "the sides around these dots do not follow one pattern", help)
+        };
+        if let Some(link) = links.iter().find(|link| link.relation != Relation::Equal || link.questioned) {
+            return refuse(link.span, "a chain with dots is read only with plain `=` signs");
+        }
+        let mut sides = sides.into_iter();
+        let firsts: Vec<Side> = sides.by_ref().take(at).collect();
+        let (Some(last), value, None) = (sides.next(), sides.next(), sides.next()) else { return mismatch(dots) };
+        let Expr::Symbol(last_symbol) = &last.expr else { return mismatch(last.span) };
+        let mut end = None;
+        for (number, side) in (1usize..).zip(&firsts) {
+            let Expr::Symbol(symbol) = &side.expr else { return mismatch(side.span) };
+            match hole_of(symbol, last_symbol) {
+                Some((low, high)) if low == number.to_string() => end = Some(high),
+                _ => return mismatch(side.span),
+            }
+        }
+        let Some(end) = end else { return mismatch(dots) };
+        let to = self.end_of_range(end, last.span)?;
+        if matches!(&to, Expr::Number(n) if *n <= BigRational::from_integer(firsts.len().into())) {
+            return mismatch(last.span);
+        }
+        let Some((stem, _)) = split_subscript(last_symbol.name()) else { return mismatch(last.span) };
+        Ok(Clause::AllEqual { sequence: Symbol::new(stem), to, value, span })
+    }
+}

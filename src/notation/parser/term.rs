@@ -1,0 +1,217 @@
+//! Sums and products: the arithmetic between single factors.
+//!
+//! Precedence, loosest first: `+` and `-`; products (side by side, `\cdot`, `\times`, `*`) and `/`, which bind alike
+//! and run from left to right, so that `1/2m` is `(1/2)m`; powers. A sign at the start of a term holds for all of it:
+//! `-ab` is `-(ab)`. Parentheses are kept: `(a + b) + c` is a sum whose first term is a sum.
+
+use super::{Factor, Kind, Parser, Read, Shape, Term, refuse, refuse_with};
+use crate::algebra::Expr;
+use crate::notation::commands;
+
+/// How many `/` one term may hold; more than one is hard enough to read.
+const SLASHES: usize = 8;
+
+impl Parser<'_> {
+    /// A sum of terms; a single term is itself.
+    pub(super) fn sum(&mut self) -> Read<Term> {
+        self.nested(Self::sum_inner)
+    }
+
+    fn sum_inner(&mut self) -> Read<Term> {
+        let start = self.at;
+        let mut terms: Vec<Term> = Vec::new();
+        let mut dots = None;
+        loop {
+            let from = self.at;
+            let negative = match self.peek() {
+                Kind::Char('+') => {
+                    self.advance();
+                    false
+                }
+                Kind::Char('-') => {
+                    self.advance();
+                    true
+                }
+                _ => false,
+            };
+            if let Kind::Command(name) = self.peek()
+                && commands::is_dots(name)
+                && !terms.is_empty()
+            {
+                if negative || dots.is_some() {
+                    return refuse(self.span(), "dots are read only once, and only after a `+` sign");
+                }
+                dots = Some(self.span());
+                self.advance();
+                if self.peek() != Kind::Char('+') {
+                    return refuse(self.since(self.at - 1), "after the dots, `+` and the last term are missing");
+                }
+                continue;
+            }
+            let term = self.term()?;
+            if negative && term.braces {
+                return invisible(term.span);
+            }
+            let mut term = Term { span: self.since(from), negative, ..term };
+            if let Some(dots) = dots.take() {
+                term = self.dotted(&mut terms, term, dots)?;
+            }
+            terms.push(term);
+            if !matches!(self.peek(), Kind::Char('+' | '-')) {
+                break;
+            }
+        }
+        self.gather(start, terms)
+    }
+
+    fn gather(&mut self, start: usize, mut terms: Vec<Term>) -> Read<Term> {
+        let span = self.since(start);
+        let Some(last) = terms.pop() else { return self.no_term() };
+        if terms.is_empty() {
+            return Ok(match last.negative {
+                true => {
+                    let expr = Expr::Negate(Box::new(last.expr));
+                    Term { expr, shape: Shape::Loose, span, negative: false, braces: false }
+                }
+                false => Term { span, ..last },
+            });
+        }
+        terms.push(last);
+        self.summands = terms.iter().map(|term| term.span).collect();
+        let sum = terms.into_iter().map(|term| match term.negative {
+            true => Expr::Negate(Box::new(term.expr)),
+            false => term.expr,
+        });
+        Ok(Term { expr: Expr::Sum(sum.collect()), shape: Shape::Loose, span, negative: false, braces: false })
+    }
+
+    /// A product; a single factor is itself.
+    pub(super) fn term(&mut self) -> Read<Term> {
+        self.nested(Self::term_inner)
+    }
+
+    fn term_inner(&mut self) -> Read<Term> {
+        let start = self.at;
+        let mut product = Product::default();
+        product.push(self.factor()?)?;
+        product.take_pending(self)?;
+        let mut slashes = 0;
+        loop {
+            match self.peek() {
+                Kind::Command("cdot" | "times") | Kind::Char('*') => {
+                    self.advance();
+                    product.signed = true;
+                    product.push(self.factor()?)?;
+                }
+                Kind::Char('/') => {
+                    self.advance();
+                    slashes += 1;
+                    if slashes > SLASHES {
+                        let message = format!("one term holds more than {SLASHES} fraction strokes");
+                        return refuse_with(self.span(), message, "write `\\frac{…}{…}`");
+                    }
+                    product.signed = true;
+                    product.divide(self.factor()?)?;
+                }
+                _ if self.starts_factor() => product.push(self.factor()?)?,
+                _ => break,
+            }
+            product.take_pending(self)?;
+        }
+        product.finish(self.since(start))
+    }
+}
+
+/// The factors of a term so far.
+#[derive(Default)]
+struct Product {
+    factors: Vec<Factor>,
+    divided: bool,
+    /// Whether a sign stands before the next factor, so that two numbers do not run together.
+    signed: bool,
+}
+
+impl Product {
+    fn take_pending(&mut self, parser: &mut Parser) -> Read<()> {
+        match parser.pending.take() {
+            Some(group) => self.push(group),
+            None => Ok(()),
+        }
+    }
+
+    fn push(&mut self, factor: Factor) -> Read<()> {
+        let signed = std::mem::take(&mut self.signed);
+        if let Some(before) = self.factors.last()
+            && !signed
+            && before.shape == Shape::Number
+        {
+            if factor.shape == Shape::Number || starts_with_number(&factor.expr) {
+                let help = "for a product write `2 \\cdot 3`; a long number is written without spaces";
+                return refuse_with(factor.span, "two numbers stand side by side", help);
+            }
+            if is_numeric_fraction(&factor.expr) && factor.shape == Shape::Tight {
+                let help = "for a product write `2 \\cdot \\frac{1}{2}`";
+                return refuse_with(factor.span, "this may be a mixed number or a product", help);
+            }
+        }
+        self.factors.push(factor);
+        Ok(())
+    }
+
+    fn divide(&mut self, by: Factor) -> Read<()> {
+        self.signed = false;
+        self.check_braces(true)?;
+        if by.braces && by.shape == Shape::Loose {
+            return invisible(by.span);
+        }
+        let span = self.factors.first().map_or(by.span, |first| first.span.to(by.span));
+        let Some(over) = self.value() else { return refuse(by.span, "a numerator is missing") };
+        let expr = Expr::Quotient(Box::new(over), Box::new(by.expr));
+        self.factors = vec![Factor { expr, shape: Shape::Loose, span, braces: false }];
+        self.divided = true;
+        Ok(())
+    }
+
+    fn value(&mut self) -> Option<Expr> {
+        let mut factors: Vec<Expr> = self.factors.drain(..).map(|factor| factor.expr).collect();
+        if factors.len() > 1 {
+            return Some(Expr::Product(factors));
+        }
+        factors.pop()
+    }
+
+    /// TeX does not print braces, so `{a + b} c` looks like `a + bc`: refused, unless it stands alone.
+    fn check_braces(&self, company: bool) -> Read<()> {
+        if !company && self.factors.len() < 2 {
+            return Ok(());
+        }
+        match self.factors.iter().find(|factor| factor.braces && factor.shape == Shape::Loose) {
+            Some(factor) => invisible(factor.span),
+            None => Ok(()),
+        }
+    }
+
+    fn finish(mut self, span: crate::document::Span) -> Read<Term> {
+        self.check_braces(self.divided)?;
+        let (shape, braces) = match self.factors.as_slice() {
+            [single] => (single.shape, single.braces && single.shape == Shape::Loose),
+            _ => (Shape::Loose, false),
+        };
+        match self.value() {
+            Some(expr) => Ok(Term { expr, shape, span, negative: false, braces }),
+            None => refuse(span, "a factor is missing"),
+        }
+    }
+}
+
+pub(super) fn invisible<T>(span: crate::document::Span) -> Read<T> {
+    refuse_with(span, "TeX does not print these braces, so a reader takes this differently", "write parentheses")
+}
+
+fn starts_with_number(expr: &Expr) -> bool {
+    matches!(expr, Expr::Power(base, _) if matches!(**base, Expr::Number(_)))
+}
+
+fn is_numeric_fraction(expr: &Expr) -> bool {
+    matches!(expr, Expr::Quotient(a, b) if matches!((&**a, &**b), (Expr::Number(_), Expr::Number(_))))
+}

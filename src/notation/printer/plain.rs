@@ -1,0 +1,244 @@
+//! One line of plain text for a terminal: `v′₁ = (m₁ - m₂)/(m₁ + m₂) v₀`.
+//!
+//! Digits in scripts have their own characters; anything else stands after `_` or `^`, as in `E_{total}` and `δ^(3/2)`.
+
+use super::decimal;
+use crate::algebra::{Expr, Formula, Function, LimitPoint, Relation};
+use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
+use num_traits::{One, Signed};
+
+/// A term as one line of text.
+pub fn plain(expr: &Expr) -> String {
+    match expr {
+        Expr::Sum(terms) => {
+            let mut text = String::new();
+            for (at, term) in terms.iter().enumerate() {
+                let (sign, term) = match term {
+                    Expr::Negate(inner) => ("−", &**inner),
+                    term => ("+", term),
+                };
+                match (at, sign) {
+                    (0, "+") => {}
+                    (0, sign) => text.push_str(sign),
+                    (_, sign) => text.push_str(&format!(" {sign} ")),
+                }
+                text.push_str(&product(term));
+            }
+            text
+        }
+        Expr::Negate(inner) => format!("−{}", product(inner)),
+        Expr::Number(number) if number.is_negative() => {
+            format!("−{}", plain(&Expr::Number(-number)))
+        }
+        _ => product(expr),
+    }
+}
+
+/// A formula as one line of text.
+pub fn plain_formula(formula: &Formula) -> String {
+    match formula {
+        Formula::Relation { left, relation, right } => {
+            format!("{} {} {}", plain(left), relation_sign(*relation), plain(right))
+        }
+        Formula::AllEqual { sequence, to, value } => {
+            let stem = name(sequence.name());
+            let value = value.as_ref().map_or(String::new(), |value| format!(" = {}", plain(value)));
+            format!("{stem}₁ = … = {stem}{}{value}", subscript(&plain(to)))
+        }
+    }
+}
+
+fn relation_sign(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Equal => "=",
+        Relation::NotEqual => "≠",
+        Relation::Less => "<",
+        Relation::LessOrEqual => "≤",
+        Relation::Greater => ">",
+        Relation::GreaterOrEqual => "≥",
+        Relation::Scales => "~",
+        Relation::Proportional => "∝",
+        Relation::Approximately => "≈",
+        Relation::MuchLess => "≪",
+        Relation::MuchGreater => "≫",
+    }
+}
+
+fn product(expr: &Expr) -> String {
+    match expr {
+        Expr::Product(factors) => {
+            let mut text = String::new();
+            for (at, item) in factors.iter().enumerate() {
+                let printed = factor(item, at + 1 == factors.len());
+                let digit = printed.starts_with(|c: char| c.is_ascii_digit());
+                text.push_str(if at == 0 { "" } else if digit { "·" } else { " " });
+                text.push_str(&printed);
+            }
+            text
+        }
+        Expr::Quotient(over, under) => format!("{}/{}", atom(over), atom(under)),
+        Expr::Sum(_) | Expr::Negate(_) => format!("({})", plain(expr)),
+        _ => factor(expr, true),
+    }
+}
+
+/// What needs no parentheses beside `/` or under `^`.
+fn atom(expr: &Expr) -> String {
+    match expr {
+        Expr::Quotient(..) | Expr::Product(_) | Expr::Series { .. } | Expr::Limit { .. } | Expr::Integral { .. } => {
+            format!("({})", plain(expr))
+        }
+        _ => factor(expr, false),
+    }
+}
+
+fn factor(expr: &Expr, last: bool) -> String {
+    match expr {
+        Expr::Number(number) if !number.is_negative() => match decimal(number) {
+            Some(numeral) => numeral,
+            None => format!("({number})"),
+        },
+        Expr::Symbol(symbol) => name(symbol.name()),
+        Expr::Element { sequence, index } => format!("{}_{}", name(sequence.name()), name(index.name())),
+        Expr::Power(base, exponent) => power(base, exponent),
+        Expr::Call(function, argument) => {
+            let inner = plain(argument);
+            match function {
+                Function::Sin => format!("sin({inner})"),
+                Function::Cos => format!("cos({inner})"),
+                Function::Tan => format!("tan({inner})"),
+                Function::Exp => format!("exp({inner})"),
+                Function::Ln => format!("ln({inner})"),
+                Function::Abs => format!("|{inner}|"),
+                Function::Ceiling => format!("⌈{inner}⌉"),
+                Function::Floor => format!("⌊{inner}⌋"),
+            }
+        }
+        Expr::Apply(function, arguments) => {
+            let arguments: Vec<String> = arguments.iter().map(plain).collect();
+            format!("{}({})", name(function.name()), arguments.join(", "))
+        }
+        Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
+            format!("d{}/d{}", plain(body), name(variable.name()))
+        }
+        Expr::Derivative { body, variable } => format!("d/d{} [{}]", name(variable.name()), plain(body)),
+        Expr::Sum(_) | Expr::Negate(_) | Expr::Product(_) | Expr::Quotient(..) | Expr::Number(_) => {
+            format!("({})", plain(expr))
+        }
+        _ if !last => format!("({})", plain(expr)),
+        Expr::Series { index, from, to, body } => {
+            format!("Σ_{{{}={}}}^{{{}}} {}", name(index.name()), plain(from), plain(to), product(body))
+        }
+        Expr::Limit { body, variable, point } => {
+            let point = match point {
+                LimitPoint::Finite(point) => plain(point),
+                LimitPoint::PlusInfinity => "∞".to_owned(),
+                LimitPoint::MinusInfinity => "−∞".to_owned(),
+            };
+            format!("lim_{{{}→{point}}} {}", name(variable.name()), product(body))
+        }
+        Expr::Integral { body, variable, from, to } => {
+            let (from, to) = (plain(from), plain(to));
+            format!("∫_{{{from}}}^{{{to}}} {} d{}", product(body), name(variable.name()))
+        }
+    }
+}
+
+fn power(base: &Expr, exponent: &Expr) -> String {
+    if let Expr::Number(number) = exponent
+        && !number.is_integer()
+        && number.numer().is_one()
+    {
+        let root = match number.denom().to_string().as_str() {
+            "2" => "√".to_owned(),
+            degree => format!("{}√", superscript_digits(degree).unwrap_or_default()),
+        };
+        return format!("{root}{}", atom(base));
+    }
+    let base = match base {
+        Expr::Power(..) | Expr::Derivative { .. } => format!("({})", plain(base)),
+        _ => atom(base),
+    };
+    let exponent = plain(exponent);
+    match superscript_digits(&exponent) {
+        Some(digits) => format!("{base}{digits}"),
+        None if exponent.chars().count() == 1 => format!("{base}^{exponent}"),
+        None => format!("{base}^({exponent})"),
+    }
+}
+
+fn superscript_digits(text: &str) -> Option<String> {
+    let digits = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    text.chars()
+        .map(|c| match c {
+            '−' => Some('⁻'),
+            c => c.to_digit(10).and_then(|digit| digits.chars().nth(digit as usize)),
+        })
+        .collect()
+}
+
+fn subscript(text: &str) -> String {
+    let digits: Option<String> =
+        text.chars().map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d))).collect();
+    match digits {
+        Some(digits) => digits,
+        None if text.chars().count() == 1 => format!("_{text}"),
+        None => format!("_{{{text}}}"),
+    }
+}
+
+/// A canonical name as text: `v'_1` is `v′₁`, `\Delta E_{\text{total}}` is `ΔE_{total}`.
+fn name(canonical: &str) -> String {
+    use crate::notation::parser::split_subscript;
+    match split_subscript(canonical) {
+        Some((stem, under)) => format!("{}{}", letters(stem), subscript(&letters(under))),
+        None => letters(canonical),
+    }
+}
+
+fn letters(mut rest: &str) -> String {
+    let mut text = String::new();
+    // Each accent waits for the brace that closes over its letter.
+    let mut waiting: Vec<&str> = Vec::new();
+    while let Some(c) = rest.chars().next() {
+        rest = rest.get(c.len_utf8()..).unwrap_or("");
+        match c {
+            '\\' => {
+                let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+                let (command, after) = rest.split_at(length);
+                rest = after;
+                let letter = commands::find(LETTERS, command).or_else(|| commands::find(SUBSCRIPTS, command));
+                if let Some(accent) = commands::find(ACCENTS, command) {
+                    waiting.push(accent);
+                    rest = rest.strip_prefix('{').unwrap_or(rest);
+                } else if let Some(letter) = letter {
+                    text.push_str(letter);
+                } else if command == "dagger" {
+                    text.push('†');
+                } else if command == "star" {
+                    text.push('⋆');
+                } else if command == "text" {
+                    waiting.push("");
+                    rest = rest.strip_prefix('{').unwrap_or(rest);
+                }
+            }
+            '}' => text.push_str(waiting.pop().unwrap_or("")),
+            '\'' => text.push('′'),
+            '^' | '{' => {}
+            ' ' if waiting.is_empty() => {}
+            c => text.push(c),
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::name;
+
+    #[test]
+    fn names_on_a_terminal() {
+        let shown = ["v'_1", "\\Delta E_{\\text{total}}", "\\dot{\\delta}", "E^*", "\\eta_{\\max}", "v_{12}"];
+        assert_eq!(shown.map(name), ["v′₁", "ΔE_{total}", "δ\u{307}", "E*", "η_{max}", "v₁₂"]);
+    }
+}

@@ -1,0 +1,80 @@
+//! The ways in: what a document hands to the reader, and what it gets back.
+
+use super::fold::fold;
+use super::lexer::{Kind, Lexed, Token, lex};
+use super::parser::Parser;
+use super::{Display, Spanned, Statement, SyntaxError};
+use crate::algebra::{Expr, Symbol};
+use crate::document::Span;
+
+/// Reads a displayed equation: `source[body]`, the mathematics between the `$$`s.
+///
+/// The number and the key are found even if the rest cannot be read. A number typed by hand, `\quad (18)` at the very
+/// end, counts as a tag where there is no `\tag`.
+pub fn read_display(source: &str, body: Span) -> Display {
+    let mut lexed = lex(source, body);
+    if lexed.tags.is_empty()
+        && let Some(tag) = typed_tag(source, &mut lexed)
+    {
+        lexed.tags.push(tag);
+    }
+    let tag = lexed.tags.first().cloned();
+    let label = lexed.labels.first().cloned();
+    Display { tag, label, statements: parser(lexed, body, false).statements() }
+}
+
+/// Reads the formulas of a directive or of inline mathematics, separated by `,`, `;` or the word `and`.
+pub fn read_formulas(source: &str, body: Span) -> Result<Vec<Statement>, SyntaxError> {
+    parser(untagged(lex(source, body))?, body, true).statements()
+}
+
+/// Reads a single term.
+pub fn read_expr(source: &str, body: Span) -> Result<Expr, SyntaxError> {
+    parser(untagged(lex(source, body))?, body, true).whole_term()
+}
+
+/// Reads a symbol and gives it its canonical name.
+pub fn read_symbol(text: &str) -> Result<Symbol, SyntaxError> {
+    let span = Span::new(0, text.len());
+    match read_expr(text, span)? {
+        Expr::Symbol(symbol) => Ok(symbol),
+        _ => Err(SyntaxError { span, message: "this is a term, not a single symbol".to_owned(), help: None }),
+    }
+}
+
+fn parser(lexed: Lexed<'_>, body: Span, words: bool) -> Parser<'_> {
+    Parser::new(fold(&lexed.tokens), lexed.errors, body, words)
+}
+
+fn untagged(lexed: Lexed<'_>) -> Result<Lexed<'_>, SyntaxError> {
+    match lexed.tags.first().or(lexed.labels.first()) {
+        Some(tag) => Err(SyntaxError {
+            span: tag.span,
+            message: "only a displayed equation has a number or a key".to_owned(),
+            help: None,
+        }),
+        None => Ok(lexed),
+    }
+}
+
+/// `\quad (18)` at the end. As a term it would be refused for having no relation, so nothing is misread.
+fn typed_tag(source: &str, lexed: &mut Lexed) -> Option<Spanned<String>> {
+    let mut end = lexed.tokens.len();
+    if matches!(lexed.tokens.get(end.checked_sub(1)?)?.kind, Kind::Char('.' | ',')) {
+        end -= 1;
+    }
+    let close = lexed.tokens.get(end.checked_sub(1)?).filter(|token| token.kind == Kind::Char(')'))?;
+    let back = |count: usize| -> Option<&Token> { lexed.tokens.get(end.checked_sub(count)?) };
+    let lettered = matches!(back(2)?.kind, Kind::Letter(_));
+    let first = 2 + usize::from(lettered);
+    let (number, open, wide) = (back(first)?, back(first + 1)?, back(first + 2)?);
+    let numbered = matches!(number.kind, Kind::Number(_));
+    if !numbered || open.kind != Kind::Char('(') || wide.kind != Kind::Wide {
+        return None;
+    }
+    let value = source.get(open.span.end..close.span.start)?.trim().to_owned();
+    let span = open.span.to(close.span);
+    let start = end - (first + 2);
+    lexed.tokens.drain(start..end);
+    Some(Spanned { value, span })
+}
