@@ -4,6 +4,7 @@
 pub mod algebra;
 pub mod cli;
 pub mod cradle;
+pub mod derivation;
 pub mod document;
 pub mod kernel;
 pub mod notation;

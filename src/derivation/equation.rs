@@ -1,0 +1,184 @@
+use crate::algebra::{Expr, Formula, Relation};
+use crate::document::Span;
+use crate::notation::{Clause, Connective, Statement, SyntaxError};
+
+use super::Premises;
+
+/// An equation of a document, with all that its surroundings say about it.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// The page it stands on.
+    pub page: usize,
+    /// The number from `\tag{…}`, as printed.
+    pub tag: Option<String>,
+    /// The name from `claim …`.
+    pub name: Option<String>,
+    /// The display with its fences.
+    pub span: Span,
+    /// The mathematics alone.
+    pub body: Span,
+    /// What it states, or why it could not be read.
+    pub statements: Result<Vec<Statement>, SyntaxError>,
+    /// What kind of statement the author makes.
+    pub kind: Kind,
+    /// Whether the first link of the first statement defines a symbol that has not occurred before.
+    pub defines: bool,
+    /// Whether the page opens with it and nothing is said of where it comes from.
+    pub opens: bool,
+    /// What it is said to follow from.
+    pub premises: Premises,
+    /// The hypotheses in effect where it stands, as positions in [`Page::locals`](super::Page::locals).
+    pub locals: Vec<usize>,
+    /// The heading above it.
+    pub section: String,
+}
+
+/// What kind of statement an equation is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A law, model or definition: nothing to derive.
+    Given,
+    /// To be derived from its premises.
+    Derived,
+    /// Ticked or crossed out by the author.
+    Marked,
+}
+
+impl Kind {
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kind::Given => "given",
+            Kind::Derived => "derived",
+            Kind::Marked => "marked",
+        }
+    }
+}
+
+/// One relation of a statement, to be judged by itself.
+#[derive(Clone, Debug)]
+pub struct Goal {
+    /// What is stated.
+    pub formula: Formula,
+    /// Where the relation stands.
+    pub span: Span,
+    /// Where its sides stand; both the same for a statement about a whole sequence.
+    pub sides: (Span, Span),
+    /// The author asks (`\stackrel{?}{=}`) rather than asserts.
+    pub questioned: bool,
+    /// What is supposed besides the premises: the other side of an `\iff`.
+    pub suppositions: Vec<Formula>,
+    /// The position of the clause in its statement; earlier clauses of an implication are premises.
+    pub clause: usize,
+}
+
+/// The goals of a statement, in the order in which they are to be judged.
+pub fn goals(statement: &Statement) -> Vec<Goal> {
+    let clauses: Vec<Vec<Goal>> =
+        statement.clauses.iter().enumerate().map(|(at, clause)| clause_goals(clause, at)).collect();
+    let equivalent = |at: usize| {
+        statement.connectives.get(at).is_some_and(|c| c.value == Connective::Equivalent)
+    };
+    let formulas = |goals: &[Goal]| -> Vec<Formula> {
+        goals.iter().map(|g| g.formula.clone()).collect()
+    };
+    let mut all = Vec::new();
+    for (at, goals) in clauses.iter().enumerate() {
+        let before = at > 0 && equivalent(at - 1);
+        let after = equivalent(at);
+        if !before && !after {
+            all.extend(goals.iter().cloned());
+            continue;
+        }
+        // Each side of an equivalence follows from the other.
+        for neighbour in [before.then(|| at - 1), after.then_some(at + 1)].into_iter().flatten() {
+            let suppositions = formulas(&clauses[neighbour]);
+            all.extend(goals.iter().map(|goal| Goal {
+                suppositions: suppositions.clone(),
+                ..goal.clone()
+            }));
+        }
+    }
+    all
+}
+
+fn clause_goals(clause: &Clause, at: usize) -> Vec<Goal> {
+    match clause {
+        Clause::Chain { sides, links } => links
+            .iter()
+            .zip(sides.windows(2))
+            .map(|(link, pair)| Goal {
+                formula: Formula::Relation {
+                    left: pair[0].expr.clone(),
+                    relation: link.relation,
+                    right: pair[1].expr.clone(),
+                },
+                span: link.span,
+                sides: (pair[0].span, pair[1].span),
+                questioned: link.questioned,
+                suppositions: Vec::new(),
+                clause: at,
+            })
+            .collect(),
+        Clause::AllEqual {
+            sequence,
+            to,
+            value,
+            span,
+        } => vec![Goal {
+            formula: Formula::AllEqual {
+                sequence: sequence.clone(),
+                to: to.clone(),
+                value: value.as_ref().map(|side| side.expr.clone()),
+            },
+            span: *span,
+            sides: (*span, *span),
+            questioned: false,
+            suppositions: Vec::new(),
+            clause: at,
+        }],
+    }
+}
+
+/// The formulas of a statement that says one thing: no implication, no question.
+pub fn formulas(statement: &Statement) -> Vec<Formula> {
+    let clauses = statement.clauses.iter().enumerate();
+    let goals = clauses.flat_map(|(at, clause)| clause_goals(clause, at));
+    goals.map(|goal| goal.formula).collect()
+}
+
+impl Equation {
+    /// The number, or the name, or nothing.
+    pub fn label(&self) -> Option<&str> {
+        self.tag.as_deref().or(self.name.as_deref())
+    }
+
+    /// The number in parentheses, or `claim name`, or `an unnumbered equation`.
+    pub fn reference(&self) -> String {
+        match (&self.tag, &self.name) {
+            (Some(tag), _) => format!("({tag})"),
+            (None, Some(name)) => format!("claim {name}"),
+            (None, None) => "the unnumbered equation".into(),
+        }
+    }
+
+    /// The statements; none where they could not be read.
+    pub fn statements(&self) -> &[Statement] {
+        self.statements.as_deref().unwrap_or_default()
+    }
+
+    /// Every relation of the equation: its two sides and what is said of them.
+    pub fn relations(&self) -> Vec<(Expr, Relation, Expr)> {
+        let goals = self.statements().iter().flat_map(goals);
+        goals
+            .filter_map(|goal| match goal.formula {
+                Formula::Relation {
+                    left,
+                    relation,
+                    right,
+                } => Some((left, relation, right)),
+                Formula::AllEqual { .. } => None,
+            })
+            .collect()
+    }
+}

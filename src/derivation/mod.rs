@@ -1,0 +1,258 @@
+//! From documents to what must follow from what.
+//!
+//! A [`Derivation`] is a set of pages read together, as one report. Each displayed equation becomes an
+//! [`Equation`]: what it states, what kind of statement it is, and what it is said to rest on. From these
+//! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
+
+mod equation;
+mod page;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::algebra::{Formula, Relation, Symbol};
+use crate::document::{Document, Premise, Span};
+use crate::kernel::{Claim, Domain, Hypothesis, Standing};
+use crate::notation::Spanned;
+
+pub use equation::{Equation, Goal, Kind, formulas, goals};
+pub use page::{Local, Page, Premises};
+
+/// A set of pages that are read together, with their equations in reading order.
+#[derive(Clone, Debug)]
+pub struct Derivation {
+    /// The pages.
+    pub pages: Vec<Page>,
+    /// The equations of all pages.
+    pub equations: Vec<Equation>,
+    labels: BTreeMap<String, Vec<usize>>,
+    mentions: BTreeMap<Symbol, Vec<usize>>,
+}
+
+/// A hypothesis with where it comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Assumed {
+    /// What is assumed.
+    pub formula: Formula,
+    /// Throughout, or at the point in question.
+    pub standing: Standing,
+    /// Where it comes from.
+    pub source: Source,
+}
+
+/// Where a hypothesis comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Source {
+    /// A `let` or an assumption: page, position in [`Page::locals`].
+    Local(usize, usize),
+    /// An equation, by position.
+    Equation(usize),
+    /// An earlier step of the same statement, or the other side of an `\iff`.
+    Step,
+}
+
+/// A citation that leads nowhere.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unknown {
+    /// What is cited.
+    pub label: String,
+    /// Where.
+    pub span: Span,
+}
+
+impl Derivation {
+    /// Reads documents as one derivation, in the given order.
+    pub fn new(documents: Vec<Document>) -> Self {
+        let mut derivation = Derivation {
+            pages: Vec::new(),
+            equations: Vec::new(),
+            labels: BTreeMap::new(),
+            mentions: BTreeMap::new(),
+        };
+        let mut seen = BTreeSet::new();
+        for document in documents {
+            let number = derivation.pages.len();
+            let (page, equations) = page::read_page(document, number, &mut seen);
+            derivation.pages.push(page);
+            derivation.equations.extend(equations);
+        }
+        for (at, equation) in derivation.equations.iter().enumerate() {
+            for label in [tag_key(equation.tag.as_deref()), name_key(equation.name.as_deref())] {
+                if let Some(label) = label {
+                    derivation.labels.entry(label).or_default().push(at);
+                }
+            }
+            for symbol in symbols(equation) {
+                derivation.mentions.entry(symbol).or_default().push(at);
+            }
+        }
+        derivation
+    }
+
+    /// Reads one Markdown document.
+    pub fn from_markdown(path: &str, source: &str) -> Self {
+        Derivation::new(vec![Document::markdown(path, source)])
+    }
+
+    /// The equation with a number (`23`) or a name.
+    pub fn find(&self, label: &str) -> Option<&Equation> {
+        let label = label.trim().trim_start_matches('(').trim_end_matches(')');
+        let named = label.strip_prefix("claim ").unwrap_or(label).trim();
+        let found = self.labels.get(&format!("({label})")).or_else(|| self.labels.get(named));
+        found.and_then(|all| all.first()).map(|&at| &self.equations[at])
+    }
+
+    /// The equations that bear the same number or name as an earlier one.
+    pub fn duplicates(&self) -> Vec<(usize, usize)> {
+        let several = self.labels.values().filter(|all| all.len() > 1);
+        several.flat_map(|all| all[1..].iter().map(|&at| (at, all[0]))).collect()
+    }
+
+    /// The equation that a citation on a page means: one of the same page before one of another.
+    fn resolve(&self, label: &str, page: usize) -> Option<usize> {
+        let all = self.labels.get(label)?;
+        let near = all.iter().find(|&&at| self.equations[at].page == page);
+        near.or_else(|| all.first()).copied()
+    }
+
+    /// The equations that an equation is said to follow from, whether it says so itself, and the
+    /// citations that lead nowhere.
+    ///
+    /// A directive names them; without one the prose does; where that cites none it is the equation just
+    /// before.
+    pub fn premises(&self, at: usize) -> (Vec<usize>, bool, Vec<Unknown>) {
+        let equation = &self.equations[at];
+        let (mut found, mut unknown) = (Vec::new(), Vec::new());
+        let mut cite = |label: String, shown: String, span: Span, required: bool| {
+            match self.resolve(&label, equation.page) {
+                Some(premise) if premise == at => {}
+                Some(premise) if found.contains(&premise) => {}
+                Some(premise) => found.push(premise),
+                None if required => unknown.push(Unknown { label: shown, span }),
+                None => {}
+            }
+        };
+        match &equation.premises {
+            Premises::Named(named) => {
+                for Spanned { value, span } in named {
+                    match value {
+                        Premise::Tag(tag) => cite(format!("({tag})"), format!("({tag})"), *span, true),
+                        Premise::Claim(name) => cite(name.clone(), format!("claim {name}"), *span, true),
+                    }
+                }
+                (found, true, unknown)
+            }
+            Premises::Cited(cited) => {
+                for (tag, required) in cited {
+                    cite(format!("({})", tag.value), format!("({})", tag.value), tag.span, *required);
+                }
+                let says_so = !found.is_empty() || !unknown.is_empty();
+                if !says_so && at > 0 && self.equations[at - 1].page == equation.page {
+                    found.push(at - 1);
+                }
+                (found, says_so, unknown)
+            }
+        }
+    }
+
+    /// The equations before `at` that share symbols with it, the nearest first.
+    pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {
+        let mut wanted = symbols(&self.equations[at]);
+        let mut found: BTreeSet<usize> = BTreeSet::new();
+        // Twice: what defines the symbols, and what defines those of the definitions.
+        for _ in 0..2 {
+            let mut fresh: BTreeSet<usize> = BTreeSet::new();
+            for symbol in &wanted {
+                let all = self.mentions.get(symbol).map(Vec::as_slice).unwrap_or_default();
+                let before = &all[..all.partition_point(|&other| other < at)];
+                fresh.extend(before.iter().rev().take(most));
+            }
+            wanted = fresh.difference(&found).flat_map(|&other| symbols(&self.equations[other])).collect();
+            found.extend(fresh);
+        }
+        found.into_iter().rev().take(most).collect()
+    }
+
+    /// The hypotheses in effect where an equation stands.
+    pub fn locals(&self, at: usize) -> Vec<Assumed> {
+        let equation = &self.equations[at];
+        let page = &self.pages[equation.page];
+        let all = equation.locals.iter().flat_map(|&local| {
+            let formulas = page.locals[local].formulas.iter();
+            formulas.map(move |formula| Assumed {
+                formula: formula.clone(),
+                standing: Standing::AtPoint,
+                source: Source::Local(equation.page, local),
+            })
+        });
+        all.collect()
+    }
+
+    /// A local hypothesis by its source.
+    pub fn local(&self, page: usize, local: usize) -> &Local {
+        &self.pages[page].locals[local]
+    }
+
+    /// The claim that a goal of an equation follows from hypotheses, with the domains of all symbols in it.
+    pub fn claim(&self, at: usize, assumed: &[Assumed], goal: &Formula) -> Claim {
+        let mut claim = Claim {
+            domains: BTreeMap::new(),
+            sequences: BTreeMap::new(),
+            hypotheses: assumed
+                .iter()
+                .map(|a| Hypothesis {
+                    formula: a.formula.clone(),
+                    standing: a.standing,
+                })
+                .collect(),
+            goal: goal.clone(),
+        };
+        // Declarations are a page's own; those of the pages of premises fill the gaps.
+        let own = self.equations[at].page;
+        let others = assumed.iter().filter_map(|a| match a.source {
+            Source::Equation(premise) => Some(self.equations[premise].page),
+            Source::Local(page, _) => Some(page),
+            Source::Step => None,
+        });
+        let mut pages: Vec<usize> = vec![own];
+        pages.extend(others);
+        pages.dedup();
+        for symbol in claim.free_symbols() {
+            let mut declared = pages.iter().filter_map(|&p| self.pages[p].domains.get(&symbol));
+            if let Some(domain) = declared.next() {
+                claim.domains.insert(symbol, domain.clone());
+            }
+        }
+        let sequences: BTreeSet<Symbol> = claim.formulas().flat_map(Formula::sequences).collect();
+        for sequence in sequences {
+            let mut declared = pages.iter().filter_map(|&p| self.pages[p].element_domain(&sequence));
+            let domain: Domain = declared.next().cloned().unwrap_or_default();
+            claim.sequences.insert(sequence, domain);
+        }
+        claim
+    }
+}
+
+/// Whether a hypothesis leaves room to move: then what follows from it holds around the point too.
+pub fn is_open(formula: &Formula) -> bool {
+    use Relation::{Greater, Less, NotEqual};
+    matches!(formula, Formula::Relation { relation: Less | Greater | NotEqual, .. })
+}
+
+fn tag_key(tag: Option<&str>) -> Option<String> {
+    tag.map(|tag| format!("({tag})"))
+}
+
+fn name_key(name: Option<&str>) -> Option<String> {
+    name.map(str::to_owned)
+}
+
+/// The symbols and sequences of an equation.
+fn symbols(equation: &Equation) -> BTreeSet<Symbol> {
+    let formulas = equation.statements().iter().flat_map(formulas);
+    let mut all = BTreeSet::new();
+    for formula in formulas {
+        all.extend(formula.free_symbols());
+        all.extend(formula.sequences());
+    }
+    all
+}

@@ -1,0 +1,277 @@
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::algebra::{Formula, Symbol};
+use crate::document::{Attribute, Bound, Directive, Document, Item, Premise, Problem, Span, SuppositionKind};
+use crate::kernel::Domain;
+use crate::notation::{Clause, Spanned, SyntaxError, read_display, read_formulas, read_symbol};
+
+use super::equation::formulas;
+use super::{Equation, Kind};
+
+/// A document with its declarations read.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// The document.
+    pub document: Document,
+    /// Its first heading.
+    pub title: String,
+    /// Where each declared symbol may lie.
+    pub domains: BTreeMap<Symbol, Domain>,
+    /// The declared dimension of each symbol, as written.
+    pub dimensions: BTreeMap<Symbol, String>,
+    /// Everything supposed on the page, by `let` or `assuming`.
+    pub locals: Vec<Local>,
+    /// What could not be read, besides equations.
+    pub problems: Vec<Problem>,
+}
+
+/// A hypothesis that is in effect in a part of a page.
+#[derive(Clone, Debug)]
+pub struct Local {
+    /// What is supposed.
+    pub formulas: Vec<Formula>,
+    /// `let`: a value for this section alone; otherwise `assuming`, which conclusions carry with them.
+    pub is_let: bool,
+    /// Where it stands.
+    pub span: Span,
+    /// The symbols that a `let` gives a value.
+    assigned: BTreeSet<Symbol>,
+    level: u8,
+}
+
+/// What an equation is said to follow from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Premises {
+    /// A directive names them.
+    Named(Vec<Spanned<Premise>>),
+    /// The prose cites them: the tag, its place, and whether it must exist.
+    Cited(Vec<(Spanned<String>, bool)>),
+}
+
+/// What is said between one display and the next.
+#[derive(Default)]
+struct Between {
+    given: bool,
+    derived: bool,
+    from: Option<Vec<Spanned<Premise>>>,
+    name: Option<String>,
+    cited: Vec<(Spanned<String>, bool)>,
+}
+
+/// Reads a page and its equations. `seen` are the symbols that occurred on pages before it.
+pub(super) fn read_page(
+    document: Document,
+    number: usize,
+    seen: &mut BTreeSet<Symbol>,
+) -> (Page, Vec<Equation>) {
+    let mut page = Page {
+        title: String::new(),
+        domains: BTreeMap::new(),
+        dimensions: BTreeMap::new(),
+        locals: Vec::new(),
+        problems: document.problems.clone(),
+        document,
+    };
+    page.declarations();
+    let items = page.document.items.clone();
+    let mut equations: Vec<Equation> = Vec::new();
+    let mut active: Vec<usize> = Vec::new();
+    let mut between = Between::default();
+    let (mut level, mut section) = (0, String::new());
+    for item in items {
+        match item {
+            Item::Heading { level: own, title, .. } => {
+                if page.title.is_empty() {
+                    page.title = title.clone();
+                }
+                (level, section) = (own, title);
+                active.retain(|&at| page.locals[at].level < own);
+            }
+            Item::Prose(prose) => {
+                for citation in prose.citations {
+                    let tag = Spanned { value: citation.tag, span: citation.span };
+                    between.cited.push((tag, citation.explicit));
+                }
+                for supposition in prose.suppositions {
+                    let is_let = supposition.kind == SuppositionKind::Let;
+                    page.suppose(supposition.body, is_let, level, &mut active, false);
+                }
+            }
+            Item::Directives { clauses, .. } => {
+                for clause in clauses {
+                    match clause.value {
+                        Directive::Given => between.given = true,
+                        Directive::Derived => between.derived = true,
+                        Directive::From(premises) => between.from = Some(premises),
+                        Directive::Claim(name) => between.name = Some(name.value),
+                        Directive::Assuming(body) => page.suppose(body, false, level, &mut active, true),
+                        Directive::Let(body) => page.suppose(body, true, level, &mut active, true),
+                        Directive::Symbols { .. } => {}
+                    }
+                }
+            }
+            Item::Display { span, body } => {
+                let said = std::mem::take(&mut between);
+                let display = read_display(&page.document.source, body);
+                let mark = display.statements.iter().flatten().any(|s| s.mark.is_some());
+                let fresh = display.statements.as_ref().is_ok_and(|s| defines_new_symbol(s, seen));
+                let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
+                let kind = match () {
+                    () if said.given => Kind::Given,
+                    () if mark => Kind::Marked,
+                    () => Kind::Derived,
+                };
+                let defines = kind == Kind::Derived && fresh && !said.derived && said.from.is_none();
+                for statement in display.statements.iter().flatten() {
+                    for formula in formulas(statement) {
+                        seen.extend(formula.free_symbols());
+                        seen.extend(formula.sequences());
+                    }
+                }
+                equations.push(Equation {
+                    page: number,
+                    tag: display.tag.map(|t| t.value),
+                    name: said.name,
+                    span,
+                    body,
+                    statements: display.statements,
+                    kind,
+                    defines,
+                    opens: alone && kind == Kind::Derived && !said.derived,
+                    premises: match said.from {
+                        Some(named) => Premises::Named(named),
+                        None => Premises::Cited(said.cited),
+                    },
+                    locals: active.clone(),
+                    section: section.clone(),
+                });
+            }
+        }
+    }
+    page.problems.sort_by_key(|p| p.span);
+    (page, equations)
+}
+
+/// `s = …` where `s` has not occurred before, on this page or an earlier one.
+fn defines_new_symbol(statements: &[crate::notation::Statement], seen: &BTreeSet<Symbol>) -> bool {
+    let Some(Clause::Chain { sides, links }) = statements.first().and_then(|s| s.clauses.first()) else {
+        return false;
+    };
+    let (Some(side), Some(link)) = (sides.first(), links.first()) else {
+        return false;
+    };
+    let crate::algebra::Expr::Symbol(symbol) = &side.expr else {
+        return false;
+    };
+    link.relation == crate::algebra::Relation::Equal
+        && !link.questioned
+        && !seen.contains(symbol)
+        && sides.iter().skip(1).all(|side| !side.expr.mentions(symbol))
+}
+
+impl Page {
+    fn complain(&mut self, error: SyntaxError) {
+        self.problems.push(Problem {
+            span: error.span,
+            message: error.message,
+            help: error.help,
+        });
+    }
+
+    fn declarations(&mut self) {
+        for item in self.document.items.clone() {
+            let Item::Directives { clauses, .. } = item else {
+                continue;
+            };
+            for clause in clauses {
+                let Directive::Symbols { names, attributes } = clause.value else {
+                    continue;
+                };
+                for span in names {
+                    match read_symbol(self.document.text(span)) {
+                        Ok(symbol) => self.declare(symbol, &attributes),
+                        Err(error) => {
+                            let shifted = Span::new(span.start + error.span.start, span.start + error.span.end);
+                            self.complain(SyntaxError { span: shifted, ..error });
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn declare(&mut self, symbol: Symbol, attributes: &[Spanned<Attribute>]) {
+        let domain = self.domains.entry(symbol.clone()).or_default();
+        let at = |bound: &Bound| (bound.value.clone(), bound.strict);
+        let number = |n: i32, strict| (crate::algebra::BigRational::from_integer(n.into()), strict);
+        for attribute in attributes {
+            match &attribute.value {
+                Attribute::Dimension(name) => {
+                    self.dimensions.insert(symbol.clone(), name.clone());
+                }
+                Attribute::Real => {}
+                Attribute::Positive => domain.lower = Some(number(0, true)),
+                Attribute::Nonnegative => domain.lower = Some(number(0, false)),
+                Attribute::Nonzero => domain.nonzero = true,
+                Attribute::Integer => domain.integer = true,
+                Attribute::Natural => {
+                    domain.integer = true;
+                    domain.lower = Some(number(1, false));
+                }
+                Attribute::Constant => domain.constant = true,
+                Attribute::Interval { lower, upper } => {
+                    domain.lower = lower.as_ref().map(at).or(domain.lower.take());
+                    domain.upper = upper.as_ref().map(at).or(domain.upper.take());
+                }
+            }
+        }
+    }
+
+    /// Takes up a `let` or an assumption. Prose that cannot be read supposes nothing; a directive must be readable.
+    fn suppose(&mut self, body: Span, is_let: bool, level: u8, active: &mut Vec<usize>, strict: bool) {
+        let statements = match read_formulas(&self.document.source, body) {
+            Ok(statements) => statements,
+            Err(error) => {
+                if strict {
+                    self.complain(error);
+                }
+                return;
+            }
+        };
+        for statement in &statements {
+            let formulas = formulas(statement);
+            let assigned: BTreeSet<Symbol> = match is_let {
+                true => formulas.iter().flat_map(assigned).collect(),
+                false => BTreeSet::new(),
+            };
+            let locals = &self.locals;
+            active.retain(|&at| !locals[at].is_let || locals[at].assigned.is_disjoint(&assigned));
+            active.push(self.locals.len());
+            self.locals.push(Local {
+                formulas,
+                is_let,
+                span: statement.span,
+                assigned,
+                level,
+            });
+        }
+    }
+
+    /// The domain of the elements of a sequence: that declared for `u_i`, whatever the index is called.
+    pub fn element_domain(&self, sequence: &Symbol) -> Option<&Domain> {
+        let prefix = format!("{sequence}_");
+        let is_index = |rest: &str| rest.len() == 1 && rest.chars().all(|c| c.is_ascii_lowercase());
+        let mut declared = self.domains.iter();
+        let found = declared.find(|(s, _)| s.name().strip_prefix(&prefix).is_some_and(is_index));
+        found.map(|(_, domain)| domain)
+    }
+}
+
+/// The symbols that an equation between them gives a value.
+fn assigned(formula: &Formula) -> BTreeSet<Symbol> {
+    match formula {
+        Formula::Relation { left: crate::algebra::Expr::Symbol(symbol), .. } => BTreeSet::from([symbol.clone()]),
+        Formula::AllEqual { sequence, .. } => BTreeSet::from([sequence.clone()]),
+        Formula::Relation { .. } => BTreeSet::new(),
+    }
+}
