@@ -1,6 +1,6 @@
-//! `$$`, `\[`, `$`, `\(`, the `math` code fence and bare environments.
+//! Displays: `$$`, `\[`, the `math` code fence; and bare environments.
 
-use super::{Inline, Item, Scanner, Span};
+use super::{Item, Scanner, Span};
 
 /// Environments that LaTeX displays, without their star.
 const DISPLAYED: [&str; 11] = [
@@ -110,34 +110,12 @@ impl Scanner<'_> {
     fn display(&mut self, span: Span, fence: usize) {
         self.hand_over_prose(span.start);
         self.displays.push(span);
-        let within = |other: Span| other.start > span.start && other.start < span.end;
-        let spills = |other: Span| within(other) && other.end > span.end;
-        let outline = self.outline;
-        let excluded = outline.excluded[self.next_excluded..].iter();
-        let headings = outline.headings[self.next_heading..].iter();
-        let quotes = &outline.quotes;
-        let quote = quotes.partition_point(|quote| quote.start <= span.start);
-        let quoted = quote > 0 && quotes[quote - 1].end > span.start;
+        let quoted = self.quoted(span);
         let in_title = self
             .doubtful_title
             .is_some_and(|title| title.end > span.start);
         let settled = self.blanked.binary_search(&span).is_ok();
-        let spilt = excluded
-            .map(|excluded| excluded.span)
-            .take_while(|other| other.start < span.end)
-            .any(spills)
-            || headings
-                .map(|title| title.span)
-                .take_while(|other| other.start < span.end)
-                .any(spills)
-            || quotes[quote..]
-                .iter()
-                .copied()
-                .take_while(|other| other.start < span.end)
-                .any(spills);
-        if spilt || (in_title && !settled) {
-            self.disputed.get_or_insert(span);
-        }
+        self.compare_outline(span, in_title && !settled);
         let body = self.trimmed(Span::new(span.start + fence, span.end - fence));
         let lines = &self.bytes[body.range()];
         if body.start >= body.end {
@@ -162,6 +140,43 @@ impl Scanner<'_> {
         self.prose_from = span.end;
     }
 
+    /// Notes what the outline believes to begin inside a display and to end after it.
+    fn compare_outline(&mut self, span: Span, disputed: bool) {
+        let spills = |other: Span| {
+            let end = self.trimmed(other).end;
+            other.start > span.start && other.start < span.end && end > span.end
+        };
+        let excluded = self.outline.excluded[self.next_excluded..].iter();
+        let spilt = excluded
+            .map(|excluded| excluded.span)
+            .take_while(|other| other.start < span.end)
+            .any(spills);
+        let headings = self.outline.headings[self.next_heading..].iter();
+        let heading = headings
+            .map(|title| title.span)
+            .take_while(|other| other.start < span.end)
+            .any(spills);
+        let quotes = &self.outline.quotes;
+        let quote = quotes.partition_point(|quote| quote.start <= span.start);
+        let quotes = quotes[quote..].iter().copied();
+        let quote = quotes
+            .take_while(|other| other.start < span.end)
+            .any(spills);
+        if spilt {
+            self.spilt.get_or_insert(span);
+        }
+        if heading || quote || disputed {
+            self.disputed.get_or_insert(span);
+        }
+    }
+
+    /// Whether a display begins in a quotation.
+    fn quoted(&self, span: Span) -> bool {
+        let quotes = &self.outline.quotes;
+        let quote = quotes.partition_point(|quote| quote.start <= span.start);
+        quote > 0 && quotes[quote - 1].end > span.start
+    }
+
     fn quoted_lines(&mut self, span: Span) {
         self.problem(
             span,
@@ -179,13 +194,12 @@ impl Scanner<'_> {
         let after = self.source.get(body.end..span.end).unwrap_or_default();
         let after = after.trim_matches(|c: char| c.is_whitespace() || c == '>');
         let closed = after.len() >= fence && after.chars().all(|c| c == mark);
-        let quotes = &self.outline.quotes;
-        let quote = quotes.partition_point(|quote| quote.start <= span.start);
-        let quoted = quote > 0 && quotes[quote - 1].end > span.start;
+        let quoted = self.quoted(span);
         let body = self.trimmed(body);
         let empty = body.start >= body.end;
         let span = self.trimmed(span);
-        if !closed && !(empty && written.len() > fence && written.ends_with(mark)) {
+        let bare = empty && written.len() > fence && written.ends_with(mark);
+        if !closed && !bare {
             let fence = Span::new(span.start, span.start + fence);
             self.problem(
                 fence,
@@ -205,83 +219,6 @@ impl Scanner<'_> {
         }
         self.at = span.end.max(self.at + 1);
         self.prose_from = self.at;
-    }
-
-    /// ``$`a = b`$``, as some hosts write inline math.
-    fn coded_inline(&mut self) -> bool {
-        let excluded = &self.outline.excluded[self.next_excluded..];
-        let Some(code) = excluded.first().map(|code| code.span) else {
-            return false;
-        };
-        let opened = code.start == self.at + 1 && self.bytes.get(code.start) == Some(&b'`');
-        if !opened || self.bytes.get(code.end) != Some(&b'$') {
-            return false;
-        }
-        let text = &self.source[code.range()];
-        let ticks = text.len() - text.trim_start_matches('`').len();
-        let body = Span::new(code.start + ticks, code.end.saturating_sub(ticks));
-        self.next_excluded += 1;
-        self.inline_found(Span::new(self.at, code.end + 1), body);
-        true
-    }
-
-    /// `$a = b$`, unless it is `$5 and $6`.
-    fn inline_dollar(&mut self) {
-        let open = self.at;
-        let blank = |at: usize| self.bytes.get(at).is_none_or(u8::is_ascii_whitespace);
-        let close = self.inline_end(open + 1, |tail| tail[0] == b'$');
-        match close {
-            Some(close)
-                if !blank(open + 1)
-                    && !blank(close - 1)
-                    && self.bytes.get(close + 1) != Some(&b'$')
-                    && !self.bytes.get(close + 1).is_some_and(u8::is_ascii_digit) =>
-            {
-                self.inline_found(Span::new(open, close + 1), Span::new(open + 1, close));
-            }
-            _ => self.at = open + 1,
-        }
-    }
-
-    /// `\(a = b\)`
-    fn inline_parenthesis(&mut self) {
-        let open = self.at;
-        match self.inline_end(open + 2, |tail| tail.starts_with(b"\\)")) {
-            Some(close) => {
-                self.inline_found(Span::new(open, close + 2), Span::new(open + 2, close))
-            }
-            None => self.at = open + 2,
-        }
-    }
-
-    fn inline_found(&mut self, span: Span, body: Span) {
-        self.inline.push(Inline { span, body });
-        self.at = span.end;
-        self.forget_passed();
-    }
-
-    /// Where inline math ends: in its paragraph, before any other math, and not across the edge of
-    /// code or HTML.
-    fn inline_end(&mut self, from: usize, closes: fn(&[u8]) -> bool) -> Option<usize> {
-        let paragraph = self
-            .blank_line
-            .find(self.bytes, from)
-            .unwrap_or(self.bytes.len());
-        let excluded = self.outline.excluded.get(self.next_excluded);
-        let limit = excluded.map_or(paragraph, |next| paragraph.min(next.span.start));
-        let mut at = from;
-        while at < limit {
-            let tail = &self.bytes[at..];
-            if closes(tail) {
-                return Some(at);
-            }
-            match tail {
-                [b'$', ..] | [b'\\', b'(' | b'[', ..] => return None,
-                [b'\\', ..] => at += 2,
-                _ => at += 1,
-            }
-        }
-        None
     }
 
     /// `\begin{align}` outside a display.

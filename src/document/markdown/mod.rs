@@ -3,14 +3,16 @@
 //! Code, fences and comments that begin outside mathematics hide what is in them; inside
 //! mathematics nothing does. The outline cannot know that, so where the two disagree the displays
 //! just found are blanked out of what the outline sees, and the document is scanned again. Each
-//! round settles at least the first disagreement; [`ROUNDS`] bounds the time, and a document that
-//! needs more is told so.
+//! round settles at least the first disagreement: what comes after code that only seemed to begin
+//! in a display is not trusted, and not blanked, before the next round. [`ROUNDS`] bounds the time,
+//! and a document that needs more is told so.
 //!
 //! **Invariant:** every `$$` outside code, comments and front matter lies in a display or in a
 //! problem.
 
 mod comment;
 mod fences;
+mod inline;
 
 use super::outline::{Excluded, Kind, Outline, Title, front_matter};
 use super::prose::{self, Inline};
@@ -18,7 +20,7 @@ use super::{Item, Problem, Span};
 use fences::Finder;
 
 /// A guess: real documents need one round, or two.
-const ROUNDS: usize = 8;
+const ROUNDS: usize = 16;
 
 /// What was read.
 #[derive(Debug, Default)]
@@ -41,10 +43,12 @@ pub(super) fn read(source: &str) -> Reading {
         let stale = blanked
             .iter()
             .find(|span| scanner.displays.binary_search(span).is_err());
-        let disputed = scanner.disputed.or(stale.copied());
+        let disputed = scanner.spilt.or(scanner.disputed).or(stale.copied());
         if let Some(disputed) = disputed {
             if round < ROUNDS {
+                let trusted = scanner.spilt;
                 blanked = scanner.displays;
+                blanked.retain(|display| trusted.is_none_or(|last| *display <= last));
                 continue;
             }
             scanner.problem(
@@ -96,7 +100,10 @@ struct Scanner<'a> {
     displays: Vec<Span>,
     /// The last opening `$$` that nothing closes.
     unclosed: Option<usize>,
-    /// The first place where the outline saw something begin inside a display and leave it.
+    /// The first display in which the outline saw code or HTML begin that ends after it, so that
+    /// what follows may have been misread.
+    spilt: Option<Span>,
+    /// The first display in which it saw a quotation or a heading: no harm beyond the display.
     disputed: Option<Span>,
 }
 
@@ -128,6 +135,7 @@ impl<'a> Scanner<'a> {
             problems: Vec::new(),
             displays: Vec::new(),
             unclosed: None,
+            spilt: None,
             disputed: None,
         }
     }
