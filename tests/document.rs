@@ -28,11 +28,7 @@ fn problems(document: &Document) -> Vec<(&str, &str)> {
 }
 
 fn headings(document: &Document) -> Vec<(u8, &str)> {
-    let heading = |item: &'_ Item| match item {
-        Item::Heading { .. } => true,
-        _ => false,
-    };
-    let headings = document.items.iter().filter(|item| heading(item));
+    let headings = document.items.iter();
     headings
         .filter_map(|item| match item {
             Item::Heading { level, title, .. } => Some((*level, title.as_str())),
@@ -41,9 +37,9 @@ fn headings(document: &Document) -> Vec<(u8, &str)> {
         .collect()
 }
 
-fn prose(document: &Document) -> Vec<&Prose> {
-    let prose = |item| match item {
-        &Item::Prose(ref prose) => Some(prose),
+fn prose<'d>(document: &'d Document) -> Vec<&'d Prose> {
+    let prose = |item: &'d Item| match item {
+        Item::Prose(prose) => Some(prose),
         _ => None,
     };
     document.items.iter().filter_map(prose).collect()
