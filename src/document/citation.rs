@@ -1,0 +1,204 @@
+//! Which equations prose cites: "equations (13) and (17)", "Eqs. (2)–(5)", `\eqref{key}`, "(42)".
+
+use super::number::expand_range;
+use super::prose::{Placed, Token};
+use super::{Citation, Span};
+
+/// Keys of `\ref` that name no equation.
+const ELSEWHERE: [&str; 9] = [
+    "fig:", "tab:", "sec:", "ch:", "chap:", "app:", "alg:", "lst:", "subsec:",
+];
+
+/// What a word that introduces a citation allows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Introduction {
+    /// "formula", "relation": a tag in parentheses.
+    Word,
+    /// "equation": also "equation 5".
+    Singular,
+    /// "equations": also "equations 5, 6 and 7".
+    Plural,
+}
+
+/// Whether a word introduces a citation.
+pub(super) fn introduces(word: &str) -> Option<Introduction> {
+    if word.len() > 9 {
+        return None;
+    }
+    match word.to_lowercase().as_str() {
+        "equation" | "eq" | "eqn" => Some(Introduction::Singular),
+        "equations" | "eqs" | "eqns" => Some(Introduction::Plural),
+        "formula" | "formulas" | "formulae" | "relation" | "relations" => Some(Introduction::Word),
+        _ => None,
+    }
+}
+
+/// The citations in prose, in order.
+pub(super) fn read(tokens: &[Placed<'_>]) -> Vec<Citation> {
+    let mut citations = Vec::new();
+    let mut at = 0;
+    while at < tokens.len() {
+        let mut list = at;
+        let mut introduction = None;
+        if let (Token::Word(word), _) = tokens[at] {
+            introduction = introduces(word);
+            list += 1;
+            if matches!(tokens.get(list), Some((Token::Mark('.'), _))) {
+                list += 1;
+            }
+            if introduction.is_none() {
+                at += 1;
+                continue;
+            }
+        }
+        let end = read_list(tokens, list, introduction, &mut citations);
+        at = if end > list { end } else { at + 1 };
+    }
+    citations
+}
+
+/// Reads citations joined by commas, "and", "or" from `at` on; where they end.
+fn read_list(
+    tokens: &[Placed<'_>],
+    mut at: usize,
+    introduction: Option<Introduction>,
+    citations: &mut Vec<Citation>,
+) -> usize {
+    let mut end = at;
+    let mut listed = false;
+    while let Some((first, span)) = element(tokens, at, introduction, listed) {
+        let explicit = introduction.is_some() && looks_like_tag(&first)
+            || matches!(tokens[at].0, Token::Keys(_));
+        if listed && introduction.is_some() && !explicit {
+            break;
+        }
+        end = at + 1;
+        match range_end(tokens, end, introduction) {
+            Some((after, last, last_span)) if !first.contains(['-', '–', '—', ',']) => {
+                let span = span.to(last_span);
+                for tag in expand_range(&first, &last) {
+                    citations.push(Citation {
+                        tag,
+                        span,
+                        explicit,
+                    });
+                }
+                end = after;
+            }
+            _ => inside(tokens[at].0, &first, span, explicit, citations),
+        }
+        listed = true;
+        let separated = separator(tokens, end);
+        if separated == end {
+            break;
+        }
+        at = separated;
+    }
+    end
+}
+
+/// The tag at `at`.
+fn element(
+    tokens: &[Placed<'_>],
+    at: usize,
+    introduction: Option<Introduction>,
+    listed: bool,
+) -> Option<(String, Span)> {
+    let &(token, span) = tokens.get(at)?;
+    match token {
+        Token::Tag(tag) => Some((tag.trim().to_owned(), span)),
+        Token::Keys(keys) => Some((keys.trim().to_owned(), span)),
+        Token::Number(number) => {
+            // "From equations 17 and 18, 2 balls leave" does not cite equation 2.
+            let comma = matches!(tokens.get(at.wrapping_sub(1)), Some((Token::Mark(','), _)));
+            let noun = matches!(tokens.get(at + 1), Some((Token::Word(word), _)) if !joins(word));
+            let allowed = match introduction {
+                Some(Introduction::Plural) => !(listed && comma && noun),
+                Some(Introduction::Singular) => !listed,
+                _ => false,
+            };
+            allowed.then(|| (number.to_owned(), span))
+        }
+        _ => None,
+    }
+}
+
+/// `–(5)`, "to (5)" at `at`: where it ends, and the last tag.
+fn range_end(
+    tokens: &[Placed<'_>],
+    at: usize,
+    introduction: Option<Introduction>,
+) -> Option<(usize, String, Span)> {
+    let ranged = match tokens.get(at)?.0 {
+        Token::Dash => true,
+        Token::Word("to" | "through") => introduction.is_some(),
+        _ => false,
+    };
+    match tokens.get(at + 1)? {
+        (Token::Tag(tag), span) if ranged => Some((at + 2, tag.trim().to_owned(), *span)),
+        (Token::Number(tag), span) if ranged && introduction == Some(Introduction::Plural) => {
+            Some((at + 2, (*tag).to_owned(), *span))
+        }
+        _ => None,
+    }
+}
+
+/// Past a comma, "and", "or", "&" or a comma and one of those.
+fn separator(tokens: &[Placed<'_>], mut at: usize) -> usize {
+    if matches!(tokens.get(at), Some((Token::Mark(','), _))) {
+        at += 1;
+    }
+    match tokens.get(at) {
+        Some((Token::Word("and" | "or"), _) | (Token::Mark('&'), _)) => at + 1,
+        _ => at,
+    }
+}
+
+fn joins(word: &str) -> bool {
+    matches!(word, "and" | "or" | "to" | "through")
+}
+
+/// "equation (elastic collision)" need not exist; "equation (E)" and "equation (2a)" must.
+fn looks_like_tag(tag: &str) -> bool {
+    tag.chars().count() <= 2 || tag.chars().any(char::is_numeric)
+}
+
+/// The tags of one parenthesis: one, or for `(2, 3)` and `(2–5)` after "equations" several.
+fn inside(token: Token<'_>, text: &str, span: Span, explicit: bool, citations: &mut Vec<Citation>) {
+    let mut cite = |tag: &str| {
+        let tag = tag.to_owned();
+        citations.push(Citation {
+            tag,
+            span,
+            explicit,
+        });
+    };
+    if !matches!(token, Token::Keys(_)) && !explicit {
+        if !text.contains([',', ' ']) {
+            cite(text);
+        }
+        return;
+    }
+    for part in text
+        .split(',')
+        .map(str::trim)
+        .filter(|part| !part.is_empty())
+    {
+        if matches!(token, Token::Keys(_)) {
+            if !ELSEWHERE.iter().any(|prefix| part.starts_with(prefix)) {
+                cite(part);
+            }
+            continue;
+        }
+        let numeric = |end: &&str| !end.is_empty() && end.bytes().all(|byte| byte.is_ascii_digit());
+        let ends: Vec<&str> = part
+            .split(['-', '–', '—'])
+            .map(str::trim)
+            .filter(numeric)
+            .collect();
+        match ends[..] {
+            [first, last] => expand_range(first, last).iter().for_each(|tag| cite(tag)),
+            _ => cite(part),
+        }
+    }
+}

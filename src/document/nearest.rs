@@ -1,0 +1,62 @@
+//! "Did you mean …?": the nearest of the words that would have been understood.
+
+/// Longer words are never a slip of a keyword, and comparing them would cost their product.
+const LONGEST: usize = 24;
+
+/// How many letters must be inserted, dropped, changed or swapped with their neighbour.
+pub(super) fn distance(left: &str, right: &str) -> usize {
+    let left: Vec<char> = left.chars().take(LONGEST + 1).collect();
+    let right: Vec<char> = right.chars().take(LONGEST + 1).collect();
+    if left.len().max(right.len()) > LONGEST {
+        return usize::MAX;
+    }
+    let width = right.len() + 1;
+    let mut before = vec![0; width];
+    let mut above: Vec<usize> = (0..width).collect();
+    for i in 1..=left.len() {
+        let mut row = vec![i; width];
+        for j in 1..width {
+            let change = usize::from(left[i - 1] != right[j - 1]);
+            row[j] = (above[j] + 1)
+                .min(row[j - 1] + 1)
+                .min(above[j - 1] + change);
+            if i > 1 && j > 1 && left[i - 1] == right[j - 2] && left[i - 2] == right[j - 1] {
+                row[j] = row[j].min(before[j - 2] + 1);
+            }
+        }
+        before = std::mem::replace(&mut above, row);
+    }
+    above[width - 1]
+}
+
+/// The first of the nearest `words`, if it is no further than `slips`, in any case of letters.
+pub(super) fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Option<&'w str> {
+    let written: String = written.chars().take(LONGEST + 1).collect();
+    let written = written.to_lowercase();
+    words
+        .iter()
+        .map(|word| (distance(&written, word), *word))
+        .filter(|(distance, _)| *distance <= slips)
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, word)| word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_counted() {
+        assert_eq!(distance("check", "check"), 0);
+        assert_eq!(distance("chek", "check"), 1);
+        assert_eq!(distance("chekc", "check"), 1);
+        assert_eq!(distance("", "from"), 4);
+        assert_eq!(distance(&"x".repeat(1000), "from"), usize::MAX);
+    }
+
+    #[test]
+    fn the_nearest_is_named_only_when_near() {
+        assert_eq!(nearest("Fomr", &["given", "from"], 2), Some("from"));
+        assert_eq!(nearest("banana", &["given", "from"], 2), None);
+    }
+}

@@ -1,0 +1,191 @@
+//! Prose in words, tags and inline math: what citations and suppositions are read from.
+
+use super::citation;
+use super::supposition;
+use super::{Prose, Span};
+
+/// Inline math: with its fences, and without.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Inline {
+    pub span: Span,
+    pub body: Span,
+}
+
+/// A piece of prose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Token<'a> {
+    Word(&'a str),
+    /// Digits, and what is glued to them: `4a`.
+    Number(&'a str),
+    /// What is in a pair of parentheses that may be a tag: `42`, `2–5`, `A.3`.
+    Tag(&'a str),
+    /// The keys of `\ref{…}`, `\eqref{…}`.
+    Keys(&'a str),
+    /// The inside of inline math.
+    Math(Span),
+    /// `-`, `–`, `—`, `--`
+    Dash,
+    /// The end of a sentence or of a paragraph.
+    Stop,
+    /// Any other character.
+    Mark(char),
+    /// Code, HTML or a link's target.
+    Hidden,
+}
+
+/// A token and where it stands.
+pub(super) type Placed<'a> = (Token<'a>, Span);
+
+/// Words that end in a full stop which ends no sentence.
+const ABBREVIATED: [&str; 14] = [
+    "eq", "eqs", "eqn", "eqns", "fig", "figs", "sec", "ref", "refs", "cf", "resp", "vs", "no",
+    "approx",
+];
+/// Commands that cite.
+const CITING: [&str; 5] = ["\\eqref{", "\\ref{", "\\cref{", "\\Cref{", "\\autoref{"];
+/// Longer parentheses hold a remark, not a tag.
+const LONGEST_TAG: usize = 48;
+
+/// Reads prose; `inline` and `hidden` are in order.
+pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span]) -> Prose {
+    let tokens = tokens(source, span, inline, hidden);
+    Prose {
+        span,
+        citations: citation::read(&tokens),
+        suppositions: supposition::read(source, &tokens),
+    }
+}
+
+fn tokens<'a>(source: &'a str, span: Span, inline: &[Inline], hidden: &[Span]) -> Vec<Placed<'a>> {
+    let mut tokens: Vec<Placed<'a>> = Vec::new();
+    let mut inline = inline.iter().peekable();
+    let mut hidden = hidden.iter().peekable();
+    let mut at = span.start;
+    while at < span.end {
+        if hidden.next_if(|hidden| hidden.end <= at).is_some() {
+            continue;
+        }
+        if let Some(hidden) = hidden.next_if(|hidden| hidden.start <= at) {
+            tokens.push((Token::Hidden, *hidden));
+            at = hidden.end;
+            continue;
+        }
+        if let Some(math) = inline.next_if(|math| math.span.start <= at) {
+            tokens.push((Token::Math(math.body), math.span));
+            at = math.span.end.max(at);
+            continue;
+        }
+        let Some(rest) = source.get(at..span.end) else {
+            at += 1;
+            continue;
+        };
+        let (token, length) = next(rest, tokens.last(), at);
+        let length = length.max(1);
+        if let Some(token) = token {
+            tokens.push((token, Span::new(at, at + length)));
+        }
+        at += length;
+    }
+    tokens
+}
+
+/// The token at the start of `rest`, if any, and its length; a word stops before nothing but its
+/// own end, so code or math glued to it begins the next token.
+fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Token<'a>>, usize) {
+    let Some(first) = rest.chars().next() else {
+        return (None, 1);
+    };
+    let width = first.len_utf8();
+    match first {
+        '\n' | '\r' if ends_paragraph(rest) => (Some(Token::Stop), width),
+        _ if first.is_whitespace() || matches!(first, '*' | '_' | '~' | '>') => (None, width),
+        _ if first.is_alphabetic() => {
+            let length = run(rest, |c| c.is_alphanumeric());
+            (Some(Token::Word(&rest[..length])), length)
+        }
+        _ if first.is_numeric() => {
+            let length = run(rest, |c| {
+                c.is_alphanumeric() || matches!(c, '.' | '\'' | '′')
+            });
+            let length = rest[..length].trim_end_matches('.').len();
+            (Some(Token::Number(&rest[..length])), length)
+        }
+        '(' => match parenthesis(rest) {
+            Some(inside) if !glued(last, at) => (Some(Token::Tag(inside)), inside.len() + 2),
+            _ => (Some(Token::Mark('(')), 1),
+        },
+        '-' if rest.starts_with("--") => (Some(Token::Dash), 2),
+        '-' | '–' | '—' => (Some(Token::Dash), width),
+        '.' | '!' | '?' => {
+            let abbreviated = first == '.'
+                && last.is_some_and(|(token, span)| {
+                    matches!(token, Token::Word(word)
+                        if ABBREVIATED.contains(&word.to_lowercase().as_str()))
+                        && span.end == at
+                });
+            let after = rest[1..].trim_start_matches(['*', '_', ')', '"', '”', '\'']);
+            let ends = after.is_empty() || after.starts_with(char::is_whitespace);
+            match ends && !abbreviated {
+                true => (Some(Token::Stop), 1),
+                false => (Some(Token::Mark(first)), 1),
+            }
+        }
+        '\\' => {
+            for command in CITING {
+                if let Some(inside) = rest.strip_prefix(command)
+                    && let Some(end) = inside.find(['}', '\n', '{'])
+                    && inside[end..].starts_with('}')
+                {
+                    return (Some(Token::Keys(&inside[..end])), command.len() + end + 1);
+                }
+            }
+            let spaced = rest[1..].starts_with(|c: char| c.is_whitespace() || c == ',');
+            let escaped = rest[1..].chars().next().map_or(0, char::len_utf8);
+            match spaced {
+                true => (None, 1 + escaped),
+                false => (Some(Token::Mark('\\')), 1),
+            }
+        }
+        _ => (Some(Token::Mark(first)), width),
+    }
+}
+
+fn run(rest: &str, belongs: fn(char) -> bool) -> usize {
+    rest.find(|c| !belongs(c)).unwrap_or(rest.len())
+}
+
+/// A line end and a blank line after it.
+fn ends_paragraph(rest: &str) -> bool {
+    let after = rest.strip_prefix("\r\n").unwrap_or(&rest[1..]);
+    after
+        .trim_start_matches([' ', '\t', '>'])
+        .starts_with(['\n', '\r'])
+}
+
+/// `f(2)`, `[2](3)`: no citation. But `Eq.(2)` and `Eq(2)` are.
+fn glued(last: Option<&Placed<'_>>, at: usize) -> bool {
+    last.is_some_and(|(token, span)| {
+        span.end == at
+            && match token {
+                Token::Word(word) => citation::introduces(word).is_none(),
+                Token::Number(_) | Token::Math(_) | Token::Hidden | Token::Mark(']') => true,
+                _ => false,
+            }
+    })
+}
+
+/// The inside of a parenthesis that may be a tag or several: one word of letters and digits, or
+/// numbers with commas and dashes between them.
+fn parenthesis(rest: &str) -> Option<&str> {
+    let mut length = LONGEST_TAG.min(rest.len());
+    while !rest.is_char_boundary(length) {
+        length -= 1;
+    }
+    let inside = rest[1..length].split_once(')')?.0;
+    let tag = |c: char| c.is_alphanumeric() || matches!(c, '.' | '\'' | '′' | '-' | '*');
+    let list = |c: char| c.is_numeric() || matches!(c, ',' | ' ' | '–' | '—' | '-');
+    let word = inside.trim();
+    let tagged = word.chars().count() <= 16 && word.chars().all(tag);
+    let first = word.chars().next().is_some_and(char::is_alphanumeric);
+    (first && (tagged || word.chars().all(list))).then_some(inside)
+}

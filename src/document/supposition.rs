@@ -1,0 +1,226 @@
+//! What prose supposes: "Let $v_1 = 0$", "taking $v'_2 \neq 0$", "At $\mu = 1$".
+//!
+//! A supposition becomes a hypothesis of what follows, so one too many can make anything true.
+//! In doubt nothing is read: not a conclusion drawn in the same sentence ("then", "gives"), not an
+//! alternative ("or"), not a condition ("if"), not a negation, not a proof by contradiction.
+
+use super::prose::{Placed, Token};
+use super::{Supposition, SuppositionKind};
+
+/// After these, a sentence no longer supposes.
+const CONCLUDING: &str = " then so hence thus therefore gives give giving yields yield yielding \
+    implies imply implying follows becomes become obtain obtains get have find show shows prove \
+    check verify see whether us we means derive compute determine solve want need because since \
+    derivative gradient logarithm limit difference sum average square equation leads reduces ";
+/// With these, a sentence supposes nothing that could be used.
+const DOUBTFUL: &str = " or either if unless contradiction contrary otherwise ";
+/// Before these, an introductory word means its opposite.
+const NEGATING: &str = " not without never cannot nor don can needn ";
+/// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
+const PATIENCE: usize = 6;
+
+/// How far a supposition reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Reach {
+    /// "Let", "Assume" as the verb of the sentence: all of it.
+    Sentence,
+    /// "…, taking $…$ and $…$, …": what is joined to it.
+    Joined {
+        /// Words that may still come before the first.
+        patience: usize,
+        /// A comma has just been read.
+        comma: bool,
+        /// Something has been supposed.
+        found: bool,
+        /// "At $…$": a comma ends it.
+        short: bool,
+    },
+}
+
+/// The suppositions in prose, in order.
+pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
+    let mut found: Vec<Supposition> = Vec::new();
+    let mut sentence = 0;
+    let mut begun = false;
+    let mut doubtful = false;
+    let mut active: Option<(SuppositionKind, Reach)> = None;
+    for (index, &(token, _)) in tokens.iter().enumerate() {
+        match token {
+            Token::Stop => {
+                (sentence, begun, doubtful, active) = (found.len(), false, false, None);
+                continue;
+            }
+            Token::Word(word) => {
+                let word = word.to_lowercase();
+                if is_in(&word, DOUBTFUL) {
+                    found.truncate(sentence);
+                    doubtful = true;
+                }
+                if doubtful || is_in(&word, CONCLUDING) {
+                    active = None;
+                } else if let Some(introduced) = introduction(&word, index, tokens, begun) {
+                    active = Some(introduced);
+                } else if let Some((kind, reach)) = active {
+                    active = reach.past_word(&word).map(|reach| (kind, reach));
+                }
+                begun = true;
+            }
+            Token::Math(body) => {
+                begun = true;
+                let text = source.get(body.range()).unwrap_or_default();
+                if let Some((kind, reach)) = active {
+                    if relates(text) {
+                        found.push(Supposition { kind, body });
+                    }
+                    active = reach.past_math(relates(text)).map(|reach| (kind, reach));
+                }
+            }
+            Token::Mark(',') => {
+                if let Some((kind, reach)) = active {
+                    active = reach.past_comma().map(|reach| (kind, reach));
+                }
+            }
+            // A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
+            _ => {
+                if matches!(active, Some((_, Reach::Joined { .. }))) && token != Token::Dash {
+                    active = None;
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The supposition that the word at `index` introduces.
+fn introduction(
+    word: &str,
+    index: usize,
+    tokens: &[Placed<'_>],
+    begun: bool,
+) -> Option<(SuppositionKind, Reach)> {
+    let after = |by: usize| tokens.get(index + by).map(|(token, _)| *token);
+    let direct = matches!(after(1), Some(Token::Math(_)));
+    let that = matches!(after(1), Some(Token::Word("that")));
+    let negated = index.checked_sub(1).and_then(|before| tokens.get(before)).is_some_and(
+        |(token, _)| matches!(token, Token::Word(word) if is_in(&word.to_lowercase(), NEGATING)),
+    );
+    let joined = |short| Reach::Joined {
+        patience: PATIENCE,
+        comma: false,
+        found: false,
+        short,
+    };
+    if negated {
+        return None;
+    }
+    match word {
+        "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
+        "at" if !begun && direct => Some((SuppositionKind::Let, joined(true))),
+        "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
+        "assume" | "suppose" | "assuming" | "supposing" | "taking" => {
+            Some((SuppositionKind::Assume, joined(false)))
+        }
+        "provided" if direct || that => Some((SuppositionKind::Assume, joined(false))),
+        "given" if that => Some((SuppositionKind::Assume, joined(false))),
+        _ => None,
+    }
+}
+
+impl Reach {
+    fn past_word(self, word: &str) -> Option<Reach> {
+        let Reach::Joined {
+            patience,
+            found,
+            short,
+            ..
+        } = self
+        else {
+            return Some(self);
+        };
+        let patience = patience.checked_sub(1)?;
+        let joins = matches!(word, "and" | "that" | "both" | "also");
+        (joins || !found).then_some(Reach::Joined {
+            patience,
+            comma: false,
+            found,
+            short,
+        })
+    }
+
+    fn past_math(self, relation: bool) -> Option<Reach> {
+        Some(match self {
+            Reach::Joined {
+                patience,
+                found,
+                short,
+                ..
+            } => Reach::Joined {
+                patience,
+                comma: false,
+                found: found || relation,
+                short,
+            },
+            Reach::Sentence => self,
+        })
+    }
+
+    fn past_comma(self) -> Option<Reach> {
+        match self {
+            Reach::Sentence => Some(self),
+            Reach::Joined {
+                found,
+                short,
+                comma,
+                ..
+            } if !found || short || comma => None,
+            Reach::Joined {
+                patience,
+                found,
+                short,
+                ..
+            } => Some(Reach::Joined {
+                patience,
+                comma: true,
+                found,
+                short,
+            }),
+        }
+    }
+}
+
+fn is_in(word: &str, list: &str) -> bool {
+    list.split_whitespace().any(|listed| listed == word)
+}
+
+/// Whether inline math states a relation, and no inference: a relation sign outside braces.
+fn relates(math: &str) -> bool {
+    let mut depth = 0_usize;
+    let mut relation = false;
+    let mut chars = math.char_indices();
+    while let Some((at, c)) = chars.next() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            '=' | '<' | '>' | '≠' | '≤' | '≥' | '⩽' | '⩾' => relation |= depth == 0,
+            '⇒' | '⇔' => return false,
+            '\\' => {
+                let name = &math[at + 1..];
+                let name = &name[..name
+                    .find(|c: char| !c.is_ascii_alphabetic())
+                    .unwrap_or(name.len())];
+                match name {
+                    "neq" | "ne" | "le" | "leq" | "ge" | "geq" | "lt" | "gt" | "leqslant"
+                    | "geqslant" => relation |= depth == 0,
+                    "Rightarrow" | "implies" | "iff" | "Leftrightarrow" | "therefore" => {
+                        return false;
+                    }
+                    "left" | "right" => drop(chars.nth(name.len())),
+                    "" => drop(chars.next()),
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+    }
+    relation
+}

@@ -1,0 +1,595 @@
+//! Markdown documents, read end to end.
+
+use cradle_verify::document::{
+    Attribute, Directive, Document, Item, Premise, Prose, Span, SuppositionKind, read_bytes,
+};
+use proptest::prelude::*;
+
+fn read(source: &str) -> Document {
+    Document::markdown("page.md", source)
+}
+
+/// The bodies of the displays.
+fn displays(document: &Document) -> Vec<&str> {
+    let body = |item: &Item| match item {
+        Item::Display { body, .. } => Some(*body),
+        _ => None,
+    };
+    let bodies = document.items.iter().filter_map(body);
+    bodies.map(|body| document.text(body)).collect()
+}
+
+/// The problems: the guilty text and the message.
+fn problems(document: &Document) -> Vec<(&str, &str)> {
+    let problems = document.problems.iter();
+    problems
+        .map(|problem| (document.text(problem.span), &*problem.message))
+        .collect()
+}
+
+fn headings(document: &Document) -> Vec<(u8, &str)> {
+    let headings = document.items.iter();
+    headings
+        .filter_map(|item| match item {
+            Item::Heading { level, title, .. } => Some((*level, title.as_str())),
+            _ => None,
+        })
+        .collect()
+}
+
+fn prose<'d>(document: &'d Document) -> Vec<&'d Prose> {
+    let prose = |item: &'d Item| match item {
+        Item::Prose(prose) => Some(prose),
+        _ => None,
+    };
+    document.items.iter().filter_map(prose).collect()
+}
+
+/// The tags that a page cites, with `!` if they must exist.
+fn cited(source: &str) -> String {
+    let document = read(source);
+    let citations = prose(&document)
+        .into_iter()
+        .flat_map(|prose| &prose.citations);
+    let shown = citations.map(|citation| {
+        let mark = if citation.explicit { "!" } else { "" };
+        format!("{}{mark}", citation.tag)
+    });
+    shown.collect::<Vec<_>>().join(" ")
+}
+
+/// What a page supposes.
+fn supposed(source: &str) -> Vec<(SuppositionKind, String)> {
+    let document = read(source);
+    let suppositions = prose(&document)
+        .into_iter()
+        .flat_map(|prose| &prose.suppositions);
+    suppositions
+        .map(|supposition| (supposition.kind, document.text(supposition.body).to_owned()))
+        .collect()
+}
+
+fn directives(document: &Document) -> Vec<&Directive> {
+    let mut found = Vec::new();
+    for item in &document.items {
+        if let Item::Directives { clauses, .. } = item {
+            found.extend(clauses.iter().map(|clause| &clause.value));
+        }
+    }
+    found
+}
+
+#[test]
+fn a_page_is_read_in_order() {
+    let page = "# One ball\n\nBy equation (2):\n\n<!-- check: from (2) -->\n$$\na = b \\tag{3}\n$$\n\nDone.\n";
+    let document = read(page);
+    let [
+        Item::Heading {
+            level: 1,
+            title,
+            span,
+        },
+        Item::Prose(prose),
+        Item::Directives {
+            clauses,
+            span: comment,
+        },
+        Item::Display { body, span: fenced },
+        Item::Prose(last),
+    ] = &document.items[..]
+    else {
+        panic!("{:#?}", document.items);
+    };
+    assert_eq!(
+        (title.as_str(), document.text(*span)),
+        ("One ball", "# One ball")
+    );
+    assert_eq!(document.text(prose.span), "By equation (2):");
+    assert_eq!(document.text(prose.citations[0].span), "(2)");
+    assert_eq!(document.text(clauses[0].span), "from (2)");
+    assert_eq!(document.text(*comment), "<!-- check: from (2) -->");
+    assert_eq!(document.text(*body), "a = b \\tag{3}");
+    assert_eq!(document.text(*fenced), "$$\na = b \\tag{3}\n$$");
+    assert_eq!(document.text(last.span), "Done.");
+    assert_eq!(document.position(body.start).line, 7);
+    assert!(document.problems.is_empty());
+}
+
+#[test]
+fn displays_that_markdown_readers_lose() {
+    for (page, body) in [
+        ("text $$ x_1 \\tag{2} $$ text", "x_1 \\tag{2}"),
+        ("$$\na\n\n= *b*\n$$", "a\n\n= *b*"),
+        ("$$\na\n=\nb\n$$", "a\n=\nb"),
+        ("text\n$$\n# a\n- b\n$$\n", "# a\n- b"),
+        ("$$ a ` b $$ and ` c", "a ` b"),
+        ("$$ a <!-- b $$ and -->", "a <!-- b"),
+        ("\\[ a \\\\[2pt] b \\]", "a \\\\[2pt] b"),
+        ("```math\na = b\n```", "a = b"),
+        ("- item\n\n  ```math\n  a\n  = b\n  ```\n", "a\n  = b"),
+        ("> $$ a = b $$", "a = b"),
+        ("$$ a \\$$$", "a \\$"),
+        ("<!-- note --> $$ a $$", "a"),
+        ("$$\r\na\r\n$$\r\n", "a"),
+        ("cost $5 and $6, $$x$$", "x"),
+        ("$$\n\n    a\n$$", "a"),
+    ] {
+        let document = read(page);
+        assert_eq!(
+            displays(&document),
+            [body],
+            "{page}: {:?}",
+            document.problems
+        );
+        assert_eq!(problems(&document), [], "{page}");
+        assert_eq!(headings(&document), [], "{page}");
+    }
+}
+
+#[test]
+fn what_is_in_code_or_comments_is_no_equation() {
+    for page in [
+        "`$$ x $$`",
+        "```\n$$ x $$\n```",
+        "~~~tex\n$$ x\n~~~",
+        "text\n\n    $$ x $$\n",
+        "<!-- $$ x $$ -->",
+        "text <!-- $$ --> text",
+        "---\ntitle: $$ x $$\n---\n",
+        "\\$\\$ and \\$$5",
+        "<pre>\n$$ x $$\n</pre>",
+        "# The `$$` fence",
+    ] {
+        let document = read(page);
+        assert!(displays(&document).is_empty(), "{page}");
+        assert_eq!(problems(&document), [], "{page}");
+    }
+}
+
+#[test]
+fn structure_after_mathematics_that_looks_like_code_is_still_read() {
+    let page = "$$ a <b\n`c $$\n\n`$$`\n\n# After\n\n```\n$$\n```\n\n$$ d $$";
+    let document = read(page);
+    assert_eq!(displays(&document), ["a <b\n`c", "d"]);
+    assert_eq!(headings(&document), [(1, "After")]);
+    assert_eq!(problems(&document), []);
+}
+
+#[test]
+fn what_is_not_read_is_named() {
+    for (page, guilty) in [
+        ("text $$ a = b", "$$"),
+        ("\\[ a = b", "\\["),
+        ("\\begin{align*} a \\end{align*}", "\\begin{align*}"),
+        ("```math\na", "```"),
+        ("> $$\n> a\n> $$", "$$\n> a\n> $$"),
+        ("# Title $$x$$", "$$x$$"),
+        ("Title $$x$$\n===", "$$x$$"),
+        ("<div>\n$$ x\n</div>", "$$"),
+        ("$$ $$", "$$ $$"),
+        ("<!-- check: given", "<!--"),
+    ] {
+        let document = read(page);
+        let found = problems(&document);
+        assert_eq!(
+            found.iter().map(|(text, _)| *text).collect::<Vec<_>>(),
+            [guilty],
+            "{page}"
+        );
+    }
+}
+
+#[test]
+fn a_lost_fence_is_blamed_where_it_is_and_the_rest_is_read() {
+    let document = read("$$ a $$\n\n$$ b\n\ntext\n\n$$ c $$\n\nand\n\n$$ d $$\n");
+    assert_eq!(displays(&document), ["a", "c", "d"]);
+    assert_eq!(document.problems.len(), 1);
+    assert_eq!(document.position(document.problems[0].span.start).line, 3);
+}
+
+#[test]
+fn citations() {
+    for (text, tags) in [
+        ("Simplifying equation (2):", "2!"),
+        ("Substituting equations (13) and (17):", "13! 17!"),
+        ("By eq. (4) and Eqs. (2)–(5)", "4! 2! 3! 4! 5!"),
+        (
+            "Eqs. (2)-(4); Eqs. (6) to (8); Eqs. (2–3)",
+            "2! 3! 4! 6! 7! 8! 2! 3!",
+        ),
+        ("from (42), (43)", "42 43"),
+        ("equations 17 and 18", "17! 18!"),
+        ("From equations 17 and 18, 2 balls leave", "17! 18!"),
+        ("\\eqref{a:b} or \\ref{c}, \\ref{fig:x}", "a:b! c!"),
+        ("(A.3) and (2') of 1985 (1985)", "A.3 2' 1985"),
+        ("**Equation~(3)** and Eq.(4)", "3! 4!"),
+        ("by equation (2), (elastic) collisions", "2! elastic"),
+        (
+            "claim energy, f(2), $g(3)$, `(4)`, [x](5), [y](a_(6)), (2, 3)",
+            "",
+        ),
+        ("# By (2)\n", ""),
+        ("in relation (3), relation 4", "3!"),
+        ("[1, 4] and (see there)", ""),
+    ] {
+        assert_eq!(cited(text), tags, "{text}");
+    }
+}
+
+#[test]
+fn suppositions() {
+    use SuppositionKind::{Assume, Let};
+    for (text, expected) in [
+        (
+            "Let $v_1 = v_2 = 0$ and $v_4 = v_0/2$.",
+            vec![(Let, "v_1 = v_2 = 0"), (Let, "v_4 = v_0/2")],
+        ),
+        (
+            "Initial momentum: $2v_0$. Let $v_1 = 0$. So $b = 2$.",
+            vec![(Let, "v_1 = 0")],
+        ),
+        (
+            "Rearrange (taking non-trivial solution $v'_2 \\neq 0$):",
+            vec![(Assume, "v'_2 \\neq 0")],
+        ),
+        (
+            "taking the non-trivial solution $v'_2 \\neq 0$",
+            vec![(Assume, "v'_2 \\neq 0")],
+        ),
+        ("At $\\mu = 1$, $\\eta = 1$:", vec![(Let, "\\mu = 1")]),
+        (
+            "Assuming $m > 0$, the energy is $E = 2$.",
+            vec![(Assume, "m > 0")],
+        ),
+        (
+            "It holds provided that \\(m \\geq 1\\).",
+            vec![(Assume, "m \\geq 1")],
+        ),
+        (
+            "- Suppose $a < b$ and $`c = d`$",
+            vec![(Assume, "a < b"), (Assume, "c = d")],
+        ),
+        ("Let $a = 1$, then $b = 2$.", vec![(Let, "a = 1")]),
+        ("Let $a = 1$. The rest has $b = 2$.", vec![(Let, "a = 1")]),
+        ("Let us show that $a = b$.", vec![]),
+        ("Let $\\sum_{i=1}^k u_i$ be given.", vec![]),
+        ("Assume $a = 0$ or $b = 0$.", vec![]),
+        ("Suppose for contradiction that $a = 0$.", vec![]),
+        ("We do not assume $a = 0$.", vec![]),
+        ("Since $\\mu = m_2/m_1$, it vanishes at $\\mu = 1$.", vec![]),
+        ("it costs $5 and $6", vec![]),
+    ] {
+        let found = supposed(text);
+        let found: Vec<_> = found
+            .iter()
+            .map(|(kind, body)| (*kind, body.as_str()))
+            .collect();
+        assert_eq!(found, expected, "{text}");
+    }
+}
+
+#[test]
+fn directives_of_every_kind() {
+    let page = "<!--check: derived, claim energy-1; from (2)–(3), (7) and claim a.b\n  assuming v > 0,\n m \\neq 0\n let a = \\frac{1}{2}\\;b -->";
+    let document = read(page);
+    assert_eq!(problems(&document), []);
+    let found = directives(&document);
+    let [
+        Directive::Derived,
+        Directive::Claim(name),
+        Directive::From(premises),
+        Directive::Assuming(hypotheses),
+        Directive::Let(values),
+    ] = &found[..]
+    else {
+        panic!("{found:#?}");
+    };
+    assert_eq!(name.value, "energy-1");
+    let tag = |tag: &str| Premise::Tag(tag.to_owned());
+    let named: Vec<_> = premises
+        .iter()
+        .map(|premise| premise.value.clone())
+        .collect();
+    assert_eq!(
+        named,
+        [
+            tag("2"),
+            tag("3"),
+            tag("7"),
+            Premise::Claim("a.b".to_owned())
+        ]
+    );
+    assert_eq!(document.text(*hypotheses), "v > 0,\n m \\neq 0");
+    assert_eq!(document.text(*values), "a = \\frac{1}{2}\\;b");
+}
+
+#[test]
+fn declarations() {
+    let document =
+        read("<!-- check: symbols m_1, x_{a,b}: M L^{-1/2} T^{-2}, natural, in (0, 1/2], ≥ 1 -->");
+    assert_eq!(problems(&document), []);
+    let [Directive::Symbols { names, attributes }] = directives(&document)[..] else {
+        panic!();
+    };
+    assert_eq!(
+        names
+            .iter()
+            .map(|name| document.text(*name))
+            .collect::<Vec<_>>(),
+        ["m_1", "x_{a,b}"]
+    );
+    assert_eq!(
+        attributes[0].value,
+        Attribute::Dimension("M L^{-1/2} T^{-2}".to_owned())
+    );
+    assert_eq!(attributes[1].value, Attribute::Natural);
+    let Attribute::Interval {
+        lower: Some(lower),
+        upper: Some(upper),
+    } = &attributes[2].value
+    else {
+        panic!();
+    };
+    assert_eq!(
+        (lower.value.to_string(), lower.strict),
+        ("0".to_owned(), true)
+    );
+    assert_eq!(
+        (upper.value.to_string(), upper.strict),
+        ("1/2".to_owned(), false)
+    );
+    let Attribute::Interval {
+        lower: Some(one),
+        upper: None,
+    } = &attributes[3].value
+    else {
+        panic!();
+    };
+    assert!(!one.strict);
+}
+
+#[test]
+fn slips_in_directives_are_named_with_their_repair() {
+    for (comment, guilty, help) in [
+        ("chek: given", "chek", "`check:`"),
+        ("Check given", "Check", "`check:`"),
+        ("check: gven", "gven", "`given`"),
+        ("check: let a = 1\nasuming b > 0", "asuming", "`assuming`"),
+        ("check: symbols m: postive", "postive", "`positive`"),
+        (
+            "check: symbols m: mass, in [1, 0]",
+            "in [1, 0]",
+            "exact bounds",
+        ),
+        (
+            "check: symbols m: in [0, \\infty]",
+            "in [0, \\infty]",
+            "exact bounds",
+        ),
+        ("check: symbols m: mass/length", "mass/length", "dimension"),
+        ("check: symbols m, : mass", ",", "for example"),
+        ("check: symbols m", "symbols m", "for example"),
+        ("check: from 42", "42", "from (42)"),
+        ("check: from (2),", "from (2),", "from (42)"),
+        ("check: claim a b", "a b", "a name has"),
+        ("check: given (2)", "(2)", "separate"),
+        ("check: let", "let", "let m = 1"),
+        ("check:", "", "a clause begins"),
+    ] {
+        let source = format!("<!-- {comment} -->");
+        let document = read(&source);
+        let [problem] = &document.problems[..] else {
+            panic!("{comment}: {:#?}", document.problems);
+        };
+        assert_eq!(document.text(problem.span), guilty, "{comment}");
+        let said = problem.help.as_deref().unwrap_or_default();
+        assert!(said.contains(help), "{comment}: {said}");
+    }
+    for other in [
+        "a note",
+        "check this later",
+        "TODO: given",
+        "checklist: given",
+    ] {
+        assert_eq!(problems(&read(&format!("<!-- {other} -->"))), [], "{other}");
+    }
+}
+
+#[test]
+fn directives_are_read_wherever_a_comment_is() {
+    for page in [
+        "text <!-- check: given --> text",
+        "# Title <!-- check: given -->",
+        "<div>\n<!-- check: given -->\n</div>",
+        "<!-- a --> <!-- check: given -->",
+        "- item\n\n  <!-- check: given -->\n",
+    ] {
+        assert_eq!(directives(&read(page)), [&Directive::Given], "{page}");
+    }
+    assert_eq!(
+        headings(&read("# Title <!-- check: given -->")),
+        [(1, "Title")]
+    );
+    assert!(directives(&read("`<!-- check: given -->`")).is_empty());
+}
+
+#[test]
+fn bytes_must_be_text() {
+    assert!(read_bytes("x.md", "δ".as_bytes()).is_ok());
+    assert_eq!(
+        read_bytes("x.md", b"a\n\xff")
+            .map_err(|error| error.line)
+            .err(),
+        Some(2)
+    );
+}
+
+#[test]
+fn long_and_hostile_documents_take_linear_time() {
+    for piece in [
+        "$",
+        "$$ ",
+        "$a ",
+        "\\[",
+        "\\(",
+        "`",
+        "<!--",
+        "<!-- check",
+        "> ",
+        "#\n",
+        "\\begin{align}",
+        "(2) ",
+        "<b ",
+        "[",
+        "- a\n",
+        "* ",
+        "$$\n=\n$$\n\n",
+        "a\n=\n",
+        "Eqs. (1)-(9) ",
+    ] {
+        let clock = std::time::Instant::now();
+        read(&piece.repeat(200_000 / piece.len()));
+        assert!(
+            clock.elapsed().as_secs() < 5,
+            "{piece}: {:?}",
+            clock.elapsed()
+        );
+    }
+}
+
+fn covers(document: &Document, at: usize) -> bool {
+    let displays = document.items.iter().filter_map(|item| match item {
+        Item::Display { span, .. } => Some(*span),
+        _ => None,
+    });
+    let problems = document.problems.iter().map(|problem| problem.span);
+    displays
+        .chain(problems)
+        .any(|Span { start, end }| start <= at && at < end)
+}
+
+const PIECES: &[&str] = &[
+    "$$",
+    "$$",
+    "$",
+    "\n",
+    "\n\n",
+    " ",
+    "    ",
+    "a = b",
+    "\\",
+    "\\[",
+    "\\]",
+    "\\(",
+    "\\)",
+    "`",
+    "```",
+    "```math\n",
+    "<!--",
+    "-->",
+    " check: ",
+    "let ",
+    ";",
+    "# ",
+    "=\n",
+    "---\n",
+    "> ",
+    "- ",
+    "<div>",
+    "é",
+    "\r\n",
+    "\t",
+    "(2)",
+    "equations ",
+    "–",
+    "Let ",
+    "symbols ",
+    ": ",
+    ", ",
+    "in [0, 1)",
+    "{",
+    "}",
+    "from ",
+    "\\begin{align}",
+    "\\end{align}",
+    ".",
+    "[x](",
+    "\u{feff}",
+];
+
+fn document() -> impl Strategy<Value = String> {
+    let piece = proptest::sample::select(PIECES);
+    proptest::collection::vec(piece, 0..40).prop_map(|pieces| pieces.concat())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn no_text_is_too_strange(source in prop_oneof![document(), any::<String>()]) {
+        let document = read(&source);
+        let mut last = 0;
+        for item in &document.items {
+            let span = item.span();
+            prop_assert!(source.get(span.range()).is_some_and(|text| !text.is_empty()));
+            let in_heading = matches!(item, Item::Directives { .. });
+            prop_assert!(span.start >= last || in_heading);
+            last = span.end;
+            document.position(span.start);
+        }
+        for problem in &document.problems {
+            prop_assert!(source.get(problem.span.range()).is_some());
+        }
+    }
+
+    /// Without code, HTML, escapes and indentation, every pair of dollars counts.
+    #[test]
+    fn every_fence_is_a_display_or_a_problem(source in document()) {
+        let plain: String = source.chars().filter(|c| !"`<\\\t\r~+".contains(*c)).collect();
+        let plain = format!("x\n{}", plain.replace("    ", " ").replace("---\n", "--\n").replace("[x](", "["));
+        let document = read(&plain);
+        let (bytes, mut at) = (plain.as_bytes(), 0);
+        while at + 1 < bytes.len() {
+            if &bytes[at..at + 2] == b"$$" {
+                prop_assert!(covers(&document, at), "{plain:?} at {at}: {document:#?}");
+                at += 2;
+            } else {
+                at += 1;
+            }
+        }
+    }
+
+    /// With them, a display of its own paragraph is found whatever closed blocks surround it.
+    #[test]
+    fn no_display_is_lost_between_code_and_comments(
+        blocks in proptest::collection::vec(proptest::sample::select(&[
+            "`$$`", "```\n$$\n```", "<!-- $$ -->", "# a", "text $b$", "$$\n`\n\n<!--\n#\n=\n$$", "$$ a $$", "a\n===", "\\$$5 text",
+        ][..]), 0..12)
+    ) {
+        let source = blocks.join("\n\n");
+        let document = read(&source);
+        let expected = blocks.iter().filter(|block| block.starts_with("$$")).count();
+        prop_assert_eq!(displays(&document).len(), expected, "{}", source);
+        prop_assert!(document.problems.is_empty());
+    }
+}
