@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod algebra;
+pub mod audit;
 pub mod cli;
 pub mod cradle;
 pub mod derivation;

@@ -263,3 +263,26 @@ fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
         conclusion,
     }))
 }
+
+/// A proof without further conditions, if one is found.
+pub fn prove_unconditionally(claim: &Claim) -> Option<Proven> {
+    for effort in [Effort::Light, Effort::Full] {
+        if let Ok(Some(Decision::Proven { proven, conditions })) = prove(claim, effort)
+            && conditions.is_empty()
+        {
+            return Some(proven);
+        }
+    }
+    None
+}
+
+/// A counterexample to `claim` at which the hypotheses of `larger` hold as well.
+pub fn refute_in_context(claim: &Claim, larger: &Claim) -> Option<Refuted> {
+    let (points, _) = refute::find_point(larger, true, QUICK);
+    points.into_iter().find_map(|mut point| {
+        // The larger claim numbers its hypotheses differently; the same symbols are put in.
+        check_model(larger, point.clone()).ok()?;
+        point.unfold = unfold::definitions_to_unfold(claim);
+        refuted(claim, point)
+    })
+}

@@ -1,0 +1,174 @@
+use crate::algebra::Formula;
+use crate::derivation::{Assumed, Goal, Kind, Source};
+use crate::document::Span;
+use crate::kernel::{Model, Proven, Refuted};
+use crate::notation::{Mark, SyntaxError};
+use crate::search::Stop;
+
+/// The audit of one statement of an equation.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The equation, by its position in the derivation.
+    pub equation: usize,
+    /// Which of the display's statements, from 0, of how many.
+    pub part: usize,
+    /// How many statements the display has.
+    pub parts: usize,
+    /// What kind of statement it is.
+    pub kind: Kind,
+    /// What was found.
+    pub verdict: Verdict,
+    /// The evidence, a link at a time.
+    pub judged: Vec<Judged>,
+    /// The equations that it was judged from.
+    pub premises: Vec<usize>,
+    /// The failing equations that it comes from.
+    pub rests_on: Vec<usize>,
+    /// What else there is to say.
+    pub notes: Vec<Note>,
+    /// For what is given: a point at which all that is given with it holds.
+    pub model: Option<Model>,
+}
+
+/// What was found of a statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// Nothing to derive.
+    Given,
+    /// Every link is proved.
+    Holds,
+    /// Some link is refuted.
+    Fails,
+    /// Sides or summands differ in dimension.
+    IllDimensioned,
+    /// Neither was found.
+    Undecided,
+}
+
+impl Verdict {
+    /// All verdicts, in the order of summaries.
+    pub const ALL: [Verdict; 5] = [
+        Verdict::Given,
+        Verdict::Holds,
+        Verdict::Fails,
+        Verdict::IllDimensioned,
+        Verdict::Undecided,
+    ];
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Given => "given",
+            Verdict::Holds => "holds",
+            Verdict::Fails => "fails",
+            Verdict::IllDimensioned => "ill-dimensioned",
+            Verdict::Undecided => "undecided",
+        }
+    }
+}
+
+/// One link with its evidence.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// What was to be shown, and where it stands.
+    pub goal: Goal,
+    /// What it was judged from, in the order of the claim's hypotheses.
+    pub assumed: Vec<Assumed>,
+    /// What was found.
+    pub outcome: Outcome,
+}
+
+/// The evidence for or against a link.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// It defines a symbol: nothing to show.
+    Defined,
+    /// The kernel's proof.
+    Proven(Box<Proven>),
+    /// The kernel's counterexample.
+    Refuted(Box<Refuted>),
+    /// Neither.
+    Open(Stop),
+}
+
+/// What there is to say beside a verdict.
+#[derive(Clone, Debug)]
+pub enum Note {
+    /// An equation that it comes from fails.
+    RestsOn(Vec<usize>),
+    /// It does not follow from what it cites; it does from what is named.
+    Miscited {
+        /// What it cites.
+        cited: Vec<usize>,
+        /// What it follows from.
+        instead: Vec<Source>,
+    },
+    /// It cites nothing and does not follow from the equation before it; it does from what is named.
+    Uncited(Vec<Source>),
+    /// It follows only where these hold, and nothing says that they do.
+    UnstatedCondition(Vec<Formula>),
+    /// What it is to follow from cannot all be true.
+    InconsistentPremises(Vec<Source>),
+    /// The author ticks what fails, or crosses out what holds.
+    WrongMark(Mark),
+    /// It cites an equation that is not there.
+    UnknownCitation(String, Span),
+    /// It cites what is only derived later.
+    CitesLater(usize),
+    /// It cites what was derived for particular values that are not in effect here.
+    OutOfScope(usize),
+    /// It has the number of an earlier equation.
+    DuplicateTag(usize),
+    /// It could not be read.
+    Unreadable(SyntaxError),
+    /// It is said to follow from an equation that could not be read.
+    UnreadablePremise(usize),
+}
+
+impl Note {
+    /// The stable code.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Note::RestsOn(_) => "rests-on",
+            Note::Miscited { .. } => "miscited",
+            Note::Uncited(_) => "uncited",
+            Note::UnstatedCondition(_) => "unstated-condition",
+            Note::InconsistentPremises(_) => "inconsistent-premises",
+            Note::WrongMark(_) => "wrong-mark",
+            Note::UnknownCitation(..) => "unknown-citation",
+            Note::CitesLater(_) => "cites-later",
+            Note::OutOfScope(_) => "out-of-scope",
+            Note::DuplicateTag(_) => "duplicate-tag",
+            Note::Unreadable(_) => "unreadable",
+            Note::UnreadablePremise(_) => "unreadable-premise",
+        }
+    }
+
+    /// Whether it is something to mend, rather than to know.
+    pub fn is_finding(&self) -> bool {
+        !matches!(self, Note::Uncited(_) | Note::OutOfScope(_))
+    }
+}
+
+impl Entry {
+    /// The author crosses it out, and it does fail.
+    pub fn fails_as_marked(&self) -> bool {
+        self.verdict == Verdict::Fails
+            && self.kind == Kind::Marked
+            && !self.notes.iter().any(|n| matches!(n, Note::WrongMark(_)))
+    }
+
+    /// Whether there is something to mend.
+    pub fn is_finding(&self) -> bool {
+        let bad = matches!(self.verdict, Verdict::Fails | Verdict::IllDimensioned);
+        bad && !self.fails_as_marked() || self.notes.iter().any(Note::is_finding)
+    }
+
+    /// The first link that is refuted.
+    pub fn refuted(&self) -> Option<(&Judged, &Refuted)> {
+        self.judged.iter().find_map(|judged| match &judged.outcome {
+            Outcome::Refuted(refuted) => Some((judged, &**refuted)),
+            _ => None,
+        })
+    }
+}

@@ -1,0 +1,121 @@
+//! Whether what is given can all be true together: no audit is vacuous.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::derivation::{Assumed, Derivation, Kind, Source, formulas};
+use crate::kernel::{Model, Standing};
+use crate::search::{Consistency, consistency};
+
+use super::{Entry, Note, Verdict, blank};
+
+/// More formulas than this in one tangle are not tried.
+const MOST_FORMULAS: usize = 40;
+
+/// For each given equation a point at which it and all that hangs together with it holds, or what it contradicts.
+#[derive(Default)]
+pub(super) struct Models {
+    found: BTreeMap<usize, Model>,
+    contradictions: BTreeMap<usize, Vec<Source>>,
+}
+
+impl Models {
+    pub fn entry(&self, at: usize, part: usize, parts: usize) -> Entry {
+        let mut entry = blank(at, part, parts, Kind::Given, Verdict::Given);
+        entry.model = self.found.get(&at).cloned();
+        if let Some(sources) = self.contradictions.get(&at) {
+            entry.notes.push(Note::InconsistentPremises(sources.clone()));
+        }
+        entry
+    }
+}
+
+/// Looks for a model of the givens of each page, one group of equations with common symbols at a time.
+pub(super) fn models(derivation: &Derivation) -> Models {
+    let mut models = Models::default();
+    for group in groups(derivation) {
+        let assume = |members: &[usize]| -> Vec<Assumed> {
+            let all = members.iter().flat_map(|&at| {
+                let statements = derivation.equations[at].statements().iter();
+                statements.flat_map(formulas).map(move |formula| Assumed {
+                    formula,
+                    standing: Standing::Identity,
+                    source: Source::Equation(at),
+                })
+            });
+            all.collect()
+        };
+        let trivial = Formula::equal(Expr::integer(0), Expr::integer(0));
+        let together = |members: &[usize]| {
+            let assumed = assume(members);
+            if assumed.len() > MOST_FORMULAS {
+                return Consistency::Unknown;
+            }
+            consistency(&derivation.claim(members[0], &assumed, &trivial))
+        };
+        match together(&group) {
+            Consistency::Model(model) => {
+                models.found.extend(group.iter().map(|&at| (at, model.clone())));
+            }
+            Consistency::Unknown => {}
+            Consistency::Contradictory(_) => {
+                // The first one that contradicts those before it, and the fewest of these.
+                let mut length = 1;
+                while !matches!(together(&group[..length]), Consistency::Contradictory(_)) && length < group.len() {
+                    length += 1;
+                }
+                let mut members = group[..length].to_vec();
+                let culprit = members[length - 1];
+                let mut at = 0;
+                while at + 1 < members.len() {
+                    let mut fewer = members.clone();
+                    fewer.remove(at);
+                    match together(&fewer) {
+                        Consistency::Contradictory(_) => members = fewer,
+                        _ => at += 1,
+                    }
+                }
+                members.retain(|&m| m != culprit);
+                let sources = members.into_iter().map(Source::Equation).collect();
+                models.contradictions.insert(culprit, sources);
+            }
+        }
+    }
+    models
+}
+
+/// The given equations of each page, grouped so that no symbol occurs in two groups.
+fn groups(derivation: &Derivation) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    let mut owner: BTreeMap<(usize, Symbol), usize> = BTreeMap::new();
+    for (at, equation) in derivation.equations.iter().enumerate() {
+        if equation.kind != Kind::Given || equation.statements.is_err() {
+            continue;
+        }
+        let mut symbols: BTreeSet<Symbol> = BTreeSet::new();
+        for formula in equation.statements().iter().flat_map(formulas) {
+            symbols.extend(formula.free_symbols());
+            symbols.extend(formula.sequences());
+        }
+        let own = groups.len();
+        groups.push(vec![at]);
+        for symbol in symbols {
+            let key = (equation.page, symbol);
+            let Some(mut other) = owner.insert(key, own) else {
+                continue;
+            };
+            // Groups that were merged leave a forwarding address: their members moved on.
+            while groups[other].is_empty() {
+                other = owner.values().copied().find(|&g| !groups[g].is_empty()).unwrap_or(own);
+            }
+            if other != own {
+                let moved = std::mem::take(&mut groups[other]);
+                groups[own].extend(moved);
+                owner.values_mut().filter(|g| **g == other).for_each(|g| *g = own);
+            }
+        }
+    }
+    groups.retain(|g| !g.is_empty());
+    groups.iter_mut().for_each(|g| g.sort());
+    groups
+}

@@ -1,0 +1,226 @@
+use crate::algebra::Formula;
+use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
+use crate::kernel::Standing;
+use crate::search::{self, Consistency, Decision, Stop};
+
+use super::premise::{Usable, usable};
+use super::{Auditor, Judged, Outcome, Verdict};
+
+/// How many earlier equations are looked at for a step that does not follow from what it cites.
+const MOST_RELATIVES: usize = 12;
+
+/// Judges the goals of one statement.
+pub(super) struct Judge<'a> {
+    pub derivation: &'a Derivation,
+    pub at: usize,
+    pub usable: &'a Usable,
+    pub auditor: &'a Auditor<'a>,
+    /// Premises that are not cited: first those that rest on nothing false, then all.
+    pub others: Option<[Vec<Assumed>; 2]>,
+}
+
+/// What was found of one goal.
+pub(super) struct Found {
+    pub judged: Judged,
+    /// What it follows from, where that is not what is cited.
+    pub instead: Vec<Source>,
+    /// What must hold besides.
+    pub conditions: Vec<Formula>,
+    /// The premises that cannot all be true.
+    pub contradictory: Vec<Source>,
+}
+
+impl Judge<'_> {
+    pub fn goal(&mut self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
+        let mut assumed = self.usable.assumed.clone();
+        let step = |formula: &Formula| Assumed {
+            formula: formula.clone(),
+            standing: Standing::AtPoint,
+            source: Source::Step,
+        };
+        // The other side of an equivalence is supposed; what was shown before in the statement is known.
+        assumed.extend(goal.suppositions.iter().map(step));
+        if goal.suppositions.is_empty() {
+            assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
+        }
+        let mut found = Found {
+            judged: Judged {
+                goal: goal.clone(),
+                assumed: assumed.clone(),
+                outcome: Outcome::Open(Stop { reason: String::new(), tried: 0 }),
+            },
+            instead: Vec::new(),
+            conditions: Vec::new(),
+            contradictory: Vec::new(),
+        };
+        match search::decide(&self.derivation.claim(self.at, &assumed, &goal.formula)) {
+            Decision::Proven { proven, conditions } if conditions.is_empty() => {
+                let (kept, least) = self.least(assumed.clone(), 0, goal, proven);
+                if kept.iter().any(|a| a.source != Source::Step)
+                    && self.is_contradictory(&assumed, goal)
+                {
+                    found.contradictory = sources(&assumed);
+                    found.judged.outcome = Outcome::Open(Stop {
+                        reason: "the premises contradict one another, so anything would follow".into(),
+                        tried: 0,
+                    });
+                    return found;
+                }
+                found.judged.assumed = kept;
+                found.judged.outcome = Outcome::Proven(least.into());
+            }
+            Decision::Proven { proven, conditions } => {
+                // What stands before may say what is missing.
+                if self.rescue(goal, &assumed, premises, &mut found) {
+                    return found;
+                }
+                // A condition that the premises rule out proves nothing.
+                let with: Vec<Assumed> = conditions.iter().map(step).collect();
+                let all: Vec<Assumed> = assumed.iter().cloned().chain(with.clone()).collect();
+                if self.is_contradictory(&all, goal) {
+                    found.contradictory = sources(&assumed);
+                    return found;
+                }
+                found.judged.assumed.extend(with);
+                found.conditions = conditions;
+                found.judged.outcome = Outcome::Proven(proven.into());
+            }
+            Decision::Refuted(refuted) => {
+                found.judged.outcome = Outcome::Refuted(refuted.into());
+                let marked = self.derivation.equations[self.at].kind == Kind::Marked;
+                if !(marked && goal.questioned) && !self.rescue(goal, &assumed, premises, &mut found) {
+                    let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+                    if let Some((conditions, _)) = search::missing_conditions(&claim) {
+                        found.conditions = conditions;
+                    }
+                    self.strengthen(goal, &assumed, &mut found);
+                }
+            }
+            Decision::Open(stop) => {
+                found.judged.outcome = Outcome::Open(stop);
+                let rescued = self.rescue(goal, &assumed, premises, &mut found);
+                if !rescued && self.is_contradictory(&assumed, goal) {
+                    found.contradictory = sources(&assumed);
+                }
+            }
+        }
+        found
+    }
+
+    /// Leaves out every hypothesis that the proof does without, from `from` on; the last first.
+    fn least(
+        &self,
+        mut assumed: Vec<Assumed>,
+        from: usize,
+        goal: &Goal,
+        proven: crate::kernel::Proven,
+    ) -> (Vec<Assumed>, crate::kernel::Proven) {
+        let mut proven = proven;
+        for position in (from..assumed.len()).rev() {
+            let mut fewer = assumed.clone();
+            fewer.remove(position);
+            let claim = self.derivation.claim(self.at, &fewer, &goal.formula);
+            if let Some(shorter) = search::prove_unconditionally(&claim) {
+                (assumed, proven) = (fewer, shorter);
+            }
+        }
+        (assumed, proven)
+    }
+
+    /// Whether hypotheses are known not to be true together.
+    fn is_contradictory(&self, assumed: &[Assumed], goal: &Goal) -> bool {
+        if assumed.is_empty() {
+            return false;
+        }
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        matches!(search::consistency(&claim), Consistency::Contradictory(_))
+    }
+
+    /// Tries again with what stands before, cited or not.
+    fn rescue(&mut self, goal: &Goal, assumed: &[Assumed], premises: &[usize], found: &mut Found) -> bool {
+        for others in self.others(premises) {
+            if others.is_empty() {
+                continue;
+            }
+            // The cited first, then the nearest: what is left out first stands last.
+            let all: Vec<Assumed> = assumed.iter().cloned().chain(others).collect();
+            let claim = self.derivation.claim(self.at, &all, &goal.formula);
+            let Some(proven) = search::prove_unconditionally(&claim) else {
+                continue;
+            };
+            let (kept, least) = self.least(all, 0, goal, proven);
+            if self.is_contradictory(&kept, goal) {
+                continue;
+            }
+            found.instead = sources(&kept);
+            found.judged.assumed = kept;
+            found.judged.outcome = Outcome::Proven(least.into());
+            return true;
+        }
+        false
+    }
+
+    fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 2] {
+        if let Some(others) = &self.others {
+            return others.clone();
+        }
+        let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
+        let (mut sound, mut all) = (Vec::new(), Vec::new());
+        for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
+            let mut entries = self.auditor.entries_of(other);
+            let fails = entries.clone_any(|e| matches!(e.verdict, Verdict::Fails | Verdict::Undecided));
+            if fails {
+                continue;
+            }
+            if !entries.clone_any(|e| !e.rests_on.is_empty()) {
+                sound.push(other);
+            }
+            all.push(other);
+        }
+        let own = self.usable.assumed.len();
+        let gather = |list: &[usize]| {
+            let gathered = usable(self.derivation, &self.auditor.offers, self.at, list).assumed;
+            let mut extra: Vec<Assumed> = gathered.into_iter().filter(|a| !self.usable.assumed.contains(a)).collect();
+            extra.truncate(own + 40);
+            extra
+        };
+        let others = match sound.len() == all.len() {
+            true => [gather(&sound), Vec::new()],
+            false => [gather(&sound), gather(&all)],
+        };
+        self.others = Some(others.clone());
+        others
+    }
+
+    /// Looks for a counterexample at which what stands before is true too: it convinces more.
+    fn strengthen(&mut self, goal: &Goal, assumed: &[Assumed], found: &mut Found) {
+        let [sound, _] = self.others(&[]);
+        if sound.is_empty() {
+            return;
+        }
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        if let Some(refuted) = search::refute_in_context(&claim, &larger) {
+            found.judged.outcome = Outcome::Refuted(refuted.into());
+        }
+    }
+}
+
+trait CloneAny<'a> {
+    fn clone_any(&mut self, test: impl Fn(&super::Entry) -> bool) -> bool;
+}
+
+impl<'a, I: Iterator<Item = &'a super::Entry> + Clone> CloneAny<'a> for I {
+    fn clone_any(&mut self, test: impl Fn(&super::Entry) -> bool) -> bool {
+        self.clone().any(test)
+    }
+}
+
+/// Where hypotheses come from, each source once.
+fn sources(assumed: &[Assumed]) -> Vec<Source> {
+    let mut all: Vec<Source> = assumed.iter().map(|a| a.source).filter(|s| *s != Source::Step).collect();
+    all.sort();
+    all.dedup();
+    all
+}

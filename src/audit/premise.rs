@@ -1,0 +1,124 @@
+use std::collections::BTreeSet;
+
+use crate::algebra::Formula;
+use crate::derivation::{Assumed, Derivation, Kind, Source, formulas, is_open};
+use crate::kernel::Standing;
+use crate::notation::{Connective, Mark};
+
+use super::{Entry, Outcome};
+
+/// What an equation offers to those that cite it.
+#[derive(Clone, Debug, Default)]
+pub struct Offer {
+    /// What it states.
+    pub formulas: Vec<Formula>,
+    /// The local hypotheses that its derivation used: page and position.
+    pub under: BTreeSet<(usize, usize)>,
+}
+
+impl Offer {
+    /// What is offered by an equation that is given.
+    pub fn given(derivation: &Derivation, at: usize) -> Offer {
+        let statements = derivation.equations[at].statements().iter();
+        Offer {
+            formulas: statements.flat_map(formulas).collect(),
+            under: BTreeSet::new(),
+        }
+    }
+
+    /// What is offered by an equation once judged: all that it asserts, be it true or not. What it only
+    /// asks and then crosses out, it does not assert; an equivalence asserts neither side.
+    pub fn judged(derivation: &Derivation, at: usize, entries: &[Entry]) -> Offer {
+        let mut offer = Offer::default();
+        for (statement, entry) in derivation.equations[at].statements().iter().zip(entries) {
+            if statement.connectives.iter().any(|c| c.value == Connective::Equivalent) {
+                continue;
+            }
+            let crossed = statement.mark.as_ref().is_some_and(|m| m.value == Mark::Cross);
+            for judged in &entry.judged {
+                let refuted = matches!(judged.outcome, Outcome::Refuted(_));
+                if !(refuted && (crossed || judged.goal.questioned)) {
+                    offer.formulas.push(judged.goal.formula.clone());
+                }
+                for assumed in &judged.assumed {
+                    if let Source::Local(page, local) = assumed.source {
+                        offer.under.insert((page, local));
+                    }
+                }
+            }
+        }
+        offer
+    }
+}
+
+/// The premises that an equation may use, and those that it may not.
+#[derive(Clone, Debug, Default)]
+pub struct Usable {
+    /// Hypotheses in order: local ones, then those of each premise.
+    pub assumed: Vec<Assumed>,
+    /// Premises that hold for particular values only, which are not in effect.
+    pub out_of_scope: Vec<usize>,
+    /// Premises that are derived later.
+    pub later: Vec<usize>,
+    /// Premises that could not be read.
+    pub unreadable: Vec<usize>,
+}
+
+/// Gathers the hypotheses that come with `premises` where equation `at` stands.
+pub fn usable(
+    derivation: &Derivation,
+    offers: &[Option<Offer>],
+    at: usize,
+    premises: &[usize],
+) -> Usable {
+    let mut usable = Usable {
+        assumed: derivation.locals(at),
+        ..Usable::default()
+    };
+    let page = derivation.equations[at].page;
+    let in_effect: BTreeSet<(usize, usize)> =
+        derivation.equations[at].locals.iter().map(|&local| (page, local)).collect();
+    for &premise in premises {
+        let equation = &derivation.equations[premise];
+        if equation.statements.is_err() {
+            usable.unreadable.push(premise);
+            continue;
+        }
+        let offer = match &offers[premise] {
+            Some(offer) => offer.clone(),
+            None if equation.kind == Kind::Given => Offer::given(derivation, premise),
+            None => {
+                usable.later.push(premise);
+                continue;
+            }
+        };
+        let is_let = |&(page, local): &(usize, usize)| derivation.local(page, local).is_let;
+        if offer.under.iter().any(|local| is_let(local) && !in_effect.contains(local)) {
+            usable.out_of_scope.push(premise);
+            continue;
+        }
+        // An assumption is carried along by what was concluded under it.
+        let mut standing = Standing::Identity;
+        for &(page, local) in &offer.under {
+            for formula in &derivation.local(page, local).formulas {
+                if !is_open(formula) {
+                    standing = Standing::AtPoint;
+                }
+                let assumed = Assumed {
+                    formula: formula.clone(),
+                    standing: Standing::AtPoint,
+                    source: Source::Local(page, local),
+                };
+                if !usable.assumed.contains(&assumed) {
+                    usable.assumed.push(assumed);
+                }
+            }
+        }
+        usable.assumed.extend(offer.formulas.into_iter().map(|formula| Assumed {
+            formula,
+            standing,
+            source: Source::Equation(premise),
+        }));
+    }
+    usable
+}
