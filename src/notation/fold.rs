@@ -65,7 +65,12 @@ impl<'s> Folder<'_, 's> {
             }
             let kind = match token.kind {
                 Kind::Char('&') => continue,
-                Kind::Row if self.continues(at) => continue,
+                Kind::Row if self.continues(at) => {
+                    while matches!(self.kind(at), Kind::Wide | Kind::Char('&')) {
+                        at += 1;
+                    }
+                    continue;
+                }
                 Kind::Command("boxed") if self.boxes.get(before) == Some(&true) => {
                     if let Some(Some(close)) = self.closing.get(at)
                         && let Some(slot) = closes_box.get_mut(*close)

@@ -400,8 +400,10 @@ impl<'s> Parser<'s> {
         let mut last = None;
         while self.starts_factor() && !self.at_delimiter() && self.is_plain() {
             let factor = self.factor()?;
-            if self.pending.is_some() || factor.braces && (factor.shape == Shape::Loose || self.starts_factor()) {
-                return refuse_with(factor.span, "where the argument of this function ends is not clear", help);
+            let group = self.pending.take().map(|group| group.span);
+            let unclear = factor.braces && (factor.shape == Shape::Loose || self.starts_factor());
+            if let Some(span) = group.or(unclear.then_some(factor.span)) {
+                return refuse_with(span, "where the argument of this function ends is not clear", help);
             }
             if last == Some(Shape::Number) && factor.shape == Shape::Number {
                 return refuse(factor.span, "two numbers stand side by side");

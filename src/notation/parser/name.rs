@@ -211,7 +211,9 @@ impl Parser<'_> {
                 }
                 Kind::Char('^') => {
                     let script = self.superscript()?;
-                    if raised || name.power.is_some() || !name.marks.is_empty() {
+                    // A name that braces closed off, `{E^*}`, may still be raised.
+                    let marked = !name.marks.is_empty() && !script.marks.is_empty();
+                    if raised || marked || name.power.is_some() {
                         return refuse_with(
                             self.since(at),
                             "this is a second superscript on the same symbol",
@@ -220,7 +222,7 @@ impl Parser<'_> {
                     }
                     raised = script.power.is_some() || !script.marks.is_empty();
                     name.primes += script.primes;
-                    name.marks = script.marks;
+                    name.marks.push_str(&script.marks);
                     name.power = script.power;
                 }
                 _ => return Ok(name),

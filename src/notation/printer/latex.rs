@@ -196,6 +196,7 @@ fn factor(expr: &Expr, last: bool) -> String {
             let plain = product(body);
             let hidden = |part: &str| part == "d" || part.starts_with("\\text{d}");
             let closed = matches!(**body, Expr::Integral { .. })
+                || plain.ends_with("\\Delta")
                 || plain.split(|c: char| c.is_whitespace() || "()[]^_".contains(c)).any(hidden);
             let body = if closed && !is_signed(body) { parentheses(body) } else { plain };
             let differential = differential(variable.name());
@@ -254,17 +255,20 @@ fn power(base: &Expr, exponent: &Expr) -> String {
         _ => parentheses(base),
     };
     let exponent = match exponent {
-        Expr::Quotient(a, b) => match (&**a, &**b) {
-            (Expr::Number(a), Expr::Number(b)) => format!("{}/{}", in_slash(a), in_slash(b)),
-            _ => latex(exponent),
-        },
-        _ => latex(exponent),
-    };
+        Expr::Negate(inner) => slashed(inner).map(|text| format!("-{text}")),
+        _ => slashed(exponent),
+    }
+    .unwrap_or_else(|| latex(exponent));
     if exponent.chars().count() == 1 { format!("{base}^{exponent}") } else { format!("{base}^{{{exponent}}}") }
 }
 
-fn in_slash(number: &BigRational) -> String {
-    decimal(number).unwrap_or_else(|| format!("({})", signed(&Expr::Number(number.clone()))))
+/// A fraction of two numerals, as it looks best in an exponent.
+fn slashed(expr: &Expr) -> Option<String> {
+    let Expr::Quotient(over, under) = expr else { return None };
+    match (&**over, &**under) {
+        (Expr::Number(over), Expr::Number(under)) => Some(format!("{}/{}", decimal(over)?, decimal(under)?)),
+        _ => None,
+    }
 }
 
 fn raised(expr: &Expr) -> bool {
