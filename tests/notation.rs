@@ -3,7 +3,8 @@
 use cradle_verify::algebra::{BigRational, Expr, Function, LimitPoint, Symbol};
 use cradle_verify::document::Span;
 use cradle_verify::notation::{
-    Clause, SyntaxError, latex, latex_statement, plain, read_display, read_expr, read_formulas, read_symbol,
+    Clause, SyntaxError, latex, latex_statement, plain, read_display, read_expr, read_formulas,
+    read_symbol,
 };
 use proptest::prelude::*;
 
@@ -13,7 +14,11 @@ fn whole(text: &str) -> Span {
 
 fn printed(source: &str) -> Result<String, SyntaxError> {
     let statements = read_display(source, whole(source)).statements?;
-    Ok(statements.iter().map(latex_statement).collect::<Vec<_>>().join(" ;; "))
+    Ok(statements
+        .iter()
+        .map(latex_statement)
+        .collect::<Vec<_>>()
+        .join(" ;; "))
 }
 
 /// The equations as the report's author wrote them, and as they are read; `;;` separates statements.
@@ -102,22 +107,10 @@ const REPORT: &[(&str, &str)] = &[
         r"n^2 v_0^2 \leq knv_0^2 \quad (21)",
         r"n^2 v_0^2 \leq k n v_0^2",
     ),
-    (
-        r"n \leq k \quad (22)",
-        r"n \leq k",
-    ),
-    (
-        r"k \leq n \quad (23)",
-        r"k \leq n",
-    ),
-    (
-        r"\boxed{k = n} \quad (24)",
-        r"k = n",
-    ),
-    (
-        r"u_1 = u_2 = \dots = u_n \quad (25)",
-        r"u_1 = \dots = u_n",
-    ),
+    (r"n \leq k \quad (22)", r"n \leq k"),
+    (r"k \leq n \quad (23)", r"k \leq n"),
+    (r"\boxed{k = n} \quad (24)", r"k = n"),
+    (r"u_1 = u_2 = \dots = u_n \quad (25)", r"u_1 = \dots = u_n"),
     (
         r"nv_0 = nu \Rightarrow u = v_0 \quad (26)",
         r"n v_0 = n u \Rightarrow u = v_0",
@@ -303,45 +296,121 @@ const REPORT: &[(&str, &str)] = &[
 #[test]
 fn every_equation_of_the_report_is_read() {
     for (number, (source, expected)) in (1..).zip(REPORT) {
-        assert_eq!(printed(source).as_deref(), Ok(*expected), "equation ({number})");
+        assert_eq!(
+            printed(source).as_deref(),
+            Ok(*expected),
+            "equation ({number})"
+        );
         let display = read_display(source, whole(source));
         assert_eq!(display.tag.map(|tag| tag.value), Some(number.to_string()));
-        let tagged = source.replace(r"\quad (", r"\tag{").replace(&format!("{number})"), &format!("{number}}}"));
-        assert_eq!(printed(&tagged).as_deref(), Ok(*expected), "equation ({number}) with \\tag");
-        assert_eq!(printed(expected.replace(" ;; ", r" \qquad ").as_str()).as_deref(), Ok(*expected));
+        let tagged = source
+            .replace(r"\quad (", r"\tag{")
+            .replace(&format!("{number})"), &format!("{number}}}"));
+        assert_eq!(
+            printed(&tagged).as_deref(),
+            Ok(*expected),
+            "equation ({number}) with \\tag"
+        );
+        assert_eq!(
+            printed(expected.replace(" ;; ", r" \qquad ").as_str()).as_deref(),
+            Ok(*expected)
+        );
     }
 }
 
 #[test]
 fn spellings_of_one_term() {
     let spellings: &[(&[&str], &str)] = &[
-        (&["v'_1", "v_1'", "v_{1}'", "{v'_1}", r"v_1^{\prime}", r"v^{\prime}_1", "{v_1}'", "{{v}'}_{1}"], "v'_1"),
-        (&[r"v_1^{\prime 2}", "v_1'^2", "v'_1^2", "v'^2_1", "{v'_1}^2", "{v'_1}^{2}"], "{v'_1}^2"),
+        (
+            &[
+                "v'_1",
+                "v_1'",
+                "v_{1}'",
+                "{v'_1}",
+                r"v_1^{\prime}",
+                r"v^{\prime}_1",
+                "{v_1}'",
+                "{{v}'}_{1}",
+            ],
+            "v'_1",
+        ),
+        (
+            &[
+                r"v_1^{\prime 2}",
+                "v_1'^2",
+                "v'_1^2",
+                "v'^2_1",
+                "{v'_1}^2",
+                "{v'_1}^{2}",
+            ],
+            "{v'_1}^2",
+        ),
         (&["E^*", "E^{*}", "(E^*)", "{E}^*"], "E^*"),
         (&[r"(E^*)^{2/5}", "{E^*}^{2/5}"], "(E^*)^{2/5}"),
         (&[r"\dot\delta", r"\dot{\delta}"], r"\dot{\delta}"),
         (&[r"\dot v_1", r"\dot{v_1}", r"\dot{v}_{1}"], r"\dot{v}_1"),
-        (&[r"\rho_{\text{air}}", r"\rho_\text{air}", r"\rho_{\mathrm{air}}"], r"\rho_{\text{air}}"),
+        (
+            &[
+                r"\rho_{\text{air}}",
+                r"\rho_\text{air}",
+                r"\rho_{\mathrm{air}}",
+            ],
+            r"\rho_{\text{air}}",
+        ),
         (&[r"\Delta E_{\text{total}}"], r"\Delta E_{\text{total}}"),
         (&[r"\eta_{\max}", r"\eta_\max"], r"\eta_{\max}"),
-        (&[r"\frac12 m", r"\frac1{2}m", r"\tfrac{1}2 m", r"1/2m"], r"\frac{1}{2} m"),
+        (
+            &[r"\frac12 m", r"\frac1{2}m", r"\tfrac{1}2 m", r"1/2m"],
+            r"\frac{1}{2} m",
+        ),
         (&["0.50", "0.5"], "0.5"),
-        (&[r"\sqrt{x}", r"\sqrt x", r"\sqrt[2]{x}", "x^{0.5}"], r"\sqrt{x}"),
+        (
+            &[r"\sqrt{x}", r"\sqrt x", r"\sqrt[2]{x}", "x^{0.5}"],
+            r"\sqrt{x}",
+        ),
         (&[r"\sqrt[3]{x}"], r"\sqrt[3]{x}"),
         (&["x^{1000000000}"], "x^{1000000000}"),
-        (&["a b c", r"a \cdot b \times c", "a*b*c", r"a\,b\;c"], "a b c"),
+        (
+            &["a b c", r"a \cdot b \times c", "a*b*c", r"a\,b\;c"],
+            "a b c",
+        ),
         (&["(a+b)+c"], "(a + b) + c"),
         (&[r"\left(a\right)b", r"\bigl(a\bigr) b"], "a b"),
-        (&["|x|", r"\lvert x \rvert", r"\left|x\right|"], r"\left| x \right|"),
-        (&[r"\sin 2 \pi x", r"\sin(2\pi x)"], r"\sin\left( 2 \pi x \right)"),
-        (&[r"\sum_{i=1}^k u_i", r"\sum^{k}_{i=1} u_i", r"u_1 + u_2 + \cdots + u_k"], r"\sum_{i = 1}^{k} u_i"),
+        (
+            &["|x|", r"\lvert x \rvert", r"\left|x\right|"],
+            r"\left| x \right|",
+        ),
+        (
+            &[r"\sin 2 \pi x", r"\sin(2\pi x)"],
+            r"\sin\left( 2 \pi x \right)",
+        ),
+        (
+            &[
+                r"\sum_{i=1}^k u_i",
+                r"\sum^{k}_{i=1} u_i",
+                r"u_1 + u_2 + \cdots + u_k",
+            ],
+            r"\sum_{i = 1}^{k} u_i",
+        ),
         (&[r"m_1 v_1 + \dots + m_k v_k"], r"\sum_{i = 1}^{k} m_i v_i"),
         (&[r"u_1 + \cdots + u_5"], r"\sum_{i = 1}^{5} u_i"),
-        (&[r"a + u_1 i + u_2 i + \ldots + u_n i - b"], r"a + \sum_{j = 1}^{n} u_j i - b"),
-        (&[r"\frac{d^2 x}{dt^2}"], r"\frac{d}{dt} \left[ \frac{dx}{dt} \right]"),
-        (&[r"\frac{\mathrm d\eta}{\mathrm{d}\mu}"], r"\frac{d\eta}{d\mu}"),
+        (
+            &[r"a + u_1 i + u_2 i + \ldots + u_n i - b"],
+            r"a + \sum_{j = 1}^{n} u_j i - b",
+        ),
+        (
+            &[r"\frac{d^2 x}{dt^2}"],
+            r"\frac{d}{dt} \left[ \frac{dx}{dt} \right]",
+        ),
+        (
+            &[r"\frac{\mathrm d\eta}{\mathrm{d}\mu}"],
+            r"\frac{d\eta}{d\mu}",
+        ),
         (&[r"\frac{d}{d+1}"], r"\frac{d}{d + 1}"),
-        (&[r"\lim_{\mu \to \infty} \eta"], r"\lim_{\mu \to \infty} \eta"),
+        (
+            &[r"\lim_{\mu \to \infty} \eta"],
+            r"\lim_{\mu \to \infty} \eta",
+        ),
         (&[r"v_0(1-\mu)^2"], r"v_0 (1 - \mu)^2"),
         (&[r"\underbrace{a b}_{\text{two}} + c"], "a b + c"),
     ];
@@ -357,15 +426,30 @@ fn spellings_of_one_term() {
 fn statements_and_what_separates_them() {
     let cases = [
         (r"\boxed{k = n}", "k = n"),
-        (r"\boxed{a = b \Rightarrow c = d}.", r"a = b \Rightarrow c = d"),
+        (
+            r"\boxed{a = b \Rightarrow c = d}.",
+            r"a = b \Rightarrow c = d",
+        ),
         (r"\boxed{\boxed{a} = b \times}", r"a = b \quad \times"),
         (r"a = b \text{ and } c \not= d", r"a = b ;; c \neq d"),
-        (r"\begin{aligned} a &= b \\ &= c, \\ d &= e \end{aligned}", "a = b = c ;; d = e"),
-        (r"\begin{aligned} a &= b \\ &\quad + c \end{aligned}", "a = b + c"),
+        (
+            r"\begin{aligned} a &= b \\ &= c, \\ d &= e \end{aligned}",
+            "a = b = c ;; d = e",
+        ),
+        (
+            r"\begin{aligned} a &= b \\ &\quad + c \end{aligned}",
+            "a = b + c",
+        ),
         (r"a = b \iff c = d", r"a = b \iff c = d"),
         (r"u_1 = \cdots = u_k = v_0", r"u_1 = \dots = u_k = v_0"),
-        (r"x \stackrel{?}{\leq} y \quad ✗", r"x \stackrel{?}{\leq} y \quad \times"),
-        (r"E_{\text{heat}} \gg E_{\text{sound}}", r"E_{\text{heat}} \gg E_{\text{sound}}"),
+        (
+            r"x \stackrel{?}{\leq} y \quad ✗",
+            r"x \stackrel{?}{\leq} y \quad \times",
+        ),
+        (
+            r"E_{\text{heat}} \gg E_{\text{sound}}",
+            r"E_{\text{heat}} \gg E_{\text{sound}}",
+        ),
         (r"a := b", "a = b"),
     ];
     for (source, expected) in cases {
@@ -385,11 +469,21 @@ fn places_are_exact() {
     assert_eq!(display.tag.unwrap().value, "7");
     assert_eq!(display.label.unwrap().value, "eq:x");
     let statements = display.statements.unwrap();
-    let [statement] = statements.as_slice() else { panic!("one statement") };
-    let [Clause::Chain { sides, links }] = statement.clauses.as_slice() else { panic!("one chain") };
+    let [statement] = statements.as_slice() else {
+        panic!("one statement")
+    };
+    let [Clause::Chain { sides, links }] = statement.clauses.as_slice() else {
+        panic!("one chain")
+    };
     let text = |span: &Span| &source[span.range()];
-    assert_eq!(sides[0].terms.iter().map(text).collect::<Vec<_>>(), ["a", "- 2b", "+ c"]);
-    assert_eq!(sides[1].terms.iter().map(text).collect::<Vec<_>>(), ["d", "+ f"]);
+    assert_eq!(
+        sides[0].terms.iter().map(text).collect::<Vec<_>>(),
+        ["a", "- 2b", "+ c"]
+    );
+    assert_eq!(
+        sides[1].terms.iter().map(text).collect::<Vec<_>>(),
+        ["d", "+ f"]
+    );
     assert_eq!(text(&links[0].span), r"\stackrel{?}{=}");
     assert_eq!(text(&statement.span), r"a - 2b + c \stackrel{?}{=} (d + f)");
 }
@@ -406,14 +500,34 @@ fn the_number_is_found_even_where_the_rest_is_unreadable() {
 const REFUSALS: &[(&str, &str, &str)] = &[
     (r"a = \farc{1}{2}", r"\farc", r"`\farc` is not known"),
     (r"a = \color{red} b", r"\color", r"`\color` is not read"),
-    (r"a = b \pm c", r"\pm", r"`\pm` states two equations at once"),
-    (r"\frac{\partial f}{\partial x} = 0", r"\partial", r"partial derivatives"),
-    (r"v_12 = 0", "12", "TeX takes only the `1` of `12` into the subscript"),
-    (r"x^10 = 0", "10", "TeX takes only the `1` of `10` into the superscript"),
+    (
+        r"a = b \pm c",
+        r"\pm",
+        r"`\pm` states two equations at once",
+    ),
+    (
+        r"\frac{\partial f}{\partial x} = 0",
+        r"\partial",
+        r"partial derivatives",
+    ),
+    (
+        r"v_12 = 0",
+        "12",
+        "TeX takes only the `1` of `12` into the subscript",
+    ),
+    (
+        r"x^10 = 0",
+        "10",
+        "TeX takes only the `1` of `10` into the superscript",
+    ),
     (r"x^a^b = 0", "^b", "this is a second superscript"),
     (r"(x)^a^b = 0", "^", "this is a second script"),
     (r"a + b", "a + b", "this is a term, not a statement"),
-    (r"a = = b", "=", "a term is missing between two relation signs"),
+    (
+        r"a = = b",
+        "=",
+        "a term is missing between two relation signs",
+    ),
     (r"a =", "=", "a term is missing after this relation sign"),
     (r"= a", "=", "a term is missing before this relation sign"),
     (r"a = {b", "{", "this brace is never closed"),
@@ -426,35 +540,125 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (r"a = ()", ")", "a term is missing before `)`"),
     (r"a = 2 3", "3", "two numbers stand side by side"),
     (r"a = 2 \frac12", r"\frac12", "this may be a mixed number"),
-    (r"a = {b + c} d", "{b + c}", "TeX does not print these braces"),
+    (
+        r"a = {b + c} d",
+        "{b + c}",
+        "TeX does not print these braces",
+    ),
     (r"a = b + - c", "-", "two signs stand side by side"),
-    (r"a = b \text{ if } c = d", r"\text{ if }", "the words `if` cannot be read here"),
-    (r"a = \sin x (b+c)", "(b+c)", "where the argument of this function ends is not clear"),
-    (r"a = \frac{d}{dx}(f) g", "g", "whether this is differentiated too"),
-    (r"a = \int_0^1 x", r"\int_0^1", "this integral has no differential"),
-    (r"a = u_1 + \cdots + v_k", r"\cdots", "the terms around these dots"),
-    (r"a = u_2 + \cdots + u_k", "u_2", "the terms around these dots"),
-    (r"a = \sum_{i=1}^k u_{i+1}", "u_{i+1}", "the index of the sum stands in a longer subscript"),
-    (r"u_1 = v_2 = \dots = u_k", "v_2", "the sides around these dots"),
+    (
+        r"a = b \text{ if } c = d",
+        r"\text{ if }",
+        "the words `if` cannot be read here",
+    ),
+    (
+        r"a = \sin x (b+c)",
+        "(b+c)",
+        "where the argument of this function ends is not clear",
+    ),
+    (
+        r"a = \frac{d}{dx}(f) g",
+        "g",
+        "whether this is differentiated too",
+    ),
+    (
+        r"a = \int_0^1 x",
+        r"\int_0^1",
+        "this integral has no differential",
+    ),
+    (
+        r"a = u_1 + \cdots + v_k",
+        r"\cdots",
+        "the terms around these dots",
+    ),
+    (
+        r"a = u_2 + \cdots + u_k",
+        r"\cdots",
+        "a sum with dots must start at the index 1",
+    ),
+    (
+        r"a = \sum_{i=1}^k u_{i+1}",
+        "u_{i+1}",
+        "the index of the sum stands in a longer subscript",
+    ),
+    (
+        r"u_1 = v_2 = \dots = u_k",
+        "v_2",
+        "the sides around these dots",
+    ),
     (r"a = 5 \% b", r"\%", r"`\%` is not known"),
     (r"μ = 1", "μ", "the character `μ` is not known"),
     (r"a = \infty", r"\infty", r"`\infty` is no number"),
     (r"a = x!", "!", "factorials are not read"),
-    (r"\begin{cases} a = b \end{cases}", r"\begin{cases}", "the environment `cases` is not read"),
-    (r"\begin{aligned} a = b", r"\begin{aligned}", "the environment `aligned` is never ended"),
-    (r"a and b = c", "and", "the word `and` stands in the mathematics"),
+    (
+        r"\begin{cases} a = b \end{cases}",
+        r"\begin{cases}",
+        "the environment `cases` is not read",
+    ),
+    (
+        r"\begin{aligned} a = b",
+        r"\begin{aligned}",
+        "the environment `aligned` is never ended",
+    ),
+    (
+        r"a and b = c",
+        "and",
+        "the word `and` stands in the mathematics",
+    ),
+    (
+        r"x = d\eta/d\mu",
+        r"d\eta/d\mu",
+        "this may be a derivative or a quotient",
+    ),
+    (r"x = -{a+b}", "{a+b}", "TeX does not print these braces"),
+    (r"x = a / {b c}", "{b c}", "TeX does not print these braces"),
+    (r"x = 10\,000", "000", "two numbers stand side by side"),
+    (r"x = a \quad b", "b", "this is a term, not a statement"),
+    (
+        r"x = \sin^{-1} y",
+        r"\sin^{-1}",
+        "this power on a function is ambiguous",
+    ),
+    (r"x = \log_2 y", "_", "a logarithm with a base is not read"),
+    (
+        r"x = f(a, 2)",
+        "(a, 2)",
+        "the arguments of an unknown function must be bare symbols",
+    ),
+    (
+        r"x = \overset{!}{=} 3",
+        r"\overset",
+        "only `?` is read above",
+    ),
+    (r"\boxed{a = b} c", "c", "`c` cannot stand here"),
     (r"x = 1, 2", "2", "this is a term, not a statement"),
-    (r"a = b \tag{1} \tag{2}", r"\tag{2}", "an equation has one number"),
+    (
+        r"a = b \tag{1} \tag{2}",
+        r"\tag{2}",
+        "an equation has one number",
+    ),
 ];
 
 #[test]
 fn what_cannot_be_read_is_refused_at_its_place() {
     for (source, guilty, message) in REFUSALS {
         match read_display(source, whole(source)).statements {
-            Ok(read) => panic!("{source} was read as {:?}", read.iter().map(latex_statement).collect::<Vec<_>>()),
+            Ok(read) => panic!(
+                "{source} was read as {:?}",
+                read.iter().map(latex_statement).collect::<Vec<_>>()
+            ),
             Err(error) => {
-                assert_eq!(source.get(error.span.range()), Some(*guilty), "{source}: {}", error.message);
-                assert!(error.message.starts_with(message), "{source}: {}", error.message);
+                assert_eq!(
+                    source.get(error.span.range()),
+                    Some(*guilty),
+                    "{source}: {}",
+                    error.message
+                );
+                assert!(
+                    error.message.starts_with(message),
+                    "{source}: {}",
+                    error.message
+                );
             }
         }
     }
@@ -463,9 +667,25 @@ fn what_cannot_be_read_is_refused_at_its_place() {
 #[test]
 fn no_depth_or_length_exhausts_the_reader() {
     let (open, close) = [
-        ("{", "}"), ("(", ")"), (r"\frac{1}{", "}"), ("x^{", "}"), (r"\sin ", ""), (r"\sum_{i=1}^k ", ""), ("v_{", "}"),
-        (r"\boxed{", "}"), (r"\sqrt", ""), ("a/", ""), (r"\Delta ", ""), (r"\dot", ""), ("|", "|"), ("-", ""),
-        (r"\frac{d}{dx}", ""), (r"\int_0^1 ", "dx"), (r"\text{", "}"), ("f(", ")"), (r"\frac{d", "}{dx}"),
+        ("{", "}"),
+        ("(", ")"),
+        (r"\frac{1}{", "}"),
+        ("x^{", "}"),
+        (r"\sin ", ""),
+        (r"\sum_{i=1}^k ", ""),
+        ("v_{", "}"),
+        (r"\boxed{", "}"),
+        (r"\sqrt", ""),
+        ("a/", ""),
+        (r"\Delta ", ""),
+        (r"\dot", ""),
+        ("|", "|"),
+        ("-", ""),
+        (r"\frac{d}{dx}", ""),
+        (r"\int_0^1 ", "dx"),
+        (r"\text{", "}"),
+        ("f(", ")"),
+        (r"\frac{d", "}{dx}"),
     ]
     .into_iter()
     .unzip::<_, _, Vec<_>, Vec<_>>();
@@ -478,10 +698,19 @@ fn no_depth_or_length_exhausts_the_reader() {
             }
         }
         let source = format!("y = {}x", open.repeat(10_000));
-        assert!(read_display(&source, whole(&source)).statements.is_err(), "{open}");
+        assert!(
+            read_display(&source, whole(&source)).statements.is_err(),
+            "{open}"
+        );
     }
     let long = format!("x = {}", "9".repeat(2_001));
-    assert!(read_display(&long, whole(&long)).statements.unwrap_err().message.contains("digits"));
+    assert!(
+        read_display(&long, whole(&long))
+            .statements
+            .unwrap_err()
+            .message
+            .contains("digits")
+    );
 }
 
 fn number(n: i64, d: i64) -> Expr {
@@ -490,8 +719,25 @@ fn number(n: i64, d: i64) -> Expr {
 
 fn name() -> impl Strategy<Value = Symbol> {
     prop::sample::select(vec![
-        "a", "d", "e", "i", "v'_1", "E^*", r"\eta", r"\Delta", r"\Delta E_{\text{total}}", r"\dot{\delta}", r"\text{KE}",
-        r"\rho_{\text{air}}", "v_{12}", r"\eta_{\max}", "E^*_1", "x''", r"x^\dagger", r"\text{d}", "f",
+        "a",
+        "d",
+        "e",
+        "i",
+        "v'_1",
+        "E^*",
+        r"\eta",
+        r"\Delta",
+        r"\Delta E_{\text{total}}",
+        r"\dot{\delta}",
+        r"\text{KE}",
+        r"\rho_{\text{air}}",
+        "v_{12}",
+        r"\eta_{\max}",
+        "E^*_1",
+        "x''",
+        r"x^\dagger",
+        r"\text{d}",
+        "f",
     ])
     .prop_map(Symbol::new)
 }
@@ -544,7 +790,7 @@ fn term() -> impl Strategy<Value = Expr> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 1000, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 4000, ..ProptestConfig::default() })]
 
     #[test]
     fn what_is_printed_reads_back(expr in term()) {
@@ -579,8 +825,53 @@ proptest! {
 }
 
 const PIECES: &[&str] = &[
-    "a", "b_1", "v'_2", "^2", "^{n}", "_1", "'", "+", "-", "=", r"\leq ", "2", "0.5", "(", ")", "{", "}", "|", "/", r"\cdot ",
-    r"\times ", r"\frac{a}{b}", r"\frac12", r"\sqrt{x}", r"\sin ", r"\Delta ", "d", "x", r"\int_0^1 ", r"\sum_{i=1}^k ", "u_i",
-    r"\cdots ", "u_1", "u_k", r"\frac{d}{dx}", r"\lim_{x \to 0}", r"\boxed{", "a=b", ",", r"\quad ", r"\Rightarrow ",
-    r"\checkmark ", r"P(t)", r"\left(", r"\right)", r"E^*", r"\text{and}", r"\\", "&",
+    "a",
+    "b_1",
+    "v'_2",
+    "^2",
+    "^{n}",
+    "_1",
+    "'",
+    "+",
+    "-",
+    "=",
+    r"\leq ",
+    "2",
+    "0.5",
+    "(",
+    ")",
+    "{",
+    "}",
+    "|",
+    "/",
+    r"\cdot ",
+    r"\times ",
+    r"\frac{a}{b}",
+    r"\frac12",
+    r"\sqrt{x}",
+    r"\sin ",
+    r"\Delta ",
+    "d",
+    "x",
+    r"\int_0^1 ",
+    r"\sum_{i=1}^k ",
+    "u_i",
+    r"\cdots ",
+    "u_1",
+    "u_k",
+    r"\frac{d}{dx}",
+    r"\lim_{x \to 0}",
+    r"\boxed{",
+    "a=b",
+    ",",
+    r"\quad ",
+    r"\Rightarrow ",
+    r"\checkmark ",
+    r"P(t)",
+    r"\left(",
+    r"\right)",
+    r"E^*",
+    r"\text{and}",
+    r"\\",
+    "&",
 ];
