@@ -875,3 +875,25 @@ const PIECES: &[&str] = &[
     r"\\",
     "&",
 ];
+
+#[test]
+fn time_is_linear_in_length() {
+    let pieces = [
+        "a + ",
+        "a b ",
+        "u_1 + ",
+        r"\text{ ",
+        r"\boxed{a = ",
+        r"\frac{d",
+        r"\times \quad ",
+        r"\\ & ",
+        "{",
+        r"\begin{aligned} ",
+    ];
+    for piece in pieces {
+        let source = format!("x = {}", piece.repeat(100_000));
+        let start = std::time::Instant::now();
+        let _ = read_display(&source, whole(&source));
+        assert!(start.elapsed().as_secs() < 5, "{piece}");
+    }
+}

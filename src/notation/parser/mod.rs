@@ -1,13 +1,15 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `term` the arithmetic, `atom` single factors, `name` whole symbol names, `series`
-//! the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
+//! `statement` reads what is said, `term` the arithmetic, `atom`, `group` and `function` single factors, `name` whole
+//! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
 //! [`DEPTH`], so that no input can exhaust the stack.
 
 mod atom;
 mod calculus;
+mod function;
+mod group;
 mod name;
 mod series;
 mod statement;
@@ -21,7 +23,7 @@ use super::lexer::{Kind, Token};
 use crate::algebra::Expr;
 use crate::document::Span;
 
-/// How deep a formula may nest. People stop at ten.
+/// How deep the reader may recurse; a group costs it two or three steps. People stop at ten groups.
 const DEPTH: usize = 200;
 /// The longest numeral, in digits.
 const DIGITS: usize = 2_000;
@@ -197,10 +199,7 @@ impl<'s> Parser<'s> {
     /// Reads something nested, keeping count of the depth.
     fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
         if self.depth >= DEPTH {
-            return refuse(
-                self.span(),
-                format!("this is nested more than {DEPTH} deep"),
-            );
+            return refuse(self.span(), "this is nested too deeply to be read");
         }
         self.depth += 1;
         let result = read(self);

@@ -140,6 +140,7 @@ impl Parser<'_> {
                     if differential && self.at_differential() {
                         let help =
                             "write `\\frac{d\\eta}{d\\mu}`, or `d \\cdot \\eta` for a product";
+                        self.at += 2;
                         return refuse_with(
                             self.since(start),
                             "this may be a derivative or a quotient of products",
