@@ -82,48 +82,215 @@ pub(super) const SUBSCRIPTS: &[(&str, &str)] = &[
 
 /// Commands that only move ink about. They mean nothing, so ignoring them misreads nothing.
 pub(super) const SPACING: &[&str] = &[
-    ",", ";", ":", "!", " ", ">", "thinspace", "medspace", "thickspace", "enspace", "negthinspace",
-    "displaystyle", "textstyle", "scriptstyle", "nonumber", "notag", "limits", "nolimits", "big",
-    "Big", "bigg", "Bigg", "bigl", "Bigl", "biggl", "Biggl", "bigr", "Bigr", "biggr", "Biggr",
+    ",",
+    ";",
+    ":",
+    "!",
+    " ",
+    ">",
+    "thinspace",
+    "medspace",
+    "thickspace",
+    "enspace",
+    "negthinspace",
+    "displaystyle",
+    "textstyle",
+    "scriptstyle",
+    "nonumber",
+    "notag",
+    "limits",
+    "nolimits",
+    "big",
+    "Big",
+    "bigg",
+    "Bigg",
+    "bigl",
+    "Bigl",
+    "biggl",
+    "Biggl",
+    "bigr",
+    "Bigr",
+    "biggr",
+    "Biggr",
 ];
 
 /// Commands with a meaning of their own in the grammar.
 const GRAMMAR: &[&str] = &[
-    "frac", "tfrac", "dfrac", "sfrac", "sqrt", "cdot", "times", "left", "right", "lvert", "rvert",
-    "vert", "lceil", "rceil", "lfloor", "rfloor", "lbrace", "rbrace", "lbrack", "rbrack", "sum",
-    "int", "lim", "to", "infty", "boxed", "underbrace", "overbrace", "text", "mathrm",
-    "operatorname", "stackrel", "overset", "not", "checkmark", "cmark", "xmark", "quad", "qquad",
-    "begin", "end", "tag", "label", "dots", "cdots", "ldots", "prime", "dagger", "Rightarrow",
-    "implies", "Longrightarrow", "iff", "Leftrightarrow", "Longleftrightarrow",
+    "frac",
+    "tfrac",
+    "dfrac",
+    "sfrac",
+    "sqrt",
+    "cdot",
+    "times",
+    "left",
+    "right",
+    "lvert",
+    "rvert",
+    "vert",
+    "lceil",
+    "rceil",
+    "lfloor",
+    "rfloor",
+    "lbrace",
+    "rbrace",
+    "lbrack",
+    "rbrack",
+    "sum",
+    "int",
+    "lim",
+    "to",
+    "infty",
+    "boxed",
+    "underbrace",
+    "overbrace",
+    "text",
+    "mathrm",
+    "operatorname",
+    "stackrel",
+    "overset",
+    "not",
+    "checkmark",
+    "cmark",
+    "xmark",
+    "quad",
+    "qquad",
+    "begin",
+    "end",
+    "tag",
+    "label",
+    "dots",
+    "cdots",
+    "ldots",
+    "prime",
+    "dagger",
+    "Rightarrow",
+    "implies",
+    "Longrightarrow",
+    "iff",
+    "Leftrightarrow",
+    "Longleftrightarrow",
 ];
 
 /// Commands that are understood and refused: what they are called, and what to do instead.
 const REFUSED: &[(&str, &str, Option<&str>)] = &[
-    ("pm", "`\\pm` states two equations at once, which is not read", Some("write the two cases as two equations")),
-    ("mp", "`\\mp` states two equations at once, which is not read", Some("write the two cases as two equations")),
-    ("partial", "partial derivatives (`\\partial`) are not read yet", None),
-    ("nabla", "`\\nabla` is not read: the notation has no vector calculus", None),
-    ("prod", "products over an index (`\\prod`) are not read", None),
-    ("oint", "`\\oint` is not read: only definite integrals `\\int_a^b` are", None),
-    ("iint", "`\\iint` is not read: write two definite integrals, one inside the other", None),
-    ("infty", "`\\infty` is no number: it is read only where a limit goes, `\\lim_{x \\to \\infty}`", None),
+    (
+        "stackrel",
+        "only `?` is read above a relation sign",
+        Some("write `\\stackrel{?}{=}`"),
+    ),
+    (
+        "overset",
+        "only `?` is read above a relation sign",
+        Some("write `\\stackrel{?}{=}`"),
+    ),
+    ("not", "`\\not` is read only before `=`", None),
+    (
+        "left",
+        "after `\\left` a delimiter is expected: `(`, `[`, `\\{`, `|`, `\\lceil` or `\\lfloor`",
+        None,
+    ),
+    (
+        "pm",
+        "`\\pm` states two equations at once, which is not read",
+        Some("write the two cases as two equations"),
+    ),
+    (
+        "mp",
+        "`\\mp` states two equations at once, which is not read",
+        Some("write the two cases as two equations"),
+    ),
+    (
+        "partial",
+        "partial derivatives (`\\partial`) are not read yet",
+        None,
+    ),
+    (
+        "nabla",
+        "`\\nabla` is not read: the notation has no vector calculus",
+        None,
+    ),
+    (
+        "prod",
+        "products over an index (`\\prod`) are not read",
+        None,
+    ),
+    (
+        "oint",
+        "`\\oint` is not read: only definite integrals `\\int_a^b` are",
+        None,
+    ),
+    (
+        "iint",
+        "`\\iint` is not read: write two definite integrals, one inside the other",
+        None,
+    ),
+    (
+        "infty",
+        "`\\infty` is no number: it is read only where a limit goes, `\\lim_{x \\to \\infty}`",
+        None,
+    ),
     ("to", "`\\to` is read only inside `\\lim_{x \\to a}`", None),
-    ("rightarrow", "`\\rightarrow` states no relation that can be checked", Some("for an implication write `\\Rightarrow`, for a limit `\\lim_{x \\to a}`")),
-    ("color", "`\\color` is not read: colours do not belong to the mathematics", Some("remove the colour")),
-    ("textcolor", "`\\textcolor` is not read: colours do not belong to the mathematics", Some("remove the colour")),
-    ("colorbox", "`\\colorbox` is not read: colours do not belong to the mathematics", Some("use `\\boxed{…}`")),
-    ("cancel", "`\\cancel` is not read: whether what is crossed out counts is not clear", Some("write the equation after cancelling")),
+    (
+        "rightarrow",
+        "`\\rightarrow` states no relation that can be checked",
+        Some("for an implication write `\\Rightarrow`, for a limit `\\lim_{x \\to a}`"),
+    ),
+    (
+        "color",
+        "`\\color` is not read: colours do not belong to the mathematics",
+        Some("remove the colour"),
+    ),
+    (
+        "textcolor",
+        "`\\textcolor` is not read: colours do not belong to the mathematics",
+        Some("remove the colour"),
+    ),
+    (
+        "colorbox",
+        "`\\colorbox` is not read: colours do not belong to the mathematics",
+        Some("use `\\boxed{…}`"),
+    ),
+    (
+        "cancel",
+        "`\\cancel` is not read: whether what is crossed out counts is not clear",
+        Some("write the equation after cancelling"),
+    ),
     ("in", "`\\in` is not read: the notation has no sets", None),
-    ("forall", "`\\forall` is not read: state the quantifier in the text", None),
-    ("exists", "`\\exists` is not read: state the quantifier in the text", None),
-    ("max", "`\\max` is read only as a subscript, as in `\\eta_{\\max}`", None),
-    ("min", "`\\min` is read only as a subscript, as in `\\eta_{\\min}`", None),
+    (
+        "forall",
+        "`\\forall` is not read: state the quantifier in the text",
+        None,
+    ),
+    (
+        "exists",
+        "`\\exists` is not read: state the quantifier in the text",
+        None,
+    ),
+    (
+        "max",
+        "`\\max` is read only as a subscript, as in `\\eta_{\\max}`",
+        None,
+    ),
+    (
+        "min",
+        "`\\min` is read only as a subscript, as in `\\eta_{\\min}`",
+        None,
+    ),
     ("langle", "angle brackets are not read", None),
     ("over", "`\\over` is not read", Some("write `\\frac{…}{…}`")),
     ("hspace", "`\\hspace` is not read", Some("write `\\quad`")),
-    ("circ", "`\\circ` is not read: degrees have no exact value here", None),
+    (
+        "circ",
+        "`\\circ` is not read: degrees have no exact value here",
+        None,
+    ),
     ("middle", "`\\middle` is not read", None),
-    ("therefore", "`\\therefore` is not read", Some("write `\\Rightarrow` after what it follows from")),
+    (
+        "therefore",
+        "`\\therefore` is not read",
+        Some("write `\\Rightarrow` after what it follows from"),
+    ),
 ];
 
 /// What a command says as a relation sign.
@@ -145,7 +312,8 @@ pub(super) fn relation(command: &str) -> Option<Relation> {
 }
 
 const RELATIONS: &[&str] = &[
-    "neq", "leq", "leqslant", "geq", "geqslant", "sim", "propto", "approx", "simeq", "equiv", "coloneqq",
+    "neq", "leq", "leqslant", "geq", "geqslant", "sim", "propto", "approx", "simeq", "equiv",
+    "coloneqq",
 ];
 
 /// The function that a command names.
@@ -167,12 +335,18 @@ pub(super) fn find(
     table: &'static [(&'static str, &'static str)],
     command: &str,
 ) -> Option<&'static str> {
-    table.iter().find(|(name, _)| *name == command).map(|(_, shown)| *shown)
+    table
+        .iter()
+        .find(|(name, _)| *name == command)
+        .map(|(_, shown)| *shown)
 }
 
 /// Whether a command is three dots.
 pub(super) fn is_dots(command: &str) -> bool {
-    matches!(command, "dots" | "ldots" | "cdots" | "dotsb" | "dotsc" | "dotsm")
+    matches!(
+        command,
+        "dots" | "ldots" | "cdots" | "dotsb" | "dotsc" | "dotsm"
+    )
 }
 
 /// What to say about a command that cannot stand where it stands: message and help.
@@ -188,8 +362,14 @@ pub(super) fn complaint(command: &str) -> (String, Option<String>) {
 }
 
 fn known() -> impl Iterator<Item = &'static str> {
-    let tables = [LETTERS, ACCENTS, SUBSCRIPTS].into_iter().flatten().map(|(name, _)| *name);
-    let lists = [GRAMMAR, RELATIONS, FUNCTIONS, &["ln", "exp"]].into_iter().flatten().copied();
+    let tables = [LETTERS, ACCENTS, SUBSCRIPTS]
+        .into_iter()
+        .flatten()
+        .map(|(name, _)| *name);
+    let lists = [GRAMMAR, RELATIONS, FUNCTIONS, &["ln", "exp"]]
+        .into_iter()
+        .flatten()
+        .copied();
     tables.chain(lists)
 }
 
@@ -216,7 +396,11 @@ fn distance(a: &str, b: &str) -> usize {
         for (j, (&y, window)) in b.iter().zip(row.windows(2)).enumerate() {
             let [diagonal, above] = window else { continue };
             let left = next.get(j).copied().unwrap_or(i + 1);
-            next.push((diagonal + usize::from(x != y)).min(above + 1).min(left + 1));
+            next.push(
+                (diagonal + usize::from(x != y))
+                    .min(above + 1)
+                    .min(left + 1),
+            );
         }
         row = next;
     }

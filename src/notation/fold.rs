@@ -15,7 +15,11 @@ use crate::algebra::Relation;
 
 /// Folds the raw tokens. Linear in their number.
 pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
-    let folder = Folder { raw, closing: closing(raw), boxes: Vec::new() };
+    let folder = Folder {
+        raw,
+        closing: closing(raw),
+        boxes: Vec::new(),
+    };
     folder.run()
 }
 
@@ -60,12 +64,20 @@ impl<'s> Folder<'_, 's> {
             if let Some((kind, length)) = self.relation(before) {
                 at = before + length;
                 let end = self.raw.get(at - 1).map_or(token.span, |last| last.span);
-                out.push(Token { kind, span: token.span.to(end) });
+                out.push(Token {
+                    kind,
+                    span: token.span.to(end),
+                });
                 continue;
             }
             let kind = match token.kind {
                 Kind::Char('&') => continue,
-                Kind::Row if self.continues(at) => continue,
+                Kind::Row if self.continues(at) => {
+                    while matches!(self.kind(at), Kind::Wide | Kind::Char('&')) {
+                        at += 1;
+                    }
+                    continue;
+                }
                 Kind::Command("boxed") if self.boxes.get(before) == Some(&true) => {
                     if let Some(Some(close)) = self.closing.get(at)
                         && let Some(slot) = closes_box.get_mut(*close)
@@ -74,11 +86,16 @@ impl<'s> Folder<'_, 's> {
                     }
                     let open = self.raw.get(at).map_or(token.span, |open| open.span);
                     at += 1;
-                    out.push(Token { kind: Kind::BoxOpen, span: token.span.to(open) });
+                    out.push(Token {
+                        kind: Kind::BoxOpen,
+                        span: token.span.to(open),
+                    });
                     continue;
                 }
                 Kind::Close if closes_box.get(before) == Some(&true) => Kind::BoxClose,
-                Kind::Command("times") if self.is_cross(before, &closes_box) => Kind::Mark(Mark::Cross),
+                Kind::Command("times") if self.is_cross(before, &closes_box) => {
+                    Kind::Mark(Mark::Cross)
+                }
                 Kind::Command("checkmark" | "cmark") => Kind::Mark(Mark::Tick),
                 Kind::Command("xmark") => Kind::Mark(Mark::Cross),
                 Kind::Text(words) => match words.trim() {
@@ -94,7 +111,10 @@ impl<'s> Folder<'_, 's> {
                 }
                 kind => kind,
             };
-            out.push(Token { kind, span: token.span });
+            out.push(Token {
+                kind,
+                span: token.span,
+            });
         }
         out
     }
@@ -113,11 +133,18 @@ impl<'s> Folder<'_, 's> {
             }
             Kind::Command("stackrel" | "overset") => {
                 let asks = [Kind::Open, Kind::Char('?'), Kind::Close];
-                let asked = asks.iter().enumerate().all(|(i, &kind)| self.kind(at + 1 + i) == kind);
+                let asked = asks
+                    .iter()
+                    .enumerate()
+                    .all(|(i, &kind)| self.kind(at + 1 + i) == kind);
                 if !asked {
                     return None;
                 }
-                match (self.plain_relation(at + 4), self.kind(at + 4), self.kind(at + 6)) {
+                match (
+                    self.plain_relation(at + 4),
+                    self.kind(at + 4),
+                    self.kind(at + 6),
+                ) {
                     (Some(relation), ..) => Some((Kind::Relation(relation, true), 5)),
                     (None, Kind::Open, Kind::Close) => {
                         Some((Kind::Relation(self.plain_relation(at + 5)?, true), 7))
@@ -148,7 +175,8 @@ impl<'s> Folder<'_, 's> {
                 Kind::Char('&') => empty_cell = true,
                 Kind::Char('+' | '-') => return empty_cell,
                 Kind::Command(
-                    "Rightarrow" | "implies" | "Longrightarrow" | "iff" | "Leftrightarrow" | "Longleftrightarrow",
+                    "Rightarrow" | "implies" | "Longrightarrow" | "iff" | "Leftrightarrow"
+                    | "Longleftrightarrow",
                 ) => return true,
                 _ => return self.relation(at).is_some(),
             }
@@ -157,13 +185,17 @@ impl<'s> Folder<'_, 's> {
     }
 
     fn is_cross(&self, at: usize, closes_box: &[bool]) -> bool {
-        let wide_before = at.checked_sub(1).is_some_and(|before| self.kind(before) == Kind::Wide);
+        let wide_before = at
+            .checked_sub(1)
+            .is_some_and(|before| self.kind(before) == Kind::Wide);
         let mut next = at + 1;
         while self.kind(next) == Kind::Wide {
             next += 1;
         }
         match self.kind(next) {
-            Kind::End | Kind::Row | Kind::Finish(_) | Kind::And | Kind::Char(',' | ';' | '.') => true,
+            Kind::End | Kind::Row | Kind::Finish(_) | Kind::And | Kind::Char(',' | ';' | '.') => {
+                true
+            }
             Kind::Close => closes_box.get(next) == Some(&true),
             _ => wide_before && next > at + 1,
         }
@@ -176,7 +208,9 @@ impl<'s> Folder<'_, 's> {
             if self.kind(at) != Kind::Command("boxed") {
                 continue;
             }
-            let Some(&Some(close)) = self.closing.get(at + 1) else { continue };
+            let Some(&Some(close)) = self.closing.get(at + 1) else {
+                continue;
+            };
             let mut inside = at + 2;
             let mut holds = false;
             while inside < close && !holds {

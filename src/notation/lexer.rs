@@ -75,9 +75,18 @@ pub(super) struct Lexed<'s> {
 
 /// Reads `source[body]` into tokens.
 pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
-    let mut lexer = Lexer { source, at: body.start, end: body.end, out: Lexed::default() };
+    let mut lexer = Lexer {
+        source,
+        at: body.start,
+        end: body.end,
+        out: Lexed::default(),
+    };
     if source.get(body.start..body.end).is_none() {
-        lexer.bad(body, "this place is not inside the document".to_owned(), None);
+        lexer.bad(
+            body,
+            "this place is not inside the document".to_owned(),
+            None,
+        );
         return lexer.out;
     }
     while lexer.step() {}
@@ -101,13 +110,23 @@ impl<'s> Lexer<'s> {
     }
 
     fn push(&mut self, start: usize, kind: Kind<'s>) {
-        self.out.tokens.push(Token { kind, span: Span::new(start, self.at) });
+        self.out.tokens.push(Token {
+            kind,
+            span: Span::new(start, self.at),
+        });
     }
 
     fn bad(&mut self, span: Span, message: String, help: Option<String>) {
         let number = self.out.errors.len();
-        self.out.errors.push(SyntaxError { span, message, help });
-        self.out.tokens.push(Token { kind: Kind::Bad(number), span });
+        self.out.errors.push(SyntaxError {
+            span,
+            message,
+            help,
+        });
+        self.out.tokens.push(Token {
+            kind: Kind::Bad(number),
+            span,
+        });
     }
 
     /// Takes the longest run of characters that satisfy `keep`.
@@ -147,7 +166,10 @@ impl<'s> Lexer<'s> {
     }
 
     fn letter(&mut self, start: usize, c: char) {
-        let before = self.source.get(..start).and_then(|text| text.chars().next_back());
+        let before = self
+            .source
+            .get(..start)
+            .and_then(|text| text.chars().next_back());
         let alone = |c: Option<char>| c.is_none_or(|c| c.is_whitespace() || "$,;".contains(c));
         if let Some(after) = self.rest().strip_prefix("and")
             && alone(before)
@@ -198,7 +220,11 @@ impl<'s> Lexer<'s> {
         if name.is_empty() {
             let Some(c) = self.peek() else {
                 let span = Span::new(start, self.at);
-                return self.bad(span, "a backslash at the end names no command".to_owned(), None);
+                return self.bad(
+                    span,
+                    "a backslash at the end names no command".to_owned(),
+                    None,
+                );
             };
             let from = self.at;
             self.at += c.len_utf8();
@@ -221,7 +247,14 @@ impl<'s> Lexer<'s> {
             "begin" | "end" => {
                 if let Some(environment) = self.argument(start, name) {
                     let begin = name == "begin";
-                    self.push(start, if begin { Kind::Begin(environment) } else { Kind::Finish(environment) });
+                    self.push(
+                        start,
+                        if begin {
+                            Kind::Begin(environment)
+                        } else {
+                            Kind::Finish(environment)
+                        },
+                    );
                 }
             }
             _ => self.push(start, Kind::Command(name)),
@@ -233,9 +266,15 @@ impl<'s> Lexer<'s> {
         if self.rest().starts_with('*') {
             self.at += 1;
         }
-        if let Some((length, _)) = self.rest().strip_prefix('[').and_then(|rest| rest.split_once(']')) {
-            let unit = length.trim_start_matches(|c: char| c.is_ascii_digit() || "+-. ".contains(c));
-            if ["pt", "em", "ex", "mm", "cm", "jot"].contains(&unit.trim_start_matches('\\').trim()) {
+        if let Some((length, _)) = self
+            .rest()
+            .strip_prefix('[')
+            .and_then(|rest| rest.split_once(']'))
+        {
+            let unit =
+                length.trim_start_matches(|c: char| c.is_ascii_digit() || "+-. ".contains(c));
+            if ["pt", "em", "ex", "mm", "cm", "jot"].contains(&unit.trim_start_matches('\\').trim())
+            {
                 self.at += length.len() + 2;
             }
         }
@@ -247,7 +286,11 @@ impl<'s> Lexer<'s> {
         self.take(char::is_whitespace);
         if self.peek() != Some('{') {
             let span = Span::new(start, self.at);
-            self.bad(span, format!("`\\{name}` needs braces after it"), Some(format!("write `\\{name}{{…}}`")));
+            self.bad(
+                span,
+                format!("`\\{name}` needs braces after it"),
+                Some(format!("write `\\{name}{{…}}`")),
+            );
             return None;
         }
         let open = self.at;
@@ -265,7 +308,11 @@ impl<'s> Lexer<'s> {
         }
         // An unclosed brace would hide the rest of the formula, its `\tag` too: go on behind it.
         self.at = open + 1;
-        self.bad(Span::new(open, open + 1), "this brace is never closed".to_owned(), None);
+        self.bad(
+            Span::new(open, open + 1),
+            "this brace is never closed".to_owned(),
+            None,
+        );
         None
     }
 
@@ -273,14 +320,28 @@ impl<'s> Lexer<'s> {
         if name == "tag" && self.rest().starts_with('*') {
             self.at += 1;
         }
-        let Some(text) = self.argument(start, name) else { return };
+        let Some(text) = self.argument(start, name) else {
+            return;
+        };
         let text = text.trim();
-        let bare = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(text);
+        let bare = text
+            .strip_prefix('(')
+            .and_then(|text| text.strip_suffix(')'))
+            .unwrap_or(text);
         let span = Span::new(start, self.at);
-        let found = Spanned { value: if name == "tag" { bare } else { text }.to_owned(), span };
+        let found = Spanned {
+            value: if name == "tag" { bare } else { text }.to_owned(),
+            span,
+        };
         let (list, what) = match name {
-            "tag" => (&mut self.out.tags, "an equation has one number: this is a second `\\tag`"),
-            _ => (&mut self.out.labels, "an equation has one key: this is a second `\\label`"),
+            "tag" => (
+                &mut self.out.tags,
+                "an equation has one number: this is a second `\\tag`",
+            ),
+            _ => (
+                &mut self.out.labels,
+                "an equation has one key: this is a second `\\label`",
+            ),
         };
         list.push(found);
         if list.len() > 1 {
@@ -301,12 +362,18 @@ impl<'s> Lexer<'s> {
             }
             _ => self.argument(start, name),
         };
-        let Some(text) = text.map(str::trim) else { return };
+        let Some(text) = text.map(str::trim) else {
+            return;
+        };
         if !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric()) {
             self.push(start, Kind::Upright(text));
         } else {
             let span = Span::new(start, self.at);
-            self.bad(span, format!("`\\{name}{{{text}}}` is no name: only letters and digits are read in it"), None);
+            self.bad(
+                span,
+                format!("`\\{name}{{{text}}}` is no name: only letters and digits are read in it"),
+                None,
+            );
         }
     }
 }

@@ -1,4 +1,17 @@
 //! The LaTeX-math reader and its inverse, the printer: one for all formats.
+//!
+//! `lexer` makes tokens, `fold` joins the signs that are spelt with several, `parser` builds statements, `printer` goes
+//! back. What cannot be read is refused by name and place; nothing is skipped or guessed. Where physicists' notation
+//! leaves a choice, this is what is chosen:
+//!
+//! - `/` binds like a product and runs from left to right: `1/2m` is `(1/2)m`.
+//! - A symbol directly before parentheses that hold only bare symbols, `P(t)`, is a function; `v_0(1-\mu)` is a product.
+//! - `\sum`, `\lim` and `\frac{d}{dx}` take the product that follows them; `\frac{d}{dx}[f] g` is refused.
+//! - `\sin` without parentheses takes the plain factors side by side that follow; a group or a sign of multiplication
+//!   right after them is refused.
+//! - Braces do not show on the page, so `{a + b} c` is refused.
+//! - `\times` with nothing after it is the author's ✗.
+//! - `\frac12` is a quotient of two numbers; a decimal is one number; `\sqrt[n]{x}` is `x` to the number `1/n`.
 
 mod commands;
 mod fold;

@@ -20,7 +20,11 @@ pub fn read_display(source: &str, body: Span) -> Display {
     }
     let tag = lexed.tags.first().cloned();
     let label = lexed.labels.first().cloned();
-    Display { tag, label, statements: parser(lexed, body, false).statements() }
+    Display {
+        tag,
+        label,
+        statements: parser(lexed, body, false).statements(),
+    }
 }
 
 /// Reads the formulas of a directive or of inline mathematics, separated by `,`, `;` or the word `and`.
@@ -38,7 +42,11 @@ pub fn read_symbol(text: &str) -> Result<Symbol, SyntaxError> {
     let span = Span::new(0, text.len());
     match read_expr(text, span)? {
         Expr::Symbol(symbol) => Ok(symbol),
-        _ => Err(SyntaxError { span, message: "this is a term, not a single symbol".to_owned(), help: None }),
+        _ => Err(SyntaxError {
+            span,
+            message: "this is a term, not a single symbol".to_owned(),
+            help: None,
+        }),
     }
 }
 
@@ -60,10 +68,16 @@ fn untagged(lexed: Lexed<'_>) -> Result<Lexed<'_>, SyntaxError> {
 /// `\quad (18)` at the end. As a term it would be refused for having no relation, so nothing is misread.
 fn typed_tag(source: &str, lexed: &mut Lexed) -> Option<Spanned<String>> {
     let mut end = lexed.tokens.len();
-    if matches!(lexed.tokens.get(end.checked_sub(1)?)?.kind, Kind::Char('.' | ',')) {
+    if matches!(
+        lexed.tokens.get(end.checked_sub(1)?)?.kind,
+        Kind::Char('.' | ',')
+    ) {
         end -= 1;
     }
-    let close = lexed.tokens.get(end.checked_sub(1)?).filter(|token| token.kind == Kind::Char(')'))?;
+    let close = lexed
+        .tokens
+        .get(end.checked_sub(1)?)
+        .filter(|token| token.kind == Kind::Char(')'))?;
     let back = |count: usize| -> Option<&Token> { lexed.tokens.get(end.checked_sub(count)?) };
     let lettered = matches!(back(2)?.kind, Kind::Letter(_));
     let first = 2 + usize::from(lettered);
@@ -72,7 +86,10 @@ fn typed_tag(source: &str, lexed: &mut Lexed) -> Option<Spanned<String>> {
     if !numbered || open.kind != Kind::Char('(') || wide.kind != Kind::Wide {
         return None;
     }
-    let value = source.get(open.span.end..close.span.start)?.trim().to_owned();
+    let value = source
+        .get(open.span.end..close.span.start)?
+        .trim()
+        .to_owned();
     let span = open.span.to(close.span);
     let start = end - (first + 2);
     lexed.tokens.drain(start..end);

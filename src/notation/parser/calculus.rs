@@ -14,7 +14,10 @@ const ORDER: usize = 9;
 
 impl Parser<'_> {
     fn is_d(&self, at: usize) -> bool {
-        matches!(self.kind(at), Kind::Letter('d') | Kind::Upright("d") | Kind::Text("d"))
+        matches!(
+            self.kind(at),
+            Kind::Letter('d') | Kind::Upright("d") | Kind::Text("d")
+        )
     }
 
     /// Whether `dx` stands here.
@@ -31,11 +34,21 @@ impl Parser<'_> {
             Some(Expr::Number(n)) if power_allowed && n.is_integer() => {
                 n.to_string().parse().unwrap_or(usize::MAX)
             }
-            Some(_) => return refuse(self.since(start), "the variable of a differential has no power"),
+            Some(_) => {
+                return refuse(
+                    self.since(start),
+                    "the variable of a differential has no power",
+                );
+            }
         };
         match self.symbol(&name, self.since(start))? {
-            Expr::Symbol(symbol) if !matches!(symbol.name(), "d" | "\\text{d}") => Ok((symbol, order)),
-            _ => refuse(self.since(start), "this cannot be the variable of a differential"),
+            Expr::Symbol(symbol) if !matches!(symbol.name(), "d" | "\\text{d}") => {
+                Ok((symbol, order))
+            }
+            _ => refuse(
+                self.since(start),
+                "this cannot be the variable of a differential",
+            ),
         }
     }
 
@@ -46,11 +59,15 @@ impl Parser<'_> {
         if self.kind(start + 1) != Kind::Open || !self.is_d(start + 2) {
             return Ok(None);
         }
-        let Some(under) = self.after_group(start + 1) else { return Ok(None) };
+        let Some(under) = self.after_group(start + 1) else {
+            return Ok(None);
+        };
         if self.kind(under) != Kind::Open || !self.is_d(under + 1) || !self.starts_name(under + 2) {
             return Ok(None);
         }
-        let Some(end) = self.after_group(under) else { return Ok(None) };
+        let Some(end) = self.after_group(under) else {
+            return Ok(None);
+        };
         self.at = under + 2;
         let denominator = self.variable(true);
         let ends = self.at + 1 == end;
@@ -70,7 +87,8 @@ impl Parser<'_> {
         };
         if above != below || !(1..=ORDER).contains(&above) {
             self.at = end;
-            let message = "the orders above and below in this derivative do not agree, or are too high";
+            let message =
+                "the orders above and below in this derivative do not agree, or are too high";
             return refuse_with(self.since(start), message, "write `\\frac{d^2 x}{dt^2}`");
         }
         let open = self.span();
@@ -89,7 +107,10 @@ impl Parser<'_> {
             Some(body) => (body, Shape::Tight),
             None => (self.differentiated()?, Shape::Loose),
         };
-        let derive = |body, _| Expr::Derivative { body: Box::new(body), variable: variable.clone() };
+        let derive = |body, _| Expr::Derivative {
+            body: Box::new(body),
+            variable: variable.clone(),
+        };
         Ok(Some(((0..above).fold(body, derive), shape)))
     }
 
@@ -99,10 +120,18 @@ impl Parser<'_> {
             return Ok(self.term()?.expr);
         }
         let body = self.factor()?;
-        let goes_on = matches!(self.peek(), Kind::Command("cdot" | "times") | Kind::Char('*' | '/'));
+        let goes_on = matches!(
+            self.peek(),
+            Kind::Command("cdot" | "times") | Kind::Char('*' | '/')
+        );
         if goes_on || self.starts_factor() {
-            let help = "put all that is differentiated into one bracket, or the derivative in parentheses";
-            return refuse_with(self.span(), "whether this is differentiated too is not clear", help);
+            let help =
+                "put all that is differentiated into one bracket, or the derivative in parentheses";
+            return refuse_with(
+                self.span(),
+                "whether this is differentiated too is not clear",
+                help,
+            );
         }
         Ok(body.expr)
     }
@@ -145,12 +174,18 @@ impl Parser<'_> {
         }
         let sign = self.since(start);
         let (Some(from), Some(to)) = (from, to) else {
-            return refuse_with(sign, "only definite integrals are read", "write `\\int_{a}^{b} f \\, dx`");
+            return refuse_with(
+                sign,
+                "only definite integrals are read",
+                "write `\\int_{a}^{b} f \\, dx`",
+            );
         };
         let outside = (self.bar, self.integrand);
         (self.bar, self.integrand) = (false, true);
         let body = if self.at_differential() {
-            Ok(Expr::Number(num_rational::BigRational::from_integer(1.into())))
+            Ok(Expr::Number(num_rational::BigRational::from_integer(
+                1.into(),
+            )))
         } else {
             self.sum().map(|body| body.expr)
         };
@@ -158,16 +193,28 @@ impl Parser<'_> {
         let body = body?;
         if !self.at_differential() {
             if self.peek() == Kind::End || self.peek() == Kind::Close {
-                return refuse_with(sign, "this integral has no differential", "end the integrand with `\\, dx`");
+                return refuse_with(
+                    sign,
+                    "this integral has no differential",
+                    "end the integrand with `\\, dx`",
+                );
             }
             return self.unexpected();
         }
         self.advance();
         let (variable, _) = self.variable(false)?;
         if !self.integrand && self.at_differential() {
-            return refuse(self.span(), "this is a second differential: an integral has one");
+            return refuse(
+                self.span(),
+                "this is a second differential: an integral has one",
+            );
         }
-        Ok(Expr::Integral { body: Box::new(body), variable, from: Box::new(from), to: Box::new(to) })
+        Ok(Expr::Integral {
+            body: Box::new(body),
+            variable,
+            from: Box::new(from),
+            to: Box::new(to),
+        })
     }
 
     /// `\lim_{x \to a} body`; the body is the product that follows.
@@ -176,7 +223,11 @@ impl Parser<'_> {
         self.advance();
         if self.peek() != Kind::Char('_') || self.kind(self.at + 1) != Kind::Open {
             let help = "write `\\lim_{x \\to a}`";
-            return refuse_with(self.since(start), "this limit does not say what goes where", help);
+            return refuse_with(
+                self.since(start),
+                "this limit does not say what goes where",
+                help,
+            );
         }
         self.advance();
         let open = self.span();
@@ -186,14 +237,21 @@ impl Parser<'_> {
         }
         let (variable, _) = self.variable(false)?;
         if !matches!(self.peek(), Kind::Command("to" | "rightarrow")) {
-            return refuse(self.span(), "after the variable of a limit, `\\to` is expected");
+            return refuse(
+                self.span(),
+                "after the variable of a limit, `\\to` is expected",
+            );
         }
         self.advance();
         let signed = matches!(self.peek(), Kind::Char('+' | '-'));
         let point = if self.kind(self.at + usize::from(signed)) == Kind::Command("infty") {
             let minus = self.peek() == Kind::Char('-');
             self.at += 1 + usize::from(signed);
-            if minus { LimitPoint::MinusInfinity } else { LimitPoint::PlusInfinity }
+            if minus {
+                LimitPoint::MinusInfinity
+            } else {
+                LimitPoint::PlusInfinity
+            }
         } else {
             LimitPoint::Finite(Box::new(self.inside(false, Self::sum)?.expr))
         };
@@ -202,6 +260,10 @@ impl Parser<'_> {
             return self.no_term();
         }
         let body = self.term()?.expr;
-        Ok(Expr::Limit { body: Box::new(body), variable, point })
+        Ok(Expr::Limit {
+            body: Box::new(body),
+            variable,
+            point,
+        })
     }
 }

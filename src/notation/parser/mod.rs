@@ -1,13 +1,15 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `term` the arithmetic, `atom` single factors, `name` whole symbol names, `series`
-//! the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
+//! `statement` reads what is said, `term` the arithmetic, `atom`, `group` and `function` single factors, `name` whole
+//! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
 //! [`DEPTH`], so that no input can exhaust the stack.
 
 mod atom;
 mod calculus;
+mod function;
+mod group;
 mod name;
 mod series;
 mod statement;
@@ -21,7 +23,7 @@ use super::lexer::{Kind, Token};
 use crate::algebra::Expr;
 use crate::document::Span;
 
-/// How deep a formula may nest. People stop at ten.
+/// How deep the reader may recurse; a group costs it two or three steps. People stop at ten groups.
 const DEPTH: usize = 200;
 /// The longest numeral, in digits.
 const DIGITS: usize = 2_000;
@@ -92,15 +94,28 @@ struct Term {
 }
 
 fn refuse<T>(span: Span, message: impl Into<String>) -> Read<T> {
-    Err(SyntaxError { span, message: message.into(), help: None })
+    Err(SyntaxError {
+        span,
+        message: message.into(),
+        help: None,
+    })
 }
 
 fn refuse_with<T>(span: Span, message: impl Into<String>, help: impl Into<String>) -> Read<T> {
-    Err(SyntaxError { span, message: message.into(), help: Some(help.into()) })
+    Err(SyntaxError {
+        span,
+        message: message.into(),
+        help: Some(help.into()),
+    })
 }
 
 impl<'s> Parser<'s> {
-    pub(super) fn new(tokens: Vec<Token<'s>>, errors: Vec<SyntaxError>, body: Span, words: bool) -> Self {
+    pub(super) fn new(
+        tokens: Vec<Token<'s>>,
+        errors: Vec<SyntaxError>,
+        body: Span,
+        words: bool,
+    ) -> Self {
         Parser {
             tokens,
             errors,
@@ -136,14 +151,25 @@ impl<'s> Parser<'s> {
 
     /// The place of the next token; at the end, that of the last.
     fn span(&self) -> Span {
-        self.tokens.get(self.at).or(self.tokens.last()).map_or(self.body, |token| token.span)
+        self.tokens
+            .get(self.at)
+            .or(self.tokens.last())
+            .map_or(self.body, |token| token.span)
     }
 
     /// From the token at `start` to the one before this place.
     fn since(&self, start: usize) -> Span {
         let first = self.tokens.get(start).map_or(self.body, |token| token.span);
-        let last = self.at.checked_sub(1).and_then(|at| self.tokens.get(at)).map_or(first, |token| token.span);
-        if last.end < first.start { first } else { first.to(last) }
+        let last = self
+            .at
+            .checked_sub(1)
+            .and_then(|at| self.tokens.get(at))
+            .map_or(first, |token| token.span);
+        if last.end < first.start {
+            first
+        } else {
+            first.to(last)
+        }
     }
 
     fn advance(&mut self) {
@@ -173,7 +199,7 @@ impl<'s> Parser<'s> {
     /// Reads something nested, keeping count of the depth.
     fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
         if self.depth >= DEPTH {
-            return refuse(self.span(), format!("this is nested more than {DEPTH} deep"));
+            return refuse(self.span(), "this is nested too deeply to be read");
         }
         self.depth += 1;
         let result = read(self);
@@ -201,12 +227,22 @@ impl<'s> Parser<'s> {
             Kind::End => refuse(span, "the formula ends where something more is expected"),
             Kind::Command(name) => {
                 let (message, help) = commands::complaint(name);
-                Err(SyntaxError { span, message, help })
+                Err(SyntaxError {
+                    span,
+                    message,
+                    help,
+                })
             }
             Kind::Relation(..) => refuse(span, "a relation sign cannot stand here"),
-            Kind::Connective(_) => refuse(span, "an implication joins whole statements, so it cannot stand here"),
+            Kind::Connective(_) => refuse(
+                span,
+                "an implication joins whole statements, so it cannot stand here",
+            ),
             Kind::Mark(_) => refuse(span, "a mark belongs at the end of a statement"),
-            Kind::Wide => refuse(span, "`\\quad` separates statements, so it cannot stand inside one"),
+            Kind::Wide => refuse(
+                span,
+                "`\\quad` separates statements, so it cannot stand inside one",
+            ),
             Kind::Row => refuse(span, "a new row cannot start here"),
             Kind::And => refuse_with(
                 span,
@@ -219,7 +255,9 @@ impl<'s> Parser<'s> {
                 "words are read as a label in front (`\\text{Initial: }`), as `\\text{and}` between statements, \
                  or as a name",
             ),
-            Kind::Begin(name) => refuse(span, format!("the environment `{name}` cannot start here")),
+            Kind::Begin(name) => {
+                refuse(span, format!("the environment `{name}` cannot start here"))
+            }
             Kind::Finish(name) => refuse(span, format!("the environment `{name}` cannot end here")),
             Kind::BoxOpen => refuse(span, "a boxed relation must be a whole statement"),
             Kind::Open | Kind::BoxClose => refuse(span, "a brace cannot stand here"),
@@ -230,10 +268,13 @@ impl<'s> Parser<'s> {
             Kind::Char('^') => refuse(span, "this superscript belongs to nothing"),
             Kind::Char('_') => refuse(span, "this subscript belongs to nothing"),
             Kind::Char('!') => refuse(span, "factorials are not read"),
-            Kind::Char(c @ (')' | ']' | '|')) => refuse(span, format!("`{c}` closes nothing that is open here")),
-            Kind::Char(',' | ';') => {
-                refuse(span, "a comma or semicolon separates statements, so it cannot stand here")
+            Kind::Char(c @ (')' | ']' | '|')) => {
+                refuse(span, format!("`{c}` closes nothing that is open here"))
             }
+            Kind::Char(',' | ';') => refuse(
+                span,
+                "a comma or semicolon separates statements, so it cannot stand here",
+            ),
             Kind::Char(c) => refuse(span, format!("`{c}` cannot stand here")),
         }
     }
@@ -255,11 +296,16 @@ impl<'s> Parser<'s> {
             Kind::Command("cdot" | "times") | Kind::Char('*' | '/') => {
                 refuse(span, "a factor is missing before this sign")
             }
-            Kind::Command(name) if commands::is_dots(name) => {
-                refuse(span, "dots are read only between `+` signs, as in `u_1 + \\cdots + u_k`, or between `=` signs")
+            Kind::Command(name) if commands::is_dots(name) => refuse(
+                span,
+                "dots are read only between `+` signs, as in `u_1 + \\cdots + u_k`, or between `=` signs",
+            ),
+            Kind::Char(c @ (')' | ']' | '|')) => {
+                refuse(span, format!("a term is missing before `{c}`"))
             }
-            Kind::Char(c @ (')' | ']' | '|')) => refuse(span, format!("a term is missing before `{c}`")),
-            Kind::Char(',' | ';' | '.') => refuse(span, "a term is missing before this punctuation"),
+            Kind::Char(',' | ';' | '.') => {
+                refuse(span, "a term is missing before this punctuation")
+            }
             _ => self.unexpected(),
         }
     }

@@ -61,7 +61,11 @@ impl Name {
 
 /// Adds a subscript to a name.
 pub(crate) fn with_subscript(stem: &str, text: &str) -> String {
-    if text.chars().count() == 1 { format!("{stem}_{text}") } else { format!("{stem}_{{{text}}}") }
+    if text.chars().count() == 1 {
+        format!("{stem}_{text}")
+    } else {
+        format!("{stem}_{{{text}}}")
+    }
 }
 
 /// Takes the subscript off a canonical name: `v'_1` is `v'` and `1`.
@@ -73,7 +77,9 @@ pub(crate) fn split_subscript(name: &str) -> Option<(&str, &str)> {
             '}' => depth = depth.saturating_sub(1),
             '_' if depth == 0 => {
                 let (stem, text) = (name.get(..at)?, name.get(at + 1..)?);
-                let inner = text.strip_prefix('{').and_then(|text| text.strip_suffix('}'));
+                let inner = text
+                    .strip_prefix('{')
+                    .and_then(|text| text.strip_suffix('}'));
                 return Some((stem, inner.unwrap_or(text)));
             }
             _ => {}
@@ -84,8 +90,9 @@ pub(crate) fn split_subscript(name: &str) -> Option<(&str, &str)> {
 
 /// Words that join statements; in `\text{…}` they are never a symbol.
 const PROSE: &[&str] = &[
-    "and", "or", "if", "for", "where", "when", "with", "since", "so", "then", "hence", "thus", "is", "as", "at",
-    "but", "because", "given", "iff", "all", "every", "any", "let", "by", "from", "are", "in", "on", "to", "not",
+    "and", "or", "if", "for", "where", "when", "with", "since", "so", "then", "hence", "thus",
+    "is", "as", "at", "but", "because", "given", "iff", "all", "every", "any", "let", "by", "from",
+    "are", "in", "on", "to", "not",
 ];
 
 impl Parser<'_> {
@@ -94,7 +101,9 @@ impl Parser<'_> {
         match self.kind(at) {
             Kind::Letter(_) | Kind::Upright(_) => true,
             Kind::Text(words) => {
-                !words.is_empty() && words.chars().all(char::is_alphanumeric) && !PROSE.contains(&words)
+                !words.is_empty()
+                    && words.chars().all(char::is_alphanumeric)
+                    && !PROSE.contains(&words)
             }
             Kind::Command(name) => {
                 commands::find(LETTERS, name).is_some() || commands::find(ACCENTS, name).is_some()
@@ -120,7 +129,10 @@ impl Parser<'_> {
             _ => return self.no_term(),
         };
         self.advance();
-        Ok(Name { head, ..Name::default() })
+        Ok(Name {
+            head,
+            ..Name::default()
+        })
     }
 
     /// A name with all its scripts, and the power if there is one.
@@ -145,7 +157,10 @@ impl Parser<'_> {
                 _ => return parser.no_term(),
             };
             parser.advance();
-            Ok(Name { head, ..Name::default() })
+            Ok(Name {
+                head,
+                ..Name::default()
+            })
         })
     }
 
@@ -157,11 +172,21 @@ impl Parser<'_> {
             self.head()?
         } else if self.peek() == Kind::Open {
             let help = "for a difference write `\\Delta E`, for a product `\\Delta \\cdot {…}`";
-            return refuse_with(span.to(self.span()), "whether this is a difference or a product is not clear", help);
+            return refuse_with(
+                span.to(self.span()),
+                "whether this is a difference or a product is not clear",
+                help,
+            );
         } else {
-            return Ok(Name { head: "\\Delta".to_owned(), ..Name::default() });
+            return Ok(Name {
+                head: "\\Delta".to_owned(),
+                ..Name::default()
+            });
         };
-        Ok(Name { head: format!("\\Delta {}", name.head), ..name })
+        Ok(Name {
+            head: format!("\\Delta {}", name.head),
+            ..name
+        })
     }
 
     fn accent(&mut self, accent: &str) -> Read<Name> {
@@ -170,22 +195,35 @@ impl Parser<'_> {
         let open = self.span();
         let name = if self.accept(Kind::Open) {
             if !self.starts_name(self.at) {
-                return refuse(self.span(), format!("`\\{accent}` is read only over a single name"));
+                return refuse(
+                    self.span(),
+                    format!("`\\{accent}` is read only over a single name"),
+                );
             }
             let name = self.nested(Self::name)?;
             if name.power.is_some() || self.peek() != Kind::Close && self.peek() != Kind::End {
-                return refuse(self.since(start), format!("`\\{accent}` is read only over a single name"));
+                return refuse(
+                    self.since(start),
+                    format!("`\\{accent}` is read only over a single name"),
+                );
             }
             self.close(open)?;
             name
         } else if self.is_letter(self.at) {
             self.single_letter()?
-        } else if matches!(self.peek(), Kind::Command(name) if commands::find(ACCENTS, name).is_some()) {
+        } else if matches!(self.peek(), Kind::Command(name) if commands::find(ACCENTS, name).is_some())
+        {
             self.head()?
         } else {
-            return refuse(self.since(start), format!("`\\{accent}` needs a name after it"));
+            return refuse(
+                self.since(start),
+                format!("`\\{accent}` needs a name after it"),
+            );
         };
-        Ok(Name { head: format!("\\{accent}{{{}}}", name.head), ..name })
+        Ok(Name {
+            head: format!("\\{accent}{{{}}}", name.head),
+            ..name
+        })
     }
 
     /// Primes, subscript and superscripts, in whatever order they come.
@@ -195,7 +233,11 @@ impl Parser<'_> {
             let at = self.at;
             match self.peek() {
                 Kind::Char('\'') if raised => {
-                    return refuse_with(self.span(), "a prime after a superscript", "write the prime first");
+                    return refuse_with(
+                        self.span(),
+                        "a prime after a superscript",
+                        "write the prime first",
+                    );
                 }
                 Kind::Char('\'') => {
                     self.advance();
@@ -205,13 +247,19 @@ impl Parser<'_> {
                     self.advance();
                     let subscript = self.subscript(start)?;
                     if name.subscript.is_some() {
-                        return refuse_with(self.since(at), "this is a second subscript on the same symbol", "write both in one pair of braces");
+                        return refuse_with(
+                            self.since(at),
+                            "this is a second subscript on the same symbol",
+                            "write both in one pair of braces",
+                        );
                     }
                     name.subscript = Some(subscript);
                 }
                 Kind::Char('^') => {
                     let script = self.superscript()?;
-                    if raised || name.power.is_some() || !name.marks.is_empty() {
+                    // A name that braces closed off, `{E^*}`, may still be raised.
+                    let marked = !name.marks.is_empty() && !script.marks.is_empty();
+                    if raised || marked || name.power.is_some() {
                         return refuse_with(
                             self.since(at),
                             "this is a second superscript on the same symbol",
@@ -220,7 +268,7 @@ impl Parser<'_> {
                     }
                     raised = script.power.is_some() || !script.marks.is_empty();
                     name.primes += script.primes;
-                    name.marks = script.marks;
+                    name.marks.push_str(&script.marks);
                     name.power = script.power;
                 }
                 _ => return Ok(name),
@@ -230,7 +278,10 @@ impl Parser<'_> {
 
     fn subscript(&mut self, start: usize) -> Read<Subscript> {
         let span = self.span();
-        let mut subscript = Subscript { text: String::new(), bound: false };
+        let mut subscript = Subscript {
+            text: String::new(),
+            bound: false,
+        };
         match self.peek() {
             Kind::Open => {
                 self.advance();
@@ -243,16 +294,29 @@ impl Parser<'_> {
             Kind::Number(text) if text.len() > 1 => {
                 let stem = self.source_like(start);
                 let (first, rest) = text.split_at(1);
-                let message = format!("TeX takes only the `{first}` of `{text}` into the subscript");
-                let help = format!("write `{stem}_{{{text}}}`, or `{stem}_{first} \\cdot {rest}` for a product");
+                let message =
+                    format!("TeX takes only the `{first}` of `{text}` into the subscript");
+                let help = format!(
+                    "write `{stem}_{{{text}}}`, or `{stem}_{first} \\cdot {rest}` for a product"
+                );
                 return refuse_with(span, message, help);
             }
-            Kind::Number(_) | Kind::Letter(_) | Kind::Command(_) | Kind::Text(_) | Kind::Upright(_) => {
+            Kind::Number(_)
+            | Kind::Letter(_)
+            | Kind::Command(_)
+            | Kind::Text(_)
+            | Kind::Upright(_) => {
                 self.subscript_piece(&mut subscript)?;
             }
             Kind::End | Kind::Close => return refuse(span, "a subscript is missing after this"),
             Kind::Bad(_) => return self.unexpected(),
-            _ => return refuse_with(span, "this cannot be a subscript", "put the subscript in braces"),
+            _ => {
+                return refuse_with(
+                    span,
+                    "this cannot be a subscript",
+                    "put the subscript in braces",
+                );
+            }
         }
         Ok(subscript)
     }
@@ -284,18 +348,24 @@ impl Parser<'_> {
             Kind::Upright(text) => format!("\\text{{{text}}}"),
             Kind::Char(c) if "+-,*/()'".contains(c) => c.to_string(),
             Kind::Command(name)
-                if commands::find(LETTERS, name).is_some() || commands::find(SUBSCRIPTS, name).is_some() =>
+                if commands::find(LETTERS, name).is_some()
+                    || commands::find(SUBSCRIPTS, name).is_some() =>
             {
                 format!("\\{name}")
             }
             Kind::Char(sign @ ('_' | '^')) => {
                 self.advance();
-                let mut inner = Subscript { text: String::new(), bound: false };
+                let mut inner = Subscript {
+                    text: String::new(),
+                    bound: false,
+                };
                 let open = self.span();
                 if self.accept(Kind::Open) {
                     self.subscript_content(&mut inner)?;
                     self.close(open)?;
-                } else if matches!(self.peek(), Kind::Number(text) if text.len() == 1) || self.is_letter(self.at) {
+                } else if matches!(self.peek(), Kind::Number(text) if text.len() == 1)
+                    || self.is_letter(self.at)
+                {
                     self.subscript_piece(&mut inner)?;
                 } else {
                     return refuse_with(self.span(), "this cannot be a script", "put it in braces");
@@ -320,10 +390,9 @@ impl Parser<'_> {
         self.advance();
         subscript.bound |= self.bound.contains(&piece);
         let letter_next = piece.starts_with(|c: char| c.is_ascii_alphabetic());
-        let after_command = subscript
-            .text
-            .rsplit_once('\\')
-            .is_some_and(|(_, name)| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic()));
+        let after_command = subscript.text.rsplit_once('\\').is_some_and(|(_, name)| {
+            !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic())
+        });
         if letter_next && after_command {
             subscript.text.push(' ');
         }
@@ -335,13 +404,23 @@ impl Parser<'_> {
     pub(super) fn superscript(&mut self) -> Read<Superscript> {
         self.advance();
         let span = self.span();
-        let mut script = Superscript { power: None, primes: 0, marks: String::new() };
+        let mut script = Superscript {
+            power: None,
+            primes: 0,
+            marks: String::new(),
+        };
         match self.peek() {
             Kind::Open => {
                 self.advance();
                 while self.mark(&mut script) {}
-                if matches!(self.peek(), Kind::Char('+' | '-')) && self.kind(self.at + 1) == Kind::Close {
-                    let sign = if self.peek() == Kind::Char('+') { "+" } else { "-" };
+                if matches!(self.peek(), Kind::Char('+' | '-'))
+                    && self.kind(self.at + 1) == Kind::Close
+                {
+                    let sign = if self.peek() == Kind::Char('+') {
+                        "+"
+                    } else {
+                        "-"
+                    };
                     script.marks.push_str(sign);
                     self.advance();
                 }
@@ -353,7 +432,8 @@ impl Parser<'_> {
             }
             Kind::Number(text) if text.len() > 1 => {
                 let (first, _) = text.split_at(1);
-                let message = format!("TeX takes only the `{first}` of `{text}` into the superscript");
+                let message =
+                    format!("TeX takes only the `{first}` of `{text}` into the superscript");
                 return refuse_with(span, message, format!("write `^{{{text}}}`"));
             }
             Kind::Char(sign @ ('+' | '-')) => {
@@ -361,10 +441,18 @@ impl Parser<'_> {
                 script.marks.push(sign);
             }
             _ if self.mark(&mut script) => {}
-            Kind::Number(_) | Kind::Letter(_) | Kind::Command(_) => script.power = Some(self.argument("^")?),
+            Kind::Number(_) | Kind::Letter(_) | Kind::Command(_) => {
+                script.power = Some(self.argument("^")?)
+            }
             Kind::End | Kind::Close => return refuse(span, "a superscript is missing after this"),
             Kind::Bad(_) => return self.unexpected(),
-            _ => return refuse_with(span, "this cannot be a superscript", "put the superscript in braces"),
+            _ => {
+                return refuse_with(
+                    span,
+                    "this cannot be a superscript",
+                    "put the superscript in braces",
+                );
+            }
         }
         Ok(script)
     }

@@ -37,12 +37,21 @@ impl Parser<'_> {
         }
         let (Some((index, from)), Some(to)) = (lower, upper) else {
             let help = "write `\\sum_{i=1}^{k} u_i`";
-            return refuse_with(self.since(start), "this sum does not say where its index starts and ends", help);
+            return refuse_with(
+                self.since(start),
+                "this sum does not say where its index starts and ends",
+                help,
+            );
         };
         self.bound.push(index.name().to_owned());
         let body = self.term();
         self.bound.pop();
-        Ok(Expr::Series { index, from: Box::new(from), to: Box::new(to), body: Box::new(body?.expr) })
+        Ok(Expr::Series {
+            index,
+            from: Box::new(from),
+            to: Box::new(to),
+            body: Box::new(body?.expr),
+        })
     }
 
     /// `i=1`
@@ -53,19 +62,28 @@ impl Parser<'_> {
         let index = Symbol::new(self.single_letter()?.canonical());
         match self.peek() {
             Kind::Relation(crate::algebra::Relation::Equal, false) => self.advance(),
-            _ => return refuse(self.span(), "after the index of a sum, `=` and its first value are expected"),
+            _ => {
+                return refuse(
+                    self.span(),
+                    "after the index of a sum, `=` and its first value are expected",
+                );
+            }
         }
         Ok((index, self.inside(false, Self::sum)?.expr))
     }
 
     /// Makes one term of `… + u_1 + u_2 + \cdots + u_k`, taking back from `terms` what belongs to it.
     pub(super) fn dotted(&mut self, terms: &mut Vec<Term>, last: Term, dots: Span) -> Read<Term> {
-        let Some(first) = terms.last() else { return refuse(dots, "nothing stands before these dots") };
+        let Some(first) = terms.last() else {
+            return refuse(dots, "nothing stands before these dots");
+        };
         let mismatch = |span: Span| -> SyntaxError {
             SyntaxError {
                 span,
                 message: "the terms around these dots do not follow one pattern".to_owned(),
-                help: Some("write `u_1 + u_2 + \\cdots + u_k`, or `\\sum_{i=1}^{k} u_i`".to_owned()),
+                help: Some(
+                    "write `u_1 + u_2 + \\cdots + u_k`, or `\\sum_{i=1}^{k} u_i`".to_owned(),
+                ),
             }
         };
         let mut hole = None;
@@ -78,7 +96,9 @@ impl Parser<'_> {
             }
             Some(Expr::Symbol(a.clone()))
         });
-        let (Some(_), Some((low, high))) = (found, hole) else { return Err(mismatch(dots)) };
+        let (Some(_), Some((low, high))) = (found, hole) else {
+            return Err(mismatch(dots));
+        };
         let first_span = first.span;
         let Some(count) = low.parse::<usize>().ok().filter(|&count| count > 0) else {
             return Err(mismatch(first_span));
@@ -95,21 +115,33 @@ impl Parser<'_> {
             merge(expr, &last.expr, &mut |a, b| {
                 let (low, upper) = hole_of(a, b)?;
                 let (stem, _) = split_subscript(a.name())?;
-                (low == number && upper == high)
-                    .then(|| Expr::Element { sequence: Symbol::new(stem), index: index.clone() })
+                (low == number && upper == high).then(|| Expr::Element {
+                    sequence: Symbol::new(stem),
+                    index: index.clone(),
+                })
             })
         };
-        let Some(body) = body_of(&first.expr, count) else { return Err(mismatch(first_span)) };
+        let Some(body) = body_of(&first.expr, count) else {
+            return Err(mismatch(first_span));
+        };
         let mut span = last.span;
         for number in (1..=count).rev() {
-            let Some(term) = terms.pop() else { return refuse(dots, "a sum with dots must start at the index 1") };
-            if term.negative || last.negative || body_of(&term.expr, number).as_ref() != Some(&body) {
+            let Some(term) = terms.pop() else {
+                return refuse(dots, "a sum with dots must start at the index 1");
+            };
+            if term.negative || last.negative || body_of(&term.expr, number).as_ref() != Some(&body)
+            {
                 return Err(mismatch(term.span));
             }
             span = span.to(term.span);
         }
         let from = Box::new(Expr::Number(BigRational::from_integer(1.into())));
-        let expr = Expr::Series { index, from, to: Box::new(to), body: Box::new(body) };
+        let expr = Expr::Series {
+            index,
+            from,
+            to: Box::new(to),
+            body: Box::new(body),
+        };
         Ok(Term { expr, span, ..last })
     }
 
@@ -117,7 +149,10 @@ impl Parser<'_> {
     pub(super) fn end_of_range(&self, text: &str, span: Span) -> Read<Expr> {
         match crate::notation::read_expr(text, Span::new(0, text.len())) {
             Ok(expr) => Ok(expr),
-            Err(_) => refuse(span, format!("the subscript `{text}` is no number of elements")),
+            Err(_) => refuse(
+                span,
+                format!("the subscript `{text}` is no number of elements"),
+            ),
         }
     }
 }
@@ -130,9 +165,17 @@ pub(super) fn hole_of<'a>(a: &'a Symbol, b: &'a Symbol) -> Option<(&'a str, &'a 
 }
 
 /// Walks over two terms of the same form at once. Where a symbol differs, `differ` says what stands there.
-fn merge(a: &Expr, b: &Expr, differ: &mut dyn FnMut(&Symbol, &Symbol) -> Option<Expr>) -> Option<Expr> {
+fn merge(
+    a: &Expr,
+    b: &Expr,
+    differ: &mut dyn FnMut(&Symbol, &Symbol) -> Option<Expr>,
+) -> Option<Expr> {
     if let (Expr::Symbol(x), Expr::Symbol(y)) = (a, b) {
-        return if x == y { Some(a.clone()) } else { differ(x, y) };
+        return if x == y {
+            Some(a.clone())
+        } else {
+            differ(x, y)
+        };
     }
     let mut both = |a: &Expr, b: &Expr| merge(a, b, differ).map(Box::new);
     Some(match (a, b) {
@@ -142,7 +185,9 @@ fn merge(a: &Expr, b: &Expr, differ: &mut dyn FnMut(&Symbol, &Symbol) -> Option<
         (Expr::Call(f, a), Expr::Call(g, b)) if f == g => Expr::Call(*f, both(a, b)?),
         (Expr::Sum(a), Expr::Sum(b)) => Expr::Sum(merge_all(a, b, differ)?),
         (Expr::Product(a), Expr::Product(b)) => Expr::Product(merge_all(a, b, differ)?),
-        (Expr::Apply(f, a), Expr::Apply(g, b)) if f == g => Expr::Apply(f.clone(), merge_all(a, b, differ)?),
+        (Expr::Apply(f, a), Expr::Apply(g, b)) if f == g => {
+            Expr::Apply(f.clone(), merge_all(a, b, differ)?)
+        }
         _ => (a == b).then(|| a.clone())?,
     })
 }
@@ -160,17 +205,20 @@ fn merge_all(
 
 /// An index that means nothing yet in these terms, as a symbol or as a subscript.
 fn fresh_index(terms: &[&Expr]) -> Symbol {
-    let free = |letter: &&&str| {
-        !terms.iter().any(|term| mentions(term, letter))
-    };
-    let letters = ["i", "j", "l", "m", "n", "p", "q", "r", "s", "t", "a", "b", "c", "f", "g", "h", "o"];
+    let free = |letter: &&&str| !terms.iter().any(|term| mentions(term, letter));
+    let letters = [
+        "i", "j", "l", "m", "n", "p", "q", "r", "s", "t", "a", "b", "c", "f", "g", "h", "o",
+    ];
     let index = letters.iter().find(free).copied().unwrap_or("\\iota");
     Symbol::new(index)
 }
 
 fn mentions(expr: &Expr, letter: &str) -> bool {
     let named = |symbol: &Symbol| {
-        symbol.name().split(|c: char| !c.is_ascii_alphanumeric()).any(|part| part == letter)
+        symbol
+            .name()
+            .split(|c: char| !c.is_ascii_alphanumeric())
+            .any(|part| part == letter)
             || symbol.name() == with_subscript("", letter)
     };
     match expr {
@@ -181,17 +229,37 @@ fn mentions(expr: &Expr, letter: &str) -> bool {
         Expr::Apply(symbol, all) => named(symbol) || all.iter().any(|expr| mentions(expr, letter)),
         Expr::Negate(a) | Expr::Call(_, a) => mentions(a, letter),
         Expr::Quotient(a, b) | Expr::Power(a, b) => mentions(a, letter) || mentions(b, letter),
-        Expr::Series { index, from, to, body } => {
-            named(index) || [from, to, body].into_iter().any(|expr| mentions(expr, letter))
+        Expr::Series {
+            index,
+            from,
+            to,
+            body,
+        } => {
+            named(index)
+                || [from, to, body]
+                    .into_iter()
+                    .any(|expr| mentions(expr, letter))
         }
         Expr::Derivative { body, variable } => named(variable) || mentions(body, letter),
-        Expr::Limit { body, variable, point } => {
+        Expr::Limit {
+            body,
+            variable,
+            point,
+        } => {
             named(variable)
                 || mentions(body, letter)
                 || matches!(point, crate::algebra::LimitPoint::Finite(point) if mentions(point, letter))
         }
-        Expr::Integral { body, variable, from, to } => {
-            named(variable) || [from, to, body].into_iter().any(|expr| mentions(expr, letter))
+        Expr::Integral {
+            body,
+            variable,
+            from,
+            to,
+        } => {
+            named(variable)
+                || [from, to, body]
+                    .into_iter()
+                    .any(|expr| mentions(expr, letter))
         }
     }
 }

@@ -10,7 +10,15 @@ use crate::notation::{Clause, Link, Mark, Side, Spanned, Statement};
 
 /// The environments whose rows are statements.
 const ENVIRONMENTS: &[&str] = &[
-    "aligned", "align", "align*", "split", "gather", "gather*", "gathered", "equation", "equation*",
+    "aligned",
+    "align",
+    "align*",
+    "split",
+    "gather",
+    "gather*",
+    "gathered",
+    "equation",
+    "equation*",
 ];
 
 /// A place in a chain: a term, or the dots of `u_1 = \dots = u_n`.
@@ -39,7 +47,12 @@ impl<'s> Parser<'s> {
             while let Kind::Finish(name) = self.peek() {
                 match environments.pop() {
                     Some((begun, _)) if begun == name => {}
-                    _ => return refuse(self.span(), format!("this ends `{name}`, which was not begun here")),
+                    _ => {
+                        return refuse(
+                            self.span(),
+                            format!("this ends `{name}`, which was not begun here"),
+                        );
+                    }
                 }
                 self.advance();
                 separated |= self.separator()?;
@@ -78,7 +91,10 @@ impl<'s> Parser<'s> {
                 self.skip_wide();
                 if !matches!(self.peek(), Kind::End | Kind::Row | Kind::Finish(_)) {
                     self.at -= 1;
-                    return refuse(self.span(), "a full stop ends the formulas, and more follows");
+                    return refuse(
+                        self.span(),
+                        "a full stop ends the formulas, and more follows",
+                    );
                 }
                 separated = true;
             }
@@ -86,7 +102,9 @@ impl<'s> Parser<'s> {
         }
         separated |= self.skip_wide();
         match self.peek() {
-            Kind::Text(words) if matches!(words.trim(), "and" | "," | ";" | ", and" | "; and" | ",and") => {
+            Kind::Text(words)
+                if matches!(words.trim(), "and" | "," | ";" | ", and" | "; and" | ",and") =>
+            {
                 self.advance();
                 separated = true;
             }
@@ -131,10 +149,19 @@ impl<'s> Parser<'s> {
                 }
             }
             if mark.is_some() && matches!(self.peek(), Kind::Connective(_)) {
-                return refuse(self.span(), "a mark belongs at the end of the whole statement");
+                return refuse(
+                    self.span(),
+                    "a mark belongs at the end of the whole statement",
+                );
             }
         }
-        Ok(Statement { label, clauses, connectives, mark, span: self.since(start) })
+        Ok(Statement {
+            label,
+            clauses,
+            connectives,
+            mark,
+            span: self.since(start),
+        })
     }
 
     fn skip_closing(&mut self) {
@@ -145,7 +172,9 @@ impl<'s> Parser<'s> {
 
     /// `\text{Initial: }`
     fn label(&mut self) -> Option<String> {
-        let Kind::Text(words) = self.peek() else { return None };
+        let Kind::Text(words) = self.peek() else {
+            return None;
+        };
         let label = words.trim().strip_suffix(':')?.trim_end();
         if label.is_empty() {
             return None;
@@ -169,7 +198,11 @@ impl<'s> Parser<'s> {
                 self.at = end;
                 break;
             };
-            links.push(Link { relation, questioned, span: self.span() });
+            links.push(Link {
+                relation,
+                questioned,
+                span: self.span(),
+            });
             self.advance();
             self.skip_wide();
             if let Kind::Relation(..) = self.peek() {
@@ -191,8 +224,16 @@ impl<'s> Parser<'s> {
     /// The refusal of a term without a relation, or of what stopped the reader there.
     fn lone<T>(&self, span: Span) -> Read<T> {
         match self.peek() {
-            Kind::End | Kind::Wide | Kind::Row | Kind::Finish(_) | Kind::BoxClose | Kind::And | Kind::Mark(_)
-            | Kind::Connective(_) | Kind::Char(',' | ';' | '.') => {
+            Kind::And if !self.words => self.unexpected(),
+            Kind::End
+            | Kind::Wide
+            | Kind::Row
+            | Kind::Finish(_)
+            | Kind::BoxClose
+            | Kind::And
+            | Kind::Mark(_)
+            | Kind::Connective(_)
+            | Kind::Char(',' | ';' | '.') => {
                 let help = "a statement needs a relation sign, such as `=`";
                 refuse_with(span, "this is a term, not a statement", help)
             }
@@ -218,10 +259,13 @@ impl<'s> Parser<'s> {
     }
 
     fn chain(&self, places: Vec<Place>, links: Vec<Link>, span: Span) -> Read<Clause> {
-        let dots = places.iter().enumerate().find_map(|(at, place)| match place {
-            Place::Dots(span) => Some((at, *span)),
-            Place::Side(_) => None,
-        });
+        let dots = places
+            .iter()
+            .enumerate()
+            .find_map(|(at, place)| match place {
+                Place::Dots(span) => Some((at, *span)),
+                Place::Side(_) => None,
+            });
         let mut sides = Vec::new();
         for place in places {
             match place {
@@ -239,32 +283,64 @@ impl<'s> Parser<'s> {
     }
 
     /// `u_1 = u_2 = \dots = u_n`: the first elements in order, the dots, the last element, perhaps one value.
-    fn all_equal(&self, sides: Vec<Side>, at: usize, dots: Span, links: &[Link], span: Span) -> Read<Clause> {
+    fn all_equal(
+        &self,
+        sides: Vec<Side>,
+        at: usize,
+        dots: Span,
+        links: &[Link],
+        span: Span,
+    ) -> Read<Clause> {
         let mismatch = |span| {
             let help = "write `u_1 = u_2 = \\dots = u_n`, perhaps with `= w` at the end";
-            refuse_with(span, "the sides around these dots do not follow one pattern", help)
+            refuse_with(
+                span,
+                "the sides around these dots do not follow one pattern",
+                help,
+            )
         };
-        if let Some(link) = links.iter().find(|link| link.relation != Relation::Equal || link.questioned) {
-            return refuse(link.span, "a chain with dots is read only with plain `=` signs");
+        if let Some(link) = links
+            .iter()
+            .find(|link| link.relation != Relation::Equal || link.questioned)
+        {
+            return refuse(
+                link.span,
+                "a chain with dots is read only with plain `=` signs",
+            );
         }
         let mut sides = sides.into_iter();
         let firsts: Vec<Side> = sides.by_ref().take(at).collect();
-        let (Some(last), value, None) = (sides.next(), sides.next(), sides.next()) else { return mismatch(dots) };
-        let Expr::Symbol(last_symbol) = &last.expr else { return mismatch(last.span) };
+        let (Some(last), value, None) = (sides.next(), sides.next(), sides.next()) else {
+            return mismatch(dots);
+        };
+        let Expr::Symbol(last_symbol) = &last.expr else {
+            return mismatch(last.span);
+        };
         let mut end = None;
         for (number, side) in (1usize..).zip(&firsts) {
-            let Expr::Symbol(symbol) = &side.expr else { return mismatch(side.span) };
+            let Expr::Symbol(symbol) = &side.expr else {
+                return mismatch(side.span);
+            };
             match hole_of(symbol, last_symbol) {
                 Some((low, high)) if low == number.to_string() => end = Some(high),
                 _ => return mismatch(side.span),
             }
         }
-        let Some(end) = end else { return mismatch(dots) };
+        let Some(end) = end else {
+            return mismatch(dots);
+        };
         let to = self.end_of_range(end, last.span)?;
         if matches!(&to, Expr::Number(n) if *n <= BigRational::from_integer(firsts.len().into())) {
             return mismatch(last.span);
         }
-        let Some((stem, _)) = split_subscript(last_symbol.name()) else { return mismatch(last.span) };
-        Ok(Clause::AllEqual { sequence: Symbol::new(stem), to, value, span })
+        let Some((stem, _)) = split_subscript(last_symbol.name()) else {
+            return mismatch(last.span);
+        };
+        Ok(Clause::AllEqual {
+            sequence: Symbol::new(stem),
+            to,
+            value,
+            span,
+        })
     }
 }

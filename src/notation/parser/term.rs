@@ -39,12 +39,18 @@ impl Parser<'_> {
                 && !terms.is_empty()
             {
                 if negative || dots.is_some() {
-                    return refuse(self.span(), "dots are read only once, and only after a `+` sign");
+                    return refuse(
+                        self.span(),
+                        "dots are read only once, and only after a `+` sign",
+                    );
                 }
                 dots = Some(self.span());
                 self.advance();
                 if self.peek() != Kind::Char('+') {
-                    return refuse(self.since(self.at - 1), "after the dots, `+` and the last term are missing");
+                    return refuse(
+                        self.since(self.at - 1),
+                        "after the dots, `+` and the last term are missing",
+                    );
                 }
                 continue;
             }
@@ -52,7 +58,11 @@ impl Parser<'_> {
             if negative && term.braces {
                 return invisible(term.span);
             }
-            let mut term = Term { span: self.since(from), negative, ..term };
+            let mut term = Term {
+                span: self.since(from),
+                negative,
+                ..term
+            };
             if let Some(dots) = dots.take() {
                 term = self.dotted(&mut terms, term, dots)?;
             }
@@ -66,12 +76,20 @@ impl Parser<'_> {
 
     fn gather(&mut self, start: usize, mut terms: Vec<Term>) -> Read<Term> {
         let span = self.since(start);
-        let Some(last) = terms.pop() else { return self.no_term() };
+        let Some(last) = terms.pop() else {
+            return self.no_term();
+        };
         if terms.is_empty() {
             return Ok(match last.negative {
                 true => {
                     let expr = Expr::Negate(Box::new(last.expr));
-                    Term { expr, shape: Shape::Loose, span, negative: false, braces: false }
+                    Term {
+                        expr,
+                        shape: Shape::Loose,
+                        span,
+                        negative: false,
+                        braces: false,
+                    }
                 }
                 false => Term { span, ..last },
             });
@@ -82,7 +100,13 @@ impl Parser<'_> {
             true => Expr::Negate(Box::new(term.expr)),
             false => term.expr,
         });
-        Ok(Term { expr: Expr::Sum(sum.collect()), shape: Shape::Loose, span, negative: false, braces: false })
+        Ok(Term {
+            expr: Expr::Sum(sum.collect()),
+            shape: Shape::Loose,
+            span,
+            negative: false,
+            braces: false,
+        })
     }
 
     /// A product; a single factor is itself.
@@ -93,6 +117,7 @@ impl Parser<'_> {
     fn term_inner(&mut self) -> Read<Term> {
         let start = self.at;
         let mut product = Product::default();
+        let mut differential = self.at_differential();
         product.push(self.factor()?)?;
         product.take_pending(self)?;
         let mut slashes = 0;
@@ -101,19 +126,33 @@ impl Parser<'_> {
                 Kind::Command("cdot" | "times") | Kind::Char('*') => {
                     self.advance();
                     product.signed = true;
+                    differential |= self.at_differential();
                     product.push(self.factor()?)?;
                 }
                 Kind::Char('/') => {
                     self.advance();
                     slashes += 1;
                     if slashes > SLASHES {
-                        let message = format!("one term holds more than {SLASHES} fraction strokes");
+                        let message =
+                            format!("one term holds more than {SLASHES} fraction strokes");
                         return refuse_with(self.span(), message, "write `\\frac{…}{…}`");
                     }
-                    product.signed = true;
+                    if differential && self.at_differential() {
+                        let help =
+                            "write `\\frac{d\\eta}{d\\mu}`, or `d \\cdot \\eta` for a product";
+                        self.at += 2;
+                        return refuse_with(
+                            self.since(start),
+                            "this may be a derivative or a quotient of products",
+                            help,
+                        );
+                    }
                     product.divide(self.factor()?)?;
                 }
-                _ if self.starts_factor() => product.push(self.factor()?)?,
+                _ if self.starts_factor() => {
+                    differential |= self.at_differential();
+                    product.push(self.factor()?)?;
+                }
                 _ => break,
             }
             product.take_pending(self)?;
@@ -145,8 +184,11 @@ impl Product {
             && !signed
             && before.shape == Shape::Number
         {
-            if factor.shape == Shape::Number || starts_with_number(&factor.expr) {
-                let help = "for a product write `2 \\cdot 3`; a long number is written without spaces";
+            if factor.shape == Shape::Number
+                || factor.shape == Shape::Power && starts_with_number(&factor.expr)
+            {
+                let help =
+                    "for a product write `2 \\cdot 3`; a long number is written without spaces";
                 return refuse_with(factor.span, "two numbers stand side by side", help);
             }
             if is_numeric_fraction(&factor.expr) && factor.shape == Shape::Tight {
@@ -164,10 +206,20 @@ impl Product {
         if by.braces && by.shape == Shape::Loose {
             return invisible(by.span);
         }
-        let span = self.factors.first().map_or(by.span, |first| first.span.to(by.span));
-        let Some(over) = self.value() else { return refuse(by.span, "a numerator is missing") };
+        let span = self
+            .factors
+            .first()
+            .map_or(by.span, |first| first.span.to(by.span));
+        let Some(over) = self.value() else {
+            return refuse(by.span, "a numerator is missing");
+        };
         let expr = Expr::Quotient(Box::new(over), Box::new(by.expr));
-        self.factors = vec![Factor { expr, shape: Shape::Loose, span, braces: false }];
+        self.factors = vec![Factor {
+            expr,
+            shape: Shape::Loose,
+            span,
+            braces: false,
+        }];
         self.divided = true;
         Ok(())
     }
@@ -185,7 +237,11 @@ impl Product {
         if !company && self.factors.len() < 2 {
             return Ok(());
         }
-        match self.factors.iter().find(|factor| factor.braces && factor.shape == Shape::Loose) {
+        match self
+            .factors
+            .iter()
+            .find(|factor| factor.braces && factor.shape == Shape::Loose)
+        {
             Some(factor) => invisible(factor.span),
             None => Ok(()),
         }
@@ -198,14 +254,24 @@ impl Product {
             _ => (Shape::Loose, false),
         };
         match self.value() {
-            Some(expr) => Ok(Term { expr, shape, span, negative: false, braces }),
+            Some(expr) => Ok(Term {
+                expr,
+                shape,
+                span,
+                negative: false,
+                braces,
+            }),
             None => refuse(span, "a factor is missing"),
         }
     }
 }
 
 pub(super) fn invisible<T>(span: crate::document::Span) -> Read<T> {
-    refuse_with(span, "TeX does not print these braces, so a reader takes this differently", "write parentheses")
+    refuse_with(
+        span,
+        "TeX does not print these braces, so a reader takes this differently",
+        "write parentheses",
+    )
 }
 
 fn starts_with_number(expr: &Expr) -> bool {

@@ -18,7 +18,9 @@ use num_traits::{One, Signed};
 
 /// A term in canonical LaTeX.
 pub fn latex(expr: &Expr) -> String {
-    let Expr::Sum(terms) = expr else { return signed(expr) };
+    let Expr::Sum(terms) = expr else {
+        return signed(expr);
+    };
     let mut text = String::new();
     for (at, term) in terms.iter().enumerate() {
         match term {
@@ -40,10 +42,23 @@ pub fn latex(expr: &Expr) -> String {
 /// A statement that is true or false at a point, in LaTeX.
 pub fn latex_formula(formula: &Formula) -> String {
     match formula {
-        Formula::Relation { left, relation, right } => {
-            format!("{} {} {}", latex(left), relation_latex(*relation), latex(right))
+        Formula::Relation {
+            left,
+            relation,
+            right,
+        } => {
+            format!(
+                "{} {} {}",
+                latex(left),
+                relation_latex(*relation),
+                latex(right)
+            )
         }
-        Formula::AllEqual { sequence, to, value } => all_equal(sequence, to, value.as_ref()),
+        Formula::AllEqual {
+            sequence,
+            to,
+            value,
+        } => all_equal(sequence, to, value.as_ref()),
     }
 }
 
@@ -54,7 +69,10 @@ pub fn latex_statement(statement: &Statement) -> String {
         text.push_str(&format!("\\text{{{label}: }} "));
     }
     for (at, clause) in statement.clauses.iter().enumerate() {
-        if let Some(connective) = at.checked_sub(1).and_then(|at| statement.connectives.get(at)) {
+        if let Some(connective) = at
+            .checked_sub(1)
+            .and_then(|at| statement.connectives.get(at))
+        {
             text.push_str(match connective.value {
                 Connective::Implies => " \\Rightarrow ",
                 Connective::Equivalent => " \\iff ",
@@ -77,23 +95,33 @@ fn latex_clause(clause: &Clause) -> String {
             for (at, side) in sides.iter().enumerate() {
                 if let Some(link) = at.checked_sub(1).and_then(|at| links.get(at)) {
                     let sign = relation_latex(link.relation);
-                    let sign = if link.questioned { format!("\\stackrel{{?}}{{{sign}}}") } else { sign.to_owned() };
+                    let sign = if link.questioned {
+                        format!("\\stackrel{{?}}{{{sign}}}")
+                    } else {
+                        sign.to_owned()
+                    };
                     text.push_str(&format!(" {sign} "));
                 }
                 text.push_str(&latex(&side.expr));
             }
             text
         }
-        Clause::AllEqual { sequence, to, value, .. } => {
-            all_equal(sequence, to, value.as_ref().map(|side| &side.expr))
-        }
+        Clause::AllEqual {
+            sequence,
+            to,
+            value,
+            ..
+        } => all_equal(sequence, to, value.as_ref().map(|side| &side.expr)),
     }
 }
 
 fn all_equal(sequence: &Symbol, to: &Expr, value: Option<&Expr>) -> String {
     let last = with_subscript(sequence.name(), &latex(to));
     let value = value.map_or(String::new(), |value| format!(" = {}", latex(value)));
-    format!("{} = \\dots = {last}{value}", with_subscript(sequence.name(), "1"))
+    format!(
+        "{} = \\dots = {last}{value}",
+        with_subscript(sequence.name(), "1")
+    )
 }
 
 /// A relation sign in LaTeX.
@@ -124,13 +152,21 @@ fn signed(expr: &Expr) -> String {
 /// A term as it stands between `+` signs.
 fn product(expr: &Expr) -> String {
     let Expr::Product(factors) = expr else {
-        return if is_signed(expr) { parentheses(expr) } else { factor(expr, true) };
+        return if is_signed(expr) {
+            parentheses(expr)
+        } else {
+            factor(expr, true)
+        };
     };
     let mut text = String::new();
     for (at, item) in factors.iter().enumerate() {
         let printed = factor(item, at + 1 == factors.len());
         if let Some(before) = at.checked_sub(1).and_then(|at| factors.get(at)) {
-            text.push_str(if needs_dot(before, item, &printed) { " \\cdot " } else { " " });
+            text.push_str(if needs_dot(before, item, &printed) {
+                " \\cdot "
+            } else {
+                " "
+            });
         }
         text.push_str(&printed);
     }
@@ -138,17 +174,22 @@ fn product(expr: &Expr) -> String {
 }
 
 fn is_signed(expr: &Expr) -> bool {
-    matches!(expr, Expr::Sum(_) | Expr::Negate(_)) || matches!(expr, Expr::Number(n) if n.is_negative())
+    matches!(expr, Expr::Sum(_) | Expr::Negate(_))
+        || matches!(expr, Expr::Number(n) if n.is_negative())
 }
 
 /// Whether two factors side by side would be read as something else.
 fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
-    let differential = |symbol: &Symbol| matches!(symbol.name(), "d" | "\\text{d}") || symbol.name().ends_with("\\Delta");
+    let differential = |symbol: &Symbol| {
+        matches!(symbol.name(), "d" | "\\text{d}") || symbol.name().ends_with("\\Delta")
+    };
     if printed.starts_with(|c: char| c.is_ascii_digit()) {
         return true;
     }
     match before {
-        Expr::Number(_) => printed.starts_with("\\frac") && !matches!(item, Expr::Derivative { .. }),
+        Expr::Number(_) => {
+            printed.starts_with("\\frac") && !matches!(item, Expr::Derivative { .. })
+        }
         Expr::Symbol(symbol) if differential(symbol) => true,
         Expr::Symbol(_) | Expr::Element { .. } => {
             matches!(item, Expr::Power(base, _) if matches!(**base, Expr::Symbol(_) | Expr::Element { .. }))
@@ -174,32 +215,73 @@ fn factor(expr: &Expr, last: bool) -> String {
             format!("{}({})", function.name(), arguments.join(", "))
         }
         Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
-            format!("\\frac{{{}}}{{{}}}", differential(&latex(body)), differential(variable.name()))
+            format!(
+                "\\frac{{{}}}{{{}}}",
+                differential(&latex(body)),
+                differential(variable.name())
+            )
         }
         _ if !last => parentheses(expr),
         Expr::Derivative { body, variable } => {
-            format!("\\frac{{d}}{{{}}} \\left[ {} \\right]", differential(variable.name()), latex(body))
+            format!(
+                "\\frac{{d}}{{{}}} \\left[ {} \\right]",
+                differential(variable.name()),
+                latex(body)
+            )
         }
-        Expr::Series { index, from, to, body } => {
+        Expr::Series {
+            index,
+            from,
+            to,
+            body,
+        } => {
             let (from, to) = (latex(from), latex(to));
-            format!("\\sum_{{{} = {from}}}^{{{to}}} {}", index.name(), product(body))
+            format!(
+                "\\sum_{{{} = {from}}}^{{{to}}} {}",
+                index.name(),
+                product(body)
+            )
         }
-        Expr::Limit { body, variable, point } => {
+        Expr::Limit {
+            body,
+            variable,
+            point,
+        } => {
             let point = match point {
                 LimitPoint::Finite(point) => latex(point),
                 LimitPoint::PlusInfinity => "\\infty".to_owned(),
                 LimitPoint::MinusInfinity => "-\\infty".to_owned(),
             };
-            format!("\\lim_{{{} \\to {point}}} {}", variable.name(), product(body))
+            format!(
+                "\\lim_{{{} \\to {point}}} {}",
+                variable.name(),
+                product(body)
+            )
         }
-        Expr::Integral { body, variable, from, to } => {
+        Expr::Integral {
+            body,
+            variable,
+            from,
+            to,
+        } => {
             let plain = product(body);
             let hidden = |part: &str| part == "d" || part.starts_with("\\text{d}");
             let closed = matches!(**body, Expr::Integral { .. })
-                || plain.split(|c: char| c.is_whitespace() || "()[]^_".contains(c)).any(hidden);
-            let body = if closed && !is_signed(body) { parentheses(body) } else { plain };
+                || plain.ends_with("\\Delta")
+                || plain
+                    .split(|c: char| c.is_whitespace() || "()[]^_".contains(c))
+                    .any(hidden);
+            let body = if closed && !is_signed(body) {
+                parentheses(body)
+            } else {
+                plain
+            };
             let differential = differential(variable.name());
-            format!("\\int_{{{}}}^{{{}}} {body} \\, {differential}", latex(from), latex(to))
+            format!(
+                "\\int_{{{}}}^{{{}}} {body} \\, {differential}",
+                latex(from),
+                latex(to)
+            )
         }
     }
 }
@@ -214,7 +296,10 @@ fn numeral(number: &BigRational) -> String {
 
 fn parentheses(expr: &Expr) -> String {
     let inner = latex(expr);
-    if ["\\frac", "\\sum", "\\int", "\\left"].iter().any(|tall| inner.contains(tall)) {
+    if ["\\frac", "\\sum", "\\int", "\\left"]
+        .iter()
+        .any(|tall| inner.contains(tall))
+    {
         format!("\\left( {inner} \\right)")
     } else {
         format!("({inner})")
@@ -242,29 +327,48 @@ fn power(base: &Expr, exponent: &Expr) -> String {
         && number.numer().is_one()
     {
         let degree = number.denom().to_string();
-        let degree = if degree == "2" { String::new() } else { format!("[{degree}]") };
+        let degree = if degree == "2" {
+            String::new()
+        } else {
+            format!("[{degree}]")
+        };
         return format!("\\sqrt{degree}{{{}}}", latex(base));
     }
     let base = match base {
         Expr::Symbol(symbol) => raised_name(symbol.name()),
-        Expr::Element { sequence, index } => raised_name(&with_subscript(sequence.name(), index.name())),
-        Expr::Number(number) if !number.is_negative() && decimal(number).is_some() => numeral(number),
+        Expr::Element { sequence, index } => {
+            raised_name(&with_subscript(sequence.name(), index.name()))
+        }
+        Expr::Number(number) if !number.is_negative() && decimal(number).is_some() => {
+            numeral(number)
+        }
         Expr::Call(Function::Abs | Function::Ceiling | Function::Floor, _) => factor(base, true),
-        Expr::Apply(_, arguments) if !arguments.iter().any(|argument| raised(argument)) => factor(base, true),
+        Expr::Apply(_, arguments) if !arguments.iter().any(raised) => factor(base, true),
         _ => parentheses(base),
     };
     let exponent = match exponent {
-        Expr::Quotient(a, b) => match (&**a, &**b) {
-            (Expr::Number(a), Expr::Number(b)) => format!("{}/{}", in_slash(a), in_slash(b)),
-            _ => latex(exponent),
-        },
-        _ => latex(exponent),
-    };
-    if exponent.chars().count() == 1 { format!("{base}^{exponent}") } else { format!("{base}^{{{exponent}}}") }
+        Expr::Negate(inner) => slashed(inner).map(|text| format!("-{text}")),
+        _ => slashed(exponent),
+    }
+    .unwrap_or_else(|| latex(exponent));
+    if exponent.chars().count() == 1 {
+        format!("{base}^{exponent}")
+    } else {
+        format!("{base}^{{{exponent}}}")
+    }
 }
 
-fn in_slash(number: &BigRational) -> String {
-    decimal(number).unwrap_or_else(|| format!("({})", signed(&Expr::Number(number.clone()))))
+/// A fraction of two numerals, as it looks best in an exponent.
+fn slashed(expr: &Expr) -> Option<String> {
+    let Expr::Quotient(over, under) = expr else {
+        return None;
+    };
+    match (&**over, &**under) {
+        (Expr::Number(over), Expr::Number(under)) => {
+            Some(format!("{}/{}", decimal(over)?, decimal(under)?))
+        }
+        _ => None,
+    }
 }
 
 fn raised(expr: &Expr) -> bool {

@@ -32,7 +32,9 @@ fn decimal(number: &BigRational) -> Option<String> {
     }
     let places = twos.max(fives);
     let scale = BigInt::from(10).pow(u32::try_from(places).ok()?);
-    let digits = (number * BigRational::from_integer(scale)).to_integer().to_string();
+    let digits = (number * BigRational::from_integer(scale))
+        .to_integer()
+        .to_string();
     let digits = format!("{digits:0>width$}", width = places + 1);
     let (whole, decimals) = digits.split_at(digits.len() - places);
     Some(format!("{whole}.{decimals}"))

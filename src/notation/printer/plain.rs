@@ -37,12 +37,27 @@ pub fn plain(expr: &Expr) -> String {
 /// A formula as one line of text.
 pub fn plain_formula(formula: &Formula) -> String {
     match formula {
-        Formula::Relation { left, relation, right } => {
-            format!("{} {} {}", plain(left), relation_sign(*relation), plain(right))
+        Formula::Relation {
+            left,
+            relation,
+            right,
+        } => {
+            format!(
+                "{} {} {}",
+                plain(left),
+                relation_sign(*relation),
+                plain(right)
+            )
         }
-        Formula::AllEqual { sequence, to, value } => {
+        Formula::AllEqual {
+            sequence,
+            to,
+            value,
+        } => {
             let stem = name(sequence.name());
-            let value = value.as_ref().map_or(String::new(), |value| format!(" = {}", plain(value)));
+            let value = value
+                .as_ref()
+                .map_or(String::new(), |value| format!(" = {}", plain(value)));
             format!("{stem}₁ = … = {stem}{}{value}", subscript(&plain(to)))
         }
     }
@@ -71,7 +86,13 @@ fn product(expr: &Expr) -> String {
             for (at, item) in factors.iter().enumerate() {
                 let printed = factor(item, at + 1 == factors.len());
                 let digit = printed.starts_with(|c: char| c.is_ascii_digit());
-                text.push_str(if at == 0 { "" } else if digit { "·" } else { " " });
+                text.push_str(if at == 0 {
+                    ""
+                } else if digit {
+                    "·"
+                } else {
+                    " "
+                });
                 text.push_str(&printed);
             }
             text
@@ -85,7 +106,11 @@ fn product(expr: &Expr) -> String {
 /// What needs no parentheses beside `/` or under `^`.
 fn atom(expr: &Expr) -> String {
     match expr {
-        Expr::Quotient(..) | Expr::Product(_) | Expr::Series { .. } | Expr::Limit { .. } | Expr::Integral { .. } => {
+        Expr::Quotient(..)
+        | Expr::Product(_)
+        | Expr::Series { .. }
+        | Expr::Limit { .. }
+        | Expr::Integral { .. } => {
             format!("({})", plain(expr))
         }
         _ => factor(expr, false),
@@ -99,7 +124,9 @@ fn factor(expr: &Expr, last: bool) -> String {
             None => format!("({number})"),
         },
         Expr::Symbol(symbol) => name(symbol.name()),
-        Expr::Element { sequence, index } => format!("{}_{}", name(sequence.name()), name(index.name())),
+        Expr::Element { sequence, index } => {
+            format!("{}_{}", name(sequence.name()), name(index.name()))
+        }
         Expr::Power(base, exponent) => power(base, exponent),
         Expr::Call(function, argument) => {
             let inner = plain(argument);
@@ -121,25 +148,59 @@ fn factor(expr: &Expr, last: bool) -> String {
         Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
             format!("d{}/d{}", plain(body), name(variable.name()))
         }
-        Expr::Derivative { body, variable } => format!("d/d{} [{}]", name(variable.name()), plain(body)),
-        Expr::Sum(_) | Expr::Negate(_) | Expr::Product(_) | Expr::Quotient(..) | Expr::Number(_) => {
+        Expr::Derivative { body, variable } => {
+            format!("d/d{} [{}]", name(variable.name()), plain(body))
+        }
+        Expr::Sum(_)
+        | Expr::Negate(_)
+        | Expr::Product(_)
+        | Expr::Quotient(..)
+        | Expr::Number(_) => {
             format!("({})", plain(expr))
         }
         _ if !last => format!("({})", plain(expr)),
-        Expr::Series { index, from, to, body } => {
-            format!("Σ_{{{}={}}}^{{{}}} {}", name(index.name()), plain(from), plain(to), product(body))
+        Expr::Series {
+            index,
+            from,
+            to,
+            body,
+        } => {
+            format!(
+                "Σ_{{{}={}}}^{{{}}} {}",
+                name(index.name()),
+                plain(from),
+                plain(to),
+                product(body)
+            )
         }
-        Expr::Limit { body, variable, point } => {
+        Expr::Limit {
+            body,
+            variable,
+            point,
+        } => {
             let point = match point {
                 LimitPoint::Finite(point) => plain(point),
                 LimitPoint::PlusInfinity => "∞".to_owned(),
                 LimitPoint::MinusInfinity => "−∞".to_owned(),
             };
-            format!("lim_{{{}→{point}}} {}", name(variable.name()), product(body))
+            format!(
+                "lim_{{{}→{point}}} {}",
+                name(variable.name()),
+                product(body)
+            )
         }
-        Expr::Integral { body, variable, from, to } => {
+        Expr::Integral {
+            body,
+            variable,
+            from,
+            to,
+        } => {
             let (from, to) = (plain(from), plain(to));
-            format!("∫_{{{from}}}^{{{to}}} {} d{}", product(body), name(variable.name()))
+            format!(
+                "∫_{{{from}}}^{{{to}}} {} d{}",
+                product(body),
+                name(variable.name())
+            )
         }
     }
 }
@@ -172,14 +233,18 @@ fn superscript_digits(text: &str) -> Option<String> {
     text.chars()
         .map(|c| match c {
             '−' => Some('⁻'),
-            c => c.to_digit(10).and_then(|digit| digits.chars().nth(digit as usize)),
+            c => c
+                .to_digit(10)
+                .and_then(|digit| digits.chars().nth(digit as usize)),
         })
         .collect()
 }
 
 fn subscript(text: &str) -> String {
-    let digits: Option<String> =
-        text.chars().map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d))).collect();
+    let digits: Option<String> = text
+        .chars()
+        .map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d)))
+        .collect();
     match digits {
         Some(digits) => digits,
         None if text.chars().count() == 1 => format!("_{text}"),
@@ -204,10 +269,13 @@ fn letters(mut rest: &str) -> String {
         rest = rest.get(c.len_utf8()..).unwrap_or("");
         match c {
             '\\' => {
-                let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+                let length = rest
+                    .find(|c: char| !c.is_ascii_alphabetic())
+                    .unwrap_or(rest.len());
                 let (command, after) = rest.split_at(length);
                 rest = after;
-                let letter = commands::find(LETTERS, command).or_else(|| commands::find(SUBSCRIPTS, command));
+                let letter = commands::find(LETTERS, command)
+                    .or_else(|| commands::find(SUBSCRIPTS, command));
                 if let Some(accent) = commands::find(ACCENTS, command) {
                     waiting.push(accent);
                     rest = rest.strip_prefix('{').unwrap_or(rest);
@@ -238,7 +306,17 @@ mod tests {
 
     #[test]
     fn names_on_a_terminal() {
-        let shown = ["v'_1", "\\Delta E_{\\text{total}}", "\\dot{\\delta}", "E^*", "\\eta_{\\max}", "v_{12}"];
-        assert_eq!(shown.map(name), ["v′₁", "ΔE_{total}", "δ\u{307}", "E*", "η_{max}", "v₁₂"]);
+        let shown = [
+            "v'_1",
+            "\\Delta E_{\\text{total}}",
+            "\\dot{\\delta}",
+            "E^*",
+            "\\eta_{\\max}",
+            "v_{12}",
+        ];
+        assert_eq!(
+            shown.map(name),
+            ["v′₁", "ΔE_{total}", "δ\u{307}", "E*", "η_{max}", "v₁₂"]
+        );
     }
 }

@@ -1,0 +1,899 @@
+//! The LaTeX-math reader, seen from outside: the report's equations, the refusals, and the law of the printer.
+
+use cradle_verify::algebra::{BigRational, Expr, Function, LimitPoint, Symbol};
+use cradle_verify::document::Span;
+use cradle_verify::notation::{
+    Clause, SyntaxError, latex, latex_statement, plain, read_display, read_expr, read_formulas,
+    read_symbol,
+};
+use proptest::prelude::*;
+
+fn whole(text: &str) -> Span {
+    Span::new(0, text.len())
+}
+
+fn printed(source: &str) -> Result<String, SyntaxError> {
+    let statements = read_display(source, whole(source)).statements?;
+    Ok(statements
+        .iter()
+        .map(latex_statement)
+        .collect::<Vec<_>>()
+        .join(" ;; "))
+}
+
+/// The equations as the report's author wrote them, and as they are read; `;;` separates statements.
+const REPORT: &[(&str, &str)] = &[
+    (
+        r"mv_0 = mv_1 + mv_2 + mv_3 + mv_4 + mv_5 \quad (1)",
+        r"m v_0 = m v_1 + m v_2 + m v_3 + m v_4 + m v_5",
+    ),
+    (
+        r"v_0 = v_1 + v_2 + v_3 + v_4 + v_5 \quad (2)",
+        r"v_0 = v_1 + v_2 + v_3 + v_4 + v_5",
+    ),
+    (
+        r"\frac{1}{2}mv_0^2 = \frac{1}{2}mv_1^2 + \frac{1}{2}mv_2^2 + \frac{1}{2}mv_3^2 + \frac{1}{2}mv_4^2 + \frac{1}{2}mv_5^2 \quad (3)",
+        r"\frac{1}{2} m v_0^2 = \frac{1}{2} m v_1^2 + \frac{1}{2} m v_2^2 + \frac{1}{2} m v_3^2 + \frac{1}{2} m v_4^2 + \frac{1}{2} m v_5^2",
+    ),
+    (
+        r"v_0^2 = v_1^2 + v_2^2 + v_3^2 + v_4^2 + v_5^2 \quad (4)",
+        r"v_0^2 = v_1^2 + v_2^2 + v_3^2 + v_4^2 + v_5^2",
+    ),
+    (
+        r"v_0 \stackrel{?}{=} 0 + 0 + 0 + \frac{v_0}{2} + \frac{v_0}{2} = v_0 \quad \checkmark \quad (5)",
+        r"v_0 \stackrel{?}{=} 0 + 0 + 0 + \frac{v_0}{2} + \frac{v_0}{2} = v_0 \quad \checkmark",
+    ),
+    (
+        r"v_0^2 \stackrel{?}{=} 0 + 0 + 0 + \left(\frac{v_0}{2}\right)^2 + \left(\frac{v_0}{2}\right)^2 = \frac{v_0^2}{4} + \frac{v_0^2}{4} = \frac{v_0^2}{2} \quad \times \quad (6)",
+        r"v_0^2 \stackrel{?}{=} 0 + 0 + 0 + \left( \frac{v_0}{2} \right)^2 + \left( \frac{v_0}{2} \right)^2 = \frac{v_0^2}{4} + \frac{v_0^2}{4} = \frac{v_0^2}{2} \quad \times",
+    ),
+    (
+        r"v_0 \stackrel{?}{=} 0 + 0 + 0 + 0 + v_0 = v_0 \quad \checkmark \quad (7)",
+        r"v_0 \stackrel{?}{=} 0 + 0 + 0 + 0 + v_0 = v_0 \quad \checkmark",
+    ),
+    (
+        r"v_0^2 \stackrel{?}{=} 0 + 0 + 0 + 0 + v_0^2 = v_0^2 \quad \checkmark \quad (8)",
+        r"v_0^2 \stackrel{?}{=} 0 + 0 + 0 + 0 + v_0^2 = v_0^2 \quad \checkmark",
+    ),
+    (
+        r"2v_0 \stackrel{?}{=} 0 + 0 + 0 + 0 + 2v_0 = 2v_0 \quad \checkmark \quad (9)",
+        r"2 v_0 \stackrel{?}{=} 0 + 0 + 0 + 0 + 2 v_0 = 2 v_0 \quad \checkmark",
+    ),
+    (
+        r"\text{Initial: } v_0^2 + v_0^2 = 2v_0^2 \quad (10)",
+        r"\text{Initial: } v_0^2 + v_0^2 = 2 v_0^2",
+    ),
+    (
+        r"\text{Final: } 0 + 0 + 0 + 0 + (2v_0)^2 = 4v_0^2 \quad (11)",
+        r"\text{Final: } 0 + 0 + 0 + 0 + (2 v_0)^2 = 4 v_0^2",
+    ),
+    (
+        r"2v_0^2 \neq 4v_0^2 \quad \times \quad (12)",
+        r"2 v_0^2 \neq 4 v_0^2 \quad \times",
+    ),
+    (
+        r"2v_0 \stackrel{?}{=} 0 + 0 + 0 + v_0 + v_0 = 2v_0 \quad \checkmark \quad (13)",
+        r"2 v_0 \stackrel{?}{=} 0 + 0 + 0 + v_0 + v_0 = 2 v_0 \quad \checkmark",
+    ),
+    (
+        r"\text{Initial: } v_0^2 + v_0^2 = 2v_0^2 \quad (14)",
+        r"\text{Initial: } v_0^2 + v_0^2 = 2 v_0^2",
+    ),
+    (
+        r"\text{Final: } 0 + 0 + 0 + v_0^2 + v_0^2 = 2v_0^2 \quad (15)",
+        r"\text{Final: } 0 + 0 + 0 + v_0^2 + v_0^2 = 2 v_0^2",
+    ),
+    (
+        r"2v_0^2 = 2v_0^2 \quad \checkmark \quad (16)",
+        r"2 v_0^2 = 2 v_0^2 \quad \checkmark",
+    ),
+    (
+        r"nv_0 = u_1 + u_2 + \cdots + u_k = \sum_{i=1}^k u_i \quad (17)",
+        r"n v_0 = \sum_{i = 1}^{k} u_i = \sum_{i = 1}^{k} u_i",
+    ),
+    (
+        r"nv_0^2 = u_1^2 + u_2^2 + \cdots + u_k^2 = \sum_{i=1}^k u_i^2 \quad (18)",
+        r"n v_0^2 = \sum_{i = 1}^{k} u_i^2 = \sum_{i = 1}^{k} u_i^2",
+    ),
+    (
+        r"\left(\sum_{i=1}^k u_i \right)^2 \leq k \sum_{i=1}^k u_i^2 \quad (19)",
+        r"\left( \sum_{i = 1}^{k} u_i \right)^2 \leq k \sum_{i = 1}^{k} u_i^2",
+    ),
+    (
+        r"(nv_0)^2 \leq k(nv_0^2) \quad (20)",
+        r"(n v_0)^2 \leq k (n v_0^2)",
+    ),
+    (
+        r"n^2 v_0^2 \leq knv_0^2 \quad (21)",
+        r"n^2 v_0^2 \leq k n v_0^2",
+    ),
+    (r"n \leq k \quad (22)", r"n \leq k"),
+    (r"k \leq n \quad (23)", r"k \leq n"),
+    (r"\boxed{k = n} \quad (24)", r"k = n"),
+    (r"u_1 = u_2 = \dots = u_n \quad (25)", r"u_1 = \dots = u_n"),
+    (
+        r"nv_0 = nu \Rightarrow u = v_0 \quad (26)",
+        r"n v_0 = n u \Rightarrow u = v_0",
+    ),
+    (
+        r"\Delta E_{\text{total}} = (1 - e^2)E_0 \quad (27)",
+        r"\Delta E_{\text{total}} = (1 - e^2) E_0",
+    ),
+    (
+        r"E_0 = \frac{1}{2}mv_0^2. \quad (28)",
+        r"E_0 = \frac{1}{2} m v_0^2",
+    ),
+    (
+        r"F(\delta) = k\delta^{3/2} \quad (29)",
+        r"F(\delta) = k \delta^{3/2}",
+    ),
+    (
+        r"k = \frac{4}{3} E^* \sqrt{R^*}. \quad (30)",
+        r"k = \frac{4}{3} E^* \sqrt{R^*}",
+    ),
+    (
+        r"\frac{1}{E^*} = \frac{1 - \nu_1^2}{E_1} + \frac{1 - \nu_2^2}{E_2}, \quad (31)",
+        r"\frac{1}{E^*} = \frac{1 - \nu_1^2}{E_1} + \frac{1 - \nu_2^2}{E_2}",
+    ),
+    (
+        r"\frac{1}{R^*} = \frac{1}{R_1} + \frac{1}{R_2}. \quad (32)",
+        r"\frac{1}{R^*} = \frac{1}{R_1} + \frac{1}{R_2}",
+    ),
+    (
+        r"E^* = \frac{E}{1 - \nu^2}, \quad R^* = \frac{R}{2}. \quad (33)",
+        r"E^* = \frac{E}{1 - \nu^2} ;; R^* = \frac{R}{2}",
+    ),
+    (
+        r"F(\delta, \dot{\delta}) = k\delta^{3/2} + \gamma\delta^{1/2}\dot{\delta} \quad (34)",
+        r"F(\delta, \dot{\delta}) = k \delta^{3/2} + \gamma \delta^{1/2} \dot{\delta}",
+    ),
+    (
+        r"E_{\text{heat}} = \int_0^\tau \gamma\delta^{1/2}\dot{\delta}^2 dt. \quad (35)",
+        r"E_{\text{heat}} = \int_{0}^{\tau} \gamma \delta^{1/2} \dot{\delta}^2 \, dt",
+    ),
+    (
+        r"E_{\text{heat}} \sim \gamma m^{1/2} k^{-3/2} v_0^{6/5}. \quad (36)",
+        r"E_{\text{heat}} \sim \gamma m^{1/2} k^{-3/2} v_0^{6/5}",
+    ),
+    (
+        r"P \sim \frac{\rho_{\text{air}}}{c_{\text{air}}} A^2 a^2 \quad (37)",
+        r"P \sim \frac{\rho_{\text{air}}}{c_{\text{air}}} A^2 a^2",
+    ),
+    (
+        r"E_{\text{sound}} = \int_0^\tau P(t) dt. \quad (38)",
+        r"E_{\text{sound}} = \int_{0}^{\tau} P(t) \, dt",
+    ),
+    (
+        r"E_{\text{sound}} \sim \frac{\rho_{\text{air}}}{c_{\text{air}}} R^{21/5} (E^*)^{2/5} m^{-2/5} v_0^{7/5}. \quad (39)",
+        r"E_{\text{sound}} \sim \frac{\rho_{\text{air}}}{c_{\text{air}}} R^{21/5} (E^*)^{2/5} m^{-2/5} v_0^{7/5}",
+    ),
+    (
+        r"E_0 = E_{\text{after}} + E_{\text{heat}} + E_{\text{sound}}, \quad (40)",
+        r"E_0 = E_{\text{after}} + E_{\text{heat}} + E_{\text{sound}}",
+    ),
+    (
+        r"E_{\text{after}} = e^2 E_0. \quad (41)",
+        r"E_{\text{after}} = e^2 E_0",
+    ),
+    (
+        r"m_1 v_0 = m_1 v'_1 + m_2 v'_2 \quad (42)",
+        r"m_1 v_0 = m_1 v'_1 + m_2 v'_2",
+    ),
+    (
+        r"\frac{1}{2} m_1 v_0^2 = \frac{1}{2} m_1 v'_1^2 + \frac{1}{2} m_2 v'_2^2 \quad (43)",
+        r"\frac{1}{2} m_1 v_0^2 = \frac{1}{2} m_1 {v'_1}^2 + \frac{1}{2} m_2 {v'_2}^2",
+    ),
+    (
+        r"m_1 v_0^2 = m_1 v'_1^2 + m_2 v'_2^2 \quad (44)",
+        r"m_1 v_0^2 = m_1 {v'_1}^2 + m_2 {v'_2}^2",
+    ),
+    (
+        r"v'_1 = \frac{m_1 v_0 - m_2 v'_2}{m_1} \quad (45)",
+        r"v'_1 = \frac{m_1 v_0 - m_2 v'_2}{m_1}",
+    ),
+    (
+        r"m_1 v_0^2 = m_1 \left(\frac{m_1 v_0 - m_2 v'_2}{m_1} \right)^2 + m_2 v'_2^2 \quad (46)",
+        r"m_1 v_0^2 = m_1 \left( \frac{m_1 v_0 - m_2 v'_2}{m_1} \right)^2 + m_2 {v'_2}^2",
+    ),
+    (
+        r"m_1 v_0^2 = \frac{(m_1 v_0 - m_2 v'_2)^2}{m_1} + m_2 v'^2_2 \quad (47)",
+        r"m_1 v_0^2 = \frac{(m_1 v_0 - m_2 v'_2)^2}{m_1} + m_2 {v'_2}^2",
+    ),
+    (
+        r"m_1^2 v_0^2 = (m_1 v_0 - m_2 v'_2)^2 + m_1 m_2 v'^2_2 \quad (48)",
+        r"m_1^2 v_0^2 = (m_1 v_0 - m_2 v'_2)^2 + m_1 m_2 {v'_2}^2",
+    ),
+    (
+        r"m_1^2 v_0^2 = m_1^2 v_0^2 - 2m_1 m_2 v_0 v'_2 + m_2^2 v'^2_2 + m_1 m_2 v'^2_2 \quad (49)",
+        r"m_1^2 v_0^2 = m_1^2 v_0^2 - 2 m_1 m_2 v_0 v'_2 + m_2^2 {v'_2}^2 + m_1 m_2 {v'_2}^2",
+    ),
+    (
+        r"0 = -2m_1 m_2 v_0 v'_2 + m_2^2 v'^2_2 + m_1 m_2 v'^2_2 \quad (50)",
+        r"0 = -2 m_1 m_2 v_0 v'_2 + m_2^2 {v'_2}^2 + m_1 m_2 {v'_2}^2",
+    ),
+    (
+        r"0 = -2m_1 m_2 v_0 v'_2 + m_2 v'^2_2 (m_2 + m_1) \quad (51)",
+        r"0 = -2 m_1 m_2 v_0 v'_2 + m_2 {v'_2}^2 (m_2 + m_1)",
+    ),
+    (
+        r"2m_1 m_2 v_0 v'_2 = m_2 v'^2_2 (m_1 + m_2) \quad (52)",
+        r"2 m_1 m_2 v_0 v'_2 = m_2 {v'_2}^2 (m_1 + m_2)",
+    ),
+    (
+        r"2m_1 v_0 = v'_2 (m_1 + m_2) \quad (53)",
+        r"2 m_1 v_0 = v'_2 (m_1 + m_2)",
+    ),
+    (
+        r"\boxed{v'_2 = \frac{2m_1}{m_1 + m_2} v_0} \quad (54)",
+        r"v'_2 = \frac{2 m_1}{m_1 + m_2} v_0",
+    ),
+    (
+        r"v'_1 = \frac{m_1 v_0 - m_2 \cdot \frac{2m_1}{m_1 + m_2} v_0}{m_1} \quad (55)",
+        r"v'_1 = \frac{m_1 v_0 - m_2 \frac{2 m_1}{m_1 + m_2} v_0}{m_1}",
+    ),
+    (
+        r"v'_1 = v_0 \left(1 - \frac{2m_2}{m_1 + m_2} \right) \quad (56)",
+        r"v'_1 = v_0 \left( 1 - \frac{2 m_2}{m_1 + m_2} \right)",
+    ),
+    (
+        r"v'_1 = v_0 \left(\frac{m_1 + m_2 - 2m_2}{m_1 + m_2} \right) \quad (57)",
+        r"v'_1 = v_0 \frac{m_1 + m_2 - 2 m_2}{m_1 + m_2}",
+    ),
+    (
+        r"\boxed{v'_1 = \frac{m_1 - m_2}{m_1 + m_2} v_0} \quad (58)",
+        r"v'_1 = \frac{m_1 - m_2}{m_1 + m_2} v_0",
+    ),
+    (
+        r"v'_1 = \frac{1 - \mu}{1 + \mu} v_0 \quad (59)",
+        r"v'_1 = \frac{1 - \mu}{1 + \mu} v_0",
+    ),
+    (
+        r"v'_2 = \frac{2}{1 + \mu} v_0 \quad (60)",
+        r"v'_2 = \frac{2}{1 + \mu} v_0",
+    ),
+    (
+        r"\eta = \frac{E'_2}{E_0} = \frac{\frac{1}{2}m_2v'_2^2}{\frac{1}{2}m_1v_0^2} \quad (61)",
+        r"\eta = \frac{E'_2}{E_0} = \frac{\frac{1}{2} m_2 {v'_2}^2}{\frac{1}{2} m_1 v_0^2}",
+    ),
+    (
+        r"\eta = \frac{m_2}{m_1} \cdot \frac{v'_2^2}{v_0^2} = \frac{m_2}{m_1} \cdot \left(\frac{2}{1+\mu} \right)^2 \quad (62)",
+        r"\eta = \frac{m_2}{m_1} \frac{{v'_2}^2}{v_0^2} = \frac{m_2}{m_1} \left( \frac{2}{1 + \mu} \right)^2",
+    ),
+    (
+        r"\eta = \mu \cdot \frac{4}{(1+\mu)^2} \quad (63)",
+        r"\eta = \mu \frac{4}{(1 + \mu)^2}",
+    ),
+    (
+        r"\boxed{\eta = \frac{4\mu}{(1+\mu)^2}} \quad (64)",
+        r"\eta = \frac{4 \mu}{(1 + \mu)^2}",
+    ),
+    (
+        r"\frac{d\eta}{d\mu} = \frac{d}{d\mu} \left[\frac{4\mu}{(1+\mu)^2} \right] \quad (65)",
+        r"\frac{d\eta}{d\mu} = \frac{d}{d\mu} \left[ \frac{4 \mu}{(1 + \mu)^2} \right]",
+    ),
+    (
+        r"\frac{d\eta}{d\mu} = \frac{4(1+\mu)^2 - 4\mu \cdot 2(1+\mu)}{(1+\mu)^4} \quad (66)",
+        r"\frac{d\eta}{d\mu} = \frac{4 (1 + \mu)^2 - 4 \mu \cdot 2 (1 + \mu)}{(1 + \mu)^4}",
+    ),
+    (
+        r"\frac{d\eta}{d\mu} = \frac{4(1+\mu) - 8\mu}{(1+\mu)^3} = \frac{4 + 4\mu - 8\mu}{(1+\mu)^3} \quad (67)",
+        r"\frac{d\eta}{d\mu} = \frac{4 (1 + \mu) - 8 \mu}{(1 + \mu)^3} = \frac{4 + 4 \mu - 8 \mu}{(1 + \mu)^3}",
+    ),
+    (
+        r"\frac{d\eta}{d\mu} = \frac{4(1-\mu)}{(1+\mu)^3} \quad (68)",
+        r"\frac{d\eta}{d\mu} = \frac{4 (1 - \mu)}{(1 + \mu)^3}",
+    ),
+    (
+        r"\frac{4(1-\mu)}{(1+\mu)^3} = 0 \quad \Rightarrow \quad 1-\mu = 0 \quad \Rightarrow \quad \boxed{\mu = 1} \quad (69)",
+        r"\frac{4 (1 - \mu)}{(1 + \mu)^3} = 0 \Rightarrow 1 - \mu = 0 \Rightarrow \mu = 1",
+    ),
+    (
+        r"\eta_{\max} = \frac{4 \cdot 1}{(1+1)^2} = \frac{4}{4} = \boxed{1} \quad (70)",
+        r"\eta_{\max} = \frac{4 \cdot 1}{(1 + 1)^2} = \frac{4}{4} = 1",
+    ),
+];
+
+#[test]
+fn every_equation_of_the_report_is_read() {
+    for (number, (source, expected)) in (1..).zip(REPORT) {
+        assert_eq!(
+            printed(source).as_deref(),
+            Ok(*expected),
+            "equation ({number})"
+        );
+        let display = read_display(source, whole(source));
+        assert_eq!(display.tag.map(|tag| tag.value), Some(number.to_string()));
+        let tagged = source
+            .replace(r"\quad (", r"\tag{")
+            .replace(&format!("{number})"), &format!("{number}}}"));
+        assert_eq!(
+            printed(&tagged).as_deref(),
+            Ok(*expected),
+            "equation ({number}) with \\tag"
+        );
+        assert_eq!(
+            printed(expected.replace(" ;; ", r" \qquad ").as_str()).as_deref(),
+            Ok(*expected)
+        );
+    }
+}
+
+#[test]
+fn spellings_of_one_term() {
+    let spellings: &[(&[&str], &str)] = &[
+        (
+            &[
+                "v'_1",
+                "v_1'",
+                "v_{1}'",
+                "{v'_1}",
+                r"v_1^{\prime}",
+                r"v^{\prime}_1",
+                "{v_1}'",
+                "{{v}'}_{1}",
+            ],
+            "v'_1",
+        ),
+        (
+            &[
+                r"v_1^{\prime 2}",
+                "v_1'^2",
+                "v'_1^2",
+                "v'^2_1",
+                "{v'_1}^2",
+                "{v'_1}^{2}",
+            ],
+            "{v'_1}^2",
+        ),
+        (&["E^*", "E^{*}", "(E^*)", "{E}^*"], "E^*"),
+        (&[r"(E^*)^{2/5}", "{E^*}^{2/5}"], "(E^*)^{2/5}"),
+        (&[r"\dot\delta", r"\dot{\delta}"], r"\dot{\delta}"),
+        (&[r"\dot v_1", r"\dot{v_1}", r"\dot{v}_{1}"], r"\dot{v}_1"),
+        (
+            &[
+                r"\rho_{\text{air}}",
+                r"\rho_\text{air}",
+                r"\rho_{\mathrm{air}}",
+            ],
+            r"\rho_{\text{air}}",
+        ),
+        (&[r"\Delta E_{\text{total}}"], r"\Delta E_{\text{total}}"),
+        (&[r"\eta_{\max}", r"\eta_\max"], r"\eta_{\max}"),
+        (
+            &[r"\frac12 m", r"\frac1{2}m", r"\tfrac{1}2 m", r"1/2m"],
+            r"\frac{1}{2} m",
+        ),
+        (&["0.50", "0.5"], "0.5"),
+        (
+            &[r"\sqrt{x}", r"\sqrt x", r"\sqrt[2]{x}", "x^{0.5}"],
+            r"\sqrt{x}",
+        ),
+        (&[r"\sqrt[3]{x}"], r"\sqrt[3]{x}"),
+        (&["x^{1000000000}"], "x^{1000000000}"),
+        (
+            &["a b c", r"a \cdot b \times c", "a*b*c", r"a\,b\;c"],
+            "a b c",
+        ),
+        (&["(a+b)+c"], "(a + b) + c"),
+        (&[r"\left(a\right)b", r"\bigl(a\bigr) b"], "a b"),
+        (
+            &["|x|", r"\lvert x \rvert", r"\left|x\right|"],
+            r"\left| x \right|",
+        ),
+        (
+            &[r"\sin 2 \pi x", r"\sin(2\pi x)"],
+            r"\sin\left( 2 \pi x \right)",
+        ),
+        (
+            &[
+                r"\sum_{i=1}^k u_i",
+                r"\sum^{k}_{i=1} u_i",
+                r"u_1 + u_2 + \cdots + u_k",
+            ],
+            r"\sum_{i = 1}^{k} u_i",
+        ),
+        (&[r"m_1 v_1 + \dots + m_k v_k"], r"\sum_{i = 1}^{k} m_i v_i"),
+        (&[r"u_1 + \cdots + u_5"], r"\sum_{i = 1}^{5} u_i"),
+        (
+            &[r"a + u_1 i + u_2 i + \ldots + u_n i - b"],
+            r"a + \sum_{j = 1}^{n} u_j i - b",
+        ),
+        (
+            &[r"\frac{d^2 x}{dt^2}"],
+            r"\frac{d}{dt} \left[ \frac{dx}{dt} \right]",
+        ),
+        (
+            &[r"\frac{\mathrm d\eta}{\mathrm{d}\mu}"],
+            r"\frac{d\eta}{d\mu}",
+        ),
+        (&[r"\frac{d}{d+1}"], r"\frac{d}{d + 1}"),
+        (
+            &[r"\lim_{\mu \to \infty} \eta"],
+            r"\lim_{\mu \to \infty} \eta",
+        ),
+        (&[r"v_0(1-\mu)^2"], r"v_0 (1 - \mu)^2"),
+        (&[r"\underbrace{a b}_{\text{two}} + c"], "a b + c"),
+    ];
+    for (sources, expected) in spellings {
+        for source in *sources {
+            let expr = read_expr(source, whole(source)).map(|expr| latex(&expr));
+            assert_eq!(expr.as_deref(), Ok(*expected), "{source}");
+        }
+    }
+}
+
+#[test]
+fn statements_and_what_separates_them() {
+    let cases = [
+        (r"\boxed{k = n}", "k = n"),
+        (
+            r"\boxed{a = b \Rightarrow c = d}.",
+            r"a = b \Rightarrow c = d",
+        ),
+        (r"\boxed{\boxed{a} = b \times}", r"a = b \quad \times"),
+        (r"a = b \text{ and } c \not= d", r"a = b ;; c \neq d"),
+        (
+            r"\begin{aligned} a &= b \\ &= c, \\ d &= e \end{aligned}",
+            "a = b = c ;; d = e",
+        ),
+        (
+            r"\begin{aligned} a &= b \\ &\quad + c \end{aligned}",
+            "a = b + c",
+        ),
+        (r"a = b \iff c = d", r"a = b \iff c = d"),
+        (r"u_1 = \cdots = u_k = v_0", r"u_1 = \dots = u_k = v_0"),
+        (
+            r"x \stackrel{?}{\leq} y \quad ✗",
+            r"x \stackrel{?}{\leq} y \quad \times",
+        ),
+        (
+            r"E_{\text{heat}} \gg E_{\text{sound}}",
+            r"E_{\text{heat}} \gg E_{\text{sound}}",
+        ),
+        (r"a := b", "a = b"),
+    ];
+    for (source, expected) in cases {
+        assert_eq!(printed(source).unwrap_or_default(), expected, "{source}");
+    }
+    let directive = r"u_i \neq 0, x ≥ 1 and −y < 2";
+    let read = read_formulas(directive, whole(directive)).unwrap();
+    let read: Vec<String> = read.iter().map(latex_statement).collect();
+    assert_eq!(read, [r"u_i \neq 0", r"x \geq 1", "-y < 2"]);
+    assert_eq!(read_symbol("v_1'").unwrap().name(), "v'_1");
+}
+
+#[test]
+fn places_are_exact() {
+    let source = r"xx a - 2b + c \stackrel{?}{=} (d + f) \tag{7} \label{eq:x} yy";
+    let display = read_display(source, Span::new(3, source.len() - 3));
+    assert_eq!(display.tag.unwrap().value, "7");
+    assert_eq!(display.label.unwrap().value, "eq:x");
+    let statements = display.statements.unwrap();
+    let [statement] = statements.as_slice() else {
+        panic!("one statement")
+    };
+    let [Clause::Chain { sides, links }] = statement.clauses.as_slice() else {
+        panic!("one chain")
+    };
+    let text = |span: &Span| &source[span.range()];
+    assert_eq!(
+        sides[0].terms.iter().map(text).collect::<Vec<_>>(),
+        ["a", "- 2b", "+ c"]
+    );
+    assert_eq!(
+        sides[1].terms.iter().map(text).collect::<Vec<_>>(),
+        ["d", "+ f"]
+    );
+    assert_eq!(text(&links[0].span), r"\stackrel{?}{=}");
+    assert_eq!(text(&statement.span), r"a - 2b + c \stackrel{?}{=} (d + f)");
+}
+
+#[test]
+fn the_number_is_found_even_where_the_rest_is_unreadable() {
+    let source = r"\foo{ = \text{ \tag{(12a)}";
+    let display = read_display(source, whole(source));
+    assert_eq!(display.tag.unwrap().value, "12a");
+    assert!(display.statements.is_err());
+}
+
+/// Source, the guilty token, the beginning of the message.
+const REFUSALS: &[(&str, &str, &str)] = &[
+    (r"a = \farc{1}{2}", r"\farc", r"`\farc` is not known"),
+    (r"a = \color{red} b", r"\color", r"`\color` is not read"),
+    (
+        r"a = b \pm c",
+        r"\pm",
+        r"`\pm` states two equations at once",
+    ),
+    (
+        r"\frac{\partial f}{\partial x} = 0",
+        r"\partial",
+        r"partial derivatives",
+    ),
+    (
+        r"v_12 = 0",
+        "12",
+        "TeX takes only the `1` of `12` into the subscript",
+    ),
+    (
+        r"x^10 = 0",
+        "10",
+        "TeX takes only the `1` of `10` into the superscript",
+    ),
+    (r"x^a^b = 0", "^b", "this is a second superscript"),
+    (r"(x)^a^b = 0", "^", "this is a second script"),
+    (r"a + b", "a + b", "this is a term, not a statement"),
+    (
+        r"a = = b",
+        "=",
+        "a term is missing between two relation signs",
+    ),
+    (r"a =", "=", "a term is missing after this relation sign"),
+    (r"= a", "=", "a term is missing before this relation sign"),
+    (r"a = {b", "{", "this brace is never closed"),
+    (r"a = b}", "}", "this `}` closes nothing"),
+    (r"a = (b", "(", "this is never closed"),
+    (r"a = (b]", "]", "`)` is expected here"),
+    (r"a = b)", ")", "`)` closes nothing"),
+    (r"a = \left( b )", ")", r"`\right)` is expected here"),
+    (r"a = {}", "}", "a term is missing before this brace"),
+    (r"a = ()", ")", "a term is missing before `)`"),
+    (r"a = 2 3", "3", "two numbers stand side by side"),
+    (r"a = 2 \frac12", r"\frac12", "this may be a mixed number"),
+    (
+        r"a = {b + c} d",
+        "{b + c}",
+        "TeX does not print these braces",
+    ),
+    (r"a = b + - c", "-", "two signs stand side by side"),
+    (
+        r"a = b \text{ if } c = d",
+        r"\text{ if }",
+        "the words `if` cannot be read here",
+    ),
+    (
+        r"a = \sin x (b+c)",
+        "(b+c)",
+        "where the argument of this function ends is not clear",
+    ),
+    (
+        r"a = \frac{d}{dx}(f) g",
+        "g",
+        "whether this is differentiated too",
+    ),
+    (
+        r"a = \int_0^1 x",
+        r"\int_0^1",
+        "this integral has no differential",
+    ),
+    (
+        r"a = u_1 + \cdots + v_k",
+        r"\cdots",
+        "the terms around these dots",
+    ),
+    (
+        r"a = u_2 + \cdots + u_k",
+        r"\cdots",
+        "a sum with dots must start at the index 1",
+    ),
+    (
+        r"a = \sum_{i=1}^k u_{i+1}",
+        "u_{i+1}",
+        "the index of the sum stands in a longer subscript",
+    ),
+    (
+        r"u_1 = v_2 = \dots = u_k",
+        "v_2",
+        "the sides around these dots",
+    ),
+    (r"a = 5 \% b", r"\%", r"`\%` is not known"),
+    (r"μ = 1", "μ", "the character `μ` is not known"),
+    (r"a = \infty", r"\infty", r"`\infty` is no number"),
+    (r"a = x!", "!", "factorials are not read"),
+    (
+        r"\begin{cases} a = b \end{cases}",
+        r"\begin{cases}",
+        "the environment `cases` is not read",
+    ),
+    (
+        r"\begin{aligned} a = b",
+        r"\begin{aligned}",
+        "the environment `aligned` is never ended",
+    ),
+    (
+        r"a and b = c",
+        "and",
+        "the word `and` stands in the mathematics",
+    ),
+    (
+        r"x = d\eta/d\mu",
+        r"d\eta/d\mu",
+        "this may be a derivative or a quotient",
+    ),
+    (r"x = -{a+b}", "{a+b}", "TeX does not print these braces"),
+    (r"x = a / {b c}", "{b c}", "TeX does not print these braces"),
+    (r"x = 10\,000", "000", "two numbers stand side by side"),
+    (r"x = a \quad b", "b", "this is a term, not a statement"),
+    (
+        r"x = \sin^{-1} y",
+        r"\sin^{-1}",
+        "this power on a function is ambiguous",
+    ),
+    (r"x = \log_2 y", "_", "a logarithm with a base is not read"),
+    (
+        r"x = f(a, 2)",
+        "(a, 2)",
+        "the arguments of an unknown function must be bare symbols",
+    ),
+    (
+        r"x = \overset{!}{=} 3",
+        r"\overset",
+        "only `?` is read above",
+    ),
+    (r"\boxed{a = b} c", "c", "`c` cannot stand here"),
+    (r"x = 1, 2", "2", "this is a term, not a statement"),
+    (
+        r"a = b \tag{1} \tag{2}",
+        r"\tag{2}",
+        "an equation has one number",
+    ),
+];
+
+#[test]
+fn what_cannot_be_read_is_refused_at_its_place() {
+    for (source, guilty, message) in REFUSALS {
+        match read_display(source, whole(source)).statements {
+            Ok(read) => panic!(
+                "{source} was read as {:?}",
+                read.iter().map(latex_statement).collect::<Vec<_>>()
+            ),
+            Err(error) => {
+                assert_eq!(
+                    source.get(error.span.range()),
+                    Some(*guilty),
+                    "{source}: {}",
+                    error.message
+                );
+                assert!(
+                    error.message.starts_with(message),
+                    "{source}: {}",
+                    error.message
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn no_depth_or_length_exhausts_the_reader() {
+    let (open, close) = [
+        ("{", "}"),
+        ("(", ")"),
+        (r"\frac{1}{", "}"),
+        ("x^{", "}"),
+        (r"\sin ", ""),
+        (r"\sum_{i=1}^k ", ""),
+        ("v_{", "}"),
+        (r"\boxed{", "}"),
+        (r"\sqrt", ""),
+        ("a/", ""),
+        (r"\Delta ", ""),
+        (r"\dot", ""),
+        ("|", "|"),
+        ("-", ""),
+        (r"\frac{d}{dx}", ""),
+        (r"\int_0^1 ", "dx"),
+        (r"\text{", "}"),
+        ("f(", ")"),
+        (r"\frac{d", "}{dx}"),
+    ]
+    .into_iter()
+    .unzip::<_, _, Vec<_>, Vec<_>>();
+    for (open, close) in open.into_iter().zip(close) {
+        for count in [150, 10_000] {
+            let source = format!("y = {}x{}", open.repeat(count), close.repeat(count));
+            let read = read_display(&source, whole(&source)).statements;
+            if let Ok(read) = read {
+                let _ = read.iter().map(latex_statement).collect::<String>();
+            }
+        }
+        let source = format!("y = {}x", open.repeat(10_000));
+        assert!(
+            read_display(&source, whole(&source)).statements.is_err(),
+            "{open}"
+        );
+    }
+    let long = format!("x = {}", "9".repeat(2_001));
+    assert!(
+        read_display(&long, whole(&long))
+            .statements
+            .unwrap_err()
+            .message
+            .contains("digits")
+    );
+}
+
+fn number(n: i64, d: i64) -> Expr {
+    Expr::Number(BigRational::new(n.into(), d.into()))
+}
+
+fn name() -> impl Strategy<Value = Symbol> {
+    prop::sample::select(vec![
+        "a",
+        "d",
+        "e",
+        "i",
+        "v'_1",
+        "E^*",
+        r"\eta",
+        r"\Delta",
+        r"\Delta E_{\text{total}}",
+        r"\dot{\delta}",
+        r"\text{KE}",
+        r"\rho_{\text{air}}",
+        "v_{12}",
+        r"\eta_{\max}",
+        "E^*_1",
+        "x''",
+        r"x^\dagger",
+        r"\text{d}",
+        "f",
+    ])
+    .prop_map(Symbol::new)
+}
+
+fn variable() -> impl Strategy<Value = Symbol> {
+    prop::sample::select(vec!["x", r"\mu", "t", "v'_1", r"\dot{\delta}"]).prop_map(Symbol::new)
+}
+
+/// Terms in the form in which the reader makes them.
+fn term() -> impl Strategy<Value = Expr> {
+    let leaf = prop_oneof![
+        4 => name().prop_map(Expr::Symbol),
+        2 => (0i64..200).prop_map(|n| number(n, 1)),
+        1 => (1i64..50).prop_map(|n| number(n, 8)),
+        1 => (name(), prop::collection::vec(name(), 1..3))
+            .prop_map(|(f, all)| Expr::Apply(f, all.into_iter().map(Expr::Symbol).collect())),
+    ];
+    leaf.prop_recursive(5, 40, 4, |inner| {
+        let boxed = || inner.clone().prop_map(Box::new);
+        let function = prop::sample::select(vec![
+            Function::Sin, Function::Cos, Function::Tan, Function::Exp, Function::Ln, Function::Abs,
+            Function::Ceiling, Function::Floor,
+        ]);
+        let point = prop_oneof![
+            Just(LimitPoint::PlusInfinity),
+            Just(LimitPoint::MinusInfinity),
+            boxed().prop_map(LimitPoint::Finite),
+        ];
+        let element = || Box::new(Expr::Element { sequence: Symbol::new("u'"), index: Symbol::new("j") });
+        prop_oneof![
+            3 => prop::collection::vec(inner.clone(), 2..5).prop_map(Expr::Sum),
+            3 => prop::collection::vec(inner.clone(), 2..5).prop_map(Expr::Product),
+            2 => boxed().prop_map(Expr::Negate),
+            2 => (boxed(), boxed()).prop_map(|(a, b)| Expr::Quotient(a, b)),
+            2 => (boxed(), boxed()).prop_map(|(a, b)| Expr::Power(a, b)),
+            1 => (boxed(), 2i64..5).prop_map(|(a, n)| Expr::Power(a, Box::new(number(1, n)))),
+            1 => (function, boxed()).prop_map(|(f, a)| Expr::Call(f, a)),
+            1 => (boxed(), boxed(), inner.clone()).prop_map(move |(from, to, body)| Expr::Series {
+                index: Symbol::new("j"), from, to, body: Box::new(Expr::Product(vec![*element(), body])),
+            }),
+            1 => (boxed(), boxed(), boxed()).prop_map(|(from, to, body)| Expr::Series {
+                index: Symbol::new("j"), from, to, body,
+            }),
+            1 => (boxed(), variable()).prop_map(|(body, variable)| Expr::Derivative { body, variable }),
+            1 => (boxed(), variable(), point).prop_map(|(body, variable, point)| Expr::Limit { body, variable, point }),
+            1 => (boxed(), variable(), boxed(), boxed())
+                .prop_map(|(body, variable, from, to)| Expr::Integral { body, variable, from, to }),
+        ]
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 4000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_is_printed_reads_back(expr in term()) {
+        let text = latex(&expr);
+        let read = read_expr(&text, whole(&text));
+        prop_assert_eq!(read.as_ref().ok(), Some(&expr), "{} {:?}", text, read.as_ref().err());
+        prop_assert!(!plain(&expr).is_empty());
+    }
+
+    #[test]
+    fn what_is_read_prints_and_reads_back(pieces in prop::collection::vec(prop::sample::select(PIECES), 1..14)) {
+        let source = pieces.concat();
+        let display = read_display(&source, whole(&source));
+        match display.statements {
+            Ok(statements) => {
+                let text = statements.iter().map(latex_statement).collect::<Vec<_>>().join(" ;; ");
+                let again = printed(&text.replace(" ;; ", r" \qquad "));
+                prop_assert_eq!(again.as_ref().ok(), Some(&text), "{} {:?}", source, again.as_ref().err());
+            }
+            Err(error) => prop_assert!(source.get(error.span.range()).is_some() && !error.message.is_empty()),
+        }
+    }
+
+    #[test]
+    fn no_text_makes_the_reader_panic(text in "(\\PC|[\\\\{}()_^&$='a-z0-9 ]){0,60}") {
+        for end in 0..=text.len() {
+            if let Err(error) = read_display(&text, Span::new(0, end)).statements {
+                prop_assert!(error.span.end <= end.max(error.span.start));
+            }
+        }
+    }
+}
+
+const PIECES: &[&str] = &[
+    "a",
+    "b_1",
+    "v'_2",
+    "^2",
+    "^{n}",
+    "_1",
+    "'",
+    "+",
+    "-",
+    "=",
+    r"\leq ",
+    "2",
+    "0.5",
+    "(",
+    ")",
+    "{",
+    "}",
+    "|",
+    "/",
+    r"\cdot ",
+    r"\times ",
+    r"\frac{a}{b}",
+    r"\frac12",
+    r"\sqrt{x}",
+    r"\sin ",
+    r"\Delta ",
+    "d",
+    "x",
+    r"\int_0^1 ",
+    r"\sum_{i=1}^k ",
+    "u_i",
+    r"\cdots ",
+    "u_1",
+    "u_k",
+    r"\frac{d}{dx}",
+    r"\lim_{x \to 0}",
+    r"\boxed{",
+    "a=b",
+    ",",
+    r"\quad ",
+    r"\Rightarrow ",
+    r"\checkmark ",
+    r"P(t)",
+    r"\left(",
+    r"\right)",
+    r"E^*",
+    r"\text{and}",
+    r"\\",
+    "&",
+];
+
+#[test]
+fn time_is_linear_in_length() {
+    let pieces = [
+        "a + ",
+        "a b ",
+        "u_1 + ",
+        r"\text{ ",
+        r"\boxed{a = ",
+        r"\frac{d",
+        r"\times \quad ",
+        r"\\ & ",
+        "{",
+        r"\begin{aligned} ",
+    ];
+    for piece in pieces {
+        let source = format!("x = {}", piece.repeat(100_000));
+        let start = std::time::Instant::now();
+        let _ = read_display(&source, whole(&source));
+        assert!(start.elapsed().as_secs() < 5, "{piece}");
+    }
+}
