@@ -4,7 +4,7 @@ use crate::kernel::Standing;
 use crate::search::{self, Consistency, Decision, Stop};
 
 use super::premise::{Usable, usable};
-use super::{Auditor, Judged, Outcome, Verdict};
+use super::{Auditor, Entry, Judged, Outcome, Verdict};
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
 const MOST_RELATIVES: usize = 12;
@@ -15,7 +15,8 @@ pub(super) struct Judge<'a> {
     pub at: usize,
     pub usable: &'a Usable,
     pub auditor: &'a Auditor<'a>,
-    /// Premises that are not cited: first those that rest on nothing false, then all.
+    /// Premises that are not cited: first those that rest on nothing false, then those that rest on nothing
+    /// but what the cited ones rest on already.
     pub others: Option<[Vec<Assumed>; 2]>,
 }
 
@@ -93,7 +94,7 @@ impl Judge<'_> {
                     if let Some((conditions, _)) = search::missing_conditions(&claim) {
                         found.conditions = conditions;
                     }
-                    self.strengthen(goal, &assumed, &mut found);
+                    self.strengthen(goal, &assumed, premises, &mut found);
                 }
             }
             Decision::Open(stop) => {
@@ -165,17 +166,20 @@ impl Judge<'_> {
             return others.clone();
         }
         let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
+        // What is cited may rest on something false already; then so may what is found instead.
+        let cited = self.auditor.failing(&premises.iter().copied().collect());
         let (mut sound, mut all) = (Vec::new(), Vec::new());
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
-            let mut entries = self.auditor.entries_of(other);
-            let fails = entries.clone_any(|e| matches!(e.verdict, Verdict::Fails | Verdict::Undecided));
-            if fails {
+            let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
+            if entries.iter().any(|e| matches!(e.verdict, Verdict::Fails | Verdict::Undecided)) {
                 continue;
             }
-            if !entries.clone_any(|e| !e.rests_on.is_empty()) {
+            if entries.iter().all(|e| e.rests_on.is_empty()) {
                 sound.push(other);
             }
-            all.push(other);
+            if entries.iter().flat_map(|e| &e.rests_on).all(|r| cited.contains(r)) {
+                all.push(other);
+            }
         }
         let own = self.usable.assumed.len();
         let gather = |list: &[usize]| {
@@ -193,8 +197,8 @@ impl Judge<'_> {
     }
 
     /// Looks for a counterexample at which what stands before is true too: it convinces more.
-    fn strengthen(&mut self, goal: &Goal, assumed: &[Assumed], found: &mut Found) {
-        let [sound, _] = self.others(&[]);
+    fn strengthen(&mut self, goal: &Goal, assumed: &[Assumed], premises: &[usize], found: &mut Found) {
+        let [sound, _] = self.others(premises);
         if sound.is_empty() {
             return;
         }
@@ -204,16 +208,6 @@ impl Judge<'_> {
         if let Some(refuted) = search::refute_in_context(&claim, &larger) {
             found.judged.outcome = Outcome::Refuted(refuted.into());
         }
-    }
-}
-
-trait CloneAny<'a> {
-    fn clone_any(&mut self, test: impl Fn(&super::Entry) -> bool) -> bool;
-}
-
-impl<'a, I: Iterator<Item = &'a super::Entry> + Clone> CloneAny<'a> for I {
-    fn clone_any(&mut self, test: impl Fn(&super::Entry) -> bool) -> bool {
-        self.clone().any(test)
     }
 }
 

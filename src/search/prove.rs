@@ -189,6 +189,13 @@ impl Prover {
             facts: &signed,
             equations: &self.ideal.rest,
         };
+        // What is positive in every term only hides the rest.
+        let content = reduced.polynomial.content();
+        if !content.is_one() && self.knowledge.monomial_is_positive(&content) {
+            let content = Polynomial::term(content, BigRational::one());
+            reduced.polynomial = reduced.polynomial.divided_by(&content)?;
+            *reduced.outer.entry(content).or_insert(0) += 1;
+        }
         let found = decompose(&reduced.polynomial, strict, &known)?;
         let mut used: BTreeMap<usize, Polynomial> = BTreeMap::new();
         for (at, weight) in &found.equations {
