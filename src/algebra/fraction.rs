@@ -1,8 +1,6 @@
 use std::collections::BTreeMap;
 
-use num_traits::{One, Zero};
-
-use super::{BigRational, Monomial, Polynomial, TooLarge, Var};
+use super::{BigRational, Polynomial, Rational, TooLarge, Var};
 
 /// A rational function whose denominator is kept in factors.
 ///
@@ -45,7 +43,7 @@ impl Fraction {
     }
 
     /// The value, where no unknown occurs.
-    pub fn as_constant(&self) -> Option<BigRational> {
+    pub fn as_constant(&self) -> Option<Rational> {
         self.as_polynomial()?.as_constant()
     }
 
@@ -158,7 +156,7 @@ pub fn factors(polynomial: &Polynomial) -> BTreeMap<Polynomial, u32> {
         .iter()
         .map(|&(v, e): &(Var, u32)| (Polynomial::var(v), e))
         .collect();
-    let whole = Polynomial::term(content, BigRational::one());
+    let whole = Polynomial::term(content, Rational::one());
     if let Some(rest) = polynomial.divided_by(&whole)
         && rest.as_constant().is_none()
     {
@@ -167,9 +165,15 @@ pub fn factors(polynomial: &Polynomial) -> BTreeMap<Polynomial, u32> {
     factors
 }
 
+impl From<Rational> for Fraction {
+    fn from(value: Rational) -> Self {
+        Polynomial::constant(value).into()
+    }
+}
+
 impl From<BigRational> for Fraction {
     fn from(value: BigRational) -> Self {
-        Polynomial::constant(value).into()
+        Rational::from(value).into()
     }
 }
 
@@ -177,11 +181,5 @@ impl Fraction {
     /// Whether this is 0.
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
-    }
-
-    /// `coefficient · monomial` as a fraction.
-    pub fn term(monomial: Monomial, coefficient: BigRational) -> Self {
-        debug_assert!(!coefficient.is_zero());
-        Polynomial::term(monomial, coefficient).into()
     }
 }

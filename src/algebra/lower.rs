@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use super::{
-    Atom, Atoms, BigRational, Expr, Fraction, LimitPoint, Monomial, Polynomial, Symbol, TooLarge,
-    Var,
+    Atom, Atoms, BigRational, Expr, Fraction, LimitPoint, Monomial, Polynomial, Rational, Symbol,
+    TooLarge, Var,
 };
 
 /// Sums with definite limits are written out up to this many terms.
@@ -78,7 +78,7 @@ impl Lowering<'_> {
                 Ok(sum)
             }
             Expr::Product(factors) => {
-                let mut product = Fraction::from(BigRational::one());
+                let mut product = Fraction::from(Rational::one());
                 for factor in factors {
                     product = product.times(&self.lower(factor)?)?;
                 }
@@ -162,14 +162,14 @@ impl Lowering<'_> {
             return Ok(self.atom(Atom::Opaque(opaque)));
         };
         // e^(2n+1) = (e^n)^2 · e: each term of the exponent is an integer times something symbolic.
-        let mut product = Fraction::from(BigRational::one());
+        let mut product = Fraction::from(Rational::one());
         let written = expr_of_fraction(&base, self.atoms);
         for (monomial, coefficient) in terms.clone().terms() {
             if monomial.is_one() {
                 product = product.times(&self.rational_power(&base, coefficient)?)?;
                 continue;
             }
-            let above = BigRational::from_integer(coefficient.numer().clone());
+            let above = Rational::from(coefficient.numer());
             let unit = coefficient / &above;
             let unit = expr_of(&Polynomial::term(monomial.clone(), unit), self.atoms);
             let opaque = Expr::Power(written.clone().into(), unit.into());
@@ -179,7 +179,7 @@ impl Lowering<'_> {
         Ok(product)
     }
 
-    fn rational_power(&mut self, base: &Fraction, exponent: &BigRational) -> Lowered {
+    fn rational_power(&mut self, base: &Fraction, exponent: &Rational) -> Lowered {
         if exponent.is_negative() {
             let inverse = self.recip(base)?;
             return self.rational_power(&inverse, &-exponent);
@@ -192,7 +192,7 @@ impl Lowering<'_> {
             Some(root) => root.into(),
             None => {
                 let written = expr_of_fraction(base, self.atoms);
-                let unit = BigRational::new(One::one(), exponent.denom().clone());
+                let unit = BigRational::new(1.into(), exponent.denom());
                 self.atom(Atom::Opaque(Expr::Power(
                     written.into(),
                     Expr::Number(unit).into(),
@@ -211,8 +211,8 @@ impl Lowering<'_> {
         body: &Expr,
     ) -> Lowered {
         let integer = |value: &Fraction| {
-            let value = value.as_constant().filter(BigRational::is_integer)?;
-            value.to_integer().to_i64()
+            let value = value.as_constant().filter(Rational::is_integer)?;
+            value.numer().to_i64()
         };
         let (first, last) = (self.lower(from)?, self.lower(to)?);
         if let (Some(first), Some(last)) = (integer(&first), integer(&last)) {
@@ -302,7 +302,7 @@ impl Lowering<'_> {
     /// The derivative of one unknown: 1, 0, or an unknown of its own.
     fn atom_derivative(&mut self, var: Var, variable: &Symbol) -> Lowered {
         let body = match self.atoms.atom(var).clone() {
-            Atom::Symbol(symbol) if symbol == *variable => return Ok(BigRational::one().into()),
+            Atom::Symbol(symbol) if symbol == *variable => return Ok(Rational::one().into()),
             atom => expr_of_atom(&atom),
         };
         let free = body.free_symbols();
@@ -418,7 +418,7 @@ fn limit_at(
 }
 
 fn partial_derivative(value: &Fraction, var: Var) -> Lowered {
-    let mut below = Fraction::from(BigRational::one());
+    let mut below = Fraction::from(Rational::one());
     for (factor, exponent) in value.denominator() {
         below = below.times(&Fraction::from(factor.clone()).pow(exponent)?)?;
     }
@@ -430,7 +430,7 @@ fn partial_derivative(value: &Fraction, var: Var) -> Lowered {
         if slope.is_zero() {
             continue;
         }
-        let slope = slope.scaled(&BigRational::from_integer(exponent.into()));
+        let slope = slope.scaled(&exponent.into());
         let change = Fraction::from(slope).times(&invert(&factor.clone().into())?)?;
         total = total.plus(&value.times(&change)?.negated())?;
     }
@@ -449,14 +449,14 @@ pub fn power_sum(count: &Symbol, powers: Vec<(Symbol, u32)>) -> Atom {
 }
 
 /// The q-th root of a number for an exponent p/q, where it is rational.
-fn exact_root(value: &BigRational, exponent: &BigRational) -> Option<BigRational> {
+fn exact_root(value: &Rational, exponent: &Rational) -> Option<Rational> {
     let q = exponent.denom().to_u32()?;
     if value.is_negative() || q > 64 {
         return None;
     }
     let (above, below) = (value.numer().nth_root(q), value.denom().nth_root(q));
-    let exact = above.pow(q) == *value.numer() && below.pow(q) == *value.denom();
-    exact.then(|| BigRational::new(above, below))
+    let exact = above.pow(q) == value.numer() && below.pow(q) == value.denom();
+    exact.then(|| BigRational::new(above, below).into())
 }
 
 /// The term that an atom stands for.
@@ -478,7 +478,7 @@ pub fn expr_of_atom(atom: &Atom) -> Expr {
                 raised(element, *exponent)
             });
             Expr::Series {
-                from: Expr::Number(One::one()).into(),
+                from: Expr::integer(1).into(),
                 to: Expr::Symbol(to.clone()).into(),
                 body: product_of(elements.collect()).into(),
                 index: index.clone(),
@@ -508,7 +508,7 @@ fn raised(base: Expr, exponent: u32) -> Expr {
 
 fn product_of(mut factors: Vec<Expr>) -> Expr {
     match factors.len() {
-        0 => Expr::Number(One::one()),
+        0 => Expr::integer(1),
         1 => factors.remove(0),
         _ => Expr::Product(factors),
     }
@@ -516,7 +516,7 @@ fn product_of(mut factors: Vec<Expr>) -> Expr {
 
 /// A polynomial as a term, in an order that depends on names alone.
 pub fn expr_of(polynomial: &Polynomial, atoms: &Atoms) -> Expr {
-    let mut terms: Vec<(std::cmp::Reverse<u32>, Vec<Expr>, BigRational)> = polynomial
+    let mut terms: Vec<(std::cmp::Reverse<u32>, Vec<Expr>, Rational)> = polynomial
         .terms()
         .map(|(monomial, coefficient)| {
             let powers = monomial.powers().iter();
@@ -536,7 +536,7 @@ pub fn expr_of(polynomial: &Polynomial, atoms: &Atoms) -> Expr {
         .into_iter()
         .map(|(_, mut factors, coefficient)| {
             if !coefficient.abs().is_one() || factors.is_empty() {
-                factors.insert(0, Expr::Number(coefficient.abs()));
+                factors.insert(0, Expr::Number(coefficient.abs().to_big()));
             }
             let product = product_of(factors);
             match coefficient.is_negative() {
@@ -546,7 +546,7 @@ pub fn expr_of(polynomial: &Polynomial, atoms: &Atoms) -> Expr {
         })
         .collect();
     match written.len() {
-        0 => Expr::Number(Zero::zero()),
+        0 => Expr::integer(0),
         1 => written.remove(0),
         _ => Expr::Sum(written),
     }

@@ -11,6 +11,7 @@ mod fraction;
 mod lower;
 mod monomial;
 mod polynomial;
+mod rational;
 mod symbol;
 
 pub use atom::{Atom, Atoms};
@@ -25,4 +26,5 @@ pub use monomial::{Monomial, Var};
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use polynomial::{Polynomial, TooLarge};
+pub use rational::Rational;
 pub use symbol::Symbol;

@@ -1,9 +1,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use num_traits::{One, Signed, Zero};
-
-use super::{BigRational, Monomial, Var};
+use super::{Monomial, Rational, Var};
 
 /// Products of polynomials beyond these sizes are refused rather than waited for.
 const MOST_TERM_PRODUCTS: usize = 400_000;
@@ -27,7 +25,7 @@ impl fmt::Display for TooLarge {
 /// maps are.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Polynomial {
-    terms: BTreeMap<Monomial, BigRational>,
+    terms: BTreeMap<Monomial, Rational>,
 }
 
 impl Polynomial {
@@ -38,21 +36,21 @@ impl Polynomial {
 
     /// 1.
     pub fn one() -> Self {
-        Polynomial::constant(BigRational::one())
+        Polynomial::constant(Rational::one())
     }
 
     /// A constant.
-    pub fn constant(value: BigRational) -> Self {
+    pub fn constant(value: Rational) -> Self {
         Polynomial::term(Monomial::one(), value)
     }
 
     /// One unknown.
     pub fn var(var: Var) -> Self {
-        Polynomial::term(Monomial::power(var, 1), BigRational::one())
+        Polynomial::term(Monomial::power(var, 1), Rational::one())
     }
 
     /// `coefficient · monomial`.
-    pub fn term(monomial: Monomial, coefficient: BigRational) -> Self {
+    pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
         let mut terms = BTreeMap::new();
         if !coefficient.is_zero() {
             terms.insert(monomial, coefficient);
@@ -61,7 +59,7 @@ impl Polynomial {
     }
 
     /// The terms from the lowest to the highest.
-    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &BigRational)> {
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
         self.terms.iter()
     }
 
@@ -81,21 +79,21 @@ impl Polynomial {
     }
 
     /// The value, where no unknown occurs.
-    pub fn as_constant(&self) -> Option<BigRational> {
+    pub fn as_constant(&self) -> Option<Rational> {
         match self.terms.len() {
-            0 => Some(BigRational::zero()),
+            0 => Some(Rational::zero()),
             1 => self.coefficient(&Monomial::one()).cloned(),
             _ => None,
         }
     }
 
     /// The coefficient of a monomial, where it occurs.
-    pub fn coefficient(&self, monomial: &Monomial) -> Option<&BigRational> {
+    pub fn coefficient(&self, monomial: &Monomial) -> Option<&Rational> {
         self.terms.get(monomial)
     }
 
     /// The highest term.
-    pub fn leading(&self) -> Option<(&Monomial, &BigRational)> {
+    pub fn leading(&self) -> Option<(&Monomial, &Rational)> {
         self.terms.last_key_value()
     }
 
@@ -119,7 +117,7 @@ impl Polynomial {
             .unwrap_or(0)
     }
 
-    fn add_term(&mut self, monomial: Monomial, coefficient: BigRational) {
+    fn add_term(&mut self, monomial: Monomial, coefficient: Rational) {
         use std::collections::btree_map::Entry;
         match self.terms.entry(monomial) {
             Entry::Vacant(slot) => {
@@ -156,11 +154,11 @@ impl Polynomial {
 
     /// The negative.
     pub fn negated(&self) -> Self {
-        self.scaled(&-BigRational::one())
+        self.scaled(&-Rational::one())
     }
 
     /// A rational multiple.
-    pub fn scaled(&self, factor: &BigRational) -> Self {
+    pub fn scaled(&self, factor: &Rational) -> Self {
         if factor.is_zero() {
             return Polynomial::zero();
         }
@@ -171,7 +169,7 @@ impl Polynomial {
     }
 
     /// `coefficient · monomial · self`.
-    pub fn times_term(&self, monomial: &Monomial, coefficient: &BigRational) -> Self {
+    pub fn times_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
         if coefficient.is_zero() {
             return Polynomial::zero();
         }
@@ -209,7 +207,10 @@ impl Polynomial {
             let monomial = powers.fold(Monomial::one(), |product, &(v, e)| {
                 product.times(&Monomial::power(v, e * exponent))
             });
-            return Ok(Polynomial::term(monomial, power(c, exponent)?));
+            return Ok(Polynomial::term(
+                monomial,
+                c.pow(exponent, LONGEST_NUMBER).ok_or(TooLarge)?,
+            ));
         }
         if self.is_zero() && exponent > 0 {
             return Ok(Polynomial::zero());
@@ -268,7 +269,7 @@ impl Polynomial {
             let exponent = m.exponent(var);
             if exponent > 0 {
                 let lowered = m.without(var).times(&Monomial::power(var, exponent - 1));
-                sum.add_term(lowered, c * BigRational::from_integer(exponent.into()));
+                sum.add_term(lowered, c * Rational::from(exponent));
             }
         }
         sum
@@ -295,40 +296,19 @@ impl Polynomial {
     /// The value at a point; `None` where the point does not give every unknown a value.
     pub fn evaluate(
         &self,
-        value: impl Fn(Var) -> Option<BigRational>,
-    ) -> Result<Option<BigRational>, TooLarge> {
-        let mut sum = BigRational::zero();
+        value: impl Fn(Var) -> Option<Rational>,
+    ) -> Result<Option<Rational>, TooLarge> {
+        let mut sum = Rational::zero();
         for (m, c) in &self.terms {
             let mut product = c.clone();
             for &(var, exponent) in m.powers() {
                 let Some(value) = value(var) else {
                     return Ok(None);
                 };
-                product *= power(&value, exponent)?;
+                product *= value.pow(exponent, LONGEST_NUMBER).ok_or(TooLarge)?;
             }
             sum += product;
         }
         Ok(Some(sum))
     }
-}
-
-/// A power of a number, within bounds.
-pub(super) fn power(base: &BigRational, exponent: u32) -> Result<BigRational, TooLarge> {
-    if base.is_zero() || base.abs().is_one() {
-        let odd = exponent % 2 == 1;
-        return Ok(match exponent {
-            0 => BigRational::one(),
-            _ if odd || base.is_zero() => base.clone(),
-            _ => BigRational::one(),
-        });
-    }
-    let bits = base.numer().bits().max(base.denom().bits());
-    if bits.saturating_mul(exponent.into()) > LONGEST_NUMBER {
-        return Err(TooLarge);
-    }
-    // Both parts are powers of coprime numbers, so nothing is left to reduce.
-    Ok(BigRational::new_raw(
-        base.numer().pow(exponent),
-        base.denom().pow(exponent),
-    ))
 }

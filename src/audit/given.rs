@@ -24,7 +24,9 @@ impl Models {
         let mut entry = blank(at, part, parts, Kind::Given, Verdict::Given);
         entry.model = self.found.get(&at).cloned();
         if let Some(sources) = self.contradictions.get(&at) {
-            entry.notes.push(Note::InconsistentPremises(sources.clone()));
+            entry
+                .notes
+                .push(Note::InconsistentPremises(sources.clone()));
         }
         entry
     }
@@ -55,13 +57,17 @@ pub(super) fn models(derivation: &Derivation) -> Models {
         };
         match together(&group) {
             Consistency::Model(model) => {
-                models.found.extend(group.iter().map(|&at| (at, model.clone())));
+                models
+                    .found
+                    .extend(group.iter().map(|&at| (at, model.clone())));
             }
             Consistency::Unknown => {}
             Consistency::Contradictory(_) => {
                 // The first one that contradicts those before it, and the fewest of these.
                 let mut length = 1;
-                while !matches!(together(&group[..length]), Consistency::Contradictory(_)) && length < group.len() {
+                while !matches!(together(&group[..length]), Consistency::Contradictory(_))
+                    && length < group.len()
+                {
                     length += 1;
                 }
                 let mut members = group[..length].to_vec();
@@ -106,12 +112,19 @@ fn groups(derivation: &Derivation) -> Vec<Vec<usize>> {
             };
             // Groups that were merged leave a forwarding address: their members moved on.
             while groups[other].is_empty() {
-                other = owner.values().copied().find(|&g| !groups[g].is_empty()).unwrap_or(own);
+                other = owner
+                    .values()
+                    .copied()
+                    .find(|&g| !groups[g].is_empty())
+                    .unwrap_or(own);
             }
             if other != own {
                 let moved = std::mem::take(&mut groups[other]);
                 groups[own].extend(moved);
-                owner.values_mut().filter(|g| **g == other).for_each(|g| *g = own);
+                owner
+                    .values_mut()
+                    .filter(|g| **g == other)
+                    .for_each(|g| *g = own);
             }
         }
     }

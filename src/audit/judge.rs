@@ -48,7 +48,10 @@ impl Judge<'_> {
             judged: Judged {
                 goal: goal.clone(),
                 assumed: assumed.clone(),
-                outcome: Outcome::Open(Stop { reason: String::new(), tried: 0 }),
+                outcome: Outcome::Open(Stop {
+                    reason: String::new(),
+                    tried: 0,
+                }),
             },
             instead: Vec::new(),
             conditions: Vec::new(),
@@ -62,7 +65,8 @@ impl Judge<'_> {
                 {
                     found.contradictory = sources(&assumed);
                     found.judged.outcome = Outcome::Open(Stop {
-                        reason: "the premises contradict one another, so anything would follow".into(),
+                        reason: "the premises contradict one another, so anything would follow"
+                            .into(),
                         tried: 0,
                     });
                     return found;
@@ -89,7 +93,9 @@ impl Judge<'_> {
             Decision::Refuted(refuted) => {
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 let marked = self.derivation.equations[self.at].kind == Kind::Marked;
-                if !(marked && goal.questioned) && !self.rescue(goal, &assumed, premises, &mut found) {
+                if !(marked && goal.questioned)
+                    && !self.rescue(goal, &assumed, premises, &mut found)
+                {
                     let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
                     if let Some((conditions, _)) = search::missing_conditions(&claim) {
                         found.conditions = conditions;
@@ -138,7 +144,13 @@ impl Judge<'_> {
     }
 
     /// Tries again with what stands before, cited or not.
-    fn rescue(&mut self, goal: &Goal, assumed: &[Assumed], premises: &[usize], found: &mut Found) -> bool {
+    fn rescue(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
         for others in self.others(premises) {
             if others.is_empty() {
                 continue;
@@ -171,20 +183,30 @@ impl Judge<'_> {
         let (mut sound, mut all) = (Vec::new(), Vec::new());
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
             let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
-            if entries.iter().any(|e| matches!(e.verdict, Verdict::Fails | Verdict::Undecided)) {
+            if entries
+                .iter()
+                .any(|e| matches!(e.verdict, Verdict::Fails | Verdict::Undecided))
+            {
                 continue;
             }
             if entries.iter().all(|e| e.rests_on.is_empty()) {
                 sound.push(other);
             }
-            if entries.iter().flat_map(|e| &e.rests_on).all(|r| cited.contains(r)) {
+            if entries
+                .iter()
+                .flat_map(|e| &e.rests_on)
+                .all(|r| cited.contains(r))
+            {
                 all.push(other);
             }
         }
         let own = self.usable.assumed.len();
         let gather = |list: &[usize]| {
             let gathered = usable(self.derivation, &self.auditor.offers, self.at, list).assumed;
-            let mut extra: Vec<Assumed> = gathered.into_iter().filter(|a| !self.usable.assumed.contains(a)).collect();
+            let mut extra: Vec<Assumed> = gathered
+                .into_iter()
+                .filter(|a| !self.usable.assumed.contains(a))
+                .collect();
             extra.truncate(own + 40);
             extra
         };
@@ -197,7 +219,13 @@ impl Judge<'_> {
     }
 
     /// Looks for a counterexample at which what stands before is true too: it convinces more.
-    fn strengthen(&mut self, goal: &Goal, assumed: &[Assumed], premises: &[usize], found: &mut Found) {
+    fn strengthen(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
         let [sound, _] = self.others(premises);
         if sound.is_empty() {
             return;
@@ -213,7 +241,11 @@ impl Judge<'_> {
 
 /// Where hypotheses come from, each source once.
 fn sources(assumed: &[Assumed]) -> Vec<Source> {
-    let mut all: Vec<Source> = assumed.iter().map(|a| a.source).filter(|s| *s != Source::Step).collect();
+    let mut all: Vec<Source> = assumed
+        .iter()
+        .map(|a| a.source)
+        .filter(|s| *s != Source::Step)
+        .collect();
     all.sort();
     all.dedup();
     all

@@ -42,7 +42,9 @@ impl Audit {
             if let (Some(&original), Some(entry)) = (duplicates.get(&at), entries.first_mut()) {
                 entry.notes.push(Note::DuplicateTag(original));
             }
-            let given = entries.iter().all(|e| e.verdict == Verdict::Given && e.judged.is_empty());
+            let given = entries
+                .iter()
+                .all(|e| e.verdict == Verdict::Given && e.judged.is_empty());
             auditor.offers[at] = Some(match given {
                 true => Offer::given(derivation, at),
                 false => Offer::judged(derivation, at, &entries),
@@ -97,7 +99,9 @@ impl Auditor<'_> {
         };
         let parts = statements.len();
         if equation.kind == Kind::Given {
-            return (0..parts).map(|part| givens.entry(at, part, parts)).collect();
+            return (0..parts)
+                .map(|part| givens.entry(at, part, parts))
+                .collect();
         }
         let (premises, says_so, unknown) = self.derivation.premises(at);
         let usable = usable(self.derivation, &self.offers, at, &premises);
@@ -107,15 +111,23 @@ impl Auditor<'_> {
             let mut entry = self.statement(at, statement, &usable, &premises, says_so, defines);
             (entry.part, entry.parts) = (part, parts);
             if part == 0 {
-                entry.notes.extend(unknown.iter().map(|u| Note::UnknownCitation(u.label.clone(), u.span)));
-                entry.notes.extend(usable.later.iter().map(|&p| Note::CitesLater(p)));
+                entry.notes.extend(
+                    unknown
+                        .iter()
+                        .map(|u| Note::UnknownCitation(u.label.clone(), u.span)),
+                );
+                entry
+                    .notes
+                    .extend(usable.later.iter().map(|&p| Note::CitesLater(p)));
             }
             entries.push(entry);
         }
         let opens = equation.opens && entries.iter().all(|e| e.verdict != Verdict::Holds);
         if opens {
             // A page must begin somewhere: what nothing precedes is given.
-            return (0..parts).map(|part| blank(at, part, parts, Kind::Given, Verdict::Given)).collect();
+            return (0..parts)
+                .map(|part| blank(at, part, parts, Kind::Given, Verdict::Given))
+                .collect();
         }
         entries
     }
@@ -144,7 +156,11 @@ impl Auditor<'_> {
             if defines && position == 0 {
                 let outcome = Outcome::Defined;
                 steps.push((goal.clause, goal.formula.clone()));
-                entry.judged.push(Judged { goal, assumed: Vec::new(), outcome });
+                entry.judged.push(Judged {
+                    goal,
+                    assumed: Vec::new(),
+                    outcome,
+                });
                 continue;
             }
             let found = judge.goal(&goal, &steps, premises);
@@ -158,7 +174,9 @@ impl Auditor<'_> {
                 entry.notes.push(Note::UnstatedCondition(found.conditions));
             }
             if !found.contradictory.is_empty() {
-                entry.notes.push(Note::InconsistentPremises(found.contradictory));
+                entry
+                    .notes
+                    .push(Note::InconsistentPremises(found.contradictory));
             }
             instead.extend(found.instead);
             entry.judged.push(found.judged);
@@ -186,11 +204,18 @@ impl Auditor<'_> {
             };
             entry.notes.push(note);
             if says_so {
-                entry.notes.extend(usable.out_of_scope.iter().map(|&p| Note::OutOfScope(p)));
+                entry
+                    .notes
+                    .extend(usable.out_of_scope.iter().map(|&p| Note::OutOfScope(p)));
             }
         }
         if entry.verdict == Verdict::Undecided {
-            entry.notes.extend(usable.unreadable.iter().map(|&p| Note::UnreadablePremise(p)));
+            entry.notes.extend(
+                usable
+                    .unreadable
+                    .iter()
+                    .map(|&p| Note::UnreadablePremise(p)),
+            );
         }
         entry.premises = used.iter().copied().collect();
         if entry.verdict == Verdict::Holds {
@@ -219,7 +244,9 @@ impl Auditor<'_> {
 
     fn entries_of(&self, at: usize) -> impl Iterator<Item = &Entry> {
         let start = self.first.get(at).copied().unwrap_or(self.entries.len());
-        self.entries[start..].iter().take_while(move |e| e.equation == at)
+        self.entries[start..]
+            .iter()
+            .take_while(move |e| e.equation == at)
     }
 
     /// Whether the author's ✓ or ✗ is right.
@@ -229,7 +256,13 @@ impl Auditor<'_> {
         };
         // `a ≠ b ✗` crosses out the law `a = b` that the author tested, and says so twice.
         let denied = entry.judged.iter().any(|j| {
-            matches!(&j.goal.formula, crate::algebra::Formula::Relation { relation: crate::algebra::Relation::NotEqual, .. })
+            matches!(
+                &j.goal.formula,
+                crate::algebra::Formula::Relation {
+                    relation: crate::algebra::Relation::NotEqual,
+                    ..
+                }
+            )
         });
         let right = match (mark.value, entry.verdict) {
             (_, Verdict::Undecided) => return,
@@ -246,7 +279,11 @@ impl Auditor<'_> {
     fn crossed_out_rightly(&self, entry: &Entry) -> bool {
         let refuted = |j: &&Judged| matches!(j.outcome, Outcome::Refuted(_));
         match entry.judged.iter().any(|j| j.goal.questioned) {
-            true => entry.judged.iter().filter(refuted).all(|j| j.goal.questioned),
+            true => entry
+                .judged
+                .iter()
+                .filter(refuted)
+                .all(|j| j.goal.questioned),
             false => true,
         }
     }

@@ -31,10 +31,17 @@ impl Offer {
     pub fn judged(derivation: &Derivation, at: usize, entries: &[Entry]) -> Offer {
         let mut offer = Offer::default();
         for (statement, entry) in derivation.equations[at].statements().iter().zip(entries) {
-            if statement.connectives.iter().any(|c| c.value == Connective::Equivalent) {
+            if statement
+                .connectives
+                .iter()
+                .any(|c| c.value == Connective::Equivalent)
+            {
                 continue;
             }
-            let crossed = statement.mark.as_ref().is_some_and(|m| m.value == Mark::Cross);
+            let crossed = statement
+                .mark
+                .as_ref()
+                .is_some_and(|m| m.value == Mark::Cross);
             for judged in &entry.judged {
                 let refuted = matches!(judged.outcome, Outcome::Refuted(_));
                 if !(refuted && (crossed || judged.goal.questioned)) {
@@ -76,8 +83,11 @@ pub fn usable(
         ..Usable::default()
     };
     let page = derivation.equations[at].page;
-    let in_effect: BTreeSet<(usize, usize)> =
-        derivation.equations[at].locals.iter().map(|&local| (page, local)).collect();
+    let in_effect: BTreeSet<(usize, usize)> = derivation.equations[at]
+        .locals
+        .iter()
+        .map(|&local| (page, local))
+        .collect();
     for &premise in premises {
         let equation = &derivation.equations[premise];
         if equation.statements.is_err() {
@@ -93,7 +103,11 @@ pub fn usable(
             }
         };
         let is_let = |&(page, local): &(usize, usize)| derivation.local(page, local).is_let;
-        if offer.under.iter().any(|local| is_let(local) && !in_effect.contains(local)) {
+        if offer
+            .under
+            .iter()
+            .any(|local| is_let(local) && !in_effect.contains(local))
+        {
             usable.out_of_scope.push(premise);
             continue;
         }
@@ -114,11 +128,13 @@ pub fn usable(
                 }
             }
         }
-        usable.assumed.extend(offer.formulas.into_iter().map(|formula| Assumed {
-            formula,
-            standing,
-            source: Source::Equation(premise),
-        }));
+        usable
+            .assumed
+            .extend(offer.formulas.into_iter().map(|formula| Assumed {
+                formula,
+                standing,
+                source: Source::Equation(premise),
+            }));
     }
     usable
 }

@@ -74,14 +74,20 @@ pub struct Goal {
 
 /// The goals of a statement, in the order in which they are to be judged.
 pub fn goals(statement: &Statement) -> Vec<Goal> {
-    let clauses: Vec<Vec<Goal>> =
-        statement.clauses.iter().enumerate().map(|(at, clause)| clause_goals(clause, at)).collect();
+    let clauses: Vec<Vec<Goal>> = statement
+        .clauses
+        .iter()
+        .enumerate()
+        .map(|(at, clause)| clause_goals(clause, at))
+        .collect();
     let equivalent = |at: usize| {
-        statement.connectives.get(at).is_some_and(|c| c.value == Connective::Equivalent)
+        statement
+            .connectives
+            .get(at)
+            .is_some_and(|c| c.value == Connective::Equivalent)
     };
-    let formulas = |goals: &[Goal]| -> Vec<Formula> {
-        goals.iter().map(|g| g.formula.clone()).collect()
-    };
+    let formulas =
+        |goals: &[Goal]| -> Vec<Formula> { goals.iter().map(|g| g.formula.clone()).collect() };
     let mut all = Vec::new();
     for (at, goals) in clauses.iter().enumerate() {
         let before = at > 0 && equivalent(at - 1);
@@ -91,7 +97,10 @@ pub fn goals(statement: &Statement) -> Vec<Goal> {
             continue;
         }
         // Each side of an equivalence follows from the other.
-        for neighbour in [before.then(|| at - 1), after.then_some(at + 1)].into_iter().flatten() {
+        for neighbour in [before.then(|| at - 1), after.then_some(at + 1)]
+            .into_iter()
+            .flatten()
+        {
             let suppositions = formulas(&clauses[neighbour]);
             all.extend(goals.iter().map(|goal| Goal {
                 suppositions: suppositions.clone(),

@@ -76,7 +76,10 @@ impl Derivation {
             derivation.equations.extend(equations);
         }
         for (at, equation) in derivation.equations.iter().enumerate() {
-            for label in [tag_key(equation.tag.as_deref()), name_key(equation.name.as_deref())] {
+            for label in [
+                tag_key(equation.tag.as_deref()),
+                name_key(equation.name.as_deref()),
+            ] {
                 if let Some(label) = label {
                     derivation.labels.entry(label).or_default().push(at);
                 }
@@ -97,14 +100,21 @@ impl Derivation {
     pub fn find(&self, label: &str) -> Option<&Equation> {
         let label = label.trim().trim_start_matches('(').trim_end_matches(')');
         let named = label.strip_prefix("claim ").unwrap_or(label).trim();
-        let found = self.labels.get(&format!("({label})")).or_else(|| self.labels.get(named));
-        found.and_then(|all| all.first()).map(|&at| &self.equations[at])
+        let found = self
+            .labels
+            .get(&format!("({label})"))
+            .or_else(|| self.labels.get(named));
+        found
+            .and_then(|all| all.first())
+            .map(|&at| &self.equations[at])
     }
 
     /// The equations that bear the same number or name as an earlier one.
     pub fn duplicates(&self) -> Vec<(usize, usize)> {
         let several = self.labels.values().filter(|all| all.len() > 1);
-        several.flat_map(|all| all[1..].iter().map(|&at| (at, all[0]))).collect()
+        several
+            .flat_map(|all| all[1..].iter().map(|&at| (at, all[0])))
+            .collect()
     }
 
     /// The equation that a citation on a page means: one of the same page before one of another.
@@ -122,28 +132,37 @@ impl Derivation {
     pub fn premises(&self, at: usize) -> (Vec<usize>, bool, Vec<Unknown>) {
         let equation = &self.equations[at];
         let (mut found, mut unknown) = (Vec::new(), Vec::new());
-        let mut cite = |label: String, shown: String, span: Span, required: bool| {
-            match self.resolve(&label, equation.page) {
-                Some(premise) if premise == at => {}
-                Some(premise) if found.contains(&premise) => {}
-                Some(premise) => found.push(premise),
-                None if required => unknown.push(Unknown { label: shown, span }),
-                None => {}
-            }
+        let mut cite = |label: String, shown: String, span: Span, required: bool| match self
+            .resolve(&label, equation.page)
+        {
+            Some(premise) if premise == at => {}
+            Some(premise) if found.contains(&premise) => {}
+            Some(premise) => found.push(premise),
+            None if required => unknown.push(Unknown { label: shown, span }),
+            None => {}
         };
         match &equation.premises {
             Premises::Named(named) => {
                 for Spanned { value, span } in named {
                     match value {
-                        Premise::Tag(tag) => cite(format!("({tag})"), format!("({tag})"), *span, true),
-                        Premise::Claim(name) => cite(name.clone(), format!("claim {name}"), *span, true),
+                        Premise::Tag(tag) => {
+                            cite(format!("({tag})"), format!("({tag})"), *span, true)
+                        }
+                        Premise::Claim(name) => {
+                            cite(name.clone(), format!("claim {name}"), *span, true)
+                        }
                     }
                 }
                 (found, true, unknown)
             }
             Premises::Cited(cited) => {
                 for (tag, required) in cited {
-                    cite(format!("({})", tag.value), format!("({})", tag.value), tag.span, *required);
+                    cite(
+                        format!("({})", tag.value),
+                        format!("({})", tag.value),
+                        tag.span,
+                        *required,
+                    );
                 }
                 let says_so = !found.is_empty() || !unknown.is_empty();
                 if !says_so && at > 0 && self.equations[at - 1].page == equation.page {
@@ -162,11 +181,18 @@ impl Derivation {
         for _ in 0..2 {
             let mut fresh: BTreeSet<usize> = BTreeSet::new();
             for symbol in &wanted {
-                let all = self.mentions.get(symbol).map(Vec::as_slice).unwrap_or_default();
+                let all = self
+                    .mentions
+                    .get(symbol)
+                    .map(Vec::as_slice)
+                    .unwrap_or_default();
                 let before = &all[..all.partition_point(|&other| other < at)];
                 fresh.extend(before.iter().rev().take(most));
             }
-            wanted = fresh.difference(&found).flat_map(|&other| symbols(&self.equations[other])).collect();
+            wanted = fresh
+                .difference(&found)
+                .flat_map(|&other| symbols(&self.equations[other]))
+                .collect();
             found.extend(fresh);
         }
         found.into_iter().rev().take(most).collect()
@@ -217,14 +243,18 @@ impl Derivation {
         pages.extend(others);
         pages.dedup();
         for symbol in claim.free_symbols() {
-            let mut declared = pages.iter().filter_map(|&p| self.pages[p].domains.get(&symbol));
+            let mut declared = pages
+                .iter()
+                .filter_map(|&p| self.pages[p].domains.get(&symbol));
             if let Some(domain) = declared.next() {
                 claim.domains.insert(symbol, domain.clone());
             }
         }
         let sequences: BTreeSet<Symbol> = claim.formulas().flat_map(Formula::sequences).collect();
         for sequence in sequences {
-            let mut declared = pages.iter().filter_map(|&p| self.pages[p].element_domain(&sequence));
+            let mut declared = pages
+                .iter()
+                .filter_map(|&p| self.pages[p].element_domain(&sequence));
             let domain: Domain = declared.next().cloned().unwrap_or_default();
             claim.sequences.insert(sequence, domain);
         }
@@ -235,7 +265,13 @@ impl Derivation {
 /// Whether a hypothesis leaves room to move: then what follows from it holds around the point too.
 pub fn is_open(formula: &Formula) -> bool {
     use Relation::{Greater, Less, NotEqual};
-    matches!(formula, Formula::Relation { relation: Less | Greater | NotEqual, .. })
+    matches!(
+        formula,
+        Formula::Relation {
+            relation: Less | Greater | NotEqual,
+            ..
+        }
+    )
 }
 
 fn tag_key(tag: Option<&str>) -> Option<String> {

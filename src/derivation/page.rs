@@ -1,7 +1,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::{Formula, Symbol};
-use crate::document::{Attribute, Bound, Directive, Document, Item, Premise, Problem, Span, SuppositionKind};
+use crate::document::{
+    Attribute, Bound, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
+};
 use crate::kernel::Domain;
 use crate::notation::{Clause, Spanned, SyntaxError, read_display, read_formulas, read_symbol};
 
@@ -80,7 +82,9 @@ pub(super) fn read_page(
     let (mut level, mut section) = (0, String::new());
     for item in items {
         match item {
-            Item::Heading { level: own, title, .. } => {
+            Item::Heading {
+                level: own, title, ..
+            } => {
                 if page.title.is_empty() {
                     page.title = title.clone();
                 }
@@ -89,7 +93,10 @@ pub(super) fn read_page(
             }
             Item::Prose(prose) => {
                 for citation in prose.citations {
-                    let tag = Spanned { value: citation.tag, span: citation.span };
+                    let tag = Spanned {
+                        value: citation.tag,
+                        span: citation.span,
+                    };
                     between.cited.push((tag, citation.explicit));
                 }
                 for supposition in prose.suppositions {
@@ -104,7 +111,9 @@ pub(super) fn read_page(
                         Directive::Derived => between.derived = true,
                         Directive::From(premises) => between.from = Some(premises),
                         Directive::Claim(name) => between.name = Some(name.value),
-                        Directive::Assuming(body) => page.suppose(body, false, level, &mut active, true),
+                        Directive::Assuming(body) => {
+                            page.suppose(body, false, level, &mut active, true)
+                        }
                         Directive::Let(body) => page.suppose(body, true, level, &mut active, true),
                         Directive::Symbols { .. } => {}
                     }
@@ -113,15 +122,23 @@ pub(super) fn read_page(
             Item::Display { span, body } => {
                 let said = std::mem::take(&mut between);
                 let display = read_display(&page.document.source, body);
-                let mark = display.statements.iter().flatten().any(|s| s.mark.is_some());
-                let fresh = display.statements.as_ref().is_ok_and(|s| defines_new_symbol(s, seen));
+                let mark = display
+                    .statements
+                    .iter()
+                    .flatten()
+                    .any(|s| s.mark.is_some());
+                let fresh = display
+                    .statements
+                    .as_ref()
+                    .is_ok_and(|s| defines_new_symbol(s, seen));
                 let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
                 let kind = match () {
                     () if said.given => Kind::Given,
                     () if mark => Kind::Marked,
                     () => Kind::Derived,
                 };
-                let defines = kind == Kind::Derived && fresh && !said.derived && said.from.is_none();
+                let defines =
+                    kind == Kind::Derived && fresh && !said.derived && said.from.is_none();
                 for statement in display.statements.iter().flatten() {
                     for formula in formulas(statement) {
                         seen.extend(formula.free_symbols());
@@ -154,7 +171,8 @@ pub(super) fn read_page(
 
 /// `s = …` where `s` has not occurred before, on this page or an earlier one.
 fn defines_new_symbol(statements: &[crate::notation::Statement], seen: &BTreeSet<Symbol>) -> bool {
-    let Some(Clause::Chain { sides, links }) = statements.first().and_then(|s| s.clauses.first()) else {
+    let Some(Clause::Chain { sides, links }) = statements.first().and_then(|s| s.clauses.first())
+    else {
         return false;
     };
     let (Some(side), Some(link)) = (sides.first(), links.first()) else {
@@ -191,8 +209,14 @@ impl Page {
                     match read_symbol(self.document.text(span)) {
                         Ok(symbol) => self.declare(symbol, &attributes),
                         Err(error) => {
-                            let shifted = Span::new(span.start + error.span.start, span.start + error.span.end);
-                            self.complain(SyntaxError { span: shifted, ..error });
+                            let shifted = Span::new(
+                                span.start + error.span.start,
+                                span.start + error.span.end,
+                            );
+                            self.complain(SyntaxError {
+                                span: shifted,
+                                ..error
+                            });
                         }
                     }
                 }
@@ -228,7 +252,14 @@ impl Page {
     }
 
     /// Takes up a `let` or an assumption. Prose that cannot be read supposes nothing; a directive must be readable.
-    fn suppose(&mut self, body: Span, is_let: bool, level: u8, active: &mut Vec<usize>, strict: bool) {
+    fn suppose(
+        &mut self,
+        body: Span,
+        is_let: bool,
+        level: u8,
+        active: &mut Vec<usize>,
+        strict: bool,
+    ) {
         let statements = match read_formulas(&self.document.source, body) {
             Ok(statements) => statements,
             Err(error) => {
@@ -270,7 +301,10 @@ impl Page {
 /// The symbols that an equation between them gives a value.
 fn assigned(formula: &Formula) -> BTreeSet<Symbol> {
     match formula {
-        Formula::Relation { left: crate::algebra::Expr::Symbol(symbol), .. } => BTreeSet::from([symbol.clone()]),
+        Formula::Relation {
+            left: crate::algebra::Expr::Symbol(symbol),
+            ..
+        } => BTreeSet::from([symbol.clone()]),
         Formula::AllEqual { sequence, .. } => BTreeSet::from([sequence.clone()]),
         Formula::Relation { .. } => BTreeSet::new(),
     }

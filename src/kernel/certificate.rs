@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::algebra::{BigRational, Polynomial, Symbol};
+use crate::algebra::{BigRational, Polynomial, Rational, Symbol};
 
 /// What the search hands over. Nothing in here is believed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -110,7 +110,7 @@ pub enum Proof {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PositiveTerm {
     /// Not negative.
-    pub coefficient: BigRational,
+    pub coefficient: Rational,
     /// Each is seen not to be negative by inspection, or has an even exponent.
     pub factors: Factors,
     /// Each is squared.

@@ -1,9 +1,7 @@
 use std::collections::BTreeSet;
 
-use num_traits::{Signed, Zero};
-
 use super::{Fact, Sign};
-use crate::algebra::{Monomial, Polynomial, Var};
+use crate::algebra::{Monomial, Polynomial, Rational, Var};
 
 /// What the facts say by mere inspection about the sign of polynomials.
 ///
@@ -142,7 +140,7 @@ fn normal(polynomial: &Polynomial) -> Polynomial {
 /// The greatest monomial factor and the rest.
 fn split(polynomial: &Polynomial) -> (Monomial, Polynomial) {
     let content = polynomial.content();
-    let one = num_rational::BigRational::from_integer(1.into());
+    let one = Rational::one();
     let rest = polynomial.divided_by(&Polynomial::term(content.clone(), one));
     (content, rest.unwrap_or_default())
 }

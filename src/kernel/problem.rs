@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 
 use super::{Claim, Domain, Fact, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Relation,
+    Atom, Atoms, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Rational, Relation,
     Symbol, expr_of, power_sum,
 };
 
@@ -167,7 +167,7 @@ impl Problem {
                     None => count.times(&second)?.plus(&first.pow(2)?.negated())?,
                     Some(value) => {
                         let value = lowering.lower(value)?;
-                        let two = Fraction::from(BigRational::from_integer(2.into()));
+                        let two = Fraction::from(Rational::from(2));
                         let middle = two.times(&value)?.times(&first)?.negated();
                         second.plus(&middle)?.plus(&count.times(&value.pow(2)?)?)?
                     }

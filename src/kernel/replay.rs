@@ -1,5 +1,3 @@
-use num_traits::{Signed, Zero};
-
 use super::{
     Certificate, Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Reject,
     SeriesSquare, Sign,

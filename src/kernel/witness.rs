@@ -1,9 +1,7 @@
-use num_traits::{Signed, Zero};
-
 use super::{Assignment, Claim, Fact, Problem, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Relation, Symbol,
-    Var,
+    Atom, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational,
+    Relation, Symbol, Var,
 };
 
 /// A claim's formulas at one point.
@@ -84,7 +82,7 @@ impl<'a> Point<'a> {
         })
     }
 
-    fn value(&mut self, polynomial: &Polynomial) -> Result<BigRational, Reject> {
+    fn value(&mut self, polynomial: &Polynomial) -> Result<Rational, Reject> {
         let mut values = std::collections::BTreeMap::new();
         for var in polynomial.vars() {
             values.insert(var, self.atom(var)?);
@@ -93,25 +91,30 @@ impl<'a> Point<'a> {
         value.ok_or(Reject::NoValue)
     }
 
-    fn fraction(&mut self, value: &Fraction) -> Result<Option<BigRational>, Reject> {
+    fn fraction(&mut self, value: &Fraction) -> Result<Option<Rational>, Reject> {
         let mut result = self.value(value.numerator())?;
         for (factor, exponent) in value.denominator() {
             let below = self.value(&factor.pow(exponent)?)?;
             if below.is_zero() {
                 return Ok(None);
             }
-            result /= below;
+            result = result / below;
         }
         Ok(Some(result))
     }
 
-    fn atom(&mut self, var: Var) -> Result<BigRational, Reject> {
+    fn atom(&mut self, var: Var) -> Result<Rational, Reject> {
         match self.problem.atoms.atom(var).clone() {
-            Atom::Symbol(symbol) => self.at.symbols.get(&symbol).cloned().ok_or(Reject::NoValue),
+            Atom::Symbol(symbol) => self
+                .at
+                .symbols
+                .get(&symbol)
+                .map(Rational::from)
+                .ok_or(Reject::NoValue),
             Atom::Element { sequence, position } => {
                 let elements = self.elements(&sequence)?;
                 let element = elements.get(position as usize - 1);
-                element.cloned().ok_or(Reject::NoValue)
+                element.map(Rational::from).ok_or(Reject::NoValue)
             }
             Atom::PowerSum { to, powers } => self.power_sum(&to, &powers),
             Atom::Bound { .. } => Err(Reject::NoValue),
@@ -124,30 +127,31 @@ impl<'a> Point<'a> {
         Ok(elements)
     }
 
-    fn power_sum(&self, to: &Symbol, powers: &[(Symbol, u32)]) -> Result<BigRational, Reject> {
+    fn power_sum(&self, to: &Symbol, powers: &[(Symbol, u32)]) -> Result<Rational, Reject> {
         let count = self.at.symbols.get(to).ok_or(Reject::NoValue)?;
-        let mut sum = BigRational::zero();
-        let mut position = BigRational::zero();
+        let count = Rational::from(count);
+        let mut sum = Rational::zero();
+        let mut position = Rational::zero();
         let mut at = 0;
         // A count that is not a natural number has no sum; the longest list bounds the loop.
         if count.is_negative() || !count.is_integer() {
             return Err(Reject::NoValue);
         }
-        while position < *count {
-            let mut term = BigRational::from_integer(1.into());
+        while position < count {
+            let mut term = Rational::one();
             for (sequence, exponent) in powers {
                 let element = self.elements(sequence)?.get(at).ok_or(Reject::NoValue)?;
-                let power = Polynomial::constant(element.clone()).pow(*exponent)?;
+                let power = Polynomial::constant(element.into()).pow(*exponent)?;
                 term *= power.as_constant().ok_or(Reject::NoValue)?;
             }
             sum += term;
-            position += BigRational::from_integer(1.into());
+            position += Rational::one();
             at += 1;
         }
         Ok(sum)
     }
 
-    fn opaque(&mut self, expr: &Expr) -> Result<BigRational, Reject> {
+    fn opaque(&mut self, expr: &Expr) -> Result<Rational, Reject> {
         let mut evaluated = |inner: &Expr| {
             let value = self.problem.lowering().lower(inner)?;
             self.fraction(&value)?.ok_or(Reject::NoValue)
@@ -157,14 +161,17 @@ impl<'a> Point<'a> {
                 let argument = evaluated(argument)?;
                 match function {
                     Function::Abs => Ok(argument.abs()),
-                    Function::Ceiling => Ok(argument.ceil()),
-                    Function::Floor => Ok(argument.floor()),
+                    Function::Ceiling => Ok(argument.to_big().ceil().into()),
+                    Function::Floor => Ok(argument.to_big().floor().into()),
                     _ => Err(Reject::NoValue),
                 }
             }
             Expr::Power(base, exponent) => {
                 let (base, exponent) = (evaluated(base)?, evaluated(exponent)?);
-                let power = Expr::Power(Expr::Number(base).into(), Expr::Number(exponent).into());
+                let power = Expr::Power(
+                    Expr::Number(base.to_big()).into(),
+                    Expr::Number(exponent.to_big()).into(),
+                );
                 let value = self.problem.lowering().lower(&power)?;
                 value.as_constant().ok_or(Reject::NoValue)
             }
@@ -186,7 +193,7 @@ impl<'a> Point<'a> {
         whole: &Expr,
         symbol: &Symbol,
         variable: &Symbol,
-    ) -> Result<BigRational, Reject> {
+    ) -> Result<Rational, Reject> {
         let goal = &self.problem.goal_formula;
         let formulas = self.problem.formulas.iter();
         let identities: Vec<&Formula> = formulas
@@ -206,12 +213,12 @@ impl<'a> Point<'a> {
             if all().any(elsewhere) || !solved || about.next().is_some() {
                 return Err(Reject::NoValue);
             }
-            return Ok(chosen.clone());
+            return Ok(chosen.into());
         }
         let says = |f: &&Formula| f.terms().iter().any(|t| t.mentions(variable));
         match identities.iter().any(says) {
             true => Err(Reject::NoValue),
-            false => Ok(BigRational::zero()),
+            false => Ok(Rational::zero()),
         }
     }
 }

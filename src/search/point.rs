@@ -6,10 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::{One, Signed, Zero};
-
 use super::values::{candidates, rational_roots};
-use crate::algebra::{BigRational, Polynomial, Var};
+use crate::algebra::{Polynomial, Rational, Var};
 use crate::kernel::{Fact, Sign};
 
 /// What a point must satisfy.
@@ -24,7 +22,7 @@ pub struct Target {
 
 struct Search<'a> {
     integers: &'a [Var],
-    values: Vec<(u32, BigRational)>,
+    values: Vec<(u32, Rational)>,
     budget: usize,
     order: Vec<Var>,
     /// Whether a number was passed over because it costs too much.
@@ -43,7 +41,7 @@ const MOST_COST: u32 = 9;
 
 impl Target {
     /// A point, the unknowns that occur nowhere left out; and how many choices were tried.
-    pub fn find(&self) -> (Option<BTreeMap<Var, BigRational>>, usize) {
+    pub fn find(&self) -> (Option<BTreeMap<Var, Rational>>, usize) {
         let mut vars: Vec<Var> = self
             .facts
             .iter()
@@ -88,7 +86,7 @@ impl Target {
 }
 
 impl Search<'_> {
-    fn explore(&mut self, mut state: State, cost: u32) -> Option<BTreeMap<Var, BigRational>> {
+    fn explore(&mut self, mut state: State, cost: u32) -> Option<BTreeMap<Var, Rational>> {
         if self.budget == 0 {
             return None;
         }
@@ -186,14 +184,14 @@ impl Search<'_> {
             .copied()
     }
 
-    fn finish(&self, state: State) -> Option<BTreeMap<Var, BigRational>> {
+    fn finish(&self, state: State) -> Option<BTreeMap<Var, Rational>> {
         if !state.equations.is_empty() || !state.conditions.is_empty() {
             return None;
         }
-        let mut point: BTreeMap<Var, BigRational> = BTreeMap::new();
+        let mut point: BTreeMap<Var, Rational> = BTreeMap::new();
         // What was solved first may depend on what was solved later. Unknowns that are free still are 1.
         for (var, value) in state.solved.iter().rev() {
-            let known = |v: Var| Some(point.get(&v).cloned().unwrap_or_else(BigRational::one));
+            let known = |v: Var| Some(point.get(&v).cloned().unwrap_or_else(Rational::one));
             let value = value.evaluate(known).ok()??;
             if self.integers.contains(var) && !value.is_integer() {
                 return None;
@@ -201,7 +199,7 @@ impl Search<'_> {
             for free in state.solved.iter().flat_map(|(_, p)| p.vars()) {
                 let settled = state.solved.iter().any(|(v, _)| *v == free);
                 if !settled {
-                    point.entry(free).or_insert_with(BigRational::one);
+                    point.entry(free).or_insert_with(Rational::one);
                 }
             }
             point.insert(*var, value);

@@ -3,11 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::{One, Signed, Zero};
-
 use super::simplex::nonnegative_solution;
 use super::tracked::Tracked;
-use crate::algebra::{Atom, Atoms, BigRational, Monomial, Polynomial, Symbol, Var, power_sum};
+use crate::algebra::{Atom, Atoms, Monomial, Polynomial, Rational, Symbol, Var, power_sum};
 use crate::kernel::{Fact, Knowledge, PositiveTerm, SeriesSquare, Sign};
 
 /// Guesses at what a step of a derivation can need.
@@ -32,7 +30,7 @@ pub struct Decomposition {
     pub equations: Vec<(usize, Polynomial)>,
 }
 
-fn plain(coefficient: BigRational) -> PositiveTerm {
+fn plain(coefficient: Rational) -> PositiveTerm {
     PositiveTerm {
         coefficient,
         factors: Vec::new(),
@@ -43,7 +41,7 @@ fn plain(coefficient: BigRational) -> PositiveTerm {
 }
 
 /// The unknowns of a monomial as factors.
-fn monomial_term(monomial: &Monomial, coefficient: BigRational) -> PositiveTerm {
+fn monomial_term(monomial: &Monomial, coefficient: Rational) -> PositiveTerm {
     let factors = monomial.powers().iter();
     PositiveTerm {
         factors: factors.map(|&(v, e)| (Polynomial::var(v), e)).collect(),
@@ -81,7 +79,7 @@ fn by_inspection(
     knowledge: &Knowledge,
 ) -> Option<Vec<PositiveTerm>> {
     let terms: Vec<_> = goal.terms().collect();
-    let one = |m: &Monomial| Polynomial::term(m.clone(), BigRational::one());
+    let one = |m: &Monomial| Polynomial::term(m.clone(), Rational::one());
     let fine = terms
         .iter()
         .all(|(m, c)| c.is_positive() && knowledge.is_nonnegative(&one(m)));
@@ -113,8 +111,8 @@ fn sum_of_squares(goal: &Polynomial) -> Option<Vec<PositiveTerm>> {
             }
         }
     }
-    let mut gram = vec![vec![BigRational::zero(); n]; n];
-    let half = BigRational::new(1.into(), 2.into());
+    let mut gram = vec![vec![Rational::zero(); n]; n];
+    let half = Rational::ratio(1, 2);
     for (monomial, coefficient) in goal.terms() {
         let &(i, j) = place.get(monomial)?;
         match i == j {
@@ -180,8 +178,8 @@ fn combination(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decompo
         .filter(|&at| columns[at].strict)
         .collect();
     for at in positive {
-        for shift in [0_u32, 2, 6, 12] {
-            let epsilon = BigRational::new(1.into(), num_bigint::BigInt::from(1) << shift);
+        for shift in [0, 2, 6, 12] {
+            let epsilon = Rational::ratio(1, 1 << shift);
             let rest = goal.minus(&columns[at].value.scaled(&epsilon));
             if let (Some(mut found), Some(term)) = (solve(&rest, &columns), &columns[at].term) {
                 let coefficient = &term.coefficient * epsilon;
@@ -206,7 +204,7 @@ fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
     if rows.len() > MOST_ROWS {
         return None;
     }
-    let entries = |p: &Polynomial| -> Vec<(usize, BigRational)> {
+    let entries = |p: &Polynomial| -> Vec<(usize, Rational)> {
         p.terms().map(|(m, c)| (rows[m], c.clone())).collect()
     };
     let mut matrix: Vec<_> = columns.iter().map(|c| entries(&c.value)).collect();
@@ -214,7 +212,7 @@ fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
         .filter(|&at| columns[at].term.is_none())
         .collect();
     matrix.extend(free.iter().map(|&at| entries(&columns[at].value.negated())));
-    let mut right = vec![BigRational::zero(); rows.len()];
+    let mut right = vec![Rational::zero(); rows.len()];
     for (row, value) in entries(goal) {
         right[row] = value;
     }
@@ -294,7 +292,7 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
             });
         }
     };
-    let one = BigRational::one;
+    let one = Rational::one;
     // What a product may be multiplied by: unknowns (and their products) that are not negative.
     let vars: BTreeSet<Var> = goal.vars();
     let single = vars.iter().map(|&v| Monomial::power(v, 1));
@@ -373,8 +371,7 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
         for b in &halves[i + 1..] {
             for weight in &weights {
                 for sign in [-1, 1] {
-                    let form = polynomial(a)
-                        .plus(&polynomial(b).scaled(&BigRational::from_integer(sign.into())));
+                    let form = polynomial(a).plus(&polynomial(b).scaled(&Rational::from(sign)));
                     let mut term = monomial_term(weight, one());
                     term.squares.push(form.clone());
                     push(

@@ -2,12 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::One;
-
 use super::ideal::Ideal;
 use super::positivity::{Known, decompose};
 use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
-use crate::algebra::{BigRational, Polynomial, TooLarge};
+use crate::algebra::{Polynomial, Rational, TooLarge};
 use crate::kernel::{Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign};
 
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
@@ -192,7 +190,7 @@ impl Prover {
         // What is positive in every term only hides the rest.
         let content = reduced.polynomial.content();
         if !content.is_one() && self.knowledge.monomial_is_positive(&content) {
-            let content = Polynomial::term(content, BigRational::one());
+            let content = Polynomial::term(content, Rational::one());
             reduced.polynomial = reduced.polynomial.divided_by(&content)?;
             *reduced.outer.entry(content).or_insert(0) += 1;
         }
@@ -221,7 +219,7 @@ impl Prover {
         Some(Proof::Positivity {
             multiplier: listed(&reduced.multiplier),
             terms: vec![PositiveTerm {
-                coefficient: BigRational::one(),
+                coefficient: Rational::one(),
                 factors: listed(&reduced.outer),
                 squares: Vec::new(),
                 series: Vec::new(),
@@ -298,7 +296,7 @@ impl Prover {
         let mut multiplier = listed(&reduced.outer);
         let mut polynomial = reduced.polynomial.clone();
         if !content.is_one() && self.knowledge.monomial_is_positive(&content) {
-            let content = Polynomial::term(content, BigRational::one());
+            let content = Polynomial::term(content, Rational::one());
             polynomial = polynomial.divided_by(&content).unwrap_or_default();
             multiplier.push((content, 1));
         }
@@ -309,7 +307,7 @@ impl Prover {
         let proof = Proof::Positivity {
             multiplier,
             terms: vec![PositiveTerm {
-                coefficient: BigRational::one(),
+                coefficient: Rational::one(),
                 factors: listed(&reduced.multiplier),
                 squares: Vec::new(),
                 series: Vec::new(),

@@ -200,12 +200,12 @@ fn concrete_point(claim: &Claim, against_goal: bool, budget: usize) -> (Option<A
         };
         match atom {
             Atom::Symbol(symbol) => {
-                point.symbols.insert(symbol.clone(), value.clone());
+                point.symbols.insert(symbol.clone(), value.to_big());
             }
             Atom::Opaque(Expr::Derivative { body, variable }) => {
                 if let Expr::Symbol(symbol) = &**body {
                     let key = (symbol.clone(), variable.clone());
-                    point.derivatives.insert(key, value.clone());
+                    point.derivatives.insert(key, value.to_big());
                 }
             }
             _ => {}
@@ -283,7 +283,7 @@ fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
             continue;
         }
         let domain = claim.domains.get(&symbol).unwrap_or(&anything);
-        let mut values = candidates().into_iter().map(|(_, v)| v);
+        let mut values = candidates().into_iter().map(|(_, v)| v.to_big());
         if let Some(value) = values.find(|v| domain.contains(v)) {
             point.symbols.insert(symbol, value);
         }
@@ -303,7 +303,7 @@ fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
         if let Ok(value) = lowering.lower(&written)
             && let Some(value) = value.as_constant()
         {
-            point.symbols.insert(symbol.clone(), value);
+            point.symbols.insert(symbol.clone(), value.to_big());
         }
     }
 }

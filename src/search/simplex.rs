@@ -1,8 +1,6 @@
 //! Nonnegative solutions of linear equations, exactly.
 
-use num_traits::{One, Signed, Zero};
-
-use crate::algebra::BigRational;
+use crate::algebra::Rational;
 
 /// A guess: a problem of this size that needs more pivots is not worth waiting for.
 const MOST_PIVOTS: usize = 250;
@@ -12,12 +10,12 @@ const MOST_PIVOTS: usize = 250;
 /// `columns` are the columns of `A`, sparse: (row, value). `None` where there is no solution, or none was
 /// found within the bound.
 pub fn nonnegative_solution(
-    columns: &[Vec<(usize, BigRational)>],
-    right: &[BigRational],
-) -> Option<Vec<BigRational>> {
+    columns: &[Vec<(usize, Rational)>],
+    right: &[Rational],
+) -> Option<Vec<Rational>> {
     let (rows, n) = (right.len(), columns.len());
     // One artificial unknown a row; its sign makes the right side nonnegative.
-    let mut table: Vec<Vec<BigRational>> = vec![vec![BigRational::zero(); n + 1]; rows];
+    let mut table: Vec<Vec<Rational>> = vec![vec![Rational::zero(); n + 1]; rows];
     for (column, entries) in columns.iter().enumerate() {
         for (row, value) in entries {
             table[*row][column] = value.clone();
@@ -32,16 +30,16 @@ pub fn nonnegative_solution(
     // Artificial unknowns are numbered from n on and never enter again.
     let mut basis: Vec<usize> = (n..n + rows).collect();
     // The sum of the artificial unknowns, to be brought to 0: its gradient is minus the column sums.
-    let mut gain: Vec<BigRational> = (0..=n)
+    let mut gain: Vec<Rational> = (0..=n)
         .map(|c| {
             table
                 .iter()
-                .fold(BigRational::zero(), |sum, row| sum + &row[c])
+                .fold(Rational::zero(), |sum, row| sum + &row[c])
         })
         .collect();
     for _ in 0..MOST_PIVOTS {
         if gain[n].is_zero() {
-            let mut solution = vec![BigRational::zero(); n];
+            let mut solution = vec![Rational::zero(); n];
             for (row, &unknown) in basis.iter().enumerate() {
                 if unknown < n {
                     solution[unknown] = table[row][n].clone();

@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::One;
-
-use crate::algebra::{BigRational, Monomial, Polynomial, TooLarge, Var, product};
+use crate::algebra::{Monomial, Polynomial, Rational, TooLarge, Var, product};
 use crate::kernel::{Cofactors, Factors, Knowledge};
 
 /// A product of powers that are known not to vanish.
@@ -140,7 +138,7 @@ impl Tracked {
             let powers = current.polynomial.in_powers_of(var);
             let degree = powers.len() as u32 - 1;
             let lead = powers.last().cloned().unwrap_or_default();
-            let quotient = lead.times_term(&Monomial::power(var, degree - 1), &BigRational::one());
+            let quotient = lead.times_term(&Monomial::power(var, degree - 1), &Rational::one());
             current = current.combine(&pivot.coefficient, &pivot.element, &quotient)?;
             // The element is a consequence up to its own coefficient, which does not vanish.
         }
@@ -196,7 +194,7 @@ impl Reduced {
             let degree = powers.len() as u32 - 1;
             let lead = powers.last().cloned().unwrap_or_default();
             let mut quotient =
-                lead.times_term(&Monomial::power(pivot.var, degree - 1), &BigRational::one());
+                lead.times_term(&Monomial::power(pivot.var, degree - 1), &Rational::one());
             let mut weight = Nonzero::new();
             match pivot.coefficient.as_constant() {
                 Some(c) => quotient = quotient.scaled(&c.recip()),

@@ -1,13 +1,13 @@
 //! The numbers that a person would try first.
 
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed};
 
-use crate::algebra::{BigInt, BigRational, Polynomial, Var};
+use crate::algebra::{BigInt, BigRational, Polynomial, Rational, Var};
 
 /// Numbers to try, with their cost: the simpler the cheaper.
-pub fn candidates() -> Vec<(u32, BigRational)> {
-    let ratio = |p: i64, q: i64| BigRational::new(p.into(), q.into());
-    let by_cost: [(u32, &[(i64, i64)]); 6] = [
+pub fn candidates() -> Vec<(u32, Rational)> {
+    let ratio = |p: i32, q: i32| Rational::ratio(p, q);
+    let by_cost: [(u32, &[(i32, i32)]); 6] = [
         (0, &[(1, 1)]),
         (1, &[(0, 1), (2, 1), (-1, 1)]),
         (2, &[(1, 2), (3, 1), (-2, 1)]),
@@ -37,15 +37,15 @@ pub fn candidates() -> Vec<(u32, BigRational)> {
 }
 
 /// The rational roots of a polynomial in one unknown; `None` where they were not all looked for.
-pub fn rational_roots(polynomial: &Polynomial, var: Var) -> Option<Vec<BigRational>> {
-    let mut coefficients: Vec<BigRational> = polynomial
+pub fn rational_roots(polynomial: &Polynomial, var: Var) -> Option<Vec<Rational>> {
+    let mut coefficients: Vec<Rational> = polynomial
         .in_powers_of(var)
         .iter()
         .map(|c| c.as_constant())
         .collect::<Option<_>>()?;
     let mut roots = Vec::new();
     if coefficients.first().is_some_and(|c| c.is_zero()) {
-        roots.push(BigRational::zero());
+        roots.push(Rational::zero());
         let first = coefficients.iter().position(|c| !c.is_zero())?;
         coefficients.drain(..first);
     }
@@ -53,15 +53,15 @@ pub fn rational_roots(polynomial: &Polynomial, var: Var) -> Option<Vec<BigRation
         [] | [_] => {}
         [b, a] => roots.push(-b / a),
         [c, b, a] => {
-            let four = BigRational::from_integer(4.into());
+            let four = Rational::from(4);
             if let Some(root) = square_root(&(b * b - four * a * c)) {
                 let twice = a + a;
-                roots.push((-b + &root) / &twice);
-                roots.push((-b - &root) / &twice);
+                roots.push((&root - b) / &twice);
+                roots.push(-(b + &root) / &twice);
             }
         }
         // x^n = c, with the middle missing.
-        [c, middle @ .., a] if middle.iter().all(Zero::is_zero) => {
+        [c, middle @ .., a] if middle.iter().all(Rational::is_zero) => {
             let n = coefficients.len() as u32 - 1;
             roots.extend(nth_roots(&(-c / a), n));
         }
@@ -69,22 +69,20 @@ pub fn rational_roots(polynomial: &Polynomial, var: Var) -> Option<Vec<BigRation
             // Rational root theorem, for numbers whose divisors are quickly found.
             let common = coefficients
                 .iter()
-                .fold(BigInt::one(), |l, c| num_integer::lcm(l, c.denom().clone()));
-            let integer = |c: &BigRational| (c * &common).to_integer();
+                .fold(BigInt::one(), |l, c| num_integer::lcm(l, c.denom()));
+            let integer = |c: &Rational| (c * Rational::from(common.clone())).numer();
             let (last, lead) = (
                 integer(coefficients.first()?),
                 integer(coefficients.last()?),
             );
             for p in divisors(&last)? {
                 for q in divisors(&lead)? {
-                    for root in [
-                        BigRational::new(p.clone(), q.clone()),
-                        BigRational::new(-p.clone(), q.clone()),
-                    ] {
+                    for numerator in [p.clone(), -p.clone()] {
+                        let root = Rational::from(BigRational::new(numerator, q.clone()));
                         let value = coefficients
                             .iter()
                             .rev()
-                            .fold(BigRational::zero(), |sum, c| sum * &root + c);
+                            .fold(Rational::zero(), |sum, c| sum * &root + c);
                         if value.is_zero() {
                             roots.push(root);
                         }
@@ -99,24 +97,24 @@ pub fn rational_roots(polynomial: &Polynomial, var: Var) -> Option<Vec<BigRation
 }
 
 /// Smaller is simpler: by size of the parts, positive before negative.
-pub fn simplicity(value: &BigRational) -> (BigInt, bool) {
+pub fn simplicity(value: &Rational) -> (BigInt, bool) {
     (value.numer().abs() + value.denom(), value.is_negative())
 }
 
-fn square_root(value: &BigRational) -> Option<BigRational> {
+fn square_root(value: &Rational) -> Option<Rational> {
     if value.is_negative() {
         return None;
     }
     let (p, q) = (value.numer().sqrt(), value.denom().sqrt());
-    (&p * &p == *value.numer() && &q * &q == *value.denom()).then(|| BigRational::new(p, q))
+    (&p * &p == value.numer() && &q * &q == value.denom()).then(|| BigRational::new(p, q).into())
 }
 
-fn nth_roots(value: &BigRational, n: u32) -> Vec<BigRational> {
+fn nth_roots(value: &Rational, n: u32) -> Vec<Rational> {
     let (p, q) = (value.numer().abs().nth_root(n), value.denom().nth_root(n));
-    if p.pow(n) != value.numer().abs() || q.pow(n) != *value.denom() {
+    if p.pow(n) != value.numer().abs() || q.pow(n) != value.denom() {
         return Vec::new();
     }
-    let root = BigRational::new(p, q);
+    let root = Rational::from(BigRational::new(p, q));
     match (value.is_negative(), n % 2) {
         (true, 1) => vec![-root],
         (true, _) => Vec::new(),
