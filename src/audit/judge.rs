@@ -1,13 +1,15 @@
 use crate::algebra::Formula;
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
-use crate::kernel::Standing;
-use crate::search::{self, Consistency, Decision, Stop};
+use crate::kernel::{Proven, Standing, check_model};
+use crate::search::{self, Consistency, Decision, Effort, Stop};
 
 use super::premise::{Usable, usable};
 use super::{Auditor, Entry, Judged, Outcome, Verdict};
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
 const MOST_RELATIVES: usize = 12;
+/// How many points at which premises held are tried again on the next ones.
+const REMEMBERED_POINTS: usize = 6;
 
 /// Judges the goals of one statement.
 pub(super) struct Judge<'a> {
@@ -57,9 +59,16 @@ impl Judge<'_> {
             conditions: Vec::new(),
             contradictory: Vec::new(),
         };
+        // An identity needs no premises.
+        let bare = self.derivation.claim(self.at, &[], &goal.formula);
+        if let Some(proven) = search::prove_unconditionally(&bare, Effort::Light) {
+            found.judged.assumed.clear();
+            found.judged.outcome = Outcome::Proven(proven.into());
+            return found;
+        }
         match search::decide(&self.derivation.claim(self.at, &assumed, &goal.formula)) {
             Decision::Proven { proven, conditions } if conditions.is_empty() => {
-                let (kept, least) = self.least(assumed.clone(), 0, goal, proven);
+                let (kept, least) = self.least(assumed.clone(), goal, proven);
                 if kept.iter().any(|a| a.source != Source::Step)
                     && self.is_contradictory(&assumed, goal)
                 {
@@ -114,20 +123,39 @@ impl Judge<'_> {
         found
     }
 
-    /// Leaves out every hypothesis that the proof does without, from `from` on; the last first.
+    /// Leaves out every hypothesis that a proof does without, the last first.
     fn least(
         &self,
         mut assumed: Vec<Assumed>,
-        from: usize,
         goal: &Goal,
-        proven: crate::kernel::Proven,
-    ) -> (Vec<Assumed>, crate::kernel::Proven) {
-        let mut proven = proven;
-        for position in (from..assumed.len()).rev() {
+        mut proven: Proven,
+    ) -> (Vec<Assumed>, Proven) {
+        let again = |assumed: &[Assumed]| {
+            let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+            search::prove_unconditionally(&claim, Effort::Light)
+                .or_else(|| search::prove_unconditionally(&claim, Effort::Full))
+        };
+        // What the certificate combines nearly always suffices; what only keeps something from vanishing is not in it.
+        let combined = search::combined_hypotheses(&proven);
+        let mut few: Vec<Assumed> = Vec::new();
+        for (position, own) in assumed.iter().enumerate() {
+            if combined.contains(&position) {
+                few.push(own.clone());
+            }
+        }
+        if few.len() < assumed.len()
+            && let Some(shorter) = again(&few)
+        {
+            (assumed, proven) = (few, shorter);
+        }
+        for position in (0..assumed.len()).rev() {
+            if assumed.len() < 2 {
+                break;
+            }
             let mut fewer = assumed.clone();
             fewer.remove(position);
             let claim = self.derivation.claim(self.at, &fewer, &goal.formula);
-            if let Some(shorter) = search::prove_unconditionally(&claim) {
+            if let Some(shorter) = search::prove_unconditionally(&claim, Effort::Light) {
                 (assumed, proven) = (fewer, shorter);
             }
         }
@@ -140,7 +168,23 @@ impl Judge<'_> {
             return false;
         }
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        matches!(search::consistency(&claim), Consistency::Contradictory(_))
+        let mut points = self.auditor.points.borrow_mut();
+        // Neighbouring steps share their premises, and so the points at which these hold.
+        if points
+            .iter()
+            .any(|point| check_model(&claim, point.clone()).is_ok())
+        {
+            return false;
+        }
+        match search::consistency(&claim) {
+            Consistency::Model(model) => {
+                points.push_front(model.point().clone());
+                points.truncate(REMEMBERED_POINTS);
+                false
+            }
+            Consistency::Contradictory(_) => true,
+            Consistency::Unknown => false,
+        }
     }
 
     /// Tries again with what stands before, cited or not.
@@ -152,23 +196,31 @@ impl Judge<'_> {
         found: &mut Found,
     ) -> bool {
         for others in self.others(premises) {
-            if others.is_empty() {
-                continue;
+            // The nearest first, and cheaply: most stale citations mean an equation a few lines up.
+            for (most, effort) in [
+                (2, Effort::Light),
+                (6, Effort::Light),
+                (40, Effort::Light),
+                (12, Effort::Full),
+            ] {
+                let near = others.iter().take(most).cloned();
+                let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
+                if others.is_empty() {
+                    break;
+                }
+                let claim = self.derivation.claim(self.at, &all, &goal.formula);
+                let Some(proven) = search::prove_unconditionally(&claim, effort) else {
+                    continue;
+                };
+                let (kept, least) = self.least(all, goal, proven);
+                if self.is_contradictory(&kept, goal) {
+                    continue;
+                }
+                found.instead = sources(&kept);
+                found.judged.assumed = kept;
+                found.judged.outcome = Outcome::Proven(least.into());
+                return true;
             }
-            // The cited first, then the nearest: what is left out first stands last.
-            let all: Vec<Assumed> = assumed.iter().cloned().chain(others).collect();
-            let claim = self.derivation.claim(self.at, &all, &goal.formula);
-            let Some(proven) = search::prove_unconditionally(&claim) else {
-                continue;
-            };
-            let (kept, least) = self.least(all, 0, goal, proven);
-            if self.is_contradictory(&kept, goal) {
-                continue;
-            }
-            found.instead = sources(&kept);
-            found.judged.assumed = kept;
-            found.judged.outcome = Outcome::Proven(least.into());
-            return true;
         }
         false
     }

@@ -15,10 +15,12 @@ mod values;
 
 use crate::algebra::{Atom, Expr, Formula, expr_of, factors};
 use crate::kernel::{
-    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Problem, Proven,
-    Refuted, Reject, Sign, Standing, check, check_model,
+    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Origin, Problem,
+    Proof, Proven, Refuted, Reject, Sign, Standing, check, check_model,
 };
-use prove::{Effort, Prover};
+pub use prove::Effort;
+use prove::Prover;
+use std::collections::BTreeSet;
 
 /// How many choices a search for a point may try, quickly and in earnest.
 const QUICK: usize = 250;
@@ -265,15 +267,72 @@ fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
 }
 
 /// A proof without further conditions, if one is found.
-pub fn prove_unconditionally(claim: &Claim) -> Option<Proven> {
-    for effort in [Effort::Light, Effort::Full] {
-        if let Ok(Some(Decision::Proven { proven, conditions })) = prove(claim, effort)
-            && conditions.is_empty()
-        {
-            return Some(proven);
+pub fn prove_unconditionally(claim: &Claim, effort: Effort) -> Option<Proven> {
+    match prove(claim, effort) {
+        Ok(Some(Decision::Proven { proven, conditions })) => {
+            conditions.is_empty().then_some(proven)
+        }
+        _ => None,
+    }
+}
+
+/// The hypotheses that a certificate combines, by position. Those that only say that something does not
+/// vanish are not among them.
+pub fn combined_hypotheses(proven: &Proven) -> BTreeSet<usize> {
+    let certificate = proven.certificate();
+    let mut used: BTreeSet<usize> = certificate.unfold.iter().copied().collect();
+    let Ok(problem) = Problem::new(proven.claim(), &certificate.unfold) else {
+        return used;
+    };
+    let proofs = certificate
+        .lemmas
+        .iter()
+        .map(|l| &l.proof)
+        .chain([&certificate.conclusion]);
+    let proofs: Vec<&Proof> = proofs.collect();
+    // Only the lemmas that the conclusion reaches count.
+    let mut wanted = vec![proofs.len() - 1];
+    let mut seen = BTreeSet::new();
+    while let Some(at) = wanted.pop() {
+        if !seen.insert(at) {
+            continue;
+        }
+        for fact in facts_of(proofs[at]) {
+            match problem.origins.get(fact) {
+                Some(Origin::Hypothesis(position)) => {
+                    used.insert(*position);
+                }
+                Some(_) => {}
+                None => wanted.push(fact - problem.facts.len()),
+            }
         }
     }
-    None
+    used
+}
+
+/// The facts that a proof names.
+fn facts_of(proof: &Proof) -> Vec<usize> {
+    let names = |cofactors: &[(usize, crate::algebra::Polynomial)]| -> Vec<usize> {
+        cofactors.iter().map(|c| c.0).collect()
+    };
+    match proof {
+        Proof::Combination { cofactors, .. } | Proof::NonVanishing { cofactors, .. } => {
+            names(cofactors)
+        }
+        Proof::Positivity {
+            terms, cofactors, ..
+        } => {
+            let mut all = names(cofactors);
+            all.extend(terms.iter().flat_map(|t| t.facts.iter().copied()));
+            all
+        }
+        Proof::BothBounds { below, above } => {
+            let mut all = facts_of(below);
+            all.extend(facts_of(above));
+            all
+        }
+        Proof::Square(inner) => facts_of(inner),
+    }
 }
 
 /// A counterexample to `claim` at which the hypotheses of `larger` hold as well.
