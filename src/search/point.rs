@@ -212,7 +212,9 @@ impl State {
     /// Puts a value in the place of an unknown. `None` where that grows too large.
     fn put(&mut self, var: Var, value: Polynomial) -> Option<()> {
         for equation in &mut self.equations {
-            *equation = equation.substitute(var, &value).ok()?;
+            if equation.degree_in(var) > 0 {
+                *equation = equation.substitute(var, &value).ok()?;
+            }
         }
         for condition in &mut self.conditions {
             if condition.polynomial.degree_in(var) > 0 {
