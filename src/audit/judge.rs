@@ -8,6 +8,10 @@ use super::{Auditor, Entry, Judged, Outcome, Verdict};
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
 const MOST_RELATIVES: usize = 12;
+/// How many uncited hypotheses are added, and how hard is tried: most stale citations mean an equation a few
+/// lines up.
+const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
+const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
 /// How many points at which premises held are tried again on the next ones.
 const REMEMBERED_POINTS: usize = 6;
 
@@ -50,10 +54,7 @@ impl Judge<'_> {
             judged: Judged {
                 goal: goal.clone(),
                 assumed: assumed.clone(),
-                outcome: Outcome::Open(Stop {
-                    reason: String::new(),
-                    tried: 0,
-                }),
+                outcome: Outcome::Open(Stop::default()),
             },
             instead: Vec::new(),
             conditions: Vec::new(),
@@ -76,7 +77,7 @@ impl Judge<'_> {
                     found.judged.outcome = Outcome::Open(Stop {
                         reason: "the premises contradict one another, so anything would follow"
                             .into(),
-                        tried: 0,
+                        ..Stop::default()
                     });
                     return found;
                 }
@@ -85,7 +86,7 @@ impl Judge<'_> {
             }
             Decision::Proven { proven, conditions } => {
                 // What stands before may say what is missing.
-                if self.rescue(goal, &assumed, premises, &mut found) {
+                if self.rescue(goal, &assumed, premises, &NEARBY, &mut found) {
                     return found;
                 }
                 // A condition that the premises rule out proves nothing.
@@ -102,19 +103,23 @@ impl Judge<'_> {
             Decision::Refuted(refuted) => {
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 let marked = self.derivation.equations[self.at].kind == Kind::Marked;
-                if !(marked && goal.questioned)
-                    && !self.rescue(goal, &assumed, premises, &mut found)
-                {
+                let settled = marked && goal.questioned
+                    || self.rescue(goal, &assumed, premises, &NEARBY, &mut found)
+                    || !self.strengthen(goal, &assumed, premises, &mut found)
+                        && self.rescue(goal, &assumed, premises, &FARTHER, &mut found);
+                if !settled {
                     let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
                     if let Some((conditions, _)) = search::missing_conditions(&claim) {
                         found.conditions = conditions;
                     }
-                    self.strengthen(goal, &assumed, premises, &mut found);
                 }
             }
             Decision::Open(stop) => {
+                let hopeless = stop.hopeless;
                 found.judged.outcome = Outcome::Open(stop);
-                let rescued = self.rescue(goal, &assumed, premises, &mut found);
+                let rescued = !hopeless
+                    && (self.rescue(goal, &assumed, premises, &NEARBY, &mut found)
+                        || self.rescue(goal, &assumed, premises, &FARTHER, &mut found));
                 if !rescued && self.is_contradictory(&assumed, goal) {
                     found.contradictory = sources(&assumed);
                 }
@@ -193,16 +198,11 @@ impl Judge<'_> {
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
+        stages: &[(usize, Effort)],
         found: &mut Found,
     ) -> bool {
         for others in self.others(premises) {
-            // The nearest first, and cheaply: most stale citations mean an equation a few lines up.
-            for (most, effort) in [
-                (2, Effort::Light),
-                (6, Effort::Light),
-                (40, Effort::Light),
-                (12, Effort::Full),
-            ] {
+            for &(most, effort) in stages {
                 let near = others.iter().take(most).cloned();
                 let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
                 if others.is_empty() {
@@ -270,24 +270,27 @@ impl Judge<'_> {
         others
     }
 
-    /// Looks for a counterexample at which what stands before is true too: it convinces more.
+    /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that
+    /// stands before can then be what the step follows from.
     fn strengthen(
         &mut self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
         found: &mut Found,
-    ) {
+    ) -> bool {
         let [sound, _] = self.others(premises);
         if sound.is_empty() {
-            return;
+            return false;
         }
         let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
         if let Some(refuted) = search::refute_in_context(&claim, &larger) {
             found.judged.outcome = Outcome::Refuted(refuted.into());
+            return true;
         }
+        false
     }
 }
 

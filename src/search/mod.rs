@@ -23,8 +23,9 @@ use prove::Prover;
 use std::collections::BTreeSet;
 
 /// How many choices a search for a point may try, quickly and in earnest.
-const QUICK: usize = 250;
-const EARNEST: usize = 2_500;
+const QUICK: usize = 300;
+const EARNEST: usize = 1_500;
+const IN_CONTEXT: usize = 600;
 
 /// What is known of a claim after the search.
 #[derive(Clone, Debug)]
@@ -43,12 +44,14 @@ pub enum Decision {
 }
 
 /// Why a search ended without an answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Stop {
     /// In words.
     pub reason: String,
     /// How many points were tried.
     pub tried: usize,
+    /// The goal itself is beyond what can be decided, whatever the premises.
+    pub hopeless: bool,
 }
 
 /// Whether premises can be true together.
@@ -66,7 +69,7 @@ pub enum Consistency {
 pub fn decide(claim: &Claim) -> Decision {
     let mut stop = Stop {
         reason: "no proof and no counterexample was found".into(),
-        tried: 0,
+        ..Stop::default()
     };
     for (effort, budget) in [(Effort::Light, QUICK), (Effort::Full, EARNEST)] {
         match prove(claim, effort) {
@@ -74,6 +77,7 @@ pub fn decide(claim: &Claim) -> Decision {
             Ok(None) => {}
             Err(reject) => {
                 stop.reason = reject.to_string();
+                stop.hopeless = true;
                 return Decision::Open(stop);
             }
         }
@@ -337,7 +341,7 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
 
 /// A counterexample to `claim` at which the hypotheses of `larger` hold as well.
 pub fn refute_in_context(claim: &Claim, larger: &Claim) -> Option<Refuted> {
-    let (points, _) = refute::find_point(larger, true, QUICK);
+    let (points, _) = refute::find_point(larger, true, IN_CONTEXT);
     points.into_iter().find_map(|mut point| {
         // The larger claim numbers its hypotheses differently; the same symbols are put in.
         check_model(larger, point.clone()).ok()?;

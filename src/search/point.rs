@@ -123,12 +123,14 @@ impl Search<'_> {
             }
             return None;
         }
-        let Some(var) = self.next_var(&state) else {
+        let Some((var, tied)) = self.next_var(&state) else {
             return self.finish(state);
         };
         let values = self.values.clone();
         for (own, value) in &values {
-            if *own > cost {
+            // What no equation ties down costs nothing: the first number that is allowed will do.
+            let own = if tied { *own } else { 0 };
+            if own > cost {
                 self.cut = true;
                 break;
             }
@@ -168,8 +170,9 @@ impl Search<'_> {
         best.map(|(_, var, at, value)| (at, var, value))
     }
 
-    /// The next unknown to try numbers for: one of an equation before one of a condition.
-    fn next_var(&self, state: &State) -> Option<Var> {
+    /// The next unknown to try numbers for, one of an equation before one of a condition; and whether it is
+    /// one of an equation.
+    fn next_var(&self, state: &State) -> Option<(Var, bool)> {
         let in_equations = |var: &&Var| state.equations.iter().any(|e| e.degree_in(**var) > 0);
         let in_conditions = |var: &&Var| {
             state
@@ -178,10 +181,8 @@ impl Search<'_> {
                 .any(|f| f.polynomial.degree_in(**var) > 0)
         };
         let mut vars = self.order.iter();
-        vars.clone()
-            .find(in_equations)
-            .or_else(|| vars.find(in_conditions))
-            .copied()
+        let tied = vars.clone().find(in_equations).map(|&var| (var, true));
+        tied.or_else(|| vars.find(in_conditions).map(|&var| (var, false)))
     }
 
     fn finish(&self, state: State) -> Option<BTreeMap<Var, Rational>> {

@@ -22,13 +22,12 @@ pub fn find_point(claim: &Claim, against_goal: bool, budget: usize) -> (Vec<Assi
         let Some(concrete) = at_sizes(claim, &counts, &sizes) else {
             continue;
         };
-        let share = (budget / if counts.is_empty() { 1 } else { 6 }).max(60);
-        let (found, steps) = concrete_point(&concrete, against_goal, share);
+        let (found, steps) = concrete_point(&concrete, against_goal, budget);
         tried += steps;
         if let Some(point) = found {
             return (restored(claim, &counts, &sizes, point), tried);
         }
-        if tried > budget {
+        if tried > 4 * budget {
             break;
         }
     }
@@ -87,12 +86,11 @@ fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
         return Some(claim.clone());
     }
     let number = |expr: &Expr| {
-        counts
-            .iter()
-            .zip(sizes)
-            .fold(expr.clone(), |e, (count, &n)| {
-                e.substitute(count, &Expr::integer(n))
-            })
+        let sizes = counts.iter().zip(sizes);
+        let at = sizes.fold(expr.clone(), |e, (count, &n)| {
+            e.substitute(count, &Expr::integer(n))
+        });
+        without_series(&at)
     };
     let mut domains = claim.domains.clone();
     for (sequence, domain) in &claim.sequences {
@@ -129,6 +127,33 @@ fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
         hypotheses,
         goal,
     })
+}
+
+/// Sums over a definite number of elements, written out.
+fn without_series(expr: &Expr) -> Expr {
+    if let Expr::Series {
+        index,
+        from,
+        to,
+        body,
+    } = expr
+        && let (Expr::Number(from), Expr::Number(to)) = (&**from, &**to)
+        && let (Ok(from), Ok(to)) = (
+            i64::try_from(from.to_integer()),
+            i64::try_from(to.to_integer()),
+        )
+        && to.saturating_sub(from) < 64
+    {
+        let mut terms: Vec<Expr> = (from..=to)
+            .map(|position| without_series(&body.at_index(index, position)))
+            .collect();
+        return match terms.len() {
+            0 => Expr::integer(0),
+            1 => terms.remove(0),
+            _ => Expr::Sum(terms),
+        };
+    }
+    expr.map_children(without_series)
 }
 
 /// A statement about a definite number of elements as equations between them.
