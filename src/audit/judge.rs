@@ -1,4 +1,4 @@
-use crate::algebra::Formula;
+use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
 use crate::kernel::{Proven, Standing, check_model};
 use crate::search::{self, Consistency, Decision, Effort, Stop};
@@ -107,9 +107,11 @@ impl Judge<'_> {
                     || self.rescue(goal, &assumed, premises, &NEARBY, &mut found)
                     || !self.strengthen(goal, &assumed, premises, &mut found)
                         && self.rescue(goal, &assumed, premises, &FARTHER, &mut found);
-                if !settled {
+                if !settled && let Outcome::Refuted(refuted) = &found.judged.outcome {
                     let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-                    if let Some((conditions, _)) = search::missing_conditions(&claim) {
+                    if let Some((conditions, _)) =
+                        search::missing_conditions(&claim, refuted.witness())
+                    {
                         found.conditions = conditions;
                     }
                 }
@@ -202,6 +204,14 @@ impl Judge<'_> {
         found: &mut Found,
     ) -> bool {
         for others in self.others(premises) {
+            // A symbol of which nothing at all is said can have any value.
+            let said = |symbol: &Symbol| {
+                let mut all = assumed.iter().chain(&others);
+                all.any(|a| a.formula.terms().iter().any(|term| term.mentions(symbol)))
+            };
+            if !goal.formula.free_symbols().iter().all(said) {
+                continue;
+            }
             for &(most, effort) in stages {
                 let near = others.iter().take(most).cloned();
                 let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();

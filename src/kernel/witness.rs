@@ -31,7 +31,10 @@ impl<'a> Point<'a> {
         }
         for (sequence, elements) in &self.at.sequences {
             let domain = self.claim.sequences.get(sequence);
-            if !elements.iter().all(|e| domain.is_none_or(|d| d.contains(e))) {
+            if !elements
+                .iter()
+                .all(|e| domain.is_none_or(|d| d.contains(e)))
+            {
                 return Err(Reject::OutsideDomain);
             }
         }

@@ -23,7 +23,7 @@ use prove::Prover;
 use std::collections::BTreeSet;
 
 /// How many choices a search for a point may try, quickly and in earnest.
-const QUICK: usize = 300;
+const QUICK: usize = 200;
 const EARNEST: usize = 1_500;
 const IN_CONTEXT: usize = 600;
 
@@ -71,6 +71,7 @@ pub fn decide(claim: &Claim) -> Decision {
         reason: "no proof and no counterexample was found".into(),
         ..Stop::default()
     };
+    let mut points: Option<refute::Points> = None;
     for (effort, budget) in [(Effort::Light, QUICK), (Effort::Full, EARNEST)] {
         match prove(claim, effort) {
             Ok(Some(decision)) => return decision,
@@ -81,25 +82,39 @@ pub fn decide(claim: &Claim) -> Decision {
                 return Decision::Open(stop);
             }
         }
-        let (points, tried) = refute::find_point(claim, true, budget);
-        stop.tried = tried;
-        for point in points {
-            if let Some(refuted) = refuted(claim, point) {
-                return Decision::Refuted(refuted);
-            }
+        let points = points.get_or_insert_with(|| refute::Points::new(claim, true));
+        if let Some(refuted) = first(points, budget, |point| refuted(claim, point)) {
+            return Decision::Refuted(refuted);
         }
+        stop.tried = points.tried;
     }
     Decision::Open(stop)
 }
 
+/// The first point that the kernel accepts.
+fn first<T>(
+    points: &mut refute::Points,
+    budget: usize,
+    accepts: impl Fn(Assignment) -> Option<T>,
+) -> Option<T> {
+    let end = points.tried + budget;
+    loop {
+        let found = points.next(end.saturating_sub(points.tried));
+        if found.is_empty() {
+            return None;
+        }
+        if let Some(accepted) = found.into_iter().find_map(&accepts) {
+            return Some(accepted);
+        }
+    }
+}
+
 /// A point at which all hypotheses hold, or a proof that there is none.
 pub fn consistency(claim: &Claim) -> Consistency {
+    let mut points = refute::Points::new(claim, false);
     for budget in [QUICK, EARNEST] {
-        let (points, _) = refute::find_point(claim, false, budget);
-        for point in points {
-            if let Ok(model) = check_model(claim, point) {
-                return Consistency::Model(model);
-            }
+        if let Some(model) = first(&mut points, budget, |p| check_model(claim, p).ok()) {
+            return Consistency::Model(model);
         }
         let impossible = Claim {
             goal: Formula::equal(Expr::integer(1), Expr::integer(0)),
@@ -114,9 +129,7 @@ pub fn consistency(claim: &Claim) -> Consistency {
             ..claim.clone()
         };
         for claim in [impossible, negative] {
-            if let Ok(Some(Decision::Proven { proven, conditions })) = prove(&claim, Effort::Full)
-                && conditions.is_empty()
-            {
+            if let Some(proven) = prove_unconditionally(&claim, Effort::Full) {
                 return Consistency::Contradictory(proven);
             }
         }
@@ -125,7 +138,7 @@ pub fn consistency(claim: &Claim) -> Consistency {
 }
 
 /// What would have to be different from 0 for a refuted claim to follow, with the proof that it then does.
-pub fn missing_conditions(claim: &Claim) -> Option<(Vec<Formula>, Proven)> {
+pub fn missing_conditions(claim: &Claim, witness: &Assignment) -> Option<(Vec<Formula>, Proven)> {
     let problem = Problem::new(claim, &unfold::definitions_to_unfold(claim)).ok()?;
     let prover = Prover::new(&problem).ok()?;
     let mut candidates: Vec<Expr> = Vec::new();
@@ -148,6 +161,14 @@ pub fn missing_conditions(claim: &Claim) -> Option<(Vec<Formula>, Proven)> {
         }
     }
     candidates.truncate(8);
+    // What does not vanish at the counterexample would not rule it out.
+    candidates.retain(|term| {
+        let claim = assuming(claim, &[Formula::nonzero(term.clone())]);
+        refuted(&claim, witness.clone()).is_none()
+    });
+    if candidates.is_empty() {
+        return None;
+    }
     let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
         match prove(&assuming(claim, &formulas), Effort::Light) {
@@ -341,8 +362,8 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
 
 /// A counterexample to `claim` at which the hypotheses of `larger` hold as well.
 pub fn refute_in_context(claim: &Claim, larger: &Claim) -> Option<Refuted> {
-    let (points, _) = refute::find_point(larger, true, IN_CONTEXT);
-    points.into_iter().find_map(|mut point| {
+    let mut points = refute::Points::new(larger, true);
+    first(&mut points, IN_CONTEXT, |mut point| {
         // The larger claim numbers its hypotheses differently; the same symbols are put in.
         check_model(larger, point.clone()).ok()?;
         point.unfold = unfold::definitions_to_unfold(claim);
