@@ -1,6 +1,6 @@
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
-use crate::kernel::{Proven, Standing, check_model};
+use crate::kernel::{Assignment, Proven, Standing, check_model};
 use crate::search::{self, Consistency, Decision, Effort, Stop};
 
 use super::premise::{Usable, usable};
@@ -177,8 +177,11 @@ impl Judge<'_> {
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
         let mut points = self.auditor.points.borrow_mut();
         // Neighbouring steps share their premises, and so the points at which these hold.
+        let symbols = claim.free_symbols();
+        let covers = |point: &&Assignment| symbols.iter().all(|s| point.symbols.contains_key(s));
         if points
             .iter()
+            .filter(covers)
             .any(|point| check_model(&claim, point.clone()).is_ok())
         {
             return false;

@@ -13,7 +13,7 @@ mod tracked;
 mod unfold;
 mod values;
 
-use crate::algebra::{Atom, Expr, Formula, expr_of, factors};
+use crate::algebra::{Atom, Expr, Formula, Relation, expr_of, factors};
 use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Origin, Problem,
     Proof, Proven, Refuted, Reject, Sign, Standing, check, check_model,
@@ -72,7 +72,19 @@ pub fn decide(claim: &Claim) -> Decision {
         ..Stop::default()
     };
     let mut points: Option<refute::Points> = None;
-    for (effort, budget) in [(Effort::Light, QUICK), (Effort::Full, EARNEST)] {
+    // Elimination decides no inequality: there the proper search comes early.
+    let inequality = matches!(
+        claim.goal,
+        Formula::Relation {
+            relation: Relation::Less
+                | Relation::LessOrEqual
+                | Relation::Greater
+                | Relation::GreaterOrEqual,
+            ..
+        }
+    );
+    let quick = if inequality { QUICK / 8 } else { QUICK };
+    for (effort, budget) in [(Effort::Light, quick), (Effort::Full, EARNEST)] {
         match prove(claim, effort) {
             Ok(Some(decision)) => return decision,
             Ok(None) => {}
@@ -123,7 +135,7 @@ pub fn consistency(claim: &Claim) -> Consistency {
         let negative = Claim {
             goal: Formula::Relation {
                 left: Expr::integer(-1),
-                relation: crate::algebra::Relation::GreaterOrEqual,
+                relation: Relation::GreaterOrEqual,
                 right: Expr::integer(0),
             },
             ..claim.clone()

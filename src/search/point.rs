@@ -5,6 +5,7 @@
 //! that the first point found is among the simplest. The same input always gives the same point.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use super::values::{candidates, rational_roots};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
@@ -39,9 +40,10 @@ struct Search<'a> {
 
 #[derive(Clone)]
 struct State {
-    equations: Vec<Polynomial>,
-    conditions: Vec<Fact>,
-    solved: Vec<(Var, Polynomial)>,
+    /// Shared between states: a choice changes few of them.
+    equations: Vec<Rc<Polynomial>>,
+    conditions: Vec<Rc<Fact>>,
+    solved: Vec<(Var, Rc<Polynomial>)>,
 }
 
 impl Target {
@@ -56,9 +58,9 @@ impl Target {
             start: State {
                 equations: equations
                     .into_iter()
-                    .map(|f| f.polynomial.clone())
+                    .map(|f| Rc::new(f.polynomial.clone()))
                     .collect(),
-                conditions: conditions.into_iter().cloned().collect(),
+                conditions: conditions.into_iter().cloned().map(Rc::new).collect(),
                 solved: Vec::new(),
             },
             integers,
@@ -125,9 +127,10 @@ impl Search<'_> {
             return self.finish(state);
         };
         // What speaks of this unknown alone is asked before anything is put in.
-        let (own_conditions, rest): (Vec<Fact>, Vec<Fact>) = std::mem::take(&mut state.conditions)
-            .into_iter()
-            .partition(|f| f.polynomial.vars().len() == 1 && f.polynomial.degree_in(var) > 0);
+        let (own_conditions, rest): (Vec<Rc<Fact>>, Vec<Rc<Fact>>) =
+            std::mem::take(&mut state.conditions)
+                .into_iter()
+                .partition(|f| f.polynomial.vars().len() == 1 && f.polynomial.degree_in(var) > 0);
         state.conditions = rest;
         for at in 0..self.values.len() {
             let (own, value) = &self.values[at];
@@ -141,7 +144,7 @@ impl Search<'_> {
             if self.integers.contains(&var) && !value.is_integer() {
                 continue;
             }
-            let met = |fact: &Fact| {
+            let met = |fact: &Rc<Fact>| {
                 let value = fact.polynomial.evaluate(|_| Some(value.clone()));
                 value.is_ok_and(|v| v.is_some_and(|v| satisfies(&v, fact.sign)))
             };
@@ -160,7 +163,7 @@ impl Search<'_> {
 
     /// An equation that is linear in an unknown with a constant coefficient, solved for it. Unknowns met
     /// late are solved for first: those of the goal stay free.
-    fn linear(&self, equations: &[Polynomial]) -> Option<(usize, Var, Polynomial)> {
+    fn linear(&self, equations: &[Rc<Polynomial>]) -> Option<(usize, Var, Polynomial)> {
         let mut best: Option<(bool, Var, usize)> = None;
         for (at, equation) in equations.iter().enumerate() {
             for (monomial, _) in equation.terms() {
@@ -230,15 +233,18 @@ impl State {
     fn put(&mut self, var: Var, value: Polynomial) -> Option<()> {
         for equation in &mut self.equations {
             if equation.degree_in(var) > 0 {
-                *equation = equation.substitute(var, &value).ok()?;
+                *equation = equation.substitute(var, &value).ok()?.into();
             }
         }
         for condition in &mut self.conditions {
             if condition.polynomial.degree_in(var) > 0 {
-                condition.polynomial = condition.polynomial.substitute(var, &value).ok()?;
+                *condition = Rc::new(Fact {
+                    polynomial: condition.polynomial.substitute(var, &value).ok()?,
+                    sign: condition.sign,
+                });
             }
         }
-        self.solved.push((var, value));
+        self.solved.push((var, value.into()));
         Some(())
     }
 

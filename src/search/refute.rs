@@ -21,10 +21,18 @@ pub struct Points<'a> {
     claim: &'a Claim,
     counts: Vec<Symbol>,
     /// One search for each choice of the numbers of elements, the smallest first.
-    sizes: Vec<(Vec<i64>, Option<Concrete>)>,
+    sizes: Vec<(Vec<i64>, Slot)>,
+    against_goal: bool,
     cost: u32,
     /// How many choices were tried.
     pub tried: usize,
+}
+
+/// A search that is prepared when its turn comes, and dropped when it has nothing left.
+enum Slot {
+    Waiting,
+    Ready(Box<Concrete>),
+    Done,
 }
 
 /// A claim with definite numbers of elements.
@@ -40,14 +48,11 @@ impl<'a> Points<'a> {
     pub fn new(claim: &'a Claim, against_goal: bool) -> Self {
         let counts = count_symbols(claim);
         let sizes = sizes(&counts, claim).into_iter();
-        let sizes = sizes.map(|sizes| {
-            let concrete = at_sizes(claim, &counts, &sizes);
-            (sizes, concrete.and_then(|c| Concrete::new(c, against_goal)))
-        });
         Points {
             claim,
-            sizes: sizes.filter(|s| s.1.is_some()).collect(),
+            sizes: sizes.map(|sizes| (sizes, Slot::Waiting)).collect(),
             counts,
+            against_goal,
             cost: 0,
             tried: 0,
         }
@@ -63,7 +68,15 @@ impl<'a> Points<'a> {
         while self.cost <= MOST_COST && left > 0 {
             for (sizes, slot) in &mut self.sizes {
                 let more = 2 * u32::try_from(sizes.iter().sum::<i64>() - smallest).unwrap_or(0);
-                let (Some(concrete), Some(cost)) = (&slot, self.cost.checked_sub(more)) else {
+                let Some(cost) = self.cost.checked_sub(more) else {
+                    continue;
+                };
+                if matches!(slot, Slot::Waiting) {
+                    let concrete = at_sizes(self.claim, &self.counts, sizes);
+                    let concrete = concrete.and_then(|c| Concrete::new(c, self.against_goal));
+                    *slot = concrete.map_or(Slot::Done, |c| Slot::Ready(c.into()));
+                }
+                let Slot::Ready(concrete) = slot else {
                     continue;
                 };
                 let before = left;
@@ -72,17 +85,17 @@ impl<'a> Points<'a> {
                 match tried {
                     Tried::Found(values) => {
                         let point = concrete.assignment(&values);
-                        *slot = None;
+                        *slot = Slot::Done;
                         return restored(self.claim, &self.counts, sizes, point);
                     }
                     Tried::Costlier => {}
-                    Tried::Exhausted => *slot = None,
+                    Tried::Exhausted => *slot = Slot::Done,
                 }
                 if left == 0 {
                     return Vec::new();
                 }
             }
-            if self.sizes.iter().all(|s| s.1.is_none()) {
+            if self.sizes.iter().all(|s| matches!(s.1, Slot::Done)) {
                 break;
             }
             self.cost += 1;
