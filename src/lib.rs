@@ -9,4 +9,6 @@ pub mod derivation;
 pub mod document;
 pub mod kernel;
 pub mod notation;
+pub mod proofs;
+pub mod report;
 pub mod search;

@@ -1,5 +1,5 @@
 //! The `cradle-verify` program; everything it does is in the library.
 
 fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+    cradle_verify::cli::main()
 }

@@ -1,3 +1,58 @@
-//! What the command line shows.
+//! The command line: what is asked ([`args`]), what is read ([`input`]), what is shown ([`output`]).
+//!
+//! Data goes to standard output and talk to standard error. The exit code is 0 where nothing was found, 1 where
+//! something was, and 2 where the job could not be done.
 
+pub mod args;
+pub mod input;
+pub mod output;
+mod run;
 pub mod scenario;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+/// Why the job could not be done, as a sentence for standard error; help is a second one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// What is wrong.
+    pub message: String,
+    /// What to do instead.
+    pub help: Option<String>,
+}
+
+impl Failure {
+    /// A failure with nothing to suggest.
+    pub fn new(message: impl Into<String>) -> Self {
+        Failure {
+            message: message.into(),
+            help: None,
+        }
+    }
+
+    /// The same with a suggestion.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+}
+
+/// What the program does, from its arguments to its exit code.
+pub fn main() -> ExitCode {
+    let args = args::Args::parse();
+    let color = args.color;
+    match run::run(&args) {
+        Ok((text, found)) => match output::data(&text, color) {
+            Ok(()) => ExitCode::from(u8::from(found)),
+            Err(failure) => refuse(&failure, color),
+        },
+        Err(failure) => refuse(&failure, color),
+    }
+}
+
+fn refuse(failure: &Failure, color: args::Color) -> ExitCode {
+    output::talk(failure, color);
+    ExitCode::from(2)
+}

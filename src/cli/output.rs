@@ -1,0 +1,48 @@
+//! Where text goes, with or without its colours. A reader who stops reading (`| head`) is no error.
+
+use std::io::{ErrorKind, Write};
+
+use anstream::{AutoStream, ColorChoice};
+use anstyle::AnsiColor;
+
+use super::Failure;
+use super::args::Color;
+
+impl From<Color> for ColorChoice {
+    fn from(color: Color) -> Self {
+        match color {
+            Color::Auto => ColorChoice::Auto,
+            Color::Always => ColorChoice::Always,
+            Color::Never => ColorChoice::Never,
+        }
+    }
+}
+
+/// Writes data to standard output.
+///
+/// # Errors
+/// It cannot be written, for another reason than that nobody reads on.
+pub fn data(text: &str, color: Color) -> Result<(), Failure> {
+    let mut stream = AutoStream::new(std::io::stdout().lock(), color.into());
+    let written = stream
+        .write_all(text.as_bytes())
+        .and_then(|()| stream.flush());
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::new(format!(
+            "standard output could not be written: {error}"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Says on standard error why the job could not be done.
+pub fn talk(failure: &Failure, color: Color) {
+    let mut stream = AutoStream::new(std::io::stderr().lock(), color.into());
+    let red = AnsiColor::Red.on_default().bold();
+    let cyan = AnsiColor::Cyan.on_default().bold();
+    // Where standard error is closed there is nobody to tell.
+    let _ = writeln!(stream, "{red}error{red:#}: {}", failure.message);
+    if let Some(help) = &failure.help {
+        let _ = writeln!(stream, "{cyan}help{cyan:#}: {help}");
+    }
+}

@@ -1,0 +1,139 @@
+//! Findings in the author's own text: what is wrong, the exact evidence, the nearest repair.
+
+mod fails;
+mod notes;
+
+use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Level, Renderer, Snippet};
+
+use crate::audit::{Note, Verdict};
+use crate::document::Span;
+
+use super::Report;
+use super::words::count;
+
+/// One finding, before it is laid out.
+pub(super) struct Finding {
+    pub level: Level<'static>,
+    pub code: &'static str,
+    pub title: String,
+    pub page: usize,
+    /// What is underlined as guilty, with a word about it.
+    pub primary: (Span, String),
+    /// What is pointed at besides.
+    pub context: Vec<(Span, String)>,
+    /// Notes and helps.
+    pub said: Vec<(Level<'static>, String)>,
+}
+
+impl Report<'_> {
+    /// All findings, in reading order; those that rest on the same failing equation together.
+    pub fn diagnostics(&self) -> String {
+        let mut text = String::new();
+        for finding in self.all_findings() {
+            text += &self.lay_out(&finding);
+            text += "\n\n";
+        }
+        text
+    }
+
+    fn all_findings(&self) -> Vec<Finding> {
+        let mut all = Vec::new();
+        for (number, page) in self.derivation.pages.iter().enumerate() {
+            for problem in &page.problems {
+                all.push(unreadable(
+                    number,
+                    problem.span,
+                    format!("this could not be read: {}", problem.message),
+                    problem.help.clone(),
+                ));
+            }
+        }
+        let mut told: Vec<&[usize]> = Vec::new();
+        for entry in &self.audit.entries {
+            if entry.verdict == Verdict::Fails && entry.is_finding() {
+                all.extend(self.failing(entry));
+            }
+            for note in entry.notes.iter().filter(|n| n.is_finding()) {
+                match note {
+                    Note::RestsOn(on) if told.contains(&on.as_slice()) => {}
+                    Note::RestsOn(on) => {
+                        told.push(on);
+                        all.push(self.resting(on));
+                    }
+                    Note::UnstatedCondition(_) | Note::WrongMark(_)
+                        if entry.verdict == Verdict::Fails => {}
+                    note => all.extend(self.noted(entry, note)),
+                }
+            }
+        }
+        all.sort_by_key(|finding| (finding.page, finding.primary.0.start));
+        all
+    }
+
+    fn lay_out(&self, finding: &Finding) -> String {
+        let document = &self.derivation.pages[finding.page].document;
+        let source: &str = &document.source;
+        let mark = |kind: AnnotationKind, (span, label): &(Span, String)| -> Annotation<'_> {
+            let mark = kind.span(within(source, *span));
+            match label.is_empty() {
+                true => mark,
+                false => mark.label(label.clone()),
+            }
+        };
+        let mut snippet = Snippet::source(source)
+            .path(document.path.as_str())
+            .annotation(mark(AnnotationKind::Primary, &finding.primary));
+        for context in &finding.context {
+            snippet = snippet.annotation(mark(AnnotationKind::Context, context));
+        }
+        let title = finding.level.clone().primary_title(finding.title.as_str());
+        let mut group = Group::with_title(title.id(finding.code)).element(snippet);
+        for (level, text) in &finding.said {
+            group = group.element(Element::Message(level.clone().message(text.as_str())));
+        }
+        Renderer::styled().term_width(100).render(&[group])
+    }
+
+    /// How many lines of talk there are, for the closing line of `check`.
+    pub fn in_short(&self) -> String {
+        count(self.findings(), "finding")
+    }
+}
+
+/// A place that could not be read.
+pub(super) fn unreadable(page: usize, span: Span, title: String, help: Option<String>) -> Finding {
+    Finding {
+        level: Level::ERROR,
+        code: "unreadable",
+        title,
+        page,
+        primary: (span, String::new()),
+        context: Vec::new(),
+        said: help.into_iter().map(|help| (Level::HELP, help)).collect(),
+    }
+}
+
+/// A span inside the text, on the bounds of characters and not empty where that can be.
+fn within(source: &str, span: Span) -> std::ops::Range<usize> {
+    let mut start = span.start.min(source.len());
+    while !source.is_char_boundary(start) {
+        start -= 1;
+    }
+    let mut end = span.end.clamp(start, source.len());
+    while !source.is_char_boundary(end) {
+        end += 1;
+    }
+    start..end
+}
+
+/// What to type to see one equation's evidence in full.
+pub(super) fn replay(report: &Report<'_>, at: usize) -> Option<(Level<'static>, String)> {
+    let label = report.equation(at).label()?;
+    let path = &report.derivation.pages[report.equation(at).page].document.path;
+    let path = match crate::proofs::page(path) {
+        Some(_) => String::new(),
+        None => format!(" {path}"),
+    };
+    let level = Level::NOTE.with_name("replay");
+    Some((level, format!("cradle-verify explain {label}{path}")))
+}

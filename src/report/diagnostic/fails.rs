@@ -1,0 +1,131 @@
+//! An equation that does not follow: what it was judged from, and a point that shows it.
+
+use annotate_snippets::Level;
+
+use crate::audit::{Entry, Judged, Note};
+use crate::derivation::Source;
+use crate::kernel::Refuted;
+use crate::notation::{Mark, plain_formula};
+
+use super::super::Report;
+use super::super::evidence::{Point, number};
+use super::super::words;
+use super::{Finding, replay};
+
+/// A list of values is broken into lines of this length.
+const WIDTH: usize = 76;
+
+impl Report<'_> {
+    pub(super) fn failing(&self, entry: &Entry) -> Option<Finding> {
+        let (judged, refuted) = entry.refuted()?;
+        let page = self.equation(entry.equation).page;
+        let point = Point::new(refuted.claim(), refuted.witness());
+        let sides = point.sides(&judged.goal.formula);
+        let (left, right) = judged.goal.sides;
+        let mut context = Vec::new();
+        let primary = match &sides {
+            Some((a, b)) if left != right => {
+                context.push((left, format!("is {} at the point below", number(a))));
+                (right, format!("is {}", number(b)))
+            }
+            _ => (judged.goal.span, "is false at the point below".to_owned()),
+        };
+        Some(Finding {
+            level: Level::ERROR,
+            code: "fails",
+            title: format!(
+                "{} does not follow: {}",
+                self.subject(entry),
+                self.in_numbers(judged, refuted)
+            ),
+            page,
+            primary,
+            context,
+            said: self.evidence(entry, judged, refuted),
+        })
+    }
+
+    fn evidence(
+        &self,
+        entry: &Entry,
+        judged: &Judged,
+        refuted: &Refuted,
+    ) -> Vec<(Level<'static>, String)> {
+        let mut said = vec![(
+            Level::NOTE.with_name("judged from"),
+            self.judged_from(judged),
+        )];
+        let point = Point::new(refuted.claim(), refuted.witness());
+        let mut lines = wrapped(&point.values());
+        let formula = &judged.goal.formula;
+        match point.sides(formula) {
+            Some((left, right)) => lines.push(format!(
+                "left = {}, right = {}",
+                number(&left),
+                number(&right)
+            )),
+            None => lines.push(format!("`{}` is false there", plain_formula(formula))),
+        }
+        said.push((
+            Level::NOTE.with_name("counterexample"),
+            lines.join("\n"),
+        ));
+        for note in &entry.notes {
+            match note {
+                Note::UnstatedCondition(conditions) => {
+                    said.push((Level::HELP, conditional(conditions)));
+                }
+                Note::WrongMark(Mark::Tick) => said.push((
+                    Level::NOTE,
+                    "the author marks it ✓, as an equation that holds".into(),
+                )),
+                Note::WrongMark(Mark::Cross) => said.push((
+                    Level::NOTE,
+                    "the author crosses out something else: this link is meant to hold".into(),
+                )),
+                _ => {}
+            }
+        }
+        said.extend(replay(self, entry.equation));
+        said
+    }
+
+    /// The premises, each with its text.
+    fn judged_from(&self, judged: &Judged) -> String {
+        let mut lines: Vec<String> = Vec::new();
+        for assumed in &judged.assumed {
+            let from = match assumed.source {
+                Source::Equation(at) => self.name(at),
+                Source::Local(..) => "supposed".into(),
+                Source::Step => "the step before".into(),
+            };
+            lines.push(format!("{from}: {}", plain_formula(&assumed.formula)));
+        }
+        match lines.is_empty() {
+            true => "nothing but the declared domains".into(),
+            false => lines.join("\n"),
+        }
+    }
+}
+
+/// What would have to be stated.
+pub(super) fn conditional(conditions: &[crate::algebra::Formula]) -> String {
+    let conditions = conditions.iter().map(plain_formula).collect();
+    format!("holds if {} is stated", words::list(conditions))
+}
+
+fn wrapped(values: &[(String, String)]) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for (at, (name, value)) in values.iter().enumerate() {
+        let comma = if at + 1 < values.len() { "," } else { "" };
+        let item = format!("{name} = {value}{comma}");
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => *line = item,
+            Some(line) if line.chars().count() + item.chars().count() < WIDTH => {
+                *line = format!("{line} {item}");
+            }
+            _ => lines.push(item),
+        }
+    }
+    lines
+}

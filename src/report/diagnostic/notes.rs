@@ -1,0 +1,192 @@
+//! What there is to say beside a verdict, as findings.
+
+use annotate_snippets::Level;
+
+use crate::audit::{Entry, Note};
+use crate::derivation::Source;
+use crate::document::Span;
+use crate::notation::Mark;
+
+use super::super::Report;
+use super::super::line::exchange;
+use super::super::words::{self, list};
+use super::fails::conditional;
+use super::{Finding, replay, unreadable};
+
+impl Report<'_> {
+    /// All that rests on the same failing equations, in one finding.
+    pub(super) fn resting(&self, on: &[usize]) -> Finding {
+        let resting: Vec<usize> = self
+            .audit
+            .entries
+            .iter()
+            .filter(|e| e.rests_on == on)
+            .map(|e| e.equation)
+            .collect();
+        let mut equations = resting.clone();
+        equations.dedup();
+        let first = equations[0];
+        let verb = |number: usize| if number == 1 { "rests" } else { "rest" };
+        let fails = if on.len() == 1 { "fails" } else { "fail" };
+        let mut said = vec![(
+            Level::NOTE,
+            "each step follows from what it cites; what it comes from is false".to_owned(),
+        )];
+        for &at in &equations[1..] {
+            said.push((
+                Level::NOTE.with_name("likewise"),
+                format!("{} at {}", self.reference(at), self.place(at)),
+            ));
+        }
+        said.extend(replay(self, on[0]));
+        Finding {
+            level: Level::WARNING,
+            code: "rests-on",
+            title: format!(
+                "{} {} on {}, which {fails}",
+                self.references(&equations),
+                verb(equations.len()),
+                self.references(on)
+            ),
+            page: self.equation(first).page,
+            primary: (self.equation(first).body, String::new()),
+            context: Vec::new(),
+            said,
+        }
+    }
+
+    /// One note of an entry.
+    pub(super) fn noted(&self, entry: &Entry, note: &Note) -> Option<Finding> {
+        let equation = self.equation(entry.equation);
+        let subject = self.subject(entry);
+        let whole = self.statement(entry).map_or(equation.body, |s| s.span);
+        let mut finding = Finding {
+            level: Level::WARNING,
+            code: note.code(),
+            title: String::new(),
+            page: equation.page,
+            primary: (whole, String::new()),
+            context: Vec::new(),
+            said: Vec::new(),
+        };
+        match note {
+            Note::RestsOn(on) => return Some(self.resting(on)),
+            Note::Miscited { cited, instead } => {
+                finding.title = format!(
+                    "{subject} does not follow from {}; it does from {}",
+                    self.references(cited),
+                    self.sources(instead)
+                );
+                finding.said.extend(self.repair(note).map(|r| (Level::HELP, r)));
+                for source in exchange(cited, instead).0 {
+                    if let Source::Equation(at) = source {
+                        let text = format!("{} is at {}", self.reference(at), self.place(at));
+                        finding.said.push((Level::NOTE, text));
+                    }
+                }
+            }
+            Note::UnstatedCondition(conditions) => {
+                let shown = conditions.iter().map(crate::notation::plain_formula);
+                finding.title = format!(
+                    "{subject} holds only if {}, and nothing says so",
+                    list(shown.collect())
+                );
+                finding.said.push((Level::HELP, conditional(conditions)));
+            }
+            Note::InconsistentPremises(sources) => {
+                finding.level = Level::ERROR;
+                finding.title = match entry.kind {
+                    crate::derivation::Kind::Given => format!(
+                        "{subject} contradicts {}: they cannot all be true",
+                        self.sources(sources)
+                    ),
+                    _ => format!(
+                        "{subject} is derived from what cannot all be true: {}",
+                        self.sources(sources)
+                    ),
+                };
+                let text = "anything follows from a contradiction, so nothing is proved by it";
+                finding.said.push((Level::NOTE, text.into()));
+            }
+            Note::WrongMark(mark) => {
+                finding.level = Level::ERROR;
+                finding.title = match mark {
+                    Mark::Tick => format!("the author ticks {subject}, and it does not hold"),
+                    Mark::Cross => format!("the author crosses out {subject}, and it holds"),
+                };
+                if let Some(mark) = self.statement(entry).and_then(|s| s.mark.as_ref()) {
+                    finding.primary = (mark.span, "the author's mark".into());
+                }
+            }
+            Note::UnknownCitation(label, span) => {
+                finding.level = Level::ERROR;
+                finding.title = format!("{subject} cites {label}, and there is no such equation");
+                finding.primary = (*span, "cited here".into());
+                finding.context = vec![(equation.body, "by this equation".into())];
+            }
+            Note::CitesLater(at) => {
+                finding.title = format!(
+                    "{subject} cites {}, which is derived only later",
+                    self.reference(*at)
+                );
+                let text = format!("{} is at {}", self.reference(*at), self.place(*at));
+                finding.said.push((Level::NOTE, text));
+            }
+            Note::DuplicateTag(at) => {
+                finding.level = Level::ERROR;
+                let label = words::list(equation.label().map(str::to_owned).into_iter().collect());
+                finding.title = format!("there are two equations {label}");
+                let text = format!("the first is at {}", self.place(*at));
+                finding.said.push((Level::NOTE, text));
+                let help = "give one of them another number; citations mean the one on the same page";
+                finding.said.push((Level::HELP, help.into()));
+            }
+            Note::Unreadable(error) => {
+                let title = format!("{subject} could not be read: {}", error.message);
+                let help = error.help.clone();
+                let mut finding = unreadable(equation.page, error.span, title, help);
+                if contains(equation.body, error.span) && equation.body != error.span {
+                    finding.primary.1 = "here".into();
+                }
+                return Some(finding);
+            }
+            Note::UnreadablePremise(at) => {
+                finding.title = format!(
+                    "{subject} is not judged: {} could not be read",
+                    self.reference(*at)
+                );
+                let text = format!("{} is at {}", self.reference(*at), self.place(*at));
+                finding.said.push((Level::NOTE, text));
+            }
+            Note::Uncited(_) | Note::OutOfScope(_) => return None,
+        }
+        if !matches!(note, Note::DuplicateTag(_) | Note::UnknownCitation(..)) {
+            finding.said.extend(replay(self, entry.equation));
+        }
+        Some(finding)
+    }
+
+    /// What would mend it, where that is known.
+    pub fn repair(&self, note: &Note) -> Option<String> {
+        match note {
+            Note::UnstatedCondition(conditions) => Some(conditional(conditions)),
+            Note::Miscited { cited, instead } => {
+                let (added, dropped) = exchange(cited, instead);
+                match (added.is_empty(), dropped.is_empty()) {
+                    (true, _) => None,
+                    (false, true) => Some(format!("cite {} as well", self.sources(&added))),
+                    (false, false) => Some(format!(
+                        "cite {} instead of {}",
+                        self.sources(&added),
+                        self.references(&dropped)
+                    )),
+                }
+            }
+            _ => None,
+        }
+    }
+}
+
+fn contains(outer: Span, inner: Span) -> bool {
+    outer.start <= inner.start && inner.end <= outer.end
+}

@@ -1,0 +1,240 @@
+//! One equation in full: what was understood, what it was judged from, and the evidence to check by hand.
+
+use crate::audit::{Entry, Judged, Outcome};
+use crate::derivation::{Derivation, Source};
+use crate::kernel::{Claim, Refuted};
+use crate::notation::{latex_statement, plain_formula};
+
+use super::evidence::{Point, number};
+use super::style::{self, BOLD, DIM, paint};
+use super::words::{self, plain_statement};
+use super::Report;
+
+impl Report<'_> {
+    /// An equation with all its statements.
+    pub fn explain(&self, at: usize) -> String {
+        let equation = self.equation(at);
+        let document = &self.derivation.pages[equation.page].document;
+        let title = match &equation.tag {
+            Some(tag) => format!("Equation ({tag})"),
+            None => self.reference(at),
+        };
+        let mut text = format!("{}  {}\n", paint(BOLD, &title), paint(DIM, &self.place(at)));
+        for line in document.text(equation.body).lines() {
+            text += &format!("  {}\n", paint(DIM, line));
+        }
+        for entry in self.audit.of_equation(at) {
+            text += &self.explain_entry(entry);
+        }
+        text + "\n"
+    }
+
+    fn explain_entry(&self, entry: &Entry) -> String {
+        let mut text = String::from("\n");
+        if entry.parts > 1 {
+            text += &format!("Statement {} of {}\n", entry.part + 1, entry.parts);
+        }
+        if let Some(statement) = self.statement(entry) {
+            text += &format!("  read as     {}\n", plain_statement(statement));
+            text += &format!("  as LaTeX    {}\n", latex_statement(statement));
+        }
+        text += &format!("  said to be  {}\n", entry.kind.word());
+        let verdict = format!("{} {}", style::sign(entry.verdict), entry.verdict.word());
+        let verdict = paint(style::of(entry), &verdict);
+        text += &format!("  verdict     {verdict}\n");
+        for note in &entry.notes {
+            if let Some(aside) = self.aside(note) {
+                text += &format!("  {:<11} {aside}\n", note.code());
+            }
+        }
+        if let Some(model) = &entry.model {
+            text += "\n  All that is given with it can be true together, for instance at\n";
+            for line in assigned(model.point()) {
+                text += &format!("    {line}\n");
+            }
+        }
+        for (step, judged) in entry.judged.iter().enumerate() {
+            text += &self.explain_step(judged, step, entry.judged.len());
+        }
+        text
+    }
+
+    fn explain_step(&self, judged: &Judged, step: usize, steps: usize) -> String {
+        let shown = plain_formula(&judged.goal.formula);
+        let head = match steps {
+            1 => format!("To show: {shown}"),
+            _ => format!("Step {} of {steps}: {shown}", step + 1),
+        };
+        let mut text = format!("\n  {}\n", paint(BOLD, &head));
+        let (claim, evidence) = match &judged.outcome {
+            Outcome::Defined => {
+                text += "    defines a symbol that has not occurred before: nothing to show\n";
+                return text;
+            }
+            Outcome::Proven(proven) => (Some(proven.claim()), self.proof(judged, proven)),
+            Outcome::Refuted(refuted) => (Some(refuted.claim()), witness(refuted)),
+            Outcome::Open(stop) => {
+                let reason = match stop.reason.is_empty() {
+                    true => "nothing was found".to_owned(),
+                    false => stop.reason.clone(),
+                };
+                let tried = match stop.tried {
+                    0 => String::new(),
+                    tried => format!(" ({} tried)", words::count(tried, "point")),
+                };
+                (None, vec![format!("Undecided: {reason}{tried}")])
+            }
+        };
+        text += "    From\n";
+        for assumed in &judged.assumed {
+            let formula = plain_formula(&assumed.formula);
+            text += &format!("      {formula}   {}\n", paint(DIM, &self.origin(assumed.source)));
+        }
+        for line in claim.map(domains).unwrap_or_default() {
+            text += &format!("      {line}   {}\n", paint(DIM, "declared"));
+        }
+        if text.ends_with("From\n") {
+            text += "      nothing: it must hold for all values\n";
+        }
+        text += match &judged.outcome {
+            Outcome::Proven(_) => "    Proof\n",
+            Outcome::Refuted(_) => "    Counterexample\n",
+            _ => "    Outcome\n",
+        };
+        for line in evidence {
+            text += &format!("      {line}\n");
+        }
+        text
+    }
+
+    /// Where a hypothesis comes from, with its place.
+    fn origin(&self, source: Source) -> String {
+        match source {
+            Source::Equation(at) => format!("{}, {}", self.name(at), self.place(at)),
+            Source::Local(page, at) => {
+                let local = self.derivation.local(page, at);
+                let how = if local.is_let { "let" } else { "assumed" };
+                format!("{how}, {}", self.place_of(page, local.span))
+            }
+            Source::Step => "shown or supposed in the same statement".into(),
+        }
+    }
+}
+
+/// The declared domains that a claim uses.
+fn domains(claim: &Claim) -> Vec<String> {
+    let symbols = claim.domains.iter().map(|(s, d)| (words::symbol(s), s, d));
+    let elements = claim
+        .sequences
+        .iter()
+        .map(|(s, d)| (format!("{}_i", words::symbol(s)), s, d));
+    let mut lines = Vec::new();
+    for (name, symbol, domain) in symbols.chain(elements) {
+        let term = crate::algebra::Expr::Symbol(symbol.clone());
+        let own = words::symbol(symbol);
+        let mut said: Vec<String> = domain
+            .formulas(&term)
+            .iter()
+            .map(|f| plain_formula(f).replacen(&own, &name, 1))
+            .collect();
+        if domain.integer {
+            said.push(format!("{name} an integer"));
+        }
+        if domain.constant {
+            said.push(format!("{name} constant"));
+        }
+        if !said.is_empty() {
+            lines.push(said.join(", "));
+        }
+    }
+    lines
+}
+
+/// The values, every premise at them, and the goal's two sides.
+fn witness(refuted: &Refuted) -> Vec<String> {
+    let claim = refuted.claim();
+    let point = Point::new(claim, refuted.witness());
+    let mut lines: Vec<String> = point
+        .values()
+        .into_iter()
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect();
+    for &position in &refuted.witness().unfold {
+        if let Some(hypothesis) = claim.hypotheses.get(position) {
+            lines.push(format!("with {} put in", plain_formula(&hypothesis.formula)));
+        }
+    }
+    if !claim.hypotheses.is_empty() {
+        lines.push("Every premise is true there:".into());
+    }
+    for hypothesis in &claim.hypotheses {
+        let formula = &hypothesis.formula;
+        lines.push(match point.sides(formula) {
+            Some((left, right)) => format!(
+                "  {}:  left = {}, right = {}",
+                plain_formula(formula),
+                number(&left),
+                number(&right)
+            ),
+            None => format!("  {}", plain_formula(formula)),
+        });
+    }
+    lines.push("and what was to be shown is false:".into());
+    lines.push(match point.sides(&claim.goal) {
+        Some((left, right)) => format!(
+            "  {}:  left = {}, right = {}",
+            plain_formula(&claim.goal),
+            number(&left),
+            number(&right)
+        ),
+        None => format!("  {}", plain_formula(&claim.goal)),
+    });
+    lines
+}
+
+/// The values of an assignment alone.
+fn assigned(at: &crate::kernel::Assignment) -> Vec<String> {
+    let empty = Claim {
+        domains: std::collections::BTreeMap::new(),
+        sequences: std::collections::BTreeMap::new(),
+        hypotheses: Vec::new(),
+        goal: crate::algebra::Formula::nonzero(crate::algebra::Expr::integer(1)),
+    };
+    let values = Point::new(&empty, at).values().into_iter();
+    values.map(|(name, value)| format!("{name} = {value}")).collect()
+}
+
+/// The numbers and names nearest to one that is not there: at most five.
+pub fn near_misses(derivation: &Derivation, label: &str) -> Vec<String> {
+    let label = label.trim().trim_start_matches("claim ").trim();
+    let label = label.trim_start_matches('(').trim_end_matches(')');
+    let label: String = label.chars().take(64).collect();
+    let mut all: Vec<(usize, String)> = Vec::new();
+    for equation in &derivation.equations {
+        for own in [&equation.tag, &equation.name].into_iter().flatten() {
+            let far = distance(&label.to_lowercase(), &own.to_lowercase());
+            let part = label.chars().count() > 2 && own.contains(label.as_str());
+            if part || far <= 1 + label.chars().count() / 4 {
+                all.push((if part { 0 } else { far }, own.clone()));
+            }
+        }
+    }
+    all.sort();
+    all.dedup();
+    all.into_iter().take(5).map(|(_, own)| own).collect()
+}
+
+/// How many letters must be changed, inserted or dropped.
+fn distance(left: &str, right: &str) -> usize {
+    let right: Vec<char> = right.chars().collect();
+    let mut row: Vec<usize> = (0..=right.len()).collect();
+    for (i, own) in left.chars().enumerate() {
+        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
+        for (j, other) in right.iter().enumerate() {
+            let changed = diagonal + usize::from(own != *other);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[right.len()]
+}

@@ -1,0 +1,203 @@
+//! The audit for programs. Every number is exact, so it is a string: `"2/3"`. `docs/schema.json` says the same.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::algebra::Expr;
+use crate::audit::{Entry, Verdict};
+use crate::kernel::Assignment;
+use crate::notation::{latex, latex_statement};
+
+use super::Report;
+
+/// The whole audit.
+#[derive(Clone, Debug, Serialize)]
+pub struct AuditView {
+    /// The documents in reading order.
+    pub documents: Vec<DocumentView>,
+    /// How many statements have each verdict; all five are always there.
+    pub summary: BTreeMap<&'static str, usize>,
+}
+
+/// One document.
+#[derive(Clone, Debug, Serialize)]
+pub struct DocumentView {
+    /// Its path as it was given.
+    pub path: String,
+    /// Its statements in reading order.
+    pub equations: Vec<EquationView>,
+    /// What could not be read outside of equations.
+    pub problems: Vec<ProblemView>,
+}
+
+/// One statement of a displayed equation.
+#[derive(Clone, Debug, Serialize)]
+pub struct EquationView {
+    /// The number as printed; absent where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tag: Option<String>,
+    /// The name from `claim NAME`; absent where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Which statement of its display, from 1; absent where the display has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<usize>,
+    /// The line of the display's mathematics, from 1.
+    pub line: usize,
+    /// Its column, from 1, in characters.
+    pub column: usize,
+    /// The display's mathematics as the author wrote it.
+    pub latex: String,
+    /// What was understood, as canonical LaTeX; absent where it could not be read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub understood: Option<String>,
+    /// `given`, `derived` or `marked`.
+    pub kind: &'static str,
+    /// `given`, `holds`, `fails`, `ill-dimensioned` or `undecided`.
+    pub verdict: &'static str,
+    /// What it was judged from: numbers and names, or `path:line:column` where there is neither.
+    pub premises: Vec<String>,
+    /// The failing equations that it comes from.
+    pub rests_on: Vec<String>,
+    /// What else there is to say.
+    pub notes: Vec<NoteView>,
+    /// For what fails: the values of a counterexample, by LaTeX name.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub witness: BTreeMap<String, ValueView>,
+    /// What would mend it, where that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub repair: Option<String>,
+}
+
+/// A note.
+#[derive(Clone, Debug, Serialize)]
+pub struct NoteView {
+    /// Its stable code.
+    pub code: &'static str,
+    /// The note as a clause.
+    pub message: String,
+}
+
+/// A value: one number, or those of a sequence.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum ValueView {
+    /// `"2/3"`
+    Number(String),
+    /// `["1", "2/3"]`
+    List(Vec<String>),
+}
+
+/// A place that could not be read.
+#[derive(Clone, Debug, Serialize)]
+pub struct ProblemView {
+    /// The line, from 1.
+    pub line: usize,
+    /// The column, from 1, in characters.
+    pub column: usize,
+    /// What is wrong.
+    pub message: String,
+    /// What to write instead; absent where nothing can be said.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub help: Option<String>,
+}
+
+impl Report<'_> {
+    /// The audit of every equation.
+    pub fn json(&self) -> AuditView {
+        self.view(|_| true)
+    }
+
+    /// The audit of some equations, by position.
+    pub fn json_of(&self, equations: &[usize]) -> AuditView {
+        let mut view = self.view(|entry| equations.contains(&entry.equation));
+        view.documents.retain(|d| !d.equations.is_empty());
+        view
+    }
+
+    fn view(&self, wanted: impl Fn(&Entry) -> bool) -> AuditView {
+        let mut summary: BTreeMap<&'static str, usize> =
+            Verdict::ALL.iter().map(|v| (v.word(), 0)).collect();
+        let mut documents = Vec::new();
+        for (at, page) in self.derivation.pages.iter().enumerate() {
+            let entries = self.audit.entries.iter();
+            let own = entries.filter(|e| self.equation(e.equation).page == at && wanted(e));
+            let equations: Vec<EquationView> = own.map(|e| self.equation_view(e)).collect();
+            for equation in &equations {
+                *summary.entry(equation.verdict).or_default() += 1;
+            }
+            let problems = page.problems.iter().map(|problem| {
+                let place = page.document.position(problem.span.start);
+                ProblemView {
+                    line: place.line,
+                    column: place.column,
+                    message: problem.message.clone(),
+                    help: problem.help.clone(),
+                }
+            });
+            documents.push(DocumentView {
+                path: page.document.path.clone(),
+                equations,
+                problems: problems.collect(),
+            });
+        }
+        AuditView { documents, summary }
+    }
+
+    fn equation_view(&self, entry: &Entry) -> EquationView {
+        let equation = self.equation(entry.equation);
+        let document = &self.derivation.pages[equation.page].document;
+        let place = document.position(equation.body.start);
+        let labels = |all: &[usize]| all.iter().map(|&at| self.label(at)).collect();
+        let notes = entry.notes.iter().map(|note| NoteView {
+            code: note.code(),
+            message: self.aside(note).unwrap_or_default(),
+        });
+        EquationView {
+            tag: equation.tag.clone(),
+            name: equation.name.clone(),
+            part: (entry.parts > 1).then_some(entry.part + 1),
+            line: place.line,
+            column: place.column,
+            latex: document.text(equation.body).to_owned(),
+            understood: self.statement(entry).map(latex_statement),
+            kind: entry.kind.word(),
+            verdict: entry.verdict.word(),
+            premises: labels(&entry.premises),
+            rests_on: labels(&entry.rests_on),
+            notes: notes.collect(),
+            witness: entry
+                .refuted()
+                .map(|(_, refuted)| values(refuted.witness()))
+                .unwrap_or_default(),
+            repair: entry.notes.iter().find_map(|note| self.repair(note)),
+        }
+    }
+
+    fn label(&self, at: usize) -> String {
+        match self.equation(at).label() {
+            Some(label) => label.to_owned(),
+            None => self.place(at),
+        }
+    }
+}
+
+fn values(at: &Assignment) -> BTreeMap<String, ValueView> {
+    let symbols = at.symbols.iter();
+    let mut all: BTreeMap<String, ValueView> = symbols
+        .map(|(symbol, value)| (symbol.to_string(), ValueView::Number(value.to_string())))
+        .collect();
+    for (sequence, elements) in &at.sequences {
+        let elements = elements.iter().map(|e| e.to_string()).collect();
+        all.insert(sequence.to_string(), ValueView::List(elements));
+    }
+    for ((symbol, variable), value) in &at.derivatives {
+        let derivative = Expr::Derivative {
+            body: Expr::Symbol(symbol.clone()).into(),
+            variable: variable.clone(),
+        };
+        all.insert(latex(&derivative), ValueView::Number(value.to_string()));
+    }
+    all
+}

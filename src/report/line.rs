@@ -1,0 +1,218 @@
+//! One line for each equation: its number, the verdict, and the one thing to know.
+
+use crate::audit::{Entry, Judged, Note, Outcome, Verdict};
+use crate::derivation::Source;
+use crate::kernel::{Proven, Refuted};
+use crate::notation::{Mark, latex_statement};
+
+use super::evidence::{Point, number};
+use super::style::{self, DIM, paint};
+use super::words::{plain_statement, shortened};
+use super::{Report, words};
+
+/// The widest that a name may be.
+const WIDEST_NAME: usize = 26;
+/// The width of a line.
+const WIDTH: usize = 100;
+
+impl Report<'_> {
+    /// How wide the column of names must be.
+    pub(super) fn width_of_names(&self) -> usize {
+        let entries = self.audit.entries.iter();
+        let widths = entries.map(|e| self.line_name(e).chars().count());
+        widths.max().unwrap_or(0).min(WIDEST_NAME)
+    }
+
+    fn line_name(&self, entry: &Entry) -> String {
+        let name = self.name(entry.equation);
+        match entry.parts {
+            1 => name,
+            parts => format!("{name} {}/{parts}", entry.part + 1),
+        }
+    }
+
+    /// The line of one entry.
+    pub fn line(&self, entry: &Entry, names: usize) -> String {
+        let name = shortened(&self.line_name(entry), names);
+        let word = entry.verdict.word();
+        let verdict = format!("{} {word:<9}", style::sign(entry.verdict));
+        let room = WIDTH.saturating_sub(names + 15);
+        let headline = shortened(&self.headline(entry), room);
+        let line = format!(
+            "  {name:<names$}  {} {headline}",
+            paint(style::of(entry), &verdict)
+        );
+        line.trim_end().to_owned() + "\n"
+    }
+
+    /// What was understood, on a line of its own.
+    pub fn understood(&self, entry: &Entry, names: usize) -> String {
+        let text = match self.statement(entry) {
+            Some(statement) => latex_statement(statement),
+            None => "not read".into(),
+        };
+        format!(
+            "  {:<names$}    {}\n",
+            "",
+            paint(DIM, &format!("understood: {text}"))
+        )
+    }
+
+    /// What there is to know of an entry, in less than a line.
+    pub fn headline(&self, entry: &Entry) -> String {
+        let mut said: Vec<String> = Vec::new();
+        match entry.verdict {
+            Verdict::Given => said.extend(self.statement(entry).map(plain_statement)),
+            Verdict::Fails => said.push(self.failure(entry)),
+            Verdict::Undecided => said.extend(undecided(entry)),
+            Verdict::Holds if entry.notes.is_empty() => said.push(self.holds_from(entry)),
+            Verdict::Holds | Verdict::IllDimensioned => {}
+        }
+        said.extend(entry.notes.iter().filter_map(|note| self.aside(note)));
+        said.join("; ")
+    }
+
+    fn failure(&self, entry: &Entry) -> String {
+        let Some((judged, refuted)) = entry.refuted() else {
+            return "refuted".into();
+        };
+        let evidence = self.in_numbers(judged, refuted);
+        match entry.fails_as_marked() {
+            true => format!("as the author says: {evidence}"),
+            false => evidence,
+        }
+    }
+
+    /// `2 ≤ 1 is false at k = 2, n = 1`.
+    pub(super) fn in_numbers(&self, judged: &Judged, refuted: &Refuted) -> String {
+        let point = Point::new(refuted.claim(), refuted.witness());
+        let formula = &judged.goal.formula;
+        let values = point.values_of(formula);
+        let at = match values.is_empty() {
+            true => String::new(),
+            false => format!(" at {values}"),
+        };
+        match point.sides(formula) {
+            Some((left, right)) => {
+                format!("left {}, right {}{at}", number(&left), number(&right))
+            }
+            None => format!(
+                "`{}` is false{at}",
+                crate::notation::plain_formula(formula)
+            ),
+        }
+    }
+
+    fn holds_from(&self, entry: &Entry) -> String {
+        if entry
+            .judged
+            .iter()
+            .all(|j| matches!(j.outcome, Outcome::Defined))
+        {
+            return "a definition".into();
+        }
+        let mut used: Vec<Source> = entry
+            .judged
+            .iter()
+            .flat_map(|j| j.assumed.iter().map(|a| a.source))
+            .filter(|s| *s != Source::Step)
+            .collect();
+        used.sort_by_key(|s| !matches!(s, Source::Equation(_)));
+        used.dedup();
+        let mut shown: Vec<String> = Vec::new();
+        for source in used {
+            let text = match source {
+                Source::Local(page, at) => {
+                    let formulas = &self.derivation.local(page, at).formulas;
+                    let said: Vec<String> = formulas
+                        .iter()
+                        .map(crate::notation::plain_formula)
+                        .collect();
+                    format!("`{}`", said.join(", "))
+                }
+                source => self.source(&source),
+            };
+            if !shown.contains(&text) {
+                shown.push(text);
+            }
+        }
+        let proofs: Vec<&Proven> = entry
+            .judged
+            .iter()
+            .filter_map(|j| match &j.outcome {
+                Outcome::Proven(proven) => Some(&**proven),
+                _ => None,
+            })
+            .collect();
+        match shown.is_empty() {
+            true if proofs.iter().all(|p| p.claim().domains.is_empty()) => "an identity".into(),
+            true => "by itself, for all values in the declared domains".into(),
+            false => format!("from {}", words::list(shown)),
+        }
+    }
+
+    /// A note as a clause.
+    pub(super) fn aside(&self, note: &Note) -> Option<String> {
+        Some(match note {
+            Note::RestsOn(failing) => format!("rests on {}", self.references(failing)),
+            Note::Miscited { cited, instead } => {
+                let (added, dropped) = exchange(cited, instead);
+                match (added.is_empty(), dropped.is_empty()) {
+                    (true, _) => format!("miscited: follows from {}", self.sources(instead)),
+                    (false, true) => {
+                        format!("miscited: follows from {}, not cited", self.sources(&added))
+                    }
+                    (false, false) => format!(
+                        "miscited: follows from {}, not {}",
+                        self.sources(&added),
+                        self.references(&dropped)
+                    ),
+                }
+            }
+            Note::Uncited(sources) => format!("from {}, uncited", self.sources(sources)),
+            Note::UnstatedCondition(conditions) => format!(
+                "true only if {}, which is not stated",
+                words::list(conditions.iter().map(crate::notation::plain_formula).collect())
+            ),
+            Note::InconsistentPremises(sources) => {
+                format!("contradicts {}", self.sources(sources))
+            }
+            Note::WrongMark(Mark::Tick) => "the author's ✓ is wrong".into(),
+            Note::WrongMark(Mark::Cross) => "the author's ✗ is wrong".into(),
+            Note::UnknownCitation(label, _) => format!("cites {label}, which is not there"),
+            Note::CitesLater(at) => {
+                format!("cites {}, which comes later", self.reference(*at))
+            }
+            Note::OutOfScope(at) => format!(
+                "cites {}, derived for particular values",
+                self.reference(*at)
+            ),
+            Note::DuplicateTag(at) => {
+                format!("has the number of the equation at {}", self.place(*at))
+            }
+            Note::Unreadable(error) => format!("could not be read: {}", error.message),
+            Note::UnreadablePremise(at) => {
+                format!("{} could not be read", self.reference(*at))
+            }
+        })
+    }
+}
+
+fn undecided(entry: &Entry) -> Option<String> {
+    entry.judged.iter().find_map(|judged| match &judged.outcome {
+        Outcome::Open(stop) if !stop.reason.is_empty() => Some(stop.reason.clone()),
+        _ => None,
+    })
+}
+
+/// What should be cited and is not, and what is cited to no use.
+pub(super) fn exchange(cited: &[usize], instead: &[Source]) -> (Vec<Source>, Vec<usize>) {
+    let is_cited = |s: &&Source| matches!(s, Source::Equation(at) if cited.contains(at));
+    let equation = |s: &&Source| matches!(s, Source::Equation(_));
+    let added = instead.iter().filter(equation).filter(|s| !is_cited(s));
+    let unused = |at: &&usize| !instead.contains(&Source::Equation(**at));
+    (
+        added.copied().collect(),
+        cited.iter().filter(unused).copied().collect(),
+    )
+}

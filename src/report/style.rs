@@ -1,0 +1,39 @@
+//! The colours, by meaning.
+
+use anstyle::{AnsiColor, Style};
+
+use crate::audit::{Entry, Verdict};
+
+pub(super) const BOLD: Style = Style::new().bold();
+pub(super) const DIM: Style = Style::new().dimmed();
+const GOOD: Style = AnsiColor::Green.on_default();
+const BAD: Style = AnsiColor::Red.on_default().bold();
+const WARN: Style = AnsiColor::Yellow.on_default();
+
+/// Text in a style.
+pub(super) fn paint(style: Style, text: &str) -> String {
+    format!("{style}{text}{style:#}")
+}
+
+/// The sign for a verdict.
+pub(super) fn sign(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Given => "·",
+        Verdict::Holds => "✓",
+        Verdict::Fails => "✗",
+        Verdict::IllDimensioned => "!",
+        Verdict::Undecided => "?",
+    }
+}
+
+/// The colour of an entry's verdict.
+pub(super) fn of(entry: &Entry) -> Style {
+    match entry.verdict {
+        Verdict::Given => DIM,
+        Verdict::Holds if entry.is_finding() => WARN,
+        Verdict::Holds => GOOD,
+        Verdict::Fails if entry.fails_as_marked() => DIM,
+        Verdict::Fails | Verdict::IllDimensioned => BAD,
+        Verdict::Undecided => WARN,
+    }
+}

@@ -1,0 +1,99 @@
+//! The end of the page: how many of each verdict, page by page, and a closing sentence.
+
+use crate::audit::{Entry, Verdict};
+
+use super::style::{BOLD, DIM, paint};
+use super::words::{count, list, shortened};
+use super::Report;
+
+const WIDEST_TITLE: usize = 44;
+
+impl Report<'_> {
+    /// A row for each page, a row for all, and what it comes to.
+    pub fn summary(&self) -> String {
+        let head = ["given", "holds", "fails", "ill-dim.", "undecided", "findings"];
+        let pages = &self.derivation.pages;
+        let titles: Vec<String> = pages
+            .iter()
+            .map(|page| match page.title.is_empty() {
+                true => shortened(&page.document.path, WIDEST_TITLE),
+                false => shortened(&page.title, WIDEST_TITLE),
+            })
+            .collect();
+        let width = titles.iter().map(|t| t.chars().count()).max().unwrap_or(0);
+        let width = width.max("all pages".len());
+        let mut text = format!("  {:<width$}", "");
+        for word in head {
+            text += &paint(DIM, &format!("  {word:>9}"));
+        }
+        text.push('\n');
+        for (at, title) in titles.iter().enumerate() {
+            let of_page = |e: &&Entry| self.equation(e.equation).page == at;
+            let entries: Vec<&Entry> = self.audit.entries.iter().filter(of_page).collect();
+            text += &format!("  {title:<width$}");
+            text += &cells(&entries, pages[at].problems.len());
+        }
+        if pages.len() > 1 {
+            let problems = pages.iter().map(|p| p.problems.len()).sum();
+            let entries: Vec<&Entry> = self.audit.entries.iter().collect();
+            text += &paint(BOLD, &format!("  {:<width$}", "all pages"));
+            text += &cells(&entries, problems);
+        }
+        text + "\n" + &self.closing()
+    }
+
+    /// What it comes to, in a sentence or two.
+    pub fn closing(&self) -> String {
+        let counts = self.audit.counts();
+        let of = |verdict| counts.get(&verdict).copied().unwrap_or(0);
+        let findings = self.findings();
+        let entries = &self.audit.entries;
+        if entries.is_empty() && findings == 0 {
+            return "No displayed equation was found, so nothing was checked.\n".into();
+        }
+        let crossed = entries.iter().filter(|e| e.fails_as_marked()).count();
+        let failing = of(Verdict::Fails) - crossed;
+        let total = count(entries.len(), "statement");
+        let mut told = Vec::new();
+        for (number, word) in [
+            (of(Verdict::Given), "given"),
+            (of(Verdict::Holds), "proved"),
+            (failing, "refuted"),
+            (crossed, "crossed out by the author and rightly so"),
+            (of(Verdict::IllDimensioned), "ill-dimensioned"),
+            (of(Verdict::Undecided), "undecided"),
+        ] {
+            if number > 0 {
+                told.push(format!("{number} {word}"));
+            }
+        }
+        let first = format!("Of {total}, {}.", list(told));
+        let open = of(Verdict::Undecided);
+        let second = match (findings, open) {
+            (0, 0) => "Nothing is amiss.".to_owned(),
+            (0, _) => "Nothing was found amiss, but what is undecided was not checked.".to_owned(),
+            _ => {
+                let some = entries.iter().find(|e| e.is_finding());
+                let replay = some
+                    .and_then(|e| self.equation(e.equation).label())
+                    .map_or(String::new(), |label| {
+                        format!(" `cradle-verify explain {label}` writes one out in full.")
+                    });
+                let verb = if findings == 1 { "needs" } else { "need" };
+                format!("{} {verb} mending.{replay}", count(findings, "finding"))
+            }
+        };
+        format!("{first}\n{}\n", paint(BOLD, &second))
+    }
+}
+
+fn cells(entries: &[&Entry], problems: usize) -> String {
+    let of = |verdict| entries.iter().filter(|e| e.verdict == verdict).count();
+    let findings = problems + entries.iter().filter(|e| e.is_finding()).count();
+    let numbers = Verdict::ALL.map(of).into_iter().chain([findings]);
+    let cells = numbers.map(|number| match number {
+        0 => format!("  {:>9}", "–"),
+        _ => format!("  {number:>9}"),
+    });
+    cells.collect::<String>() + "\n"
+}

@@ -1,0 +1,162 @@
+//! How equations, places, sources and statements are named: alike in every view.
+
+use crate::algebra::{Formula, Symbol};
+use crate::audit::Entry;
+use crate::derivation::{Equation, Source};
+use crate::document::{Position, Span};
+use crate::notation::{Clause, Connective, Statement, plain, plain_formula};
+
+use super::Report;
+
+impl<'a> Report<'a> {
+    pub(super) fn equation(&self, at: usize) -> &'a Equation {
+        &self.derivation.equations[at]
+    }
+
+    /// `(23)`, `n-in-n-out`, or where it stands.
+    pub(super) fn name(&self, at: usize) -> String {
+        let equation = self.equation(at);
+        match (&equation.tag, &equation.name) {
+            (Some(tag), _) => format!("({tag})"),
+            (None, Some(name)) => name.clone(),
+            (None, None) => format!("line {}", self.position(at).line),
+        }
+    }
+
+    /// How an equation is referred to in a sentence.
+    pub(super) fn reference(&self, at: usize) -> String {
+        let equation = self.equation(at);
+        match (&equation.tag, &equation.name) {
+            (None, None) => format!("the equation at {}", self.place(at)),
+            _ => equation.reference(),
+        }
+    }
+
+    /// `equation (23)`, `claim n-in-n-out`, with the part of a display that states several things.
+    pub(super) fn subject(&self, entry: &Entry) -> String {
+        let whole = match &self.equation(entry.equation).tag {
+            Some(tag) => format!("equation ({tag})"),
+            None => self.reference(entry.equation),
+        };
+        match entry.parts {
+            1 => whole,
+            parts => format!("{whole}, statement {} of {parts},", entry.part + 1),
+        }
+    }
+
+    pub(super) fn position(&self, at: usize) -> Position {
+        let equation = self.equation(at);
+        let document = &self.derivation.pages[equation.page].document;
+        document.position(equation.body.start)
+    }
+
+    /// `path:line:column` of an equation.
+    pub(super) fn place(&self, at: usize) -> String {
+        self.place_of(self.equation(at).page, self.equation(at).body)
+    }
+
+    pub(super) fn place_of(&self, page: usize, span: Span) -> String {
+        let document = &self.derivation.pages[page].document;
+        let Position { line, column } = document.position(span.start);
+        format!("{}:{line}:{column}", document.path)
+    }
+
+    pub(super) fn statement(&self, entry: &Entry) -> Option<&'a Statement> {
+        self.equation(entry.equation).statements().get(entry.part)
+    }
+
+    pub(super) fn references(&self, equations: &[usize]) -> String {
+        list(equations.iter().map(|&at| self.reference(at)).collect())
+    }
+
+    /// A source of hypotheses, in a sentence.
+    pub(super) fn source(&self, source: &Source) -> String {
+        match *source {
+            Source::Equation(at) => self.reference(at),
+            Source::Local(page, at) => {
+                let local = self.derivation.local(page, at);
+                let said: Vec<String> = local.formulas.iter().map(plain_formula).collect();
+                let line = self.derivation.pages[page].document.position(local.span.start);
+                format!("`{}` (line {})", said.join(", "), line.line)
+            }
+            Source::Step => "the step before".into(),
+        }
+    }
+
+    pub(super) fn sources(&self, sources: &[Source]) -> String {
+        list(sources.iter().map(|s| self.source(s)).collect())
+    }
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub(super) fn list(mut items: Vec<String>) -> String {
+    match items.pop() {
+        None => "nothing".into(),
+        Some(last) if items.is_empty() => last,
+        Some(last) => format!("{} and {last}", items.join(", ")),
+    }
+}
+
+/// A symbol as one reads it.
+pub(super) fn symbol(symbol: &Symbol) -> String {
+    plain(&crate::algebra::Expr::Symbol(symbol.clone()))
+}
+
+/// A statement as one line of text.
+pub(super) fn plain_statement(statement: &Statement) -> String {
+    let mut text = String::new();
+    for (at, clause) in statement.clauses.iter().enumerate() {
+        if at > 0 {
+            text += match statement.connectives[at - 1].value {
+                Connective::Implies => " ⇒ ",
+                Connective::Equivalent => " ⇔ ",
+            };
+        }
+        text += &plain_clause(clause);
+    }
+    text
+}
+
+fn plain_clause(clause: &Clause) -> String {
+    match clause {
+        Clause::Chain { sides, links } => {
+            let mut text = sides.first().map_or(String::new(), |side| plain(&side.expr));
+            for (link, pair) in links.iter().zip(sides.windows(2)) {
+                let whole = plain_formula(&Formula::Relation {
+                    left: pair[0].expr.clone(),
+                    relation: link.relation,
+                    right: pair[1].expr.clone(),
+                });
+                text += whole.get(plain(&pair[0].expr).len()..).unwrap_or_default();
+            }
+            text
+        }
+        Clause::AllEqual {
+            sequence,
+            to,
+            value,
+            ..
+        } => plain_formula(&Formula::AllEqual {
+            sequence: sequence.clone(),
+            to: to.clone(),
+            value: value.as_ref().map(|side| side.expr.clone()),
+        }),
+    }
+}
+
+/// At most so many characters, the last being `…` where something is left out.
+pub(super) fn shortened(text: &str, most: usize) -> String {
+    if text.chars().count() <= most {
+        return text.to_owned();
+    }
+    let kept: String = text.chars().take(most.saturating_sub(1)).collect();
+    format!("{}…", kept.trim_end())
+}
+
+/// `1 equation`, `2 equations`.
+pub(super) fn count(number: usize, thing: &str) -> String {
+    match number {
+        1 => format!("1 {thing}"),
+        _ => format!("{number} {thing}s"),
+    }
+}
