@@ -2,9 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cradle_verify::algebra::{
-    BigRational, Expr, Formula, Lowering, Polynomial, Symbol,
-};
+use cradle_verify::algebra::{BigRational, Expr, Formula, Lowering, Polynomial, Symbol};
 use cradle_verify::document::Span;
 use cradle_verify::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Cofactors, Domain, Factors, Hypothesis,

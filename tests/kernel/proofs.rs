@@ -77,10 +77,7 @@ fn empty_multiplier_is_1_and_not_0() {
 
 #[test]
 fn sum_of_two_factors_that_do_not_vanish_may_vanish() {
-    let p = Proving::new(claim(
-        &[r"x \neq 0", r"y \neq 0", "(x + y) z = 0"],
-        "z = 0",
-    ));
+    let p = Proving::new(claim(&[r"x \neq 0", r"y \neq 0", "(x + y) z = 0"], "z = 0"));
     let proof = p.combination(&[("x + y", 1)], 1, &[(2, "1")]);
     assert!(matches!(p.checked(proof), Err(Reject::MayVanish(_))));
 }
@@ -322,9 +319,8 @@ fn product_of_a_strict_and_a_weak_fact_is_not_strict() {
 
 #[test]
 fn series_is_never_strict() {
-    let p = Proving::new(
-        claim(&[], r"n \sum_{i=1}^{n} u_i^2 > (\sum_{i=1}^{n} u_i)^2").sequence("u"),
-    );
+    let p =
+        Proving::new(claim(&[], r"n \sum_{i=1}^{n} u_i^2 > (\sum_{i=1}^{n} u_i)^2").sequence("u"));
     let proof = p.positivity(&[], vec![spread("n", "u")], &[]);
     assert_eq!(p.checked(proof), Err(Reject::NotStrict));
 }

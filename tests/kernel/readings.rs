@@ -161,8 +161,14 @@ fn derivatives_of_rational_functions_are_computed() {
     for (goal, accepted) in [
         (r"\frac{d}{dx}[x^3] = 3 x^2", true),
         (r"\frac{d}{dx}[x^3] = 3 x", false),
-        (r"\frac{d}{dx}\left[\frac{1}{x}\right] = -\frac{1}{x^2}", true),
-        (r"\frac{d}{dx}\left[\frac{1}{x}\right] = \frac{1}{x^2}", false),
+        (
+            r"\frac{d}{dx}\left[\frac{1}{x}\right] = -\frac{1}{x^2}",
+            true,
+        ),
+        (
+            r"\frac{d}{dx}\left[\frac{1}{x}\right] = \frac{1}{x^2}",
+            false,
+        ),
         (r"\frac{d}{dx}[k x] = k", true),
         (r"\frac{d}{dx}[y x] = y", false),
         (r"\frac{d}{dx}[y x] = y + x \frac{dy}{dx}", true),
@@ -170,7 +176,11 @@ fn derivatives_of_rational_functions_are_computed() {
         (r"2 x \frac{d}{dx}[\sqrt{x}] = 1", false),
     ] {
         let claim = claim(&["x > 0"], goal).domain("k", constant());
-        let expected = if accepted { Ok(()) } else { Err(Reject::IdentityFails) };
+        let expected = if accepted {
+            Ok(())
+        } else {
+            Err(Reject::IdentityFails)
+        };
         assert_eq!(Proving::new(claim).trivially(), expected, "{goal}");
     }
 }
@@ -180,12 +190,19 @@ fn limits_of_rational_functions_are_computed() {
     for (goal, accepted) in [
         (r"\lim_{x \to 0} (k + x) = k", true),
         (r"\lim_{x \to 0} (k + x) = x", false),
-        (r"\lim_{x \to \infty} \frac{1 + k x}{2 x} = \frac{k}{2}", true),
+        (
+            r"\lim_{x \to \infty} \frac{1 + k x}{2 x} = \frac{k}{2}",
+            true,
+        ),
         (r"\lim_{x \to \infty} \frac{1 + k x}{2 x} = 0", false),
         (r"\lim_{x \to \infty} k x = 0", false),
     ] {
         let claim = claim(&[r"x \neq 0"], goal).domain("k", constant());
-        let expected = if accepted { Ok(()) } else { Err(Reject::IdentityFails) };
+        let expected = if accepted {
+            Ok(())
+        } else {
+            Err(Reject::IdentityFails)
+        };
         assert_eq!(Proving::new(claim).trivially(), expected, "{goal}");
     }
 }
@@ -256,7 +273,10 @@ fn sums_over_different_numbers_of_elements_differ() {
     let verdict = Proving::new(claim(&[], goal).sequence("u")).trivially();
     assert_eq!(verdict, Err(Reject::IdentityFails));
     let renamed = r"\sum_{i=1}^{n} u_i = \sum_{j=1}^{n} u_j";
-    assert_eq!(Proving::new(claim(&[], renamed).sequence("u")).trivially(), Ok(()));
+    assert_eq!(
+        Proving::new(claim(&[], renamed).sequence("u")).trivially(),
+        Ok(())
+    );
 }
 
 #[test]
@@ -269,7 +289,11 @@ fn product_of_sums_is_not_the_sum_of_products() {
 
 #[test]
 fn root_of_a_square_is_not_taken_to_be_the_base() {
-    for goal in [r"\sqrt{x^2} = x", r"\sqrt{x} \sqrt{y} = \sqrt{x y}", "(-8)^{1/3} = 2"] {
+    for goal in [
+        r"\sqrt{x^2} = x",
+        r"\sqrt{x} \sqrt{y} = \sqrt{x y}",
+        "(-8)^{1/3} = 2",
+    ] {
         let verdict = Proving::new(claim(&[], goal)).trivially();
         assert!(verdict.is_err(), "{goal}");
     }

@@ -175,7 +175,11 @@ fn relations(most: usize) -> impl Strategy<Value = Vec<String>> {
 fn build(hypotheses: &[String], goal: &str, positives: [bool; 3]) -> Claim {
     let named: Vec<&str> = hypotheses.iter().map(String::as_str).collect();
     let mut built = claim(&named, goal);
-    for (name, _) in NAMES.iter().zip(positives).filter(|(_, positive)| *positive) {
+    for (name, _) in NAMES
+        .iter()
+        .zip(positives)
+        .filter(|(_, positive)| *positive)
+    {
         built = built.domain(name, positive());
     }
     built

@@ -36,10 +36,18 @@ fn each_relation_is_evaluated_as_it_is_meant() {
     ] {
         for (value, truth) in [(-1, below), (0, same), (1, above)] {
             let goal = claim(&[], &format!("x {relation} 0"));
-            let expected = if truth { Err(Reject::GoalNotFalse) } else { Ok(()) };
+            let expected = if truth {
+                Err(Reject::GoalNotFalse)
+            } else {
+                Ok(())
+            };
             assert_eq!(refuted(&goal, point(&[("x", value)])), expected);
             let premise = claim(&[&format!("x {relation} 0")], "1 = 0");
-            let expected = if truth { Ok(()) } else { Err(Reject::PremiseFalse(0)) };
+            let expected = if truth {
+                Ok(())
+            } else {
+                Err(Reject::PremiseFalse(0))
+            };
             assert_eq!(refuted(&premise, point(&[("x", value)])), expected);
         }
     }
@@ -195,7 +203,11 @@ fn roots_and_functions_with_exact_values_are_computed() {
         ("n^x = 64", true),
     ] {
         let claim = claim(&[], goal);
-        let expected = if accepted { Ok(()) } else { Err(Reject::GoalNotFalse) };
+        let expected = if accepted {
+            Ok(())
+        } else {
+            Err(Reject::GoalNotFalse)
+        };
         let verdict = refuted(&claim, point(&[("x", 4), ("n", 3)]));
         assert_eq!(verdict, expected, "{goal}");
     }
@@ -230,7 +242,10 @@ fn list_that_is_missing_is_rejected() {
 
 #[test]
 fn list_for_a_symbol_that_names_no_sequence_is_rejected() {
-    let verdict = refuted(&mean(), point(&[("n", 2)]).list("u", &[1, 5]).list("w", &[]));
+    let verdict = refuted(
+        &mean(),
+        point(&[("n", 2)]).list("u", &[1, 5]).list("w", &[]),
+    );
     assert_eq!(verdict, Err(Reject::NoValue));
 }
 
@@ -241,7 +256,10 @@ fn count_that_is_no_natural_number_is_rejected() {
     assert_eq!(verdict, Err(Reject::NoValue));
     let verdict = refuted(&mean(), point(&[("n", -1)]).list("u", &list));
     assert_eq!(verdict, Err(Reject::NoValue));
-    assert_eq!(refuted(&mean(), point(&[]).list("u", &list)), Err(Reject::NoValue));
+    assert_eq!(
+        refuted(&mean(), point(&[]).list("u", &list)),
+        Err(Reject::NoValue)
+    );
 }
 
 #[test]
@@ -280,7 +298,10 @@ fn equal_elements_are_compared_up_to_the_count_only() {
 #[test]
 fn slope_is_chosen_where_nothing_else_is_said() {
     let claim = claim(&[], r"\frac{ds}{dx} = 1");
-    assert_eq!(refuted(&claim, point(&[("x", 0)]).slope("s", "x", 2)), Ok(()));
+    assert_eq!(
+        refuted(&claim, point(&[("x", 0)]).slope("s", "x", 2)),
+        Ok(())
+    );
     let verdict = refuted(&claim, point(&[("x", 0)]).slope("s", "x", 1));
     assert_eq!(verdict, Err(Reject::GoalNotFalse));
 }
