@@ -292,7 +292,15 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        let [sound, _] = self.others(premises);
+        // Other pages may mean other things by the same letters.
+        let page = self.derivation.equations[self.at].page;
+        let near = |a: &Assumed| match a.source {
+            Source::Equation(other) => self.derivation.equations[other].page == page,
+            Source::Local(other, _) => other == page,
+            Source::Step => true,
+        };
+        let [mut sound, _] = self.others(premises);
+        sound.retain(near);
         if sound.is_empty() {
             return false;
         }

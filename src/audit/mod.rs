@@ -50,7 +50,7 @@ impl Audit {
                 .all(|e| e.verdict == Verdict::Given && e.judged.is_empty());
             auditor.offers[at] = Some(match given {
                 true => Offer::given(derivation, at),
-                false => Offer::judged(derivation, at, &entries),
+                false => Offer::judged(derivation, at, &entries, &auditor.offers),
             });
             auditor.entries.extend(entries);
         }

@@ -12,7 +12,7 @@ use super::{Entry, Outcome};
 pub struct Offer {
     /// What it states.
     pub formulas: Vec<Formula>,
-    /// The local hypotheses that its derivation used: page and position.
+    /// The local hypotheses that its derivation used, itself or through its premises: page and position.
     pub under: BTreeSet<(usize, usize)>,
 }
 
@@ -28,7 +28,12 @@ impl Offer {
 
     /// What is offered by an equation once judged: all that it asserts, be it true or not. What it only
     /// asks and then crosses out, it does not assert; an equivalence asserts neither side.
-    pub fn judged(derivation: &Derivation, at: usize, entries: &[Entry]) -> Offer {
+    pub fn judged(
+        derivation: &Derivation,
+        at: usize,
+        entries: &[Entry],
+        offers: &[Option<Offer>],
+    ) -> Offer {
         let mut offer = Offer::default();
         for (statement, entry) in derivation.equations[at].statements().iter().zip(entries) {
             if statement
@@ -48,8 +53,15 @@ impl Offer {
                     offer.formulas.push(judged.goal.formula.clone());
                 }
                 for assumed in &judged.assumed {
-                    if let Source::Local(page, local) = assumed.source {
-                        offer.under.insert((page, local));
+                    match assumed.source {
+                        Source::Local(page, local) => {
+                            offer.under.insert((page, local));
+                        }
+                        Source::Equation(premise) => {
+                            let inherited = offers.get(premise).and_then(Option::as_ref);
+                            offer.under.extend(inherited.iter().flat_map(|o| &o.under));
+                        }
+                        Source::Step => {}
                     }
                 }
             }

@@ -18,8 +18,9 @@ type Done = Result<(String, bool), Failure>;
 pub(super) fn run(args: &Args) -> Done {
     if let Some(letter) = &args.scenario {
         if args.command.is_some() {
-            return Err(Failure::new("`--scenario` stands without a command")
-                .help("for an outcome of your own: `cradle-verify scenario --before … --after …`"));
+            return Err(Failure::new("`--scenario` stands without a command").help(
+                "for an outcome of your own: `cradle-verify scenario --before … --after …`",
+            ));
         }
         return judged(&built_in(letter)?, args.format);
     }
@@ -70,7 +71,10 @@ fn explain(derivation: &Derivation, label: &str, args: &Args) -> Done {
         None => e.name == name,
     };
     let equations = derivation.equations.iter().enumerate();
-    let all: Vec<usize> = equations.filter(|(_, e)| same(e)).map(|(at, _)| at).collect();
+    let all: Vec<usize> = equations
+        .filter(|(_, e)| same(e))
+        .map(|(at, _)| at)
+        .collect();
     let audit = Audit::of(derivation);
     let report = Report {
         derivation,

@@ -129,7 +129,9 @@ fn within(source: &str, span: Span) -> std::ops::Range<usize> {
 /// What to type to see one equation's evidence in full.
 pub(super) fn replay(report: &Report<'_>, at: usize) -> Option<(Level<'static>, String)> {
     let label = report.equation(at).label()?;
-    let path = &report.derivation.pages[report.equation(at).page].document.path;
+    let path = &report.derivation.pages[report.equation(at).page]
+        .document
+        .path;
     let path = match crate::proofs::page(path) {
         Some(_) => String::new(),
         None => format!(" {path}"),

@@ -96,10 +96,7 @@ impl Report<'_> {
             Some((left, right)) => {
                 format!("left {}, right {}{at}", number(&left), number(&right))
             }
-            None => format!(
-                "`{}` is false{at}",
-                crate::notation::plain_formula(formula)
-            ),
+            None => format!("`{}` is false{at}", crate::notation::plain_formula(formula)),
         }
     }
 
@@ -172,7 +169,12 @@ impl Report<'_> {
             Note::Uncited(sources) => format!("from {}, uncited", self.sources(sources)),
             Note::UnstatedCondition(conditions) => format!(
                 "true only if {}, which is not stated",
-                words::list(conditions.iter().map(crate::notation::plain_formula).collect())
+                words::list(
+                    conditions
+                        .iter()
+                        .map(crate::notation::plain_formula)
+                        .collect()
+                )
             ),
             Note::InconsistentPremises(sources) => {
                 format!("contradicts {}", self.sources(sources))
@@ -199,10 +201,13 @@ impl Report<'_> {
 }
 
 fn undecided(entry: &Entry) -> Option<String> {
-    entry.judged.iter().find_map(|judged| match &judged.outcome {
-        Outcome::Open(stop) if !stop.reason.is_empty() => Some(stop.reason.clone()),
-        _ => None,
-    })
+    entry
+        .judged
+        .iter()
+        .find_map(|judged| match &judged.outcome {
+            Outcome::Open(stop) if !stop.reason.is_empty() => Some(stop.reason.clone()),
+            _ => None,
+        })
 }
 
 /// What should be cited and is not, and what is cited to no use.

@@ -8,8 +8,7 @@ use std::collections::BTreeSet;
 use crate::algebra::{Polynomial, expr_of};
 use crate::derivation::Source;
 use crate::kernel::{
-    Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Proven,
-    SeriesSquare, Sign,
+    Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Proven, SeriesSquare, Sign,
 };
 use crate::notation::{plain, plain_formula};
 
@@ -28,14 +27,18 @@ impl Report<'_> {
         let mut lines = Vec::new();
         for &position in &certificate.unfold {
             if let Some(hypothesis) = claim.hypotheses.get(position) {
-                lines.push(format!("with {} put in", plain_formula(&hypothesis.formula)));
+                lines.push(format!(
+                    "with {} put in",
+                    plain_formula(&hypothesis.formula)
+                ));
             }
         }
         let mut page = Written::new(&problem);
         for (at, lemma) in certificate.lemmas.iter().enumerate() {
             let number = problem.facts.len() + at + 1;
             let name = format!("[{number}]");
-            page.steps.push(format!("{name} {}", page.fact(&lemma.fact)));
+            page.steps
+                .push(format!("{name} {}", page.fact(&lemma.fact)));
             page.step(&lemma.fact, &lemma.proof, &name, 2);
             page.known.push(lemma.fact.clone());
         }
@@ -49,7 +52,8 @@ impl Report<'_> {
             .map(|p| (p.clone(), 1))
             .collect();
         if !divisors.is_empty() {
-            page.steps.push("What is divided by does not vanish:".into());
+            page.steps
+                .push("What is divided by does not vanish:".into());
             page.reasons(&divisors, "≠ 0", 2);
         }
         let used: Vec<usize> = page.used.iter().copied().collect();
@@ -58,11 +62,17 @@ impl Report<'_> {
             .map(|&at| {
                 let origin = match &problem.origins[at] {
                     Origin::Hypothesis(position) => self.premise(judged, *position),
-                    Origin::Domain(symbol) => format!("declared domain of {}", words::symbol(symbol)),
+                    Origin::Domain(symbol) => {
+                        format!("declared domain of {}", words::symbol(symbol))
+                    }
                     Origin::Sums => "a count or a sum of even powers".into(),
                     Origin::Lemma => "a lemma".into(),
                 };
-                format!("  [{}] {}   {origin}", at + 1, page.fact(&problem.facts[at]))
+                format!(
+                    "  [{}] {}   {origin}",
+                    at + 1,
+                    page.fact(&problem.facts[at])
+                )
             })
             .collect();
         if !known.is_empty() {
@@ -168,7 +178,12 @@ impl<'a> Written<'a> {
                 self.say(indent, &format!("{name} ≥ 0, for"));
                 self.step(&bound(goal.clone()), below, name, indent + 2);
                 self.say(indent, &format!("−{name} ≥ 0, for"));
-                self.step(&bound(goal.negated()), above, &format!("(−{name})"), indent + 2);
+                self.step(
+                    &bound(goal.negated()),
+                    above,
+                    &format!("(−{name})"),
+                    indent + 2,
+                );
             }
             Proof::Square(inner) => {
                 self.say(indent, &format!("{name} = 0, for −{name}² ≥ 0:"));

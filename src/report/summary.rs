@@ -2,16 +2,23 @@
 
 use crate::audit::{Entry, Verdict};
 
+use super::Report;
 use super::style::{BOLD, DIM, paint};
 use super::words::{count, list, shortened};
-use super::Report;
 
 const WIDEST_TITLE: usize = 44;
 
 impl Report<'_> {
     /// A row for each page, a row for all, and what it comes to.
     pub fn summary(&self) -> String {
-        let head = ["given", "holds", "fails", "ill-dim.", "undecided", "findings"];
+        let head = [
+            "given",
+            "holds",
+            "fails",
+            "ill-dim.",
+            "undecided",
+            "findings",
+        ];
         let pages = &self.derivation.pages;
         let titles: Vec<String> = pages
             .iter()

@@ -306,7 +306,9 @@ impl Prover {
             polynomial = polynomial.divided_by(&content).unwrap_or_default();
             multiplier.push((content, 1));
         }
-        if polynomial == fact.polynomial || polynomial.is_zero() {
+        if polynomial == fact.polynomial
+            || polynomial.as_constant().is_some_and(|c| !c.is_negative())
+        {
             return Ok(None);
         }
         // S m Q = M F − Σ C h

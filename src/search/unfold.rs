@@ -12,23 +12,26 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     let goal = formulas.len() - 1;
     let mut chosen = Vec::new();
     loop {
-        let mut wanted = BTreeSet::new();
-        let mut variables = BTreeSet::new();
+        let mut found = Operands::default();
         for term in formulas.iter().flat_map(Formula::terms) {
-            operands(term, &mut wanted, &mut variables);
+            found.collect(term);
         }
         for formula in &formulas {
             if let Formula::AllEqual { to, .. } = formula {
-                wanted.extend(to.free_symbols());
+                found.counts.extend(to.free_symbols());
             }
         }
         let next = (0..goal).find_map(|at| {
-            if chosen.contains(&at) || claim.hypotheses[at].standing != Standing::Identity {
+            if chosen.contains(&at) {
                 return None;
             }
             let (symbol, term) = definition(&formulas[at])?;
-            let fits = wanted.contains(&symbol) && !variables.contains(&symbol);
-            fits.then_some((at, symbol, term))
+            // A value at one point says nothing of how the symbol moves; a count does not move.
+            let fits = match found.moving.contains(&symbol) {
+                true => claim.hypotheses[at].standing == Standing::Identity,
+                false => found.counts.contains(&symbol),
+            };
+            (fits && !found.variables.contains(&symbol)).then_some((at, symbol, term))
         });
         let Some((at, symbol, term)) = next else {
             return chosen;
@@ -40,19 +43,32 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     }
 }
 
-/// The symbols under a derivative, limit or integral, or in the upper limit of a sum; and what is moved.
-fn operands(term: &Expr, wanted: &mut BTreeSet<Symbol>, variables: &mut BTreeSet<Symbol>) {
-    match term {
-        Expr::Derivative { body, variable }
-        | Expr::Limit { body, variable, .. }
-        | Expr::Integral { body, variable, .. } => {
-            wanted.extend(body.free_symbols().into_iter().filter(|s| s != variable));
-            variables.insert(variable.clone());
+/// The symbols to which something is done.
+#[derive(Default)]
+struct Operands {
+    /// Under a derivative, a limit or an integral.
+    moving: BTreeSet<Symbol>,
+    /// In the upper limit of a sum.
+    counts: BTreeSet<Symbol>,
+    /// What is differentiated by, goes to a limit or is integrated over.
+    variables: BTreeSet<Symbol>,
+}
+
+impl Operands {
+    fn collect(&mut self, term: &Expr) {
+        match term {
+            Expr::Derivative { body, variable }
+            | Expr::Limit { body, variable, .. }
+            | Expr::Integral { body, variable, .. } => {
+                self.moving
+                    .extend(body.free_symbols().into_iter().filter(|s| s != variable));
+                self.variables.insert(variable.clone());
+            }
+            Expr::Series { to, .. } => self.counts.extend(to.free_symbols()),
+            _ => {}
         }
-        Expr::Series { to, .. } => wanted.extend(to.free_symbols()),
-        _ => {}
-    }
-    for child in term.children() {
-        operands(child, wanted, variables);
+        for child in term.children() {
+            self.collect(child);
+        }
     }
 }

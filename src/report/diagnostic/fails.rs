@@ -66,10 +66,7 @@ impl Report<'_> {
             )),
             None => lines.push(format!("`{}` is false there", plain_formula(formula))),
         }
-        said.push((
-            Level::NOTE.with_name("counterexample"),
-            lines.join("\n"),
-        ));
+        said.push((Level::NOTE.with_name("counterexample"), lines.join("\n")));
         for note in &entry.notes {
             match note {
                 Note::UnstatedCondition(conditions) => {

@@ -77,7 +77,9 @@ impl Report<'_> {
                     self.references(cited),
                     self.sources(instead)
                 );
-                finding.said.extend(self.repair(note).map(|r| (Level::HELP, r)));
+                finding
+                    .said
+                    .extend(self.repair(note).map(|r| (Level::HELP, r)));
                 for source in exchange(cited, instead).0 {
                     if let Source::Equation(at) = source {
                         let text = format!("{} is at {}", self.reference(at), self.place(at));
@@ -138,7 +140,8 @@ impl Report<'_> {
                 finding.title = format!("there are two equations {label}");
                 let text = format!("the first is at {}", self.place(*at));
                 finding.said.push((Level::NOTE, text));
-                let help = "give one of them another number; citations mean the one on the same page";
+                let help =
+                    "give one of them another number; citations mean the one on the same page";
                 finding.said.push((Level::HELP, help.into()));
             }
             Note::Unreadable(error) => {
