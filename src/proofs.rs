@@ -5,19 +5,58 @@ use crate::document::Document;
 
 /// The pages in reading order: the path of each, and its text.
 pub const PAGES: &[(&str, &str)] = &[
-    ("proofs/report/1.2-conservation-laws.md", include_str!("../proofs/report/1.2-conservation-laws.md")),
-    ("proofs/report/1.3-scenarios.md", include_str!("../proofs/report/1.3-scenarios.md")),
-    ("proofs/report/1.4-n-balls-in-n-balls-out.md", include_str!("../proofs/report/1.4-n-balls-in-n-balls-out.md")),
-    ("proofs/report/2.1-restitution.md", include_str!("../proofs/report/2.1-restitution.md")),
-    ("proofs/report/2.2-hertz-contact.md", include_str!("../proofs/report/2.2-hertz-contact.md")),
-    ("proofs/report/2.3-heat.md", include_str!("../proofs/report/2.3-heat.md")),
-    ("proofs/report/2.4-sound.md", include_str!("../proofs/report/2.4-sound.md")),
-    ("proofs/report/2.5-energy-balance.md", include_str!("../proofs/report/2.5-energy-balance.md")),
-    ("proofs/report/3.1-unequal-masses.md", include_str!("../proofs/report/3.1-unequal-masses.md")),
-    ("proofs/report/3.5-mass-ratio.md", include_str!("../proofs/report/3.5-mass-ratio.md")),
-    ("proofs/report/3.6-efficiency.md", include_str!("../proofs/report/3.6-efficiency.md")),
-    ("proofs/report/3.7-maximum.md", include_str!("../proofs/report/3.7-maximum.md")),
-    ("proofs/report/4.2-energy-decay.md", include_str!("../proofs/report/4.2-energy-decay.md")),
+    (
+        "proofs/report/1.2-conservation-laws.md",
+        include_str!("../proofs/report/1.2-conservation-laws.md"),
+    ),
+    (
+        "proofs/report/1.3-scenarios.md",
+        include_str!("../proofs/report/1.3-scenarios.md"),
+    ),
+    (
+        "proofs/report/1.4-n-balls-in-n-balls-out.md",
+        include_str!("../proofs/report/1.4-n-balls-in-n-balls-out.md"),
+    ),
+    (
+        "proofs/report/2.1-restitution.md",
+        include_str!("../proofs/report/2.1-restitution.md"),
+    ),
+    (
+        "proofs/report/2.2-hertz-contact.md",
+        include_str!("../proofs/report/2.2-hertz-contact.md"),
+    ),
+    (
+        "proofs/report/2.3-heat.md",
+        include_str!("../proofs/report/2.3-heat.md"),
+    ),
+    (
+        "proofs/report/2.4-sound.md",
+        include_str!("../proofs/report/2.4-sound.md"),
+    ),
+    (
+        "proofs/report/2.5-energy-balance.md",
+        include_str!("../proofs/report/2.5-energy-balance.md"),
+    ),
+    (
+        "proofs/report/3.1-unequal-masses.md",
+        include_str!("../proofs/report/3.1-unequal-masses.md"),
+    ),
+    (
+        "proofs/report/3.5-mass-ratio.md",
+        include_str!("../proofs/report/3.5-mass-ratio.md"),
+    ),
+    (
+        "proofs/report/3.6-efficiency.md",
+        include_str!("../proofs/report/3.6-efficiency.md"),
+    ),
+    (
+        "proofs/report/3.7-maximum.md",
+        include_str!("../proofs/report/3.7-maximum.md"),
+    ),
+    (
+        "proofs/report/4.2-energy-decay.md",
+        include_str!("../proofs/report/4.2-energy-decay.md"),
+    ),
 ];
 
 /// The whole report, read as one derivation.

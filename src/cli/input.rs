@@ -16,7 +16,11 @@ pub fn derivation(paths: &[PathBuf]) -> Result<Derivation, Failure> {
     let mut files: Vec<PathBuf> = Vec::new();
     for path in paths {
         let found = documents(path)?;
-        files.extend(found.into_iter().filter(|f| !paths.contains(f) || f == path));
+        files.extend(
+            found
+                .into_iter()
+                .filter(|f| !paths.contains(f) || f == path),
+        );
     }
     let mut seen = std::collections::BTreeSet::new();
     files.retain(|file| seen.insert(file.clone()));
@@ -44,7 +48,10 @@ fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
             // A link to a directory is not followed: it may lead back.
             if kind.is_dir() {
                 open.push(own);
-            } else if own.extension().is_some_and(|e| e.eq_ignore_ascii_case("md")) && own.is_file()
+            } else if own
+                .extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case("md"))
+                && own.is_file()
             {
                 found.push(own);
             }
@@ -52,10 +59,11 @@ fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
     }
     found.sort();
     match found.is_empty() {
-        true => Err(
-            Failure::new(format!("there is no Markdown document in `{}`", path.display()))
-                .help("documents are files whose names end in `.md`"),
-        ),
+        true => Err(Failure::new(format!(
+            "there is no Markdown document in `{}`",
+            path.display()
+        ))
+        .help("documents are files whose names end in `.md`")),
         false => Ok(found),
     }
 }
@@ -81,9 +89,10 @@ fn read(path: &Path) -> Result<Document, Failure> {
 
 fn unread(path: &Path, error: &std::io::Error) -> Failure {
     match error.kind() {
-        std::io::ErrorKind::NotFound => {
-            Failure::new(format!("there is no file or directory `{}`", path.display()))
-        }
+        std::io::ErrorKind::NotFound => Failure::new(format!(
+            "there is no file or directory `{}`",
+            path.display()
+        )),
         _ => Failure::new(format!("`{}` cannot be read: {error}", path.display())),
     }
 }

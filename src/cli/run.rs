@@ -1,5 +1,7 @@
 //! What each command does: text for standard output, and whether anything was found.
 
+use std::path::PathBuf;
+
 use nalgebra::DVector;
 use num_rational::BigRational;
 use num_traits::One;
@@ -18,20 +20,21 @@ type Done = Result<(String, bool), Failure>;
 pub(super) fn run(args: &Args) -> Done {
     if let Some(letter) = &args.scenario {
         if args.command.is_some() {
-            return Err(Failure::new("`--scenario` stands without a command")
-                .help("for an outcome of your own: `cradle-verify scenario --before … --after …`"));
+            return Err(Failure::new("`--scenario` stands without a command").help(
+                "for an outcome of your own: `cradle-verify scenario --before … --after …`",
+            ));
         }
         return judged(&built_in(letter)?, args.format);
     }
     match &args.command {
-        None => audit(&proofs::report(), args),
-        Some(Command::Check { paths }) => audit(&input::derivation(paths)?, args),
+        None => audit(&proofs::report(), args, &[]),
+        Some(Command::Check { paths }) => audit(&input::derivation(paths)?, args, &shown(paths)),
         Some(Command::Explain { label, paths }) => {
             let derivation = match paths.is_empty() {
                 true => proofs::report(),
                 false => input::derivation(paths)?,
             };
-            explain(&derivation, label, args)
+            explain(&derivation, label, args, &shown(paths))
         }
         Some(Command::Scenario {
             before,
@@ -41,11 +44,19 @@ pub(super) fn run(args: &Args) -> Done {
     }
 }
 
-fn audit(derivation: &Derivation, args: &Args) -> Done {
+fn shown(paths: &[PathBuf]) -> Vec<String> {
+    paths
+        .iter()
+        .map(|path| path.display().to_string())
+        .collect()
+}
+
+fn audit(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
     let audit = Audit::of(derivation);
     let report = Report {
         derivation,
         audit: &audit,
+        paths,
     };
     let text = match args.format {
         Format::Human => report.human(args.show_understood),
@@ -54,7 +65,7 @@ fn audit(derivation: &Derivation, args: &Args) -> Done {
     Ok((text, report.findings() > 0))
 }
 
-fn explain(derivation: &Derivation, label: &str, args: &Args) -> Done {
+fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) -> Done {
     let found = derivation.find(label);
     let Some(found) = found else {
         let failure = Failure::new(format!("there is no equation `{label}`"));
@@ -70,11 +81,15 @@ fn explain(derivation: &Derivation, label: &str, args: &Args) -> Done {
         None => e.name == name,
     };
     let equations = derivation.equations.iter().enumerate();
-    let all: Vec<usize> = equations.filter(|(_, e)| same(e)).map(|(at, _)| at).collect();
+    let all: Vec<usize> = equations
+        .filter(|(_, e)| same(e))
+        .map(|(at, _)| at)
+        .collect();
     let audit = Audit::of(derivation);
     let report = Report {
         derivation,
         audit: &audit,
+        paths,
     };
     let entries = || all.iter().flat_map(|&at| audit.of_equation(at));
     let text = match args.format {

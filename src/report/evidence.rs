@@ -53,7 +53,10 @@ impl<'a> Point<'a> {
             .collect();
         for (sequence, elements) in &self.at.sequences {
             let elements: Vec<String> = elements.iter().map(number).collect();
-            all.push((words::symbol(sequence), format!("({})", elements.join(", "))));
+            all.push((
+                words::symbol(sequence),
+                format!("({})", elements.join(", ")),
+            ));
         }
         for ((symbol, variable), value) in &self.at.derivatives {
             let name = format!("d{}/d{}", words::symbol(symbol), words::symbol(variable));

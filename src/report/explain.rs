@@ -5,10 +5,10 @@ use crate::derivation::{Derivation, Source};
 use crate::kernel::{Claim, Refuted};
 use crate::notation::{latex_statement, plain_formula};
 
+use super::Report;
 use super::evidence::{Point, number};
 use super::style::{self, BOLD, DIM, paint};
 use super::words::{self, plain_statement};
-use super::Report;
 
 impl Report<'_> {
     /// An equation with all its statements.
@@ -44,7 +44,7 @@ impl Report<'_> {
         text += &format!("  verdict     {verdict}\n");
         for note in &entry.notes {
             if let Some(aside) = self.aside(note) {
-                text += &format!("  {:<11} {aside}\n", note.code());
+                text += &format!("  note        {aside}\n");
             }
         }
         if let Some(model) = &entry.model {
@@ -88,7 +88,10 @@ impl Report<'_> {
         text += "    From\n";
         for assumed in &judged.assumed {
             let formula = plain_formula(&assumed.formula);
-            text += &format!("      {formula}   {}\n", paint(DIM, &self.origin(assumed.source)));
+            text += &format!(
+                "      {formula}   {}\n",
+                paint(DIM, &self.origin(assumed.source))
+            );
         }
         for line in claim.map(domains).unwrap_or_default() {
             text += &format!("      {line}   {}\n", paint(DIM, "declared"));
@@ -161,7 +164,10 @@ fn witness(refuted: &Refuted) -> Vec<String> {
         .collect();
     for &position in &refuted.witness().unfold {
         if let Some(hypothesis) = claim.hypotheses.get(position) {
-            lines.push(format!("with {} put in", plain_formula(&hypothesis.formula)));
+            lines.push(format!(
+                "with {} put in",
+                plain_formula(&hypothesis.formula)
+            ));
         }
     }
     if !claim.hypotheses.is_empty() {
@@ -201,7 +207,9 @@ fn assigned(at: &crate::kernel::Assignment) -> Vec<String> {
         goal: crate::algebra::Formula::nonzero(crate::algebra::Expr::integer(1)),
     };
     let values = Point::new(&empty, at).values().into_iter();
-    values.map(|(name, value)| format!("{name} = {value}")).collect()
+    values
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect()
 }
 
 /// The numbers and names nearest to one that is not there: at most five.

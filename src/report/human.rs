@@ -33,7 +33,10 @@ impl Report<'_> {
             }
             text.push('\n');
             let entries = &self.audit.entries;
-            for entry in entries.iter().filter(|e| self.equation(e.equation).page == at) {
+            for entry in entries
+                .iter()
+                .filter(|e| self.equation(e.equation).page == at)
+            {
                 text += &self.line(entry, names);
                 if show_understood {
                     text += &self.understood(entry, names);

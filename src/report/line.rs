@@ -1,8 +1,9 @@
 //! One line for each equation: its number, the verdict, and the one thing to know.
 
+use crate::algebra::{Expr, Formula, Relation};
 use crate::audit::{Entry, Judged, Note, Outcome, Verdict};
 use crate::derivation::Source;
-use crate::kernel::{Proven, Refuted};
+use crate::kernel::Refuted;
 use crate::notation::{Mark, latex_statement};
 
 use super::evidence::{Point, number};
@@ -93,13 +94,18 @@ impl Report<'_> {
             false => format!(" at {values}"),
         };
         match point.sides(formula) {
-            Some((left, right)) => {
-                format!("left {}, right {}{at}", number(&left), number(&right))
-            }
-            None => format!(
-                "`{}` is false{at}",
-                crate::notation::plain_formula(formula)
-            ),
+            Some((left, right)) => match formula {
+                Formula::Relation { relation, .. } if *relation != Relation::Equal => {
+                    let there = Formula::Relation {
+                        left: Expr::Number(left),
+                        relation: *relation,
+                        right: Expr::Number(right),
+                    };
+                    format!("{} is false{at}", crate::notation::plain_formula(&there))
+                }
+                _ => format!("left {}, right {}{at}", number(&left), number(&right)),
+            },
+            None => format!("`{}` is false{at}", crate::notation::plain_formula(formula)),
         }
     }
 
@@ -136,17 +142,10 @@ impl Report<'_> {
                 shown.push(text);
             }
         }
-        let proofs: Vec<&Proven> = entry
-            .judged
-            .iter()
-            .filter_map(|j| match &j.outcome {
-                Outcome::Proven(proven) => Some(&**proven),
-                _ => None,
-            })
-            .collect();
+        let equation = |j: &Judged| matches!(&j.goal.formula, Formula::Relation { relation, .. } if *relation == Relation::Equal);
         match shown.is_empty() {
-            true if proofs.iter().all(|p| p.claim().domains.is_empty()) => "an identity".into(),
-            true => "by itself, for all values in the declared domains".into(),
+            true if entry.judged.iter().all(equation) => "an identity".into(),
+            true => "by algebra alone".into(),
             false => format!("from {}", words::list(shown)),
         }
     }
@@ -172,7 +171,12 @@ impl Report<'_> {
             Note::Uncited(sources) => format!("from {}, uncited", self.sources(sources)),
             Note::UnstatedCondition(conditions) => format!(
                 "true only if {}, which is not stated",
-                words::list(conditions.iter().map(crate::notation::plain_formula).collect())
+                words::list(
+                    conditions
+                        .iter()
+                        .map(crate::notation::plain_formula)
+                        .collect()
+                )
             ),
             Note::InconsistentPremises(sources) => {
                 format!("contradicts {}", self.sources(sources))
@@ -199,10 +203,13 @@ impl Report<'_> {
 }
 
 fn undecided(entry: &Entry) -> Option<String> {
-    entry.judged.iter().find_map(|judged| match &judged.outcome {
-        Outcome::Open(stop) if !stop.reason.is_empty() => Some(stop.reason.clone()),
-        _ => None,
-    })
+    entry
+        .judged
+        .iter()
+        .find_map(|judged| match &judged.outcome {
+            Outcome::Open(stop) if !stop.reason.is_empty() => Some(stop.reason.clone()),
+            _ => None,
+        })
 }
 
 /// What should be cited and is not, and what is cited to no use.

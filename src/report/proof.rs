@@ -8,8 +8,7 @@ use std::collections::BTreeSet;
 use crate::algebra::{Polynomial, expr_of};
 use crate::derivation::Source;
 use crate::kernel::{
-    Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Proven,
-    SeriesSquare, Sign,
+    Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Proven, SeriesSquare, Sign,
 };
 use crate::notation::{plain, plain_formula};
 
@@ -28,17 +27,15 @@ impl Report<'_> {
         let mut lines = Vec::new();
         for &position in &certificate.unfold {
             if let Some(hypothesis) = claim.hypotheses.get(position) {
-                lines.push(format!("with {} put in", plain_formula(&hypothesis.formula)));
+                lines.push(format!(
+                    "with {} put in",
+                    plain_formula(&hypothesis.formula)
+                ));
             }
         }
         let mut page = Written::new(&problem);
-        for (at, lemma) in certificate.lemmas.iter().enumerate() {
-            let number = problem.facts.len() + at + 1;
-            let name = format!("[{number}]");
-            page.steps.push(format!("{name} {}", page.fact(&lemma.fact)));
-            page.step(&lemma.fact, &lemma.proof, &name, 2);
-            page.known.push(lemma.fact.clone());
-        }
+        page.known
+            .extend(certificate.lemmas.iter().map(|lemma| lemma.fact.clone()));
         let goal = page.fact(&problem.goal);
         page.steps.push(format!("To show: {goal}   (G)"));
         page.step(&problem.goal, &certificate.conclusion, "G", 2);
@@ -49,27 +46,49 @@ impl Report<'_> {
             .map(|p| (p.clone(), 1))
             .collect();
         if !divisors.is_empty() {
-            page.steps.push("What is divided by does not vanish:".into());
-            page.reasons(&divisors, "≠ 0", 2);
+            page.steps
+                .push("What is divided by does not vanish:".into());
+            page.reasons(&divisors, "≠ 0", 0);
         }
+        // From the last lemma to the first: those that nothing refers to are left out.
+        let mut parts = vec![std::mem::take(&mut page.steps)];
+        for (at, lemma) in certificate.lemmas.iter().enumerate().rev() {
+            let number = problem.facts.len() + at;
+            if !page.used.contains(&number) {
+                continue;
+            }
+            let name = format!("[{}]", number + 1);
+            page.known.truncate(number);
+            page.steps
+                .push(format!("{name} {}", page.fact(&lemma.fact)));
+            page.step(&lemma.fact, &lemma.proof, &name, 2);
+            parts.push(std::mem::take(&mut page.steps));
+        }
+        parts.reverse();
         let used: Vec<usize> = page.used.iter().copied().collect();
         let facts = used.iter().filter(|&&at| at < problem.facts.len());
         let known: Vec<String> = facts
             .map(|&at| {
                 let origin = match &problem.origins[at] {
                     Origin::Hypothesis(position) => self.premise(judged, *position),
-                    Origin::Domain(symbol) => format!("declared domain of {}", words::symbol(symbol)),
+                    Origin::Domain(symbol) => {
+                        format!("declared domain of {}", words::symbol(symbol))
+                    }
                     Origin::Sums => "a count or a sum of even powers".into(),
                     Origin::Lemma => "a lemma".into(),
                 };
-                format!("  [{}] {}   {origin}", at + 1, page.fact(&problem.facts[at]))
+                format!(
+                    "  [{}] {}   {origin}",
+                    at + 1,
+                    page.fact(&problem.facts[at])
+                )
             })
             .collect();
         if !known.is_empty() {
             lines.push("Known:".into());
             lines.extend(known);
         }
-        lines.extend(page.steps);
+        lines.extend(parts.into_iter().flatten());
         lines
     }
 
@@ -168,7 +187,12 @@ impl<'a> Written<'a> {
                 self.say(indent, &format!("{name} ≥ 0, for"));
                 self.step(&bound(goal.clone()), below, name, indent + 2);
                 self.say(indent, &format!("−{name} ≥ 0, for"));
-                self.step(&bound(goal.negated()), above, &format!("(−{name})"), indent + 2);
+                self.step(
+                    &bound(goal.negated()),
+                    above,
+                    &format!("(−{name})"),
+                    indent + 2,
+                );
             }
             Proof::Square(inner) => {
                 self.say(indent, &format!("{name} = 0, for −{name}² ≥ 0:"));
@@ -248,7 +272,7 @@ impl<'a> Written<'a> {
             if sign == "≥ 0" && exponent % 2 == 0 {
                 continue;
             }
-            let because = self.because(factor);
+            let because = self.because(factor, sign, exponent % 2 == 0);
             for &at in &because {
                 self.used.insert(at);
             }
@@ -262,11 +286,7 @@ impl<'a> Written<'a> {
     }
 
     /// The fewest facts that show the sign of a factor: itself, or what is known of its unknowns.
-    fn because(&self, factor: &Polynomial) -> Vec<usize> {
-        let itself = |f: &Fact| f.sign != Sign::Zero && f.polynomial.monic() == factor.monic();
-        if let Some(at) = self.known.iter().position(itself) {
-            return vec![at];
-        }
+    fn because(&self, factor: &Polynomial, sign: &str, even: bool) -> Vec<usize> {
         let mut all: Vec<usize> = Vec::new();
         for (at, fact) in self.known.iter().enumerate() {
             let vars = fact.polynomial.vars();
@@ -275,19 +295,13 @@ impl<'a> Written<'a> {
                 all.push(at);
             }
         }
-        let shows = |facts: &[usize]| {
-            let facts: Vec<Fact> = facts.iter().map(|&at| self.known[at].clone()).collect();
-            let knowledge = Knowledge::new(&facts);
-            knowledge.is_nonzero(factor) || knowledge.is_nonnegative(factor)
-        };
-        // As strong a word as all facts together have.
-        let knowledge = Knowledge::new(&self.known);
-        let nonzero = knowledge.is_nonzero(factor);
         let enough = |facts: &[usize]| {
             let chosen: Vec<Fact> = facts.iter().map(|&at| self.known[at].clone()).collect();
-            match nonzero {
-                true => Knowledge::new(&chosen).is_nonzero(factor),
-                false => shows(facts),
+            let knowledge = Knowledge::new(&chosen);
+            match sign {
+                "≠ 0" => knowledge.is_nonzero(factor),
+                "> 0" => knowledge.is_positive(factor) || even && knowledge.is_nonzero(factor),
+                _ => knowledge.is_nonnegative(factor),
             }
         };
         for at in all.clone().into_iter().rev() {

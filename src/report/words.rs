@@ -76,7 +76,9 @@ impl<'a> Report<'a> {
             Source::Local(page, at) => {
                 let local = self.derivation.local(page, at);
                 let said: Vec<String> = local.formulas.iter().map(plain_formula).collect();
-                let line = self.derivation.pages[page].document.position(local.span.start);
+                let line = self.derivation.pages[page]
+                    .document
+                    .position(local.span.start);
                 format!("`{}` (line {})", said.join(", "), line.line)
             }
             Source::Step => "the step before".into(),
@@ -120,7 +122,9 @@ pub(super) fn plain_statement(statement: &Statement) -> String {
 fn plain_clause(clause: &Clause) -> String {
     match clause {
         Clause::Chain { sides, links } => {
-            let mut text = sides.first().map_or(String::new(), |side| plain(&side.expr));
+            let mut text = sides
+                .first()
+                .map_or(String::new(), |side| plain(&side.expr));
             for (link, pair) in links.iter().zip(sides.windows(2)) {
                 let whole = plain_formula(&Formula::Relation {
                     left: pair[0].expr.clone(),

@@ -45,6 +45,23 @@ impl Report<'_> {
         })
     }
 
+    pub(super) fn ill_dimensioned(&self, entry: &Entry) -> Finding {
+        let equation = self.equation(entry.equation);
+        let whole = self.statement(entry).map_or(equation.body, |s| s.span);
+        Finding {
+            level: Level::ERROR,
+            code: "ill-dimensioned",
+            title: format!(
+                "{} adds or equates what differs in dimension",
+                self.subject(entry)
+            ),
+            page: equation.page,
+            primary: (whole, String::new()),
+            context: Vec::new(),
+            said: replay(self, entry.equation).into_iter().collect(),
+        }
+    }
+
     fn evidence(
         &self,
         entry: &Entry,
@@ -66,10 +83,7 @@ impl Report<'_> {
             )),
             None => lines.push(format!("`{}` is false there", plain_formula(formula))),
         }
-        said.push((
-            Level::NOTE.with_name("counterexample"),
-            lines.join("\n"),
-        ));
+        said.push((Level::NOTE.with_name("counterexample"), lines.join("\n")));
         for note in &entry.notes {
             match note {
                 Note::UnstatedCondition(conditions) => {

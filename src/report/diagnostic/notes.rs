@@ -9,7 +9,7 @@ use crate::notation::Mark;
 
 use super::super::Report;
 use super::super::line::exchange;
-use super::super::words::{self, list};
+use super::super::words::list;
 use super::fails::conditional;
 use super::{Finding, replay, unreadable};
 
@@ -77,7 +77,9 @@ impl Report<'_> {
                     self.references(cited),
                     self.sources(instead)
                 );
-                finding.said.extend(self.repair(note).map(|r| (Level::HELP, r)));
+                finding
+                    .said
+                    .extend(self.repair(note).map(|r| (Level::HELP, r)));
                 for source in exchange(cited, instead).0 {
                     if let Source::Equation(at) = source {
                         let text = format!("{} is at {}", self.reference(at), self.place(at));
@@ -134,14 +136,19 @@ impl Report<'_> {
             }
             Note::DuplicateTag(at) => {
                 finding.level = Level::ERROR;
-                let label = words::list(equation.label().map(str::to_owned).into_iter().collect());
-                finding.title = format!("there are two equations {label}");
+                let label = self.reference(entry.equation);
+                finding.title = format!("{label} stands for two equations");
                 let text = format!("the first is at {}", self.place(*at));
                 finding.said.push((Level::NOTE, text));
-                let help = "give one of them another number; citations mean the one on the same page";
+                let help =
+                    "give one of them another number; citations mean the one on the same page";
                 finding.said.push((Level::HELP, help.into()));
             }
             Note::Unreadable(error) => {
+                let subject = match equation.label() {
+                    Some(_) => subject,
+                    None => "this equation".into(),
+                };
                 let title = format!("{subject} could not be read: {}", error.message);
                 let help = error.help.clone();
                 let mut finding = unreadable(equation.page, error.span, title, help);
