@@ -243,6 +243,8 @@ fn explanations_can_be_checked_by_hand() {
     ] {
         assert!(proof.contains(part), "{part} in {proof}");
     }
+    let limit = out(&program(&["explain", "65"]));
+    assert!(limit.contains("comes to"), "{limit}");
     let witness = program(&["explain", "(23)"]);
     assert_eq!(code(&witness), 1);
     for part in [

@@ -42,7 +42,7 @@ impl Report<'_> {
                 all.push(unreadable(
                     number,
                     problem.span,
-                    format!("this could not be read: {}", problem.message),
+                    problem.message.clone(),
                     problem.help.clone(),
                 ));
             }

@@ -5,16 +5,18 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Polynomial, expr_of};
+use crate::algebra::{Expr, Polynomial, expr_of};
 use crate::derivation::Source;
 use crate::kernel::{
-    Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Proven, SeriesSquare, Sign,
+    Assignment, Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Proven,
+    SeriesSquare, Sign,
 };
 use crate::notation::{plain, plain_formula};
 
 use crate::audit::Judged;
 use crate::kernel::Origin;
 
+use super::evidence::Point;
 use super::{Report, words};
 
 impl Report<'_> {
@@ -31,6 +33,16 @@ impl Report<'_> {
                     "with {} put in",
                     plain_formula(&hypothesis.formula)
                 ));
+            }
+        }
+        let at = Assignment {
+            unfold: certificate.unfold.clone(),
+            ..Assignment::default()
+        };
+        let point = Point::new(claim, &at);
+        for term in claim.goal.terms().into_iter().filter(|t| has_calculus(t)) {
+            if let Some(value) = point.computed(term).filter(|value| value != term) {
+                lines.push(format!("{} comes to {}", plain(term), plain(&value)));
             }
         }
         let mut page = Written::new(&problem);
@@ -101,6 +113,12 @@ impl Report<'_> {
             None => "a hypothesis".into(),
         }
     }
+}
+
+/// Whether a derivative or a limit is taken in a term.
+fn has_calculus(term: &Expr) -> bool {
+    matches!(term, Expr::Derivative { .. } | Expr::Limit { .. })
+        || term.children().into_iter().any(has_calculus)
 }
 
 /// A proof as it is being written.

@@ -73,7 +73,10 @@ impl Report<'_> {
             self.judged_from(judged),
         )];
         let point = Point::new(refuted.claim(), refuted.witness());
-        let mut lines = wrapped(&point.values());
+        let mut lines = match point.values().as_slice() {
+            [] => vec!["there is nothing to choose".to_owned()],
+            values => wrapped(values),
+        };
         let formula = &judged.goal.formula;
         match point.sides(formula) {
             Some((left, right)) => lines.push(format!(
