@@ -49,6 +49,13 @@ impl Fraction {
 
     /// The sum.
     pub fn plus(&self, other: &Self) -> Result<Self, TooLarge> {
+        if self.denominator == other.denominator {
+            let sum = Fraction {
+                numerator: self.numerator.plus(&other.numerator),
+                denominator: self.denominator.clone(),
+            };
+            return Ok(sum.cancelled());
+        }
         let mut denominator = self.denominator.clone();
         for (factor, exponent) in other.denominator() {
             let slot = denominator.entry(factor.clone()).or_insert(0);
@@ -119,6 +126,9 @@ impl Fraction {
     }
 
     fn cancelled(mut self) -> Self {
+        if self.denominator.is_empty() {
+            return self;
+        }
         if self.numerator.is_zero() {
             self.denominator.clear();
             return self;

@@ -71,15 +71,21 @@ impl Lowering<'_> {
                 index: index.clone(),
             })),
             Expr::Sum(terms) => {
-                let mut sum = Fraction::default();
-                for term in terms {
+                let Some((first, rest)) = terms.split_first() else {
+                    return Ok(Fraction::default());
+                };
+                let mut sum = self.lower(first)?;
+                for term in rest {
                     sum = sum.plus(&self.lower(term)?)?;
                 }
                 Ok(sum)
             }
             Expr::Product(factors) => {
-                let mut product = Fraction::from(Rational::one());
-                for factor in factors {
+                let Some((first, rest)) = factors.split_first() else {
+                    return Ok(Rational::one().into());
+                };
+                let mut product = self.lower(first)?;
+                for factor in rest {
                     product = product.times(&self.lower(factor)?)?;
                 }
                 Ok(product)

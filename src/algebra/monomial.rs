@@ -1,5 +1,7 @@
 use std::cmp::Ordering;
 
+use smallvec::{SmallVec, smallvec};
+
 /// An unknown of a polynomial: the position of its [`Atom`](super::Atom) in an [`Atoms`](super::Atoms) table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Var(pub(super) u32);
@@ -16,8 +18,11 @@ impl Var {
 pub struct Monomial {
     degree: u32,
     /// Sorted by unknown; no exponent is zero.
-    powers: Vec<(Var, u32)>,
+    powers: Powers,
 }
+
+/// Few products have more than four unknowns; those that do go to the heap.
+type Powers = SmallVec<[(Var, u32); 4]>;
 
 impl Monomial {
     /// The empty product.
@@ -32,7 +37,7 @@ impl Monomial {
         }
         Monomial {
             degree: exponent,
-            powers: vec![(var, exponent)],
+            powers: smallvec![(var, exponent)],
         }
     }
 
@@ -58,7 +63,7 @@ impl Monomial {
             .map_or(0, |at| self.powers[at].1)
     }
 
-    fn from_powers(powers: Vec<(Var, u32)>) -> Self {
+    fn from_powers(powers: Powers) -> Self {
         Monomial {
             degree: powers.iter().map(|p| p.1).sum(),
             powers,
@@ -68,7 +73,7 @@ impl Monomial {
     /// Merges the two exponent lists; `join` says what becomes of the two exponents of one unknown.
     fn merge(&self, other: &Self, join: impl Fn(u32, u32) -> u32) -> Self {
         let (a, b) = (&self.powers, &other.powers);
-        let mut out = Vec::with_capacity(a.len() + b.len());
+        let mut out = Powers::new();
         let (mut i, mut j) = (0, 0);
         while i < a.len() || j < b.len() {
             let order = match (a.get(i), b.get(j)) {

@@ -1,4 +1,5 @@
-use std::collections::{BTreeMap, BTreeSet};
+use std::cmp::Ordering;
+use std::collections::BTreeSet;
 use std::fmt;
 
 use super::{Monomial, Rational, Var};
@@ -21,11 +22,11 @@ impl fmt::Display for TooLarge {
 
 /// A polynomial over the rationals in the unknowns of an [`Atoms`](super::Atoms) table.
 ///
-/// Canonical by construction: no coefficient is zero, so two polynomials are equal exactly when their
-/// maps are.
+/// Canonical by construction: the terms are sorted, none occurs twice and no coefficient is zero, so two
+/// polynomials are equal exactly when their lists of terms are.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Polynomial {
-    terms: BTreeMap<Monomial, Rational>,
+    terms: Vec<(Monomial, Rational)>,
 }
 
 impl Polynomial {
@@ -51,16 +52,16 @@ impl Polynomial {
 
     /// `coefficient · monomial`.
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
-        let mut terms = BTreeMap::new();
-        if !coefficient.is_zero() {
-            terms.insert(monomial, coefficient);
-        }
+        let terms = match coefficient.is_zero() {
+            true => Vec::new(),
+            false => vec![(monomial, coefficient)],
+        };
         Polynomial { terms }
     }
 
     /// The terms from the lowest to the highest.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
-        self.terms.iter()
+        self.terms.iter().map(|(m, c)| (m, c))
     }
 
     /// How many terms there are.
@@ -89,12 +90,13 @@ impl Polynomial {
 
     /// The coefficient of a monomial, where it occurs.
     pub fn coefficient(&self, monomial: &Monomial) -> Option<&Rational> {
-        self.terms.get(monomial)
+        let found = self.terms.binary_search_by(|(m, _)| m.cmp(monomial));
+        found.ok().map(|at| &self.terms[at].1)
     }
 
     /// The highest term.
     pub fn leading(&self) -> Option<(&Monomial, &Rational)> {
-        self.terms.last_key_value()
+        self.terms.last().map(|(m, c)| (m, c))
     }
 
     /// The total degree; 0 for the zero polynomial.
@@ -104,52 +106,71 @@ impl Polynomial {
 
     /// The unknowns that occur.
     pub fn vars(&self) -> BTreeSet<Var> {
-        let powers = self.terms.keys().flat_map(|m| m.powers());
+        let powers = self.terms.iter().flat_map(|(m, _)| m.powers());
         powers.map(|p| p.0).collect()
     }
 
     /// The degree in one unknown.
     pub fn degree_in(&self, var: Var) -> u32 {
         self.terms
-            .keys()
-            .map(|m| m.exponent(var))
+            .iter()
+            .map(|(m, _)| m.exponent(var))
             .max()
             .unwrap_or(0)
     }
 
-    fn add_term(&mut self, monomial: Monomial, coefficient: Rational) {
-        use std::collections::btree_map::Entry;
-        match self.terms.entry(monomial) {
-            Entry::Vacant(slot) => {
-                if !coefficient.is_zero() {
-                    slot.insert(coefficient);
-                }
+    /// From terms in any order, equal monomials added up.
+    fn collect(mut terms: Vec<(Monomial, Rational)>) -> Self {
+        terms.sort_by(|a, b| a.0.cmp(&b.0));
+        let mut sorted: Vec<(Monomial, Rational)> = Vec::with_capacity(terms.len());
+        for (monomial, coefficient) in terms {
+            match sorted.last_mut() {
+                Some(last) if last.0 == monomial => last.1 += coefficient,
+                _ => sorted.push((monomial, coefficient)),
             }
-            Entry::Occupied(mut slot) => {
-                *slot.get_mut() += coefficient;
-                if slot.get().is_zero() {
-                    slot.remove();
+        }
+        sorted.retain(|term| !term.1.is_zero());
+        Polynomial { terms: sorted }
+    }
+
+    /// `self + factor · other`, by merging.
+    fn merged(&self, other: &Self, factor: &Rational) -> Self {
+        let (a, b) = (&self.terms, &other.terms);
+        let mut terms = Vec::with_capacity(a.len() + b.len());
+        let (mut i, mut j) = (0, 0);
+        while i < a.len() && j < b.len() {
+            match a[i].0.cmp(&b[j].0) {
+                Ordering::Less => {
+                    terms.push(a[i].clone());
+                    i += 1;
+                }
+                Ordering::Greater => {
+                    terms.push((b[j].0.clone(), factor * &b[j].1));
+                    j += 1;
+                }
+                Ordering::Equal => {
+                    let sum = &a[i].1 + factor * &b[j].1;
+                    if !sum.is_zero() {
+                        terms.push((a[i].0.clone(), sum));
+                    }
+                    i += 1;
+                    j += 1;
                 }
             }
         }
+        terms.extend_from_slice(&a[i..]);
+        terms.extend(b[j..].iter().map(|(m, c)| (m.clone(), factor * c)));
+        Polynomial { terms }
     }
 
     /// The sum.
     pub fn plus(&self, other: &Self) -> Self {
-        let mut sum = self.clone();
-        for (m, c) in &other.terms {
-            sum.add_term(m.clone(), c.clone());
-        }
-        sum
+        self.merged(other, &Rational::one())
     }
 
     /// The difference.
     pub fn minus(&self, other: &Self) -> Self {
-        let mut difference = self.clone();
-        for (m, c) in &other.terms {
-            difference.add_term(m.clone(), -c.clone());
-        }
-        difference
+        self.merged(other, &Rational::from(-1))
     }
 
     /// The negative.
@@ -187,13 +208,18 @@ impl Polynomial {
         if self.len().saturating_mul(other.len()) > MOST_TERM_PRODUCTS || degree > HIGHEST_DEGREE {
             return Err(TooLarge);
         }
-        let mut product = Polynomial::zero();
-        for (m, c) in &self.terms {
-            for (n, d) in &other.terms {
-                product.add_term(m.times(n), c * d);
-            }
+        // Multiplying by one term keeps the order.
+        if let [(m, c)] = other.terms.as_slice() {
+            return Ok(self.times_term(m, c));
         }
-        Ok(product)
+        if let [(m, c)] = self.terms.as_slice() {
+            return Ok(other.times_term(m, c));
+        }
+        let mut terms = Vec::with_capacity(self.len() * other.len());
+        for (m, c) in &self.terms {
+            terms.extend(other.terms.iter().map(|(n, d)| (m.times(n), c * d)));
+        }
+        Ok(Polynomial::collect(terms))
     }
 
     /// The power, within bounds.
@@ -229,27 +255,39 @@ impl Polynomial {
     /// `self / other`, where the division leaves no remainder.
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
         let (lead, coefficient) = other.leading()?;
-        let (mut rest, mut quotient) = (self.clone(), Polynomial::zero());
+        if let [(monomial, coefficient)] = other.terms.as_slice() {
+            let terms = self.terms.iter();
+            let terms = terms.map(|(m, c)| Some((m.divided_by(monomial)?, c / coefficient)));
+            return terms
+                .collect::<Option<_>>()
+                .map(|terms| Polynomial { terms });
+        }
+        // The lowest terms must divide too: most divisions that fail, fail here.
+        if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first()) {
+            low.divided_by(own)?;
+        }
+        let (mut rest, mut quotient) = (self.clone(), Vec::new());
         while let Some((m, c)) = rest.leading() {
             let (m, c) = (m.divided_by(lead)?, c / coefficient);
             rest = rest.minus(&other.times_term(&m, &c));
-            quotient.add_term(m, c);
+            quotient.push((m, c));
         }
-        Some(quotient)
+        quotient.reverse();
+        Some(Polynomial { terms: quotient })
     }
 
     /// The coefficients of the powers of one unknown, from the 0th up.
     pub fn in_powers_of(&self, var: Var) -> Vec<Polynomial> {
-        let mut coefficients = vec![Polynomial::zero(); self.degree_in(var) as usize + 1];
+        let mut coefficients = vec![Vec::new(); self.degree_in(var) as usize + 1];
         for (m, c) in &self.terms {
-            coefficients[m.exponent(var) as usize].add_term(m.without(var), c.clone());
+            coefficients[m.exponent(var) as usize].push((m.without(var), c.clone()));
         }
-        coefficients
+        coefficients.into_iter().map(Polynomial::collect).collect()
     }
 
     /// The greatest monomial that divides every term.
     pub fn content(&self) -> Monomial {
-        let mut monomials = self.terms.keys();
+        let mut monomials = self.terms.iter().map(|t| &t.0);
         let first = monomials.next().cloned().unwrap_or_default();
         monomials.fold(first, |gcd, m| gcd.gcd(m))
     }
@@ -264,19 +302,30 @@ impl Polynomial {
 
     /// The partial derivative.
     pub fn derivative(&self, var: Var) -> Self {
-        let mut sum = Polynomial::zero();
+        let mut terms = Vec::new();
         for (m, c) in &self.terms {
             let exponent = m.exponent(var);
             if exponent > 0 {
                 let lowered = m.without(var).times(&Monomial::power(var, exponent - 1));
-                sum.add_term(lowered, c * Rational::from(exponent));
+                terms.push((lowered, c * Rational::from(exponent)));
             }
         }
-        sum
+        Polynomial::collect(terms)
     }
 
     /// Puts a polynomial in the place of an unknown, within bounds.
     pub fn substitute(&self, var: Var, value: &Polynomial) -> Result<Self, TooLarge> {
+        if self.degree_in(var) == 0 {
+            return Ok(self.clone());
+        }
+        if let Some(value) = value.as_constant() {
+            let mut terms = Vec::with_capacity(self.len());
+            for (m, c) in &self.terms {
+                let power = value.pow(m.exponent(var), LONGEST_NUMBER).ok_or(TooLarge)?;
+                terms.push((m.without(var), c * power));
+            }
+            return Ok(Polynomial::collect(terms));
+        }
         let coefficients = self.in_powers_of_bounded(var)?;
         // Horner's rule.
         let mut sum = Polynomial::zero();

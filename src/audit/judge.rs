@@ -1,13 +1,19 @@
-use crate::algebra::Formula;
+use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
-use crate::kernel::Standing;
-use crate::search::{self, Consistency, Decision, Stop};
+use crate::kernel::{Assignment, Proven, Standing, check_model};
+use crate::search::{self, Consistency, Decision, Effort, Stop};
 
 use super::premise::{Usable, usable};
 use super::{Auditor, Entry, Judged, Outcome, Verdict};
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
 const MOST_RELATIVES: usize = 12;
+/// How many uncited hypotheses are added, and how hard is tried: most stale citations mean an equation a few
+/// lines up.
+const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
+const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
+/// How many points at which premises held are tried again on the next ones.
+const REMEMBERED_POINTS: usize = 6;
 
 /// Judges the goals of one statement.
 pub(super) struct Judge<'a> {
@@ -48,18 +54,22 @@ impl Judge<'_> {
             judged: Judged {
                 goal: goal.clone(),
                 assumed: assumed.clone(),
-                outcome: Outcome::Open(Stop {
-                    reason: String::new(),
-                    tried: 0,
-                }),
+                outcome: Outcome::Open(Stop::default()),
             },
             instead: Vec::new(),
             conditions: Vec::new(),
             contradictory: Vec::new(),
         };
+        // An identity needs no premises.
+        let bare = self.derivation.claim(self.at, &[], &goal.formula);
+        if let Some(proven) = search::prove_unconditionally(&bare, Effort::Light) {
+            found.judged.assumed.clear();
+            found.judged.outcome = Outcome::Proven(proven.into());
+            return found;
+        }
         match search::decide(&self.derivation.claim(self.at, &assumed, &goal.formula)) {
             Decision::Proven { proven, conditions } if conditions.is_empty() => {
-                let (kept, least) = self.least(assumed.clone(), 0, goal, proven);
+                let (kept, least) = self.least(assumed.clone(), goal, proven);
                 if kept.iter().any(|a| a.source != Source::Step)
                     && self.is_contradictory(&assumed, goal)
                 {
@@ -67,7 +77,7 @@ impl Judge<'_> {
                     found.judged.outcome = Outcome::Open(Stop {
                         reason: "the premises contradict one another, so anything would follow"
                             .into(),
-                        tried: 0,
+                        ..Stop::default()
                     });
                     return found;
                 }
@@ -76,7 +86,7 @@ impl Judge<'_> {
             }
             Decision::Proven { proven, conditions } => {
                 // What stands before may say what is missing.
-                if self.rescue(goal, &assumed, premises, &mut found) {
+                if self.rescue(goal, &assumed, premises, &NEARBY, &mut found) {
                     return found;
                 }
                 // A condition that the premises rule out proves nothing.
@@ -93,19 +103,25 @@ impl Judge<'_> {
             Decision::Refuted(refuted) => {
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 let marked = self.derivation.equations[self.at].kind == Kind::Marked;
-                if !(marked && goal.questioned)
-                    && !self.rescue(goal, &assumed, premises, &mut found)
-                {
+                let settled = marked && goal.questioned
+                    || self.rescue(goal, &assumed, premises, &NEARBY, &mut found)
+                    || !self.strengthen(goal, &assumed, premises, &mut found)
+                        && self.rescue(goal, &assumed, premises, &FARTHER, &mut found);
+                if !settled && let Outcome::Refuted(refuted) = &found.judged.outcome {
                     let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-                    if let Some((conditions, _)) = search::missing_conditions(&claim) {
+                    if let Some((conditions, _)) =
+                        search::missing_conditions(&claim, refuted.witness())
+                    {
                         found.conditions = conditions;
                     }
-                    self.strengthen(goal, &assumed, premises, &mut found);
                 }
             }
             Decision::Open(stop) => {
+                let hopeless = stop.hopeless;
                 found.judged.outcome = Outcome::Open(stop);
-                let rescued = self.rescue(goal, &assumed, premises, &mut found);
+                let rescued = !hopeless
+                    && (self.rescue(goal, &assumed, premises, &NEARBY, &mut found)
+                        || self.rescue(goal, &assumed, premises, &FARTHER, &mut found));
                 if !rescued && self.is_contradictory(&assumed, goal) {
                     found.contradictory = sources(&assumed);
                 }
@@ -114,20 +130,39 @@ impl Judge<'_> {
         found
     }
 
-    /// Leaves out every hypothesis that the proof does without, from `from` on; the last first.
+    /// Leaves out every hypothesis that a proof does without, the last first.
     fn least(
         &self,
         mut assumed: Vec<Assumed>,
-        from: usize,
         goal: &Goal,
-        proven: crate::kernel::Proven,
-    ) -> (Vec<Assumed>, crate::kernel::Proven) {
-        let mut proven = proven;
-        for position in (from..assumed.len()).rev() {
+        mut proven: Proven,
+    ) -> (Vec<Assumed>, Proven) {
+        let again = |assumed: &[Assumed]| {
+            let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+            search::prove_unconditionally(&claim, Effort::Light)
+                .or_else(|| search::prove_unconditionally(&claim, Effort::Full))
+        };
+        // What the certificate combines nearly always suffices; what only keeps something from vanishing is not in it.
+        let combined = search::combined_hypotheses(&proven);
+        let mut few: Vec<Assumed> = Vec::new();
+        for (position, own) in assumed.iter().enumerate() {
+            if combined.contains(&position) {
+                few.push(own.clone());
+            }
+        }
+        if few.len() < assumed.len()
+            && let Some(shorter) = again(&few)
+        {
+            (assumed, proven) = (few, shorter);
+        }
+        for position in (0..assumed.len()).rev() {
+            if assumed.len() < 2 {
+                break;
+            }
             let mut fewer = assumed.clone();
             fewer.remove(position);
             let claim = self.derivation.claim(self.at, &fewer, &goal.formula);
-            if let Some(shorter) = search::prove_unconditionally(&claim) {
+            if let Some(shorter) = search::prove_unconditionally(&claim, Effort::Light) {
                 (assumed, proven) = (fewer, shorter);
             }
         }
@@ -140,7 +175,26 @@ impl Judge<'_> {
             return false;
         }
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        matches!(search::consistency(&claim), Consistency::Contradictory(_))
+        let mut points = self.auditor.points.borrow_mut();
+        // Neighbouring steps share their premises, and so the points at which these hold.
+        let symbols = claim.free_symbols();
+        let covers = |point: &&Assignment| symbols.iter().all(|s| point.symbols.contains_key(s));
+        if points
+            .iter()
+            .filter(covers)
+            .any(|point| check_model(&claim, point.clone()).is_ok())
+        {
+            return false;
+        }
+        match search::consistency(&claim) {
+            Consistency::Model(model) => {
+                points.push_front(model.point().clone());
+                points.truncate(REMEMBERED_POINTS);
+                false
+            }
+            Consistency::Contradictory(_) => true,
+            Consistency::Unknown => false,
+        }
     }
 
     /// Tries again with what stands before, cited or not.
@@ -149,26 +203,37 @@ impl Judge<'_> {
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
+        stages: &[(usize, Effort)],
         found: &mut Found,
     ) -> bool {
         for others in self.others(premises) {
-            if others.is_empty() {
-                continue;
-            }
-            // The cited first, then the nearest: what is left out first stands last.
-            let all: Vec<Assumed> = assumed.iter().cloned().chain(others).collect();
-            let claim = self.derivation.claim(self.at, &all, &goal.formula);
-            let Some(proven) = search::prove_unconditionally(&claim) else {
-                continue;
+            // A symbol of which nothing at all is said can have any value.
+            let said = |symbol: &Symbol| {
+                let mut all = assumed.iter().chain(&others);
+                all.any(|a| a.formula.terms().iter().any(|term| term.mentions(symbol)))
             };
-            let (kept, least) = self.least(all, 0, goal, proven);
-            if self.is_contradictory(&kept, goal) {
+            if !goal.formula.free_symbols().iter().all(said) {
                 continue;
             }
-            found.instead = sources(&kept);
-            found.judged.assumed = kept;
-            found.judged.outcome = Outcome::Proven(least.into());
-            return true;
+            for &(most, effort) in stages {
+                let near = others.iter().take(most).cloned();
+                let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
+                if others.is_empty() {
+                    break;
+                }
+                let claim = self.derivation.claim(self.at, &all, &goal.formula);
+                let Some(proven) = search::prove_unconditionally(&claim, effort) else {
+                    continue;
+                };
+                let (kept, least) = self.least(all, goal, proven);
+                if self.is_contradictory(&kept, goal) {
+                    continue;
+                }
+                found.instead = sources(&kept);
+                found.judged.assumed = kept;
+                found.judged.outcome = Outcome::Proven(least.into());
+                return true;
+            }
         }
         false
     }
@@ -218,24 +283,27 @@ impl Judge<'_> {
         others
     }
 
-    /// Looks for a counterexample at which what stands before is true too: it convinces more.
+    /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that
+    /// stands before can then be what the step follows from.
     fn strengthen(
         &mut self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
         found: &mut Found,
-    ) {
+    ) -> bool {
         let [sound, _] = self.others(premises);
         if sound.is_empty() {
-            return;
+            return false;
         }
         let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
         if let Some(refuted) = search::refute_in_context(&claim, &larger) {
             found.judged.outcome = Outcome::Refuted(refuted.into());
+            return true;
         }
+        false
     }
 }
 

@@ -9,9 +9,11 @@ mod given;
 mod judge;
 mod premise;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use crate::derivation::{Derivation, Kind, Source, goals};
+use crate::kernel::Assignment;
 use crate::notation::{Mark, Statement};
 
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
@@ -32,6 +34,7 @@ impl Audit {
             offers: vec![None; derivation.equations.len()],
             entries: Vec::new(),
             first: Vec::new(),
+            points: RefCell::default(),
         };
         let givens = given::models(derivation);
         let duplicates: BTreeMap<usize, usize> = derivation.duplicates().into_iter().collect();
@@ -84,6 +87,8 @@ struct Auditor<'a> {
     entries: Vec<Entry>,
     /// The first entry of each equation so far.
     first: Vec<usize>,
+    /// Points at which premises were found to hold together, the latest first.
+    points: RefCell<VecDeque<Assignment>>,
 }
 
 impl Auditor<'_> {

@@ -173,7 +173,8 @@ impl Derivation {
         }
     }
 
-    /// The equations before `at` that share symbols with it, the nearest first.
+    /// The equations before `at` that share symbols with it: the two nearest, then those that are solved for a
+    /// symbol, then the rest, each the nearest first.
     pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {
         let mut wanted = symbols(&self.equations[at]);
         let mut found: BTreeSet<usize> = BTreeSet::new();
@@ -195,7 +196,14 @@ impl Derivation {
                 .collect();
             found.extend(fresh);
         }
-        found.into_iter().rev().take(most).collect()
+        let mut order: Vec<usize> = found.into_iter().rev().take(most).collect();
+        let solved = |at: &usize| {
+            let mut relations = self.equations[*at].relations().into_iter();
+            relations.any(|(left, ..)| matches!(left, crate::algebra::Expr::Symbol(_)))
+        };
+        let rest = order.split_off(order.len().min(2));
+        let (first, last): (Vec<usize>, Vec<usize>) = rest.into_iter().partition(solved);
+        order.into_iter().chain(first).chain(last).collect()
     }
 
     /// The hypotheses in effect where an equation stands.

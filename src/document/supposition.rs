@@ -56,7 +56,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
                     found.truncate(sentence);
                     doubtful = true;
                 }
-                if doubtful || is_in(&word, CONCLUDING) {
+                if doubtful || active.is_some() && is_in(&word, CONCLUDING) {
                     active = None;
                 } else if let Some(introduced) = introduction(&word, index, tokens, begun) {
                     active = Some(introduced);

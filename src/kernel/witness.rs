@@ -30,8 +30,11 @@ impl<'a> Point<'a> {
             }
         }
         for (sequence, elements) in &self.at.sequences {
-            let domain = self.claim.sequences.get(sequence).ok_or(Reject::NoValue)?;
-            if !elements.iter().all(|e| domain.contains(e)) {
+            let domain = self.claim.sequences.get(sequence);
+            if !elements
+                .iter()
+                .all(|e| domain.is_none_or(|d| d.contains(e)))
+            {
                 return Err(Reject::OutsideDomain);
             }
         }

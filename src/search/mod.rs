@@ -13,16 +13,19 @@ mod tracked;
 mod unfold;
 mod values;
 
-use crate::algebra::{Atom, Expr, Formula, expr_of, factors};
+use crate::algebra::{Atom, Expr, Formula, Relation, expr_of, factors};
 use crate::kernel::{
-    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Problem, Proven,
-    Refuted, Reject, Sign, Standing, check, check_model,
+    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Origin, Problem,
+    Proof, Proven, Refuted, Reject, Sign, Standing, check, check_model,
 };
-use prove::{Effort, Prover};
+pub use prove::Effort;
+use prove::Prover;
+use std::collections::BTreeSet;
 
 /// How many choices a search for a point may try, quickly and in earnest.
-const QUICK: usize = 250;
-const EARNEST: usize = 2_500;
+const QUICK: usize = 200;
+const EARNEST: usize = 1_500;
+const IN_CONTEXT: usize = 600;
 
 /// What is known of a claim after the search.
 #[derive(Clone, Debug)]
@@ -41,12 +44,14 @@ pub enum Decision {
 }
 
 /// Why a search ended without an answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Stop {
     /// In words.
     pub reason: String,
     /// How many points were tried.
     pub tried: usize,
+    /// The goal itself is beyond what can be decided, whatever the premises.
+    pub hopeless: bool,
 }
 
 /// Whether premises can be true together.
@@ -64,36 +69,64 @@ pub enum Consistency {
 pub fn decide(claim: &Claim) -> Decision {
     let mut stop = Stop {
         reason: "no proof and no counterexample was found".into(),
-        tried: 0,
+        ..Stop::default()
     };
-    for (effort, budget) in [(Effort::Light, QUICK), (Effort::Full, EARNEST)] {
+    let mut points: Option<refute::Points> = None;
+    // Elimination decides no inequality: there the proper search comes early.
+    let inequality = matches!(
+        claim.goal,
+        Formula::Relation {
+            relation: Relation::Less
+                | Relation::LessOrEqual
+                | Relation::Greater
+                | Relation::GreaterOrEqual,
+            ..
+        }
+    );
+    let quick = if inequality { QUICK / 8 } else { QUICK };
+    for (effort, budget) in [(Effort::Light, quick), (Effort::Full, EARNEST)] {
         match prove(claim, effort) {
             Ok(Some(decision)) => return decision,
             Ok(None) => {}
             Err(reject) => {
                 stop.reason = reject.to_string();
+                stop.hopeless = true;
                 return Decision::Open(stop);
             }
         }
-        let (points, tried) = refute::find_point(claim, true, budget);
-        stop.tried = tried;
-        for point in points {
-            if let Some(refuted) = refuted(claim, point) {
-                return Decision::Refuted(refuted);
-            }
+        let points = points.get_or_insert_with(|| refute::Points::new(claim, true));
+        if let Some(refuted) = first(points, budget, |point| refuted(claim, point)) {
+            return Decision::Refuted(refuted);
         }
+        stop.tried = points.tried;
     }
     Decision::Open(stop)
 }
 
+/// The first point that the kernel accepts.
+fn first<T>(
+    points: &mut refute::Points,
+    budget: usize,
+    accepts: impl Fn(Assignment) -> Option<T>,
+) -> Option<T> {
+    let end = points.tried + budget;
+    loop {
+        let found = points.next(end.saturating_sub(points.tried));
+        if found.is_empty() {
+            return None;
+        }
+        if let Some(accepted) = found.into_iter().find_map(&accepts) {
+            return Some(accepted);
+        }
+    }
+}
+
 /// A point at which all hypotheses hold, or a proof that there is none.
 pub fn consistency(claim: &Claim) -> Consistency {
+    let mut points = refute::Points::new(claim, false);
     for budget in [QUICK, EARNEST] {
-        let (points, _) = refute::find_point(claim, false, budget);
-        for point in points {
-            if let Ok(model) = check_model(claim, point) {
-                return Consistency::Model(model);
-            }
+        if let Some(model) = first(&mut points, budget, |p| check_model(claim, p).ok()) {
+            return Consistency::Model(model);
         }
         let impossible = Claim {
             goal: Formula::equal(Expr::integer(1), Expr::integer(0)),
@@ -102,15 +135,13 @@ pub fn consistency(claim: &Claim) -> Consistency {
         let negative = Claim {
             goal: Formula::Relation {
                 left: Expr::integer(-1),
-                relation: crate::algebra::Relation::GreaterOrEqual,
+                relation: Relation::GreaterOrEqual,
                 right: Expr::integer(0),
             },
             ..claim.clone()
         };
         for claim in [impossible, negative] {
-            if let Ok(Some(Decision::Proven { proven, conditions })) = prove(&claim, Effort::Full)
-                && conditions.is_empty()
-            {
+            if let Some(proven) = prove_unconditionally(&claim, Effort::Full) {
                 return Consistency::Contradictory(proven);
             }
         }
@@ -119,7 +150,7 @@ pub fn consistency(claim: &Claim) -> Consistency {
 }
 
 /// What would have to be different from 0 for a refuted claim to follow, with the proof that it then does.
-pub fn missing_conditions(claim: &Claim) -> Option<(Vec<Formula>, Proven)> {
+pub fn missing_conditions(claim: &Claim, witness: &Assignment) -> Option<(Vec<Formula>, Proven)> {
     let problem = Problem::new(claim, &unfold::definitions_to_unfold(claim)).ok()?;
     let prover = Prover::new(&problem).ok()?;
     let mut candidates: Vec<Expr> = Vec::new();
@@ -142,6 +173,14 @@ pub fn missing_conditions(claim: &Claim) -> Option<(Vec<Formula>, Proven)> {
         }
     }
     candidates.truncate(8);
+    // What does not vanish at the counterexample would not rule it out.
+    candidates.retain(|term| {
+        let claim = assuming(claim, &[Formula::nonzero(term.clone())]);
+        refuted(&claim, witness.clone()).is_none()
+    });
+    if candidates.is_empty() {
+        return None;
+    }
     let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
         match prove(&assuming(claim, &formulas), Effort::Light) {
@@ -265,21 +304,78 @@ fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
 }
 
 /// A proof without further conditions, if one is found.
-pub fn prove_unconditionally(claim: &Claim) -> Option<Proven> {
-    for effort in [Effort::Light, Effort::Full] {
-        if let Ok(Some(Decision::Proven { proven, conditions })) = prove(claim, effort)
-            && conditions.is_empty()
-        {
-            return Some(proven);
+pub fn prove_unconditionally(claim: &Claim, effort: Effort) -> Option<Proven> {
+    match prove(claim, effort) {
+        Ok(Some(Decision::Proven { proven, conditions })) => {
+            conditions.is_empty().then_some(proven)
+        }
+        _ => None,
+    }
+}
+
+/// The hypotheses that a certificate combines, by position. Those that only say that something does not
+/// vanish are not among them.
+pub fn combined_hypotheses(proven: &Proven) -> BTreeSet<usize> {
+    let certificate = proven.certificate();
+    let mut used: BTreeSet<usize> = certificate.unfold.iter().copied().collect();
+    let Ok(problem) = Problem::new(proven.claim(), &certificate.unfold) else {
+        return used;
+    };
+    let proofs = certificate
+        .lemmas
+        .iter()
+        .map(|l| &l.proof)
+        .chain([&certificate.conclusion]);
+    let proofs: Vec<&Proof> = proofs.collect();
+    // Only the lemmas that the conclusion reaches count.
+    let mut wanted = vec![proofs.len() - 1];
+    let mut seen = BTreeSet::new();
+    while let Some(at) = wanted.pop() {
+        if !seen.insert(at) {
+            continue;
+        }
+        for fact in facts_of(proofs[at]) {
+            match problem.origins.get(fact) {
+                Some(Origin::Hypothesis(position)) => {
+                    used.insert(*position);
+                }
+                Some(_) => {}
+                None => wanted.push(fact - problem.facts.len()),
+            }
         }
     }
-    None
+    used
+}
+
+/// The facts that a proof names.
+fn facts_of(proof: &Proof) -> Vec<usize> {
+    let names = |cofactors: &[(usize, crate::algebra::Polynomial)]| -> Vec<usize> {
+        cofactors.iter().map(|c| c.0).collect()
+    };
+    match proof {
+        Proof::Combination { cofactors, .. } | Proof::NonVanishing { cofactors, .. } => {
+            names(cofactors)
+        }
+        Proof::Positivity {
+            terms, cofactors, ..
+        } => {
+            let mut all = names(cofactors);
+            all.extend(terms.iter().flat_map(|t| t.facts.iter().copied()));
+            all
+        }
+        Proof::BothBounds { below, above } => {
+            let mut all = facts_of(below);
+            all.extend(facts_of(above));
+            all
+        }
+        Proof::Square(inner) => facts_of(inner),
+    }
 }
 
 /// A counterexample to `claim` at which the hypotheses of `larger` hold as well.
 pub fn refute_in_context(claim: &Claim, larger: &Claim) -> Option<Refuted> {
-    let (points, _) = refute::find_point(larger, true, QUICK);
-    points.into_iter().find_map(|mut point| {
+    let mut points = refute::Points::new(larger, true);
+    first(&mut points, IN_CONTEXT, |mut point| {
         // The larger claim numbers its hypotheses differently; the same symbols are put in.
         check_model(larger, point.clone()).ok()?;
         point.unfold = unfold::definitions_to_unfold(claim);

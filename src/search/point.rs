@@ -5,92 +5,92 @@
 //! that the first point found is among the simplest. The same input always gives the same point.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use super::values::{candidates, rational_roots};
-use crate::algebra::{Polynomial, Rational, Var};
+use crate::algebra::{Monomial, Polynomial, Rational, Var};
 use crate::kernel::{Fact, Sign};
 
 /// What a point must satisfy.
 pub struct Target {
-    /// Equations and conditions alike.
-    pub facts: Vec<Fact>,
+    start: State,
     /// The unknowns that take integer values only.
-    pub integers: Vec<Var>,
-    /// How many choices may be tried.
-    pub budget: usize,
+    integers: Vec<Var>,
+    order: Vec<Var>,
+}
+
+/// What came of trying all choices up to a cost.
+pub enum Tried {
+    /// A point; the unknowns that occur nowhere are left out.
+    Found(BTreeMap<Var, Rational>),
+    /// There is none among these choices, but costlier ones are left.
+    Costlier,
+    /// There is no point with numbers that would be tried at all.
+    Exhausted,
 }
 
 struct Search<'a> {
     integers: &'a [Var],
     values: Vec<(u32, Rational)>,
-    budget: usize,
-    order: Vec<Var>,
+    budget: &'a mut usize,
+    order: &'a [Var],
     /// Whether a number was passed over because it costs too much.
     cut: bool,
 }
 
 #[derive(Clone)]
 struct State {
-    equations: Vec<Polynomial>,
-    conditions: Vec<Fact>,
-    solved: Vec<(Var, Polynomial)>,
+    /// Shared between states: a choice changes few of them.
+    equations: Vec<Rc<Polynomial>>,
+    conditions: Vec<Rc<Fact>>,
+    solved: Vec<(Var, Rc<Polynomial>)>,
 }
 
-/// The costs that are tried one after another.
-const MOST_COST: u32 = 9;
-
 impl Target {
-    /// A point, the unknowns that occur nowhere left out; and how many choices were tried.
-    pub fn find(&self) -> (Option<BTreeMap<Var, Rational>>, usize) {
-        let mut vars: Vec<Var> = self
-            .facts
-            .iter()
-            .flat_map(|f| f.polynomial.vars())
-            .collect();
-        vars.sort();
-        vars.dedup();
-        let zero = |f: &&Fact| f.sign == Sign::Zero;
-        let state = State {
-            equations: self
-                .facts
-                .iter()
-                .filter(zero)
-                .map(|f| f.polynomial.clone())
-                .collect(),
-            conditions: self
-                .facts
-                .iter()
-                .filter(|f| f.sign != Sign::Zero)
-                .cloned()
-                .collect(),
-            solved: Vec::new(),
-        };
+    /// Equations and conditions that must hold; `integers` take integer values only.
+    pub fn new(facts: &[Fact], integers: Vec<Var>) -> Self {
+        let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
+        order.sort();
+        order.dedup();
+        let (equations, conditions): (Vec<&Fact>, Vec<&Fact>) =
+            facts.iter().partition(|f| f.sign == Sign::Zero);
+        Target {
+            start: State {
+                equations: equations
+                    .into_iter()
+                    .map(|f| Rc::new(f.polynomial.clone()))
+                    .collect(),
+                conditions: conditions.into_iter().cloned().map(Rc::new).collect(),
+                solved: Vec::new(),
+            },
+            integers,
+            order,
+        }
+    }
+
+    /// Tries all choices up to a total cost, or until the budget is spent.
+    pub fn up_to(&self, cost: u32, budget: &mut usize) -> Tried {
         let mut search = Search {
             integers: &self.integers,
             values: candidates(),
-            budget: self.budget,
-            order: vars,
+            budget,
+            order: &self.order,
             cut: false,
         };
-        for cost in 0..=MOST_COST {
-            search.cut = false;
-            if let Some(point) = search.explore(state.clone(), cost) {
-                return (Some(point), self.budget - search.budget);
-            }
-            if search.budget == 0 || !search.cut {
-                break;
-            }
+        match search.explore(self.start.clone(), cost) {
+            Some(point) => Tried::Found(point),
+            None if search.cut || *search.budget == 0 => Tried::Costlier,
+            None => Tried::Exhausted,
         }
-        (None, self.budget - search.budget)
     }
 }
 
 impl Search<'_> {
     fn explore(&mut self, mut state: State, cost: u32) -> Option<BTreeMap<Var, Rational>> {
-        if self.budget == 0 {
+        if *self.budget == 0 {
             return None;
         }
-        self.budget -= 1;
+        *self.budget -= 1;
         // Solve what is linear in an unknown with a constant coefficient.
         loop {
             state.equations.retain(|e| !e.is_zero());
@@ -123,20 +123,36 @@ impl Search<'_> {
             }
             return None;
         }
-        let Some(var) = self.next_var(&state) else {
+        let Some((var, tied)) = self.next_var(&state) else {
             return self.finish(state);
         };
-        let values = self.values.clone();
-        for (own, value) in &values {
-            if *own > cost {
+        // What speaks of this unknown alone is asked before anything is put in.
+        let (own_conditions, rest): (Vec<Rc<Fact>>, Vec<Rc<Fact>>) =
+            std::mem::take(&mut state.conditions)
+                .into_iter()
+                .partition(|f| f.polynomial.vars().len() == 1 && f.polynomial.degree_in(var) > 0);
+        state.conditions = rest;
+        for at in 0..self.values.len() {
+            let (own, value) = &self.values[at];
+            // What no equation ties down costs nothing: the first number that is allowed will do.
+            let own = if tied { *own } else { 0 };
+            let value = value.clone();
+            if own > cost {
                 self.cut = true;
                 break;
             }
             if self.integers.contains(&var) && !value.is_integer() {
                 continue;
             }
+            let met = |fact: &Rc<Fact>| {
+                let value = fact.polynomial.evaluate(|_| Some(value.clone()));
+                value.is_ok_and(|v| v.is_some_and(|v| satisfies(&v, fact.sign)))
+            };
+            if !own_conditions.iter().all(met) {
+                continue;
+            }
             let mut next = state.clone();
-            if next.put(var, Polynomial::constant(value.clone())).is_some()
+            if next.put(var, Polynomial::constant(value)).is_some()
                 && let Some(point) = self.explore(next, cost - own)
             {
                 return Some(point);
@@ -147,29 +163,35 @@ impl Search<'_> {
 
     /// An equation that is linear in an unknown with a constant coefficient, solved for it. Unknowns met
     /// late are solved for first: those of the goal stay free.
-    fn linear(&self, equations: &[Polynomial]) -> Option<(usize, Var, Polynomial)> {
-        let mut best: Option<(bool, Var, usize, Polynomial)> = None;
+    fn linear(&self, equations: &[Rc<Polynomial>]) -> Option<(usize, Var, Polynomial)> {
+        let mut best: Option<(bool, Var, usize)> = None;
         for (at, equation) in equations.iter().enumerate() {
-            for var in equation.vars() {
-                if equation.degree_in(var) != 1 {
-                    continue;
-                }
-                let parts = equation.in_powers_of(var);
-                let Some(slope) = parts[1].as_constant() else {
+            for (monomial, _) in equation.terms() {
+                let [(var, 1)] = monomial.powers() else {
                     continue;
                 };
-                let free = !self.integers.contains(&var);
-                if best.as_ref().is_some_and(|b| (b.0, b.1) >= (free, var)) {
+                let free = !self.integers.contains(var);
+                let elsewhere = equation
+                    .terms()
+                    .filter(|(m, _)| m.exponent(*var) > 0)
+                    .count()
+                    > 1;
+                if elsewhere || best.is_some_and(|b| (b.0, b.1) >= (free, *var)) {
                     continue;
                 }
-                best = Some((free, var, at, parts[0].scaled(&-slope.recip())));
+                best = Some((free, *var, at));
             }
         }
-        best.map(|(_, var, at, value)| (at, var, value))
+        let (_, var, at) = best?;
+        let own = Monomial::power(var, 1);
+        let slope = equations[at].coefficient(&own)?.clone();
+        let rest = equations[at].minus(&Polynomial::term(own, slope.clone()));
+        Some((at, var, rest.scaled(&-slope.recip())))
     }
 
-    /// The next unknown to try numbers for: one of an equation before one of a condition.
-    fn next_var(&self, state: &State) -> Option<Var> {
+    /// The next unknown to try numbers for, one of an equation before one of a condition; and whether it is
+    /// one of an equation.
+    fn next_var(&self, state: &State) -> Option<(Var, bool)> {
         let in_equations = |var: &&Var| state.equations.iter().any(|e| e.degree_in(**var) > 0);
         let in_conditions = |var: &&Var| {
             state
@@ -178,10 +200,8 @@ impl Search<'_> {
                 .any(|f| f.polynomial.degree_in(**var) > 0)
         };
         let mut vars = self.order.iter();
-        vars.clone()
-            .find(in_equations)
-            .or_else(|| vars.find(in_conditions))
-            .copied()
+        let tied = vars.clone().find(in_equations).map(|&var| (var, true));
+        tied.or_else(|| vars.find(in_conditions).map(|&var| (var, false)))
     }
 
     fn finish(&self, state: State) -> Option<BTreeMap<Var, Rational>> {
@@ -212,14 +232,19 @@ impl State {
     /// Puts a value in the place of an unknown. `None` where that grows too large.
     fn put(&mut self, var: Var, value: Polynomial) -> Option<()> {
         for equation in &mut self.equations {
-            *equation = equation.substitute(var, &value).ok()?;
+            if equation.degree_in(var) > 0 {
+                *equation = equation.substitute(var, &value).ok()?.into();
+            }
         }
         for condition in &mut self.conditions {
             if condition.polynomial.degree_in(var) > 0 {
-                condition.polynomial = condition.polynomial.substitute(var, &value).ok()?;
+                *condition = Rc::new(Fact {
+                    polynomial: condition.polynomial.substitute(var, &value).ok()?,
+                    sign: condition.sign,
+                });
             }
         }
-        self.solved.push((var, value));
+        self.solved.push((var, value.into()));
         Some(())
     }
 
@@ -230,14 +255,18 @@ impl State {
             let Some(value) = fact.polynomial.as_constant() else {
                 return true;
             };
-            possible &= match fact.sign {
-                Sign::Zero => value.is_zero(),
-                Sign::NonZero => !value.is_zero(),
-                Sign::NonNegative => !value.is_negative(),
-                Sign::Positive => value.is_positive(),
-            };
+            possible &= satisfies(&value, fact.sign);
             false
         });
         possible
+    }
+}
+
+fn satisfies(value: &Rational, sign: Sign) -> bool {
+    match sign {
+        Sign::Zero => value.is_zero(),
+        Sign::NonZero => !value.is_zero(),
+        Sign::NonNegative => !value.is_negative(),
+        Sign::Positive => value.is_positive(),
     }
 }

@@ -78,7 +78,7 @@ impl Prover {
         if reduced.polynomial.is_zero() {
             return Some(combination(&reduced, 1));
         }
-        if effort == Effort::Light {
+        if effort == Effort::Light || !self.is_tied_down(&reduced.polynomial) {
             return None;
         }
         if !self.ideal.rest.is_empty() {
@@ -252,6 +252,12 @@ impl Prover {
         }
         reduced.outer.retain(|_, exponent| *exponent > 0);
         Ok(())
+    }
+
+    /// Whether every unknown occurs in some fact: one that occurs in none can have any value.
+    fn is_tied_down(&self, polynomial: &Polynomial) -> bool {
+        let occurs = |var| self.facts.iter().any(|f| f.polynomial.degree_in(var) > 0);
+        polynomial.vars().into_iter().all(occurs)
     }
 
     fn has_inequalities(&self) -> bool {

@@ -2,37 +2,106 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::point::Target;
+use super::point::{Target, Tried};
 use super::unfold::definitions_to_unfold;
 use super::values::candidates;
 use crate::algebra::{
-    Atom, BigRational, Conditions, Expr, Formula, Lowering, Polynomial, Symbol, element_symbol,
+    Atom, BigRational, Conditions, Expr, Formula, Lowering, Polynomial, Rational, Symbol, Var,
+    element_symbol,
 };
 use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Problem, Sign};
 
 /// Sums over a symbolic number of elements are tried with up to this many.
 const MOST_ELEMENTS: i64 = 4;
+/// The costs that are tried one after another.
+const MOST_COST: u32 = 11;
 
-/// Points at which all hypotheses hold and, with `against_goal`, the goal does not; the simplest first. The
-/// second part says how many choices were tried.
-pub fn find_point(claim: &Claim, against_goal: bool, budget: usize) -> (Vec<Assignment>, usize) {
-    let counts = count_symbols(claim);
-    let mut tried = 0;
-    for sizes in sizes(&counts, claim) {
-        let Some(concrete) = at_sizes(claim, &counts, &sizes) else {
-            continue;
-        };
-        let share = (budget / if counts.is_empty() { 1 } else { 6 }).max(60);
-        let (found, steps) = concrete_point(&concrete, against_goal, share);
-        tried += steps;
-        if let Some(point) = found {
-            return (restored(claim, &counts, &sizes, point), tried);
-        }
-        if tried > budget {
-            break;
+/// A search for points at which all hypotheses of a claim hold and, if so wanted, its goal does not.
+pub struct Points<'a> {
+    claim: &'a Claim,
+    counts: Vec<Symbol>,
+    /// One search for each choice of the numbers of elements, the smallest first.
+    sizes: Vec<(Vec<i64>, Slot)>,
+    against_goal: bool,
+    cost: u32,
+    /// How many choices were tried.
+    pub tried: usize,
+}
+
+/// A search that is prepared when its turn comes, and dropped when it has nothing left.
+enum Slot {
+    Waiting,
+    Ready(Box<Concrete>),
+    Done,
+}
+
+/// A claim with definite numbers of elements.
+struct Concrete {
+    claim: Claim,
+    unfold: Vec<usize>,
+    problem: Problem,
+    target: Target,
+}
+
+impl<'a> Points<'a> {
+    /// Prepares a search.
+    pub fn new(claim: &'a Claim, against_goal: bool) -> Self {
+        let counts = count_symbols(claim);
+        let sizes = sizes(&counts, claim).into_iter();
+        Points {
+            claim,
+            sizes: sizes.map(|sizes| (sizes, Slot::Waiting)).collect(),
+            counts,
+            against_goal,
+            cost: 0,
+            tried: 0,
         }
     }
-    (Vec::new(), tried)
+
+    /// The simplest point not yet ruled out, in more than one order of its elements; more of them with each
+    /// call. Nothing once the budget is spent or there is nothing left to try.
+    ///
+    /// A further element costs as much as two less simple numbers, so that few elements come first.
+    pub fn next(&mut self, budget: usize) -> Vec<Assignment> {
+        let mut left = budget;
+        let smallest = self.sizes.first().map_or(0, |s| s.0.iter().sum::<i64>());
+        while self.cost <= MOST_COST && left > 0 {
+            for (sizes, slot) in &mut self.sizes {
+                let more = 2 * u32::try_from(sizes.iter().sum::<i64>() - smallest).unwrap_or(0);
+                let Some(cost) = self.cost.checked_sub(more) else {
+                    continue;
+                };
+                if matches!(slot, Slot::Waiting) {
+                    let concrete = at_sizes(self.claim, &self.counts, sizes);
+                    let concrete = concrete.and_then(|c| Concrete::new(c, self.against_goal));
+                    *slot = concrete.map_or(Slot::Done, |c| Slot::Ready(c.into()));
+                }
+                let Slot::Ready(concrete) = slot else {
+                    continue;
+                };
+                let before = left;
+                let tried = concrete.target.up_to(cost, &mut left);
+                self.tried += before - left;
+                match tried {
+                    Tried::Found(values) => {
+                        let point = concrete.assignment(&values);
+                        *slot = Slot::Done;
+                        return restored(self.claim, &self.counts, sizes, point);
+                    }
+                    Tried::Costlier => {}
+                    Tried::Exhausted => *slot = Slot::Done,
+                }
+                if left == 0 {
+                    return Vec::new();
+                }
+            }
+            if self.sizes.iter().all(|s| matches!(s.1, Slot::Done)) {
+                break;
+            }
+            self.cost += 1;
+        }
+        Vec::new()
+    }
 }
 
 /// The symbols that say how many elements there are.
@@ -87,12 +156,11 @@ fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
         return Some(claim.clone());
     }
     let number = |expr: &Expr| {
-        counts
-            .iter()
-            .zip(sizes)
-            .fold(expr.clone(), |e, (count, &n)| {
-                e.substitute(count, &Expr::integer(n))
-            })
+        let sizes = counts.iter().zip(sizes);
+        let at = sizes.fold(expr.clone(), |e, (count, &n)| {
+            e.substitute(count, &Expr::integer(n))
+        });
+        without_series(&at)
     };
     let mut domains = claim.domains.clone();
     for (sequence, domain) in &claim.sequences {
@@ -131,6 +199,33 @@ fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
     })
 }
 
+/// Sums over a definite number of elements, written out.
+fn without_series(expr: &Expr) -> Expr {
+    if let Expr::Series {
+        index,
+        from,
+        to,
+        body,
+    } = expr
+        && let (Expr::Number(from), Expr::Number(to)) = (&**from, &**to)
+        && let (Ok(from), Ok(to)) = (
+            i64::try_from(from.to_integer()),
+            i64::try_from(to.to_integer()),
+        )
+        && to.saturating_sub(from) < 64
+    {
+        let mut terms: Vec<Expr> = (from..=to)
+            .map(|position| without_series(&body.at_index(index, position)))
+            .collect();
+        return match terms.len() {
+            0 => Expr::integer(0),
+            1 => terms.remove(0),
+            _ => Expr::Sum(terms),
+        };
+    }
+    expr.map_children(without_series)
+}
+
 /// A statement about a definite number of elements as equations between them.
 fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
     let Formula::AllEqual {
@@ -157,62 +252,59 @@ fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
     )
 }
 
-fn concrete_point(claim: &Claim, against_goal: bool, budget: usize) -> (Option<Assignment>, usize) {
-    let unfold = definitions_to_unfold(claim);
-    let mut claim = claim.clone();
-    if !against_goal {
-        claim.goal = Formula::equal(Expr::integer(0), Expr::integer(0));
-    }
-    let Ok(mut problem) = Problem::new(&claim, &unfold) else {
-        return (None, 0);
-    };
-    let mut facts = problem.facts.clone();
-    if against_goal {
-        facts.insert(0, negation(&problem.goal));
-        facts.extend(problem.conditions.nonzero.iter().map(|p| Fact {
-            polynomial: p.clone(),
-            sign: Sign::NonZero,
-        }));
-    }
-    let Some(roots) = roots(&mut problem) else {
-        return (None, 0);
-    };
-    facts.extend(roots);
-    let whole = |domain: &Domain| domain.integer;
-    let integers = claim.domains.iter().filter(|(_, d)| whole(d));
-    let integers = integers.filter_map(|(s, _)| problem.atoms.find(&Atom::Symbol(s.clone())));
-    let target = Target {
-        facts,
-        integers: integers.collect(),
-        budget,
-    };
-    let (found, tried) = target.find();
-    let Some(values) = found else {
-        return (None, tried);
-    };
-    let mut point = Assignment {
-        unfold: unfold.clone(),
-        ..Assignment::default()
-    };
-    for (var, atom) in problem.atoms.iter() {
-        let Some(value) = values.get(&var) else {
-            continue;
-        };
-        match atom {
-            Atom::Symbol(symbol) => {
-                point.symbols.insert(symbol.clone(), value.to_big());
-            }
-            Atom::Opaque(Expr::Derivative { body, variable }) => {
-                if let Expr::Symbol(symbol) = &**body {
-                    let key = (symbol.clone(), variable.clone());
-                    point.derivatives.insert(key, value.to_big());
-                }
-            }
-            _ => {}
+impl Concrete {
+    /// `None` where some term cannot be given a value at all.
+    fn new(mut claim: Claim, against_goal: bool) -> Option<Self> {
+        let unfold = definitions_to_unfold(&claim);
+        if !against_goal {
+            claim.goal = Formula::equal(Expr::integer(0), Expr::integer(0));
         }
+        let mut problem = Problem::new(&claim, &unfold).ok()?;
+        let mut facts = problem.facts.clone();
+        if against_goal {
+            facts.insert(0, negation(&problem.goal));
+            facts.extend(problem.conditions.nonzero.iter().map(|p| Fact {
+                polynomial: p.clone(),
+                sign: Sign::NonZero,
+            }));
+        }
+        facts.extend(roots(&mut problem)?);
+        let integers = claim.domains.iter().filter(|(_, d)| d.integer);
+        let integers = integers.filter_map(|(s, _)| problem.atoms.find(&Atom::Symbol(s.clone())));
+        let target = Target::new(&facts, integers.collect());
+        Some(Concrete {
+            claim,
+            unfold,
+            problem,
+            target,
+        })
     }
-    complete(&claim, &unfold, &mut point);
-    (Some(point), tried)
+
+    fn assignment(&self, values: &BTreeMap<Var, Rational>) -> Assignment {
+        let mut point = Assignment {
+            unfold: self.unfold.clone(),
+            ..Assignment::default()
+        };
+        for (var, atom) in self.problem.atoms.iter() {
+            let Some(value) = values.get(&var) else {
+                continue;
+            };
+            match atom {
+                Atom::Symbol(symbol) => {
+                    point.symbols.insert(symbol.clone(), value.to_big());
+                }
+                Atom::Opaque(Expr::Derivative { body, variable }) => {
+                    if let Expr::Symbol(symbol) = &**body {
+                        let key = (symbol.clone(), variable.clone());
+                        point.derivatives.insert(key, value.to_big());
+                    }
+                }
+                _ => {}
+            }
+        }
+        complete(&self.claim, &self.unfold, &mut point);
+        point
+    }
 }
 
 fn negation(goal: &Fact) -> Fact {

@@ -1,0 +1,13 @@
+//! Forged evidence, and the reason for which the kernel rejects it; beside each forgery stands the valid evidence from
+//! which it differs in one thing.
+
+#[path = "kernel/claims.rs"]
+mod claims;
+#[path = "kernel/proofs.rs"]
+mod proofs;
+#[path = "kernel/readings.rs"]
+mod readings;
+#[path = "kernel/search.rs"]
+mod search;
+#[path = "kernel/witnesses.rs"]
+mod witnesses;

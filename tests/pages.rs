@@ -1,0 +1,324 @@
+//! Pages of right and wrong physics. Dropping a page into `tests/pages/` adds a test.
+//!
+//! Above each display stands a comment with what must be found, statement by statement:
+//!
+//! ```markdown
+//! <!-- expect: holds -->
+//! <!-- expect: fails, unstated-condition -->
+//! <!-- expect: holds | fails -->
+//! ```
+//!
+//! first the verdict, then the code of every note. A comment anywhere on the page expects a problem of
+//! reading:
+//!
+//! ```markdown
+//! <!-- expect-problem: a part of the message -->
+//! ```
+//!
+//! A right page lists slips of the pen in the display that follows. Each is made by itself, and must be
+//! caught where it is made and nowhere else:
+//!
+//! ```markdown
+//! <!-- slip: 2 a s becomes 3 a s -->
+//! ```
+//!
+//! In `tests/pages/not-yet/` some displays bear the right answer that the engine does not give so far. Once
+//! it does, the page moves up:
+//!
+//! ```markdown
+//! <!-- not-yet: holds -->
+//! ```
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use cradle_verify::audit::{Audit, Verdict};
+use cradle_verify::derivation::Derivation;
+
+/// A page with what it asks for.
+struct Page {
+    path: String,
+    source: String,
+    derivation: Derivation,
+}
+
+/// A comment of ours, and the line it stands on.
+struct Comment<'a> {
+    line: usize,
+    text: &'a str,
+}
+
+/// Verdict and note codes, a statement each.
+#[derive(PartialEq, Eq)]
+struct Answer(Vec<(String, BTreeSet<String>)>);
+
+impl Answer {
+    fn read(text: &str) -> Answer {
+        let statement = |text: &str| {
+            let mut words = text.split(',').map(|word| word.trim().to_owned());
+            (words.next().unwrap_or_default(), words.collect())
+        };
+        Answer(text.split('|').map(statement).collect())
+    }
+
+    fn found(audit: &Audit, equation: usize) -> Answer {
+        let entries = audit.of_equation(equation).iter().map(|entry| {
+            let notes = entry.notes.iter().map(|note| note.code().to_owned());
+            (entry.verdict.word().to_owned(), notes.collect())
+        });
+        Answer(entries.collect())
+    }
+
+    /// The verdicts that are none, and the notes that do not exist.
+    fn misspelt(&self) -> Vec<&str> {
+        const NOTES: [&str; 12] = [
+            "rests-on",
+            "miscited",
+            "uncited",
+            "unstated-condition",
+            "inconsistent-premises",
+            "wrong-mark",
+            "unknown-citation",
+            "cites-later",
+            "out-of-scope",
+            "duplicate-tag",
+            "unreadable",
+            "unreadable-premise",
+        ];
+        let verdict = |word: &str| Verdict::ALL.iter().any(|v| v.word() == word);
+        let mut wrong = Vec::new();
+        for (word, notes) in &self.0 {
+            wrong.extend(Some(word.as_str()).filter(|word| !verdict(word)));
+            let notes = notes.iter().map(String::as_str);
+            wrong.extend(notes.filter(|note| !NOTES.contains(note)));
+        }
+        wrong
+    }
+}
+
+impl fmt::Display for Answer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let statements = self.0.iter().map(|(verdict, notes)| {
+            let mut words = vec![verdict.as_str()];
+            words.extend(notes.iter().map(String::as_str));
+            words.join(", ")
+        });
+        f.write_str(&statements.collect::<Vec<_>>().join(" | "))
+    }
+}
+
+impl Page {
+    fn read(path: &Path) -> Page {
+        let source = std::fs::read_to_string(path).expect("a page is UTF-8");
+        let path = path.display().to_string();
+        Page {
+            derivation: Derivation::from_markdown(&path, &source),
+            path,
+            source,
+        }
+    }
+
+    fn line(&self, offset: usize) -> usize {
+        self.derivation.pages[0].document.position(offset).line
+    }
+
+    /// The comments `<!-- key: … -->` in a part of the page.
+    fn comments(&self, key: &str, part: std::ops::Range<usize>) -> Vec<Comment<'_>> {
+        let open = format!("<!-- {key}: ");
+        let mut found = Vec::new();
+        let mut at = part.start;
+        while let Some(offset) = self.source[at..part.end].find(&open) {
+            let start = at + offset + open.len();
+            let rest = &self.source[start..part.end];
+            let length = rest.find("-->").unwrap_or(rest.len());
+            found.push(Comment {
+                line: self.line(at + offset),
+                text: rest[..length].trim(),
+            });
+            at = start + length;
+        }
+        found
+    }
+
+    /// The comments above a display.
+    fn above(&self, key: &str, equation: usize) -> Vec<Comment<'_>> {
+        let equations = &self.derivation.equations;
+        let start = equation.checked_sub(1).map_or(0, |e| equations[e].span.end);
+        self.comments(key, start..equations[equation].span.start)
+    }
+
+    /// `file:line`, and the mathematics.
+    fn show(&self, equation: usize) -> String {
+        let equation = &self.derivation.equations[equation];
+        let body = &self.source[equation.body.range()];
+        let body = body.split_whitespace().collect::<Vec<_>>().join(" ");
+        let line = self.line(equation.body.start);
+        format!("{}:{line}\n    equation  {body}", self.path)
+    }
+
+    /// Compares what is found with what is expected.
+    fn compare(&self, not_yet: bool, faults: &mut Vec<String>) {
+        let audit = Audit::of(&self.derivation);
+        let mut open = 0;
+        for at in 0..self.derivation.equations.len() {
+            let found = Answer::found(&audit, at);
+            let expected = self.above("expect", at);
+            let wanted = self.above("not-yet", at);
+            let (comment, is_open) = match (&expected[..], &wanted[..]) {
+                ([comment], []) => (comment, false),
+                ([], [comment]) if not_yet => (comment, true),
+                _ => {
+                    let shown = self.show(at);
+                    faults.push(format!(
+                        "{shown}\n    needs exactly one comment above it, `<!-- expect: … -->`\n    found     {found}"
+                    ));
+                    continue;
+                }
+            };
+            let answer = Answer::read(comment.text);
+            for word in answer.misspelt() {
+                let (path, line) = (&self.path, comment.line);
+                faults.push(format!("{path}:{line}\n    `{word}` is no verdict and no note"));
+            }
+            open += usize::from(is_open);
+            match (is_open, answer == found) {
+                (false, true) | (true, false) => {}
+                (false, false) => {
+                    let shown = self.show(at);
+                    faults.push(format!(
+                        "{shown}\n    expected  {answer}\n    found     {found}"
+                    ));
+                }
+                (true, true) => {
+                    let shown = self.show(at);
+                    faults.push(format!(
+                        "{shown}\n    found     {found}\n    good news: this is right now; write `expect:`, and once nothing is open move the page up"
+                    ));
+                }
+            }
+        }
+        if not_yet && open == 0 {
+            let path = &self.path;
+            faults.push(format!("{path}\n    nothing is open here: move the page up"));
+        }
+        self.compare_problems(faults);
+    }
+
+    fn compare_problems(&self, faults: &mut Vec<String>) {
+        let path = &self.path;
+        let mut problems: Vec<_> = self.derivation.pages[0].problems.iter().collect();
+        for comment in self.comments("expect-problem", 0..self.source.len()) {
+            match problems
+                .iter()
+                .position(|p| p.message.contains(comment.text))
+            {
+                Some(at) => drop(problems.remove(at)),
+                None => faults.push(format!(
+                    "{path}:{}\n    expected a problem with “{}”\n    found     none",
+                    comment.line, comment.text
+                )),
+            }
+        }
+        for problem in problems {
+            let line = self.line(problem.span.start);
+            faults.push(format!(
+                "{path}:{line}\n    unexpected problem  {}",
+                problem.message
+            ));
+        }
+    }
+
+    /// Makes each slip by itself.
+    fn slips(&self, faults: &mut Vec<String>) {
+        let original = self.failing();
+        for at in 0..self.derivation.equations.len() {
+            for slip in self.above("slip", at) {
+                let mut fault = |text: &str| {
+                    faults.push(format!(
+                        "{}:{}\n    slip      {}\n    {text}",
+                        self.path, slip.line, slip.text
+                    ));
+                };
+                let Some((right, wrong)) = slip.text.split_once(" becomes ") else {
+                    fault("write `right becomes wrong`");
+                    continue;
+                };
+                let body = self.derivation.equations[at].body.range();
+                let equation = &self.source[body.clone()];
+                if equation.matches(right).count() != 1 {
+                    fault("what is right does not stand exactly once in the display below");
+                    continue;
+                }
+                let mut source = self.source.clone();
+                source.replace_range(body, &equation.replacen(right, wrong, 1));
+                let slipped = Page {
+                    path: self.path.clone(),
+                    derivation: Derivation::from_markdown(&self.path, &source),
+                    source,
+                };
+                let failing = slipped.failing();
+                if !failing.contains(&at) {
+                    let found = Answer::found(&Audit::of(&slipped.derivation), at);
+                    fault(&format!("is not caught: {found}"));
+                }
+                for other in failing.difference(&original).filter(|&&other| other != at) {
+                    fault(&format!("makes another step fail:\n  {}", slipped.show(*other)));
+                }
+            }
+        }
+    }
+
+    /// The equations with a statement that fails.
+    fn failing(&self) -> BTreeSet<usize> {
+        let audit = Audit::of(&self.derivation);
+        let entries = audit.entries.iter();
+        let failing = entries.filter(|entry| entry.verdict == Verdict::Fails);
+        failing.map(|entry| entry.equation).collect()
+    }
+}
+
+fn pages(folder: &str) -> Vec<Page> {
+    let folder = Path::new("tests").join(folder);
+    let files = std::fs::read_dir(folder).expect("the folder of pages");
+    let mut paths: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "md"));
+    // `PAGE=lens cargo test --test pages` runs the pages with `lens` in their names.
+    if let Ok(part) = std::env::var("PAGE") {
+        paths.retain(|path| path.to_string_lossy().contains(&part));
+    }
+    paths.sort();
+    paths.iter().map(|path| Page::read(path)).collect()
+}
+
+fn complain(faults: Vec<String>) {
+    let count = faults.len();
+    assert!(count == 0, "\n\n{}\n\n{count} in all\n", faults.join("\n\n"));
+}
+
+#[test]
+fn each_page_is_judged_as_it_expects() {
+    let mut faults = Vec::new();
+    for page in pages("pages") {
+        page.compare(false, &mut faults);
+    }
+    complain(faults);
+}
+
+#[test]
+fn each_slip_is_caught_where_it_is_made_and_nowhere_else() {
+    let mut faults = Vec::new();
+    for page in pages("pages") {
+        page.slips(&mut faults);
+    }
+    complain(faults);
+}
+
+#[test]
+fn what_is_not_yet_judged_rightly_is_noticed_once_it_is() {
+    let mut faults = Vec::new();
+    for page in pages("pages/not-yet") {
+        page.compare(true, &mut faults);
+    }
+    complain(faults);
+}
