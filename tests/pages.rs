@@ -179,7 +179,9 @@ impl Page {
             let answer = Answer::read(comment.text);
             for word in answer.misspelt() {
                 let (path, line) = (&self.path, comment.line);
-                faults.push(format!("{path}:{line}\n    `{word}` is no verdict and no note"));
+                faults.push(format!(
+                    "{path}:{line}\n    `{word}` is no verdict and no note"
+                ));
             }
             open += usize::from(is_open);
             match (is_open, answer == found) {
@@ -200,7 +202,9 @@ impl Page {
         }
         if not_yet && open == 0 {
             let path = &self.path;
-            faults.push(format!("{path}\n    nothing is open here: move the page up"));
+            faults.push(format!(
+                "{path}\n    nothing is open here: move the page up"
+            ));
         }
         self.compare_problems(faults);
     }
@@ -263,7 +267,10 @@ impl Page {
                     fault(&format!("is not caught: {found}"));
                 }
                 for other in failing.difference(&original).filter(|&&other| other != at) {
-                    fault(&format!("makes another step fail:\n  {}", slipped.show(*other)));
+                    fault(&format!(
+                        "makes another step fail:\n  {}",
+                        slipped.show(*other)
+                    ));
                 }
             }
         }
@@ -293,7 +300,11 @@ fn pages(folder: &str) -> Vec<Page> {
 
 fn complain(faults: Vec<String>) {
     let count = faults.len();
-    assert!(count == 0, "\n\n{}\n\n{count} in all\n", faults.join("\n\n"));
+    assert!(
+        count == 0,
+        "\n\n{}\n\n{count} in all\n",
+        faults.join("\n\n")
+    );
 }
 
 #[test]

@@ -69,7 +69,7 @@ fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) 
     let found = derivation.find(label);
     let Some(found) = found else {
         let failure = Failure::new(format!("there is no equation `{label}`"));
-        let near = crate::report::explain::near_misses(derivation, label);
+        let near = crate::report::near::near_misses(derivation, label);
         return Err(match near.is_empty() {
             true => failure.help("the number as printed, `23`, or the name of a claim"),
             false => failure.help(format!("there is {}", near.join(", "))),

@@ -13,6 +13,7 @@ pub mod explain;
 pub mod human;
 pub mod json;
 pub mod line;
+pub mod near;
 pub mod proof;
 mod style;
 pub mod summary;
