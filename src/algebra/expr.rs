@@ -211,52 +211,87 @@ impl Expr {
         here || self.children().iter().any(|child| child.mentions(symbol))
     }
 
+    /// What a binder binds its symbol in, and what lies outside of its scope: the limits of a sum or integral,
+    /// the point of a limit.
+    fn scope(&self) -> Option<(&Symbol, &Expr, Vec<&Expr>)> {
+        match self {
+            Expr::Series { index: bound, from, to, body } | Expr::Integral { variable: bound, from, to, body } => {
+                Some((bound, body, vec![from, to]))
+            }
+            Expr::Limit { body, variable, point } => match point {
+                LimitPoint::Finite(point) => Some((variable, body, vec![point])),
+                _ => Some((variable, body, Vec::new())),
+            },
+            _ => None,
+        }
+    }
+
     /// The symbols that have a value of their own in this term: not indices, not the variables of
     /// limits and integrals. The variable of a derivative has one: the point at which it is taken.
     pub fn free_symbols(&self) -> BTreeSet<Symbol> {
         let mut free = BTreeSet::new();
-        for child in self.children() {
-            free.extend(child.free_symbols());
-        }
-        match self {
-            Expr::Symbol(symbol) => {
+        self.collect_free(&mut Vec::new(), &mut free);
+        free
+    }
+
+    fn collect_free<'a>(&'a self, bound: &mut Vec<&'a Symbol>, free: &mut BTreeSet<Symbol>) {
+        let mut add = |symbol: &Symbol, bound: &[&Symbol]| {
+            if !bound.contains(&symbol) && !free.contains(symbol) {
                 free.insert(symbol.clone());
             }
-            Expr::Derivative { variable, .. } => {
-                free.insert(variable.clone());
-            }
-            _ => {
-                if let Some(bound) = self.binder() {
-                    free.remove(bound);
-                }
-            }
+        };
+        match self {
+            Expr::Symbol(symbol) => add(symbol, bound),
+            Expr::Derivative { variable, .. } => add(variable, bound),
+            _ => {}
         }
-        free
+        match self.scope() {
+            Some((own, body, outside)) => {
+                outside.into_iter().for_each(|e| e.collect_free(bound, free));
+                bound.push(own);
+                body.collect_free(bound, free);
+                bound.pop();
+            }
+            None => self.children().into_iter().for_each(|e| e.collect_free(bound, free)),
+        }
     }
 
     /// Puts a term in the place of every free occurrence of a symbol.
     pub fn substitute(&self, symbol: &Symbol, value: &Expr) -> Expr {
         match self {
             Expr::Symbol(own) if own == symbol => value.clone(),
-            _ if self.binder() == Some(symbol) => self.clone(),
-            _ => self.map_children(|child| child.substitute(symbol, value)),
+            // A derivative is taken at a point that cannot be put in under it.
+            Expr::Derivative { variable, .. } if variable == symbol => self.clone(),
+            _ => self.in_scope(symbol, |child| child.substitute(symbol, value)),
         }
     }
 
-    /// The summand of a series at a definite position: `u_i^2` at 3 is `u_3^2`.
-    pub fn at_index(&self, index: &Symbol, position: i64) -> Expr {
+    /// Changes the terms below, but not the body of a binder of `symbol`.
+    fn in_scope(&self, symbol: &Symbol, change: impl Fn(&Expr) -> Expr) -> Expr {
+        let Some((own, body, _)) = self.scope() else {
+            return self.map_children(change);
+        };
+        let bound = own == symbol;
+        self.map_children(|child| match bound && std::ptr::eq(child, body) {
+            true => child.clone(),
+            false => change(child),
+        })
+    }
+
+    /// The summand of a series at a definite position, from 1: `u_i^2` at 3 is `u_3^2`.
+    pub fn at_index(&self, index: &Symbol, position: u32) -> Expr {
         match self {
             Expr::Symbol(own) if own == index => Expr::integer(position),
-            Expr::Element {
-                sequence,
-                index: own,
-            } if own == index => {
-                let position = u32::try_from(position).unwrap_or(0);
+            Expr::Element { sequence, index: own } if own == index => {
                 Expr::Symbol(super::element_symbol(sequence, position))
             }
-            _ if self.binder() == Some(index) => self.clone(),
-            _ => self.map_children(|child| child.at_index(index, position)),
+            _ => self.in_scope(index, |child| child.at_index(index, position)),
         }
+    }
+
+    /// Whether an element of a sequence occurs.
+    pub fn has_elements(&self) -> bool {
+        matches!(self, Expr::Element { .. }) || self.children().iter().any(|child| child.has_elements())
     }
 
     /// Whether this is the number 1.

@@ -3,10 +3,11 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
+use num_integer::Integer;
 use num_traits::ToPrimitive;
 
 use super::{
-    Atom, Atoms, BigRational, Expr, Fraction, LimitPoint, Monomial, Polynomial, Rational, Symbol,
+    Atom, Atoms, BigRational, Expr, Fraction, Function, LimitPoint, Monomial, Polynomial, Rational, Symbol,
     TooLarge, Var,
 };
 
@@ -42,8 +43,30 @@ impl fmt::Display for LowerError {
 pub struct Conditions {
     /// Denominators: they must not vanish.
     pub nonzero: BTreeSet<Polynomial>,
-    /// Derivatives of what was held constant: they must vanish.
+    /// Derivatives of what was held constant: they must vanish, and not at one point only.
     pub zero: BTreeSet<Polynomial>,
+    /// What an even root is taken of: it must not be negative.
+    pub nonnegative: BTreeSet<Polynomial>,
+    /// What a logarithm or a symbolic power is taken of: it must be positive.
+    pub positive: BTreeSet<Polynomial>,
+    /// Terms of which it is not known whether they have a value: a limit that may not exist.
+    pub doubtful: BTreeSet<Expr>,
+}
+
+impl Conditions {
+    fn extend(&mut self, other: Conditions) {
+        self.nonzero.extend(other.nonzero);
+        self.zero.extend(other.zero);
+        self.nonnegative.extend(other.nonnegative);
+        self.positive.extend(other.positive);
+        self.doubtful.extend(other.doubtful);
+    }
+
+    /// Every polynomial that some condition is about.
+    fn polynomials(&self) -> impl Iterator<Item = &Polynomial> {
+        let signs = self.nonnegative.iter().chain(&self.positive);
+        self.nonzero.iter().chain(&self.zero).chain(signs)
+    }
 }
 
 /// Reads terms into rational functions over one table of atoms.
@@ -112,7 +135,18 @@ impl Lowering<'_> {
                 point,
             } => self.limit(body, variable, point),
             Expr::Call(function, argument) => {
-                let argument = self.canonical(argument)?;
+                let value = self.lower(argument)?;
+                let argument = expr_of_fraction(&value, self.atoms);
+                match function {
+                    Function::Ln => {
+                        let sign = sign_of_fraction(&value)?;
+                        self.conditions.positive.insert(sign);
+                    }
+                    Function::Tan => {
+                        self.conditions.doubtful.insert(expr.clone());
+                    }
+                    _ => {}
+                }
                 Ok(self.atom(Atom::Opaque(Expr::Call(*function, argument.into()))))
             }
             Expr::Apply(function, arguments) => {
@@ -129,16 +163,12 @@ impl Lowering<'_> {
 
     /// `u_3` is an element where `u` is a sequence.
     fn atom_of_symbol(&self, symbol: &Symbol) -> Atom {
-        if let Some((name, subscript)) = symbol.name().rsplit_once('_') {
-            let digits = subscript.trim_start_matches('{').trim_end_matches('}');
-            let sequence = Symbol::new(name);
-            if let (Ok(position), true) = (digits.parse(), self.sequences.contains(&sequence))
-                && position > 0
-            {
-                return Atom::Element { sequence, position };
+        match element_parts(symbol) {
+            Some((sequence, position)) if self.sequences.contains(&sequence) => {
+                Atom::Element { sequence, position }
             }
+            _ => Atom::Symbol(symbol.clone()),
         }
-        Atom::Symbol(symbol.clone())
     }
 
     fn recip(&mut self, value: &Fraction) -> Lowered {
@@ -149,40 +179,18 @@ impl Lowering<'_> {
         Ok(inverse)
     }
 
-    /// The same term with equal terms written in one way only.
-    fn canonical(&mut self, expr: &Expr) -> Result<Expr, LowerError> {
-        let value = self.lower(expr)?;
-        Ok(expr_of_fraction(&value, self.atoms))
-    }
-
     fn power(&mut self, base: &Expr, exponent: &Expr) -> Lowered {
         let (base, exponent) = (self.lower(base)?, self.lower(exponent)?);
         if let Some(exponent) = exponent.as_constant() {
             return self.rational_power(&base, &exponent);
         }
-        let Some(terms) = exponent.as_polynomial() else {
-            let opaque = Expr::Power(
-                expr_of_fraction(&base, self.atoms).into(),
-                expr_of_fraction(&exponent, self.atoms).into(),
-            );
-            return Ok(self.atom(Atom::Opaque(opaque)));
-        };
-        // e^(2n+1) = (e^n)^2 · e: each term of the exponent is an integer times something symbolic.
-        let mut product = Fraction::from(Rational::one());
-        let written = expr_of_fraction(&base, self.atoms);
-        for (monomial, coefficient) in terms.clone().terms() {
-            if monomial.is_one() {
-                product = product.times(&self.rational_power(&base, coefficient)?)?;
-                continue;
-            }
-            let above = Rational::from(coefficient.numer());
-            let unit = coefficient / &above;
-            let unit = expr_of(&Polynomial::term(monomial.clone(), unit), self.atoms);
-            let opaque = Expr::Power(written.clone().into(), unit.into());
-            let root = self.atom(Atom::Opaque(opaque));
-            product = product.times(&self.rational_power(&root, &above)?)?;
-        }
-        Ok(product)
+        // (-1)^(2·½) and ((-1)^½)² are not the same: a symbolic exponent is not taken apart.
+        self.conditions.positive.insert(sign_of_fraction(&base)?);
+        let opaque = Expr::Power(
+            expr_of_fraction(&base, self.atoms).into(),
+            expr_of_fraction(&exponent, self.atoms).into(),
+        );
+        Ok(self.atom(Atom::Opaque(opaque)))
     }
 
     fn rational_power(&mut self, base: &Fraction, exponent: &Rational) -> Lowered {
@@ -197,6 +205,9 @@ impl Lowering<'_> {
         let root = match base.as_constant().and_then(|c| exact_root(&c, exponent)) {
             Some(root) => root.into(),
             None => {
+                if exponent.denom().is_even() {
+                    self.conditions.nonnegative.insert(sign_of_fraction(base)?);
+                }
                 let written = expr_of_fraction(base, self.atoms);
                 let unit = BigRational::new(1.into(), exponent.denom());
                 self.atom(Atom::Opaque(Expr::Power(
@@ -225,6 +236,13 @@ impl Lowering<'_> {
             if last.saturating_sub(first) > MOST_EXPLICIT_TERMS {
                 return Err(LowerError::TooLarge);
             }
+            // A sequence begins at 1.
+            let (Ok(first), Ok(last)) = (u32::try_from(first), u32::try_from(last.max(0))) else {
+                return Ok(self.atom(Atom::Opaque(whole.clone())));
+            };
+            if first == 0 && body.has_elements() {
+                return Ok(self.atom(Atom::Opaque(whole.clone())));
+            }
             let mut sum = Fraction::default();
             for position in first..=last {
                 sum = sum.plus(&self.lower(&body.at_index(index, position))?)?;
@@ -235,11 +253,23 @@ impl Lowering<'_> {
         let (Some(1), Expr::Symbol(count)) = (integer(&first), to) else {
             return Ok(self.atom(opaque));
         };
-        let body = self.lower(body)?;
-        match self.power_sums(&body, index, count)? {
-            Some(value) => Ok(value),
-            None => Ok(self.atom(opaque)),
+        if matches!(self.atom_of_symbol(count), Atom::Element { .. }) {
+            return Ok(self.atom(opaque));
         }
+        let outer = std::mem::take(&mut self.conditions);
+        let body = self.lower(body)?;
+        let inner = std::mem::replace(&mut self.conditions, outer);
+        // What must hold for every element cannot be said of one.
+        let bound = inner.polynomials().any(|p| p.vars().iter().any(|&v| self.depends(v, index)));
+        if !bound
+            && inner.doubtful.is_empty()
+            && let Some(value) = self.power_sums(&body, index, count)?
+        {
+            self.conditions.extend(inner);
+            return Ok(value);
+        }
+        self.conditions.doubtful.insert(whole.clone());
+        Ok(self.atom(opaque))
     }
 
     /// `Σ_i` of a polynomial in the elements, as a linear combination of power sums.
@@ -253,14 +283,8 @@ impl Lowering<'_> {
             Atom::Bound { sequence, index: i } if i == index => Some(sequence.clone()),
             _ => None,
         };
-        let depends = |atoms: &Atoms, var: Var| match atoms.atom(var) {
-            Atom::Bound { index: i, .. } => i == index,
-            Atom::Symbol(symbol) => symbol == index,
-            Atom::Opaque(expr) => expr.mentions(index),
-            _ => false,
-        };
         for (factor, _) in body.denominator() {
-            if factor.vars().iter().any(|&v| depends(self.atoms, v)) {
+            if factor.vars().iter().any(|&v| self.depends(v, index)) {
                 return Ok(None);
             }
         }
@@ -270,7 +294,7 @@ impl Lowering<'_> {
             for &(var, exponent) in monomial.powers() {
                 match bound_sequence(self.atoms, var) {
                     Some(sequence) => powers.push((sequence, exponent)),
-                    None if depends(self.atoms, var) => return Ok(None),
+                    None if self.depends(var, index) => return Ok(None),
                     None => outside = outside.times(&Monomial::power(var, exponent)),
                 }
             }
@@ -287,6 +311,17 @@ impl Lowering<'_> {
             value = value.times(&inverse.ok_or(LowerError::DivisionByZero)?)?;
         }
         Ok(Some(value))
+    }
+
+    /// Whether an unknown is another at another value of a bound index.
+    fn depends(&self, var: Var, index: &Symbol) -> bool {
+        match self.atoms.atom(var) {
+            Atom::Bound { index: own, .. } => own == index,
+            Atom::Symbol(symbol) => symbol == index,
+            Atom::PowerSum { to, .. } => to == index,
+            Atom::Opaque(expr) => expr.mentions(index),
+            Atom::Element { .. } => false,
+        }
     }
 
     fn derivative(&mut self, value: &Fraction, variable: &Symbol) -> Lowered {
@@ -307,15 +342,13 @@ impl Lowering<'_> {
 
     /// The derivative of one unknown: 1, 0, or an unknown of its own.
     fn atom_derivative(&mut self, var: Var, variable: &Symbol) -> Lowered {
-        let body = match self.atoms.atom(var).clone() {
-            Atom::Symbol(symbol) if symbol == *variable => return Ok(Rational::one().into()),
-            atom => expr_of_atom(&atom),
-        };
-        let free = body.free_symbols();
-        if free
-            .iter()
-            .all(|s| s != variable && self.constants.contains(s))
-        {
+        let atom = self.atoms.atom(var).clone();
+        if atom == self.atom_of_symbol(variable) {
+            return Ok(Rational::one().into());
+        }
+        let body = expr_of_atom(&atom);
+        let constant = |s: &Symbol| s != variable && self.constants.contains(s);
+        if !body.has_elements() && body.free_symbols().iter().all(constant) {
             return Ok(Fraction::default());
         }
         if let Expr::Power(base, exponent) = &body
@@ -334,47 +367,68 @@ impl Lowering<'_> {
     }
 
     fn limit(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
+        let outer = std::mem::take(&mut self.conditions);
         let value = self.lower(body)?;
+        let inner = std::mem::replace(&mut self.conditions, outer);
         let opaque = Expr::Limit {
             body: expr_of_fraction(&value, self.atoms).into(),
             variable: variable.clone(),
             point: point.clone(),
         };
-        let opaque = Atom::Opaque(opaque);
-        let var = self.atoms.var(Atom::Symbol(variable.clone()));
+        let own = self.atom_of_symbol(variable);
+        let var = self.atoms.var(own);
         let below = value.expanded_denominator()?;
         let mut others = value.numerator().vars();
         others.extend(below.vars());
         others.remove(&var);
-        let mut held = Vec::new();
+        let (mut held, mut plain) = (Vec::new(), true);
         for &other in &others {
-            if !matches!(self.atoms.atom(other), Atom::Symbol(_)) {
-                return Ok(self.atom(opaque));
-            }
+            plain &= matches!(self.atoms.atom(other), Atom::Symbol(_));
             let change = self.atom_derivative(other, variable)?;
             if !change.is_zero() {
                 held.push(change.numerator().clone());
             }
         }
         let found = match point {
+            _ if !plain || inner.polynomials().count() > inner.nonzero.len() => None,
+            _ if !inner.doubtful.is_empty() => None,
+            // A lone symbol that is not known to be constant tells nothing about where it goes.
+            _ if !held.is_empty() && value.as_polynomial().is_some_and(|p| p.degree_in(var) == 0) => None,
             LimitPoint::Finite(point) => {
                 let point = self.lower(point)?;
-                limit_at(value.numerator(), &below, var, &point)?
+                let moves = point.numerator().degree_in(var) > 0;
+                if moves { None } else { limit_at(value.numerator(), &below, var, &point)? }
             }
             LimitPoint::PlusInfinity | LimitPoint::MinusInfinity => {
                 limit_at_infinity(value.numerator(), &below, var)?
             }
         };
         let Some((above, below)) = found else {
-            return Ok(self.atom(opaque));
+            self.conditions.doubtful.insert(opaque.clone());
+            return Ok(self.atom(Atom::Opaque(opaque)));
         };
-        // A lone symbol that is not known to be constant tells nothing about where it goes.
-        if !held.is_empty() && value.as_polynomial().is_some_and(|p| p.degree_in(var) == 0) {
-            return Ok(self.atom(opaque));
+        // What is divided by on the way must not vanish near the point: it does not, as a polynomial in the
+        // variable, if its leading coefficient does not.
+        for divisor in &inner.nonzero {
+            let lead = divisor.in_powers_of(var).pop().unwrap_or_default();
+            if lead.as_constant().is_none() {
+                self.conditions.nonzero.insert(lead);
+            }
         }
         self.conditions.zero.extend(held);
         Ok(above.times(&self.recip(&below)?)?)
     }
+}
+
+/// A polynomial with the sign of a rational function.
+fn sign_of_fraction(value: &Fraction) -> Result<Polynomial, TooLarge> {
+    let mut polynomial = value.numerator().clone();
+    for (factor, exponent) in value.denominator() {
+        if exponent % 2 == 1 {
+            polynomial = polynomial.times(factor)?;
+        }
+    }
+    Ok(polynomial)
 }
 
 /// The limit at infinity by the leading terms; `None` where it is not finite.
@@ -492,6 +546,18 @@ pub fn expr_of_atom(atom: &Atom) -> Expr {
         }
         Atom::Opaque(expr) => expr.clone(),
     }
+}
+
+/// `u` and 3, for the symbol `u_3`; `None` for a symbol that cannot name an element.
+pub fn element_parts(symbol: &Symbol) -> Option<(Symbol, u32)> {
+    let (name, subscript) = symbol.name().rsplit_once('_')?;
+    let digits = match subscript.strip_prefix('{') {
+        Some(braced) => braced.strip_suffix('}')?,
+        None => subscript,
+    };
+    let plain = digits.bytes().all(|b| b.is_ascii_digit()) && !digits.starts_with('0');
+    let position = digits.parse().ok().filter(|_| plain)?;
+    Some((Symbol::new(name), position))
 }
 
 /// `u_3`, as a symbol.

@@ -113,9 +113,13 @@ impl Rational {
         }
     }
 
-    /// `1 / self`; not for 0.
+    /// `1 / self`.
+    ///
+    /// # Panics
+    /// For 0, as division of machine integers does.
     pub fn recip(&self) -> Self {
         match &self.0 {
+            Form::Small(0, _) => panic!("division by zero"),
             Form::Small(n, d) if *n > 0 => Rational::small(*d, *n),
             Form::Small(n, d) => Rational::small(-*d, -*n),
             Form::Big(value) => Rational::from_big(value.recip()),

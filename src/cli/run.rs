@@ -1,5 +1,7 @@
 //! What each command does: text for standard output, and whether anything was found.
 
+use std::path::PathBuf;
+
 use nalgebra::DVector;
 use num_rational::BigRational;
 use num_traits::One;
@@ -25,14 +27,14 @@ pub(super) fn run(args: &Args) -> Done {
         return judged(&built_in(letter)?, args.format);
     }
     match &args.command {
-        None => audit(&proofs::report(), args),
-        Some(Command::Check { paths }) => audit(&input::derivation(paths)?, args),
+        None => audit(&proofs::report(), args, &[]),
+        Some(Command::Check { paths }) => audit(&input::derivation(paths)?, args, &shown(paths)),
         Some(Command::Explain { label, paths }) => {
             let derivation = match paths.is_empty() {
                 true => proofs::report(),
                 false => input::derivation(paths)?,
             };
-            explain(&derivation, label, args)
+            explain(&derivation, label, args, &shown(paths))
         }
         Some(Command::Scenario {
             before,
@@ -42,11 +44,19 @@ pub(super) fn run(args: &Args) -> Done {
     }
 }
 
-fn audit(derivation: &Derivation, args: &Args) -> Done {
+fn shown(paths: &[PathBuf]) -> Vec<String> {
+    paths
+        .iter()
+        .map(|path| path.display().to_string())
+        .collect()
+}
+
+fn audit(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
     let audit = Audit::of(derivation);
     let report = Report {
         derivation,
         audit: &audit,
+        paths,
     };
     let text = match args.format {
         Format::Human => report.human(args.show_understood),
@@ -55,11 +65,11 @@ fn audit(derivation: &Derivation, args: &Args) -> Done {
     Ok((text, report.findings() > 0))
 }
 
-fn explain(derivation: &Derivation, label: &str, args: &Args) -> Done {
+fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) -> Done {
     let found = derivation.find(label);
     let Some(found) = found else {
         let failure = Failure::new(format!("there is no equation `{label}`"));
-        let near = crate::report::explain::near_misses(derivation, label);
+        let near = crate::report::near::near_misses(derivation, label);
         return Err(match near.is_empty() {
             true => failure.help("the number as printed, `23`, or the name of a claim"),
             false => failure.help(format!("there is {}", near.join(", "))),
@@ -79,6 +89,7 @@ fn explain(derivation: &Derivation, label: &str, args: &Args) -> Done {
     let report = Report {
         derivation,
         audit: &audit,
+        paths,
     };
     let entries = || all.iter().flat_map(|&at| audit.of_equation(at));
     let text = match args.format {

@@ -2,8 +2,8 @@ use std::collections::BTreeSet;
 
 use super::{Claim, Domain, Fact, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, Atoms, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Rational, Relation,
-    Symbol, expr_of, power_sum,
+    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Rational,
+    Relation, Symbol, element_parts, element_symbol, expr_of, power_sum,
 };
 
 /// A claim as facts about polynomials: what certificates speak of.
@@ -59,8 +59,7 @@ impl Problem {
     pub fn new(claim: &Claim, unfold: &[usize]) -> Result<Problem, Reject> {
         let (formulas, goal, values) = unfolded(claim, unfold)?;
         let sequences: BTreeSet<Symbol> = claim.sequences.keys().cloned().collect();
-        let constant = |d: &Domain| d.constant || d.integer;
-        let declared = claim.domains.iter().filter(|(_, d)| constant(d));
+        let declared = claim.domains.iter().filter(|(_, d)| d.constant);
         let mut problem = Problem {
             atoms: Atoms::default(),
             facts: Vec::new(),
@@ -84,18 +83,42 @@ impl Problem {
             let formula = problem.formulas[position].0.clone();
             problem.assume(&formula, Origin::Hypothesis(position))?;
         }
-        for symbol in claim.free_symbols() {
-            let Some(domain) = claim.domains.get(&symbol) else {
+        let counts = counts(claim);
+        let natural = Domain {
+            lower: Some((BigRational::from_integer(0.into()), false)),
+            integer: true,
+            ..Domain::default()
+        };
+        let named = claim.free_symbols();
+        for symbol in named.union(&counts) {
+            let own = Expr::Symbol(symbol.clone());
+            let term = values.iter().find(|v| v.0 == *symbol).map_or(&own, |v| &v.1);
+            // A sum up to something that is not a natural number is no sum.
+            let counted = counts.contains(symbol).then_some((&natural, Origin::Sums));
+            let declared = claim.domains.get(symbol).map(|d| (d, Origin::Domain(symbol.clone())));
+            for (domain, origin) in declared.into_iter().chain(counted) {
+                for formula in domain.formulas(term) {
+                    problem.assume(&formula, origin.clone())?;
+                }
+                if domain.integer {
+                    let value = problem.lowering().lower(term)?;
+                    problem.integers.push(value);
+                }
+            }
+        }
+        // Elements of sums that were written out are named nowhere else.
+        let atoms: Vec<Atom> = problem.atoms.iter().map(|(_, atom)| atom.clone()).collect();
+        for atom in atoms {
+            let symbol = match atom {
+                Atom::Symbol(symbol) => symbol,
+                Atom::Element { sequence, position } => element_symbol(&sequence, position),
+                _ => continue,
+            };
+            let Some(domain) = claim.domains.get(&symbol).filter(|_| !named.contains(&symbol)) else {
                 continue;
             };
-            let own = Expr::Symbol(symbol.clone());
-            let term = values.iter().find(|v| v.0 == symbol).map_or(&own, |v| &v.1);
-            for formula in domain.formulas(term) {
+            for formula in domain.formulas(&Expr::Symbol(symbol.clone())) {
                 problem.assume(&formula, Origin::Domain(symbol.clone()))?;
-            }
-            if domain.integer {
-                let value = problem.lowering().lower(term)?;
-                problem.integers.push(value);
             }
         }
         problem.add_facts_about_sums(claim)?;
@@ -205,6 +228,12 @@ impl Problem {
             for factor in &conditions.nonzero {
                 self.add(factor.clone(), Sign::NonZero, origin.clone());
             }
+            for base in &conditions.nonnegative {
+                self.add(base.clone(), Sign::NonNegative, origin.clone());
+            }
+            for base in &conditions.positive {
+                self.add(base.clone(), Sign::Positive, origin.clone());
+            }
         }
         self.readings.push(Reading { fact, conditions });
         Ok(())
@@ -240,11 +269,6 @@ impl Problem {
             }
         }
         let all: Vec<_> = self.atoms.iter().map(|(v, a)| (v, a.clone())).collect();
-        for &count in &counts {
-            if let Some(var) = self.atoms.find(&Atom::Symbol(count.clone())) {
-                self.add(Polynomial::var(var), Sign::NonNegative, Origin::Sums);
-            }
-        }
         for (var, atom) in all {
             match atom {
                 Atom::PowerSum { powers, .. } if powers.iter().all(|p| p.1 % 2 == 0) => {
@@ -282,7 +306,15 @@ impl Problem {
         sums: &BTreeSet<(Symbol, Vec<(Symbol, u32)>)>,
     ) -> Result<(), Reject> {
         let common = match value {
-            Some(value) => self.lowering().lower(value)?,
+            Some(value) => {
+                let mut lowering = self.lowering();
+                let common = lowering.lower(value)?;
+                // A limit with something held constant: see `assume`.
+                if !lowering.conditions.zero.is_empty() {
+                    return Ok(());
+                }
+                common
+            }
             None => {
                 let first = Atom::Element {
                     sequence: sequence.clone(),
@@ -328,14 +360,25 @@ fn unfolded(claim: &Claim, unfold: &[usize]) -> Result<Unfolded, Reject> {
         let all = || formulas.iter().map(|f| &f.0).chain([&goal]);
         let moving = |f: &Formula| f.terms().iter().any(|t| moves(t, &symbol));
         let captured = |f: &Formula| f.terms().iter().any(|t| captures(t, &term));
-        let names = |f: &Formula| f.sequences().contains(&symbol);
+        // An element is named by its sequence too, under a sum.
+        let element = element_parts(&symbol).map(|parts| parts.0);
+        let names = |f: &Formula| {
+            let sequences = f.sequences();
+            sequences.contains(&symbol) || element.as_ref().is_some_and(|e| sequences.contains(e))
+        };
         let derived_by = |f: &Formula| f.terms().iter().any(|t| is_variable(t, &symbol));
-        let pointwise = *standing == Standing::AtPoint && all().any(moving);
-        if pointwise || all().any(captured) || all().any(names) || all().any(derived_by) {
+        let stuck = *standing == Standing::AtPoint && all().any(moving);
+        if stuck || all().any(captured) || all().any(names) || all().any(derived_by) {
             return Err(Reject::NotUnfoldable(position));
         }
-        for (formula, _) in &mut formulas {
-            *formula = formula.map_terms(|t| t.substitute(&symbol, &term));
+        let pointwise = *standing == Standing::AtPoint;
+        for (formula, standing) in &mut formulas {
+            let changed = formula.map_terms(|t| t.substitute(&symbol, &term));
+            // A law into which a value was put says something of this point only.
+            if pointwise && changed != *formula {
+                *standing = Standing::AtPoint;
+            }
+            *formula = changed;
         }
         goal = goal.map_terms(|t| t.substitute(&symbol, &term));
         for (_, value) in &mut values {
@@ -363,6 +406,26 @@ pub(crate) fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
     solved(left, right).or_else(|| solved(right, left))
 }
 
+/// The symbols that say how many elements there are.
+fn counts(claim: &Claim) -> BTreeSet<Symbol> {
+    fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {
+        if let Expr::Series { to, .. } = expr
+            && let Expr::Symbol(count) = &**to
+        {
+            found.insert(count.clone());
+        }
+        expr.children().into_iter().for_each(|child| collect(child, found));
+    }
+    let mut found = BTreeSet::new();
+    for formula in claim.formulas() {
+        formula.terms().into_iter().for_each(|term| collect(term, &mut found));
+        if let Formula::AllEqual { to: Expr::Symbol(count), .. } = formula {
+            found.insert(count.clone());
+        }
+    }
+    found
+}
+
 /// Whether a symbol stands where it is differentiated, integrated or taken to a limit, or is what that is done by.
 fn moves(term: &Expr, symbol: &Symbol) -> bool {
     let here = match term {
@@ -374,13 +437,14 @@ fn moves(term: &Expr, symbol: &Symbol) -> bool {
     here || term.children().iter().any(|child| moves(child, symbol))
 }
 
-/// Whether a derivative is taken with respect to a symbol: putting a term in its place would sever the two.
+/// Whether a symbol is what is differentiated by, goes to a limit or is integrated over: putting a term in its
+/// place elsewhere would sever the two.
 fn is_variable(term: &Expr, symbol: &Symbol) -> bool {
-    let here = matches!(term, Expr::Derivative { variable, .. } if variable == symbol);
-    here || term
-        .children()
-        .iter()
-        .any(|child| is_variable(child, symbol))
+    let here = match term {
+        Expr::Series { .. } => false,
+        _ => term.binder() == Some(symbol),
+    };
+    here || term.children().iter().any(|child| is_variable(child, symbol))
 }
 
 /// Whether a sum binds an index that occurs in `value`.

@@ -1,6 +1,6 @@
 use super::{
-    Certificate, Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Reject,
-    SeriesSquare, Sign,
+    Certificate, Cofactors, Fact, Factors, Knowledge, Origin, PositiveTerm, Problem, Proof, Reject,
+    SeriesSquare, Sign, Standing,
 };
 use crate::algebra::{Atom, Polynomial, Symbol, expr_of, power_sum, product};
 
@@ -22,23 +22,57 @@ impl<'a> State<'a> {
 
     /// Checks every lemma in order, then the goal and that it is defined.
     pub fn certificate(&mut self, certificate: &Certificate) -> Result<(), Reject> {
+        let known = |p: &&Polynomial| p.vars().iter().all(|v| v.position() < self.problem.atoms.len());
+        if !certificate.polynomials().iter().all(known) {
+            return Err(Reject::NoSuchUnknown);
+        }
         for lemma in &certificate.lemmas {
             self.proof(&lemma.fact, &lemma.proof)?;
             self.knowledge.learn(&lemma.fact);
             self.facts.push(lemma.fact.clone());
         }
-        for divisor in &self.problem.conditions.nonzero {
-            if !self.knowledge.is_nonzero(divisor) {
-                return Err(Reject::MayVanish(expr_of(divisor, &self.problem.atoms)));
-            }
-        }
-        for change in &self.problem.conditions.zero {
-            let known = |f: &Fact| f.sign == Sign::Zero && f.polynomial.monic() == change.monic();
-            if !self.facts.iter().any(known) {
-                return Err(Reject::MayVary(expr_of(change, &self.problem.atoms)));
-            }
-        }
+        self.definedness()?;
         self.proof(&self.problem.goal, &certificate.conclusion)
+    }
+
+    /// Whether every term of the goal has a value.
+    fn definedness(&self) -> Result<(), Reject> {
+        let (conditions, atoms) = (&self.problem.conditions, &self.problem.atoms);
+        for divisor in &conditions.nonzero {
+            if !self.knowledge.is_nonzero(divisor) {
+                return Err(Reject::MayVanish(expr_of(divisor, atoms)));
+            }
+        }
+        for base in &conditions.nonnegative {
+            if !self.knowledge.is_nonnegative(base) {
+                return Err(Reject::MayBeNegative(expr_of(base, atoms)));
+            }
+        }
+        for base in &conditions.positive {
+            if !self.knowledge.is_positive(base) {
+                return Err(Reject::MayBeNegative(expr_of(base, atoms)));
+            }
+        }
+        if let Some(term) = conditions.doubtful.first() {
+            return Err(Reject::MayHaveNoValue(term.clone()));
+        }
+        for change in &conditions.zero {
+            // That a slope vanishes at one point holds nothing constant.
+            let throughout = |origin: &Origin| match origin {
+                Origin::Hypothesis(at) => {
+                    self.problem.formulas.get(*at).is_some_and(|f| f.1 == Standing::Identity)
+                }
+                _ => false,
+            };
+            let mut facts = self.problem.facts.iter().zip(&self.problem.origins);
+            let known = facts.any(|(f, origin)| {
+                f.sign == Sign::Zero && f.polynomial.monic() == change.monic() && throughout(origin)
+            });
+            if !known {
+                return Err(Reject::MayVary(expr_of(change, atoms)));
+            }
+        }
+        Ok(())
     }
 
     fn proof(&self, fact: &Fact, proof: &Proof) -> Result<(), Reject> {

@@ -109,6 +109,10 @@ pub enum Reject {
     ZeroPower,
     /// A derivative that was taken to vanish is not known to.
     MayVary(Expr),
+    /// It is not known whether a term of the goal has a value at all.
+    MayHaveNoValue(Expr),
+    /// The certificate speaks of an unknown that the claim does not have.
+    NoSuchUnknown,
     /// A power sum that a certificate speaks of does not occur in the claim.
     NoSuchSum,
     /// The point gives no value to a term.
@@ -139,6 +143,8 @@ impl fmt::Display for Reject {
             Reject::NotStrict => "nothing in the proof is strictly positive",
             Reject::ZeroPower => "the goal does not occur in the certificate",
             Reject::MayVary(_) => "a symbol that was held constant may vary",
+            Reject::MayHaveNoValue(_) => "a term may have no value",
+            Reject::NoSuchUnknown => "the certificate names an unknown that is not there",
             Reject::NoSuchSum => "the certificate names a sum that is not there",
             Reject::NoValue => "the point does not give every term a value",
             Reject::PremiseFalse(_) => "a premise is false at the point",

@@ -1,7 +1,7 @@
-use super::{Assignment, Claim, Fact, Problem, Reject, Sign, Standing};
+use super::{Assignment, Claim, Domain, Fact, Problem, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational,
-    Relation, Symbol, Var,
+    Atom, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational, Relation,
+    Symbol, Var, element_parts, element_symbol,
 };
 
 /// A claim's formulas at one point.
@@ -31,11 +31,11 @@ impl<'a> Point<'a> {
         }
         for (sequence, elements) in &self.at.sequences {
             let domain = self.claim.sequences.get(sequence);
-            if !elements
-                .iter()
-                .all(|e| domain.is_none_or(|d| d.contains(e)))
-            {
-                return Err(Reject::OutsideDomain);
+            for (position, element) in (1..).zip(elements) {
+                let own = self.claim.domains.get(&element_symbol(sequence, position));
+                if !domain.into_iter().chain(own).all(|d| d.contains(element)) {
+                    return Err(Reject::OutsideDomain);
+                }
             }
         }
         for (position, reading) in self.problem.readings.clone().into_iter().enumerate() {
@@ -72,7 +72,17 @@ impl<'a> Point<'a> {
                 return Ok(false);
             }
         }
-        Ok(true)
+        for base in &conditions.nonnegative {
+            if self.value(base)?.is_negative() {
+                return Ok(false);
+            }
+        }
+        for base in &conditions.positive {
+            if !self.value(base)?.is_positive() {
+                return Ok(false);
+            }
+        }
+        Ok(conditions.doubtful.is_empty())
     }
 
     fn is_true(&mut self, fact: &Fact) -> Result<bool, Reject> {
@@ -198,6 +208,16 @@ impl<'a> Point<'a> {
         variable: &Symbol,
     ) -> Result<Rational, Reject> {
         let goal = &self.problem.goal_formula;
+        // An element is named by its sequence too, and a number that cannot move has no slope to choose.
+        let sequence = element_parts(symbol).map(|parts| parts.0);
+        let named = |f: &Formula| sequence.as_ref().is_some_and(|s| f.sequences().contains(s));
+        let fixed = |d: &Domain| d.integer || d.lower.is_some() && d.lower == d.upper;
+        let formulas = self.problem.formulas.iter();
+        if formulas.map(|f| &f.0).chain([goal]).any(named)
+            || self.claim.domains.get(symbol).is_some_and(fixed)
+        {
+            return Err(Reject::NoValue);
+        }
         let formulas = self.problem.formulas.iter();
         let identities: Vec<&Formula> = formulas
             .clone()

@@ -9,7 +9,6 @@ use crate::audit::{Note, Verdict};
 use crate::document::Span;
 
 use super::Report;
-use super::words::count;
 
 /// One finding, before it is laid out.
 pub(super) struct Finding {
@@ -43,25 +42,32 @@ impl Report<'_> {
                 all.push(unreadable(
                     number,
                     problem.span,
-                    format!("this could not be read: {}", problem.message),
+                    problem.message.clone(),
                     problem.help.clone(),
                 ));
             }
         }
         let mut told: Vec<&[usize]> = Vec::new();
         for entry in &self.audit.entries {
-            if entry.verdict == Verdict::Fails && entry.is_finding() {
-                all.extend(self.failing(entry));
+            let fails = entry.is_finding() && !entry.fails_as_marked();
+            match entry.verdict {
+                Verdict::Fails if fails => all.extend(self.failing(entry)),
+                Verdict::IllDimensioned => all.push(self.ill_dimensioned(entry)),
+                _ => {}
             }
-            for note in entry.notes.iter().filter(|n| n.is_finding()) {
+            let apart = |note: &&Note| {
+                note.is_finding()
+                    && !(entry.verdict == Verdict::Fails
+                        && fails
+                        && super::belongs_to_failing(note))
+            };
+            for note in entry.notes.iter().filter(apart) {
                 match note {
                     Note::RestsOn(on) if told.contains(&on.as_slice()) => {}
                     Note::RestsOn(on) => {
                         told.push(on);
                         all.push(self.resting(on));
                     }
-                    Note::UnstatedCondition(_) | Note::WrongMark(_)
-                        if entry.verdict == Verdict::Fails => {}
                     note => all.extend(self.noted(entry, note)),
                 }
             }
@@ -93,11 +99,6 @@ impl Report<'_> {
         }
         Renderer::styled().term_width(100).render(&[group])
     }
-
-    /// How many lines of talk there are, for the closing line of `check`.
-    pub fn in_short(&self) -> String {
-        count(self.findings(), "finding")
-    }
 }
 
 /// A place that could not be read.
@@ -128,14 +129,6 @@ fn within(source: &str, span: Span) -> std::ops::Range<usize> {
 
 /// What to type to see one equation's evidence in full.
 pub(super) fn replay(report: &Report<'_>, at: usize) -> Option<(Level<'static>, String)> {
-    let label = report.equation(at).label()?;
-    let path = &report.derivation.pages[report.equation(at).page]
-        .document
-        .path;
-    let path = match crate::proofs::page(path) {
-        Some(_) => String::new(),
-        None => format!(" {path}"),
-    };
     let level = Level::NOTE.with_name("replay");
-    Some((level, format!("cradle-verify explain {label}{path}")))
+    Some((level, report.replay(at)?))
 }

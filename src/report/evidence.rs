@@ -8,7 +8,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use crate::algebra::{
     Atoms, BigRational, Conditions, Expr, Formula, Fraction, Function, Lowering, Polynomial,
-    Symbol, expr_of_atom,
+    Symbol, expr_of_atom, expr_of_fraction,
 };
 use crate::kernel::{Assignment, Claim, definition};
 
@@ -111,7 +111,7 @@ impl<'a> Point<'a> {
                     return None;
                 }
                 (from..=to)
-                    .map(|at| self.value(&body.at_index(index, at)))
+                    .map(|at| self.value(&body.at_index(index, u32::try_from(at).unwrap_or(0))))
                     .sum()
             }
             Expr::Call(function, argument) => {
@@ -142,12 +142,22 @@ impl<'a> Point<'a> {
         elements.get(position.checked_sub(1)?).cloned()
     }
 
+    fn unfolded(&self, term: &Expr) -> Expr {
+        let defined = self.defined.iter();
+        defined.fold(term.clone(), |term, (symbol, value)| {
+            term.substitute(symbol, value)
+        })
+    }
+
+    /// A term with its derivatives and limits taken, as a quotient of polynomials.
+    pub fn computed(&self, term: &Expr) -> Option<Expr> {
+        let (value, atoms) = self.lowered(&self.unfolded(term))?;
+        Some(expr_of_fraction(&value, &atoms))
+    }
+
     /// Derivatives and limits are taken of the term, not of its value.
     fn limit(&self, term: &Expr) -> Option<BigRational> {
-        let mut unfolded = term.clone();
-        for (symbol, value) in &self.defined {
-            unfolded = unfolded.substitute(symbol, value);
-        }
+        let unfolded = self.unfolded(term);
         let (value, atoms) = self.lowered(&unfolded)?;
         let mut result = self.polynomial(value.numerator(), &atoms)?;
         for (factor, exponent) in value.denominator() {

@@ -1,8 +1,9 @@
 //! One line for each equation: its number, the verdict, and the one thing to know.
 
+use crate::algebra::{Expr, Formula, Relation};
 use crate::audit::{Entry, Judged, Note, Outcome, Verdict};
 use crate::derivation::Source;
-use crate::kernel::{Proven, Refuted};
+use crate::kernel::Refuted;
 use crate::notation::{Mark, latex_statement};
 
 use super::evidence::{Point, number};
@@ -36,7 +37,7 @@ impl Report<'_> {
         let name = shortened(&self.line_name(entry), names);
         let word = entry.verdict.word();
         let verdict = format!("{} {word:<9}", style::sign(entry.verdict));
-        let room = WIDTH.saturating_sub(names + 15);
+        let room = WIDTH.saturating_sub(names + 16);
         let headline = shortened(&self.headline(entry), room);
         let line = format!(
             "  {name:<names$}  {} {headline}",
@@ -93,9 +94,17 @@ impl Report<'_> {
             false => format!(" at {values}"),
         };
         match point.sides(formula) {
-            Some((left, right)) => {
-                format!("left {}, right {}{at}", number(&left), number(&right))
-            }
+            Some((left, right)) => match formula {
+                Formula::Relation { relation, .. } if *relation != Relation::Equal => {
+                    let there = Formula::Relation {
+                        left: Expr::Number(left),
+                        relation: *relation,
+                        right: Expr::Number(right),
+                    };
+                    format!("{} is false{at}", crate::notation::plain_formula(&there))
+                }
+                _ => format!("left {}, right {}{at}", number(&left), number(&right)),
+            },
             None => format!("`{}` is false{at}", crate::notation::plain_formula(formula)),
         }
     }
@@ -133,17 +142,10 @@ impl Report<'_> {
                 shown.push(text);
             }
         }
-        let proofs: Vec<&Proven> = entry
-            .judged
-            .iter()
-            .filter_map(|j| match &j.outcome {
-                Outcome::Proven(proven) => Some(&**proven),
-                _ => None,
-            })
-            .collect();
+        let equation = |j: &Judged| matches!(&j.goal.formula, Formula::Relation { relation, .. } if *relation == Relation::Equal);
         match shown.is_empty() {
-            true if proofs.iter().all(|p| p.claim().domains.is_empty()) => "an identity".into(),
-            true => "by itself, for all values in the declared domains".into(),
+            true if entry.judged.iter().all(equation) => "an identity".into(),
+            true => "by algebra alone".into(),
             false => format!("from {}", words::list(shown)),
         }
     }

@@ -13,12 +13,13 @@ pub mod explain;
 pub mod human;
 pub mod json;
 pub mod line;
+pub mod near;
 pub mod proof;
 mod style;
 pub mod summary;
 mod words;
 
-use crate::audit::Audit;
+use crate::audit::{Audit, Entry, Note, Verdict};
 use crate::derivation::Derivation;
 
 /// A derivation with its audit: what every view looks at.
@@ -28,12 +29,41 @@ pub struct Report<'a> {
     pub derivation: &'a Derivation,
     /// What was found of it.
     pub audit: &'a Audit,
+    /// The paths that were asked for, to be repeated in what a reader may type next; none for the built-in report.
+    pub paths: &'a [String],
 }
 
 impl Report<'_> {
-    /// How many findings there are: entries with something to mend, and places that could not be read.
+    /// How many findings there are, places that could not be read included.
     pub fn findings(&self) -> usize {
         let unread: usize = self.derivation.pages.iter().map(|p| p.problems.len()).sum();
-        self.audit.findings().count() + unread
+        unread + self.audit.entries.iter().map(findings_of).sum::<usize>()
     }
+
+    /// What to type to see an equation's evidence in full.
+    pub fn replay(&self, at: usize) -> Option<String> {
+        let mut command = format!("cradle-verify explain {}", self.equation(at).label()?);
+        for path in self.paths {
+            match path.contains(|c: char| c.is_whitespace() || "'\"$`\\&;|<>()*?[]#~!".contains(c))
+            {
+                true => command += &format!(" '{}'", path.replace('\'', "'\\''")),
+                false => command += &format!(" {path}"),
+            }
+        }
+        Some(command)
+    }
+}
+
+/// How many things there are to mend about one entry: what belongs to its failing is counted with that.
+fn findings_of(entry: &Entry) -> usize {
+    let fails = matches!(entry.verdict, Verdict::Fails | Verdict::IllDimensioned)
+        && entry.is_finding()
+        && !entry.fails_as_marked();
+    let apart = |note: &&Note| note.is_finding() && !(fails && belongs_to_failing(note));
+    usize::from(fails) + entry.notes.iter().filter(apart).count()
+}
+
+/// Said together with a counterexample rather than by itself.
+fn belongs_to_failing(note: &Note) -> bool {
+    matches!(note, Note::UnstatedCondition(_) | Note::WrongMark(_))
 }

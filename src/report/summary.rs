@@ -7,18 +7,18 @@ use super::style::{BOLD, DIM, paint};
 use super::words::{count, list, shortened};
 
 const WIDEST_TITLE: usize = 44;
+const HEAD: [&str; 6] = [
+    "given",
+    "holds",
+    "fails",
+    "ill-dim.",
+    "undecided",
+    "findings",
+];
 
 impl Report<'_> {
     /// A row for each page, a row for all, and what it comes to.
     pub fn summary(&self) -> String {
-        let head = [
-            "given",
-            "holds",
-            "fails",
-            "ill-dim.",
-            "undecided",
-            "findings",
-        ];
         let pages = &self.derivation.pages;
         let titles: Vec<String> = pages
             .iter()
@@ -30,8 +30,8 @@ impl Report<'_> {
         let width = titles.iter().map(|t| t.chars().count()).max().unwrap_or(0);
         let width = width.max("all pages".len());
         let mut text = format!("  {:<width$}", "");
-        for word in head {
-            text += &paint(DIM, &format!("  {word:>9}"));
+        for word in HEAD {
+            text += &paint(DIM, &format!("  {word}"));
         }
         text.push('\n');
         for (at, title) in titles.iter().enumerate() {
@@ -80,11 +80,11 @@ impl Report<'_> {
             (0, 0) => "Nothing is amiss.".to_owned(),
             (0, _) => "Nothing was found amiss, but what is undecided was not checked.".to_owned(),
             _ => {
-                let some = entries.iter().find(|e| e.is_finding());
+                let mut some = entries.iter().filter(|e| e.is_finding());
                 let replay = some
-                    .and_then(|e| self.equation(e.equation).label())
-                    .map_or(String::new(), |label| {
-                        format!(" `cradle-verify explain {label}` writes one out in full.")
+                    .find_map(|e| self.replay(e.equation))
+                    .map_or(String::new(), |replay| {
+                        format!(" `{replay}` writes one out in full.")
                     });
                 let verb = if findings == 1 { "needs" } else { "need" };
                 format!("{} {verb} mending.{replay}", count(findings, "finding"))
@@ -96,11 +96,14 @@ impl Report<'_> {
 
 fn cells(entries: &[&Entry], problems: usize) -> String {
     let of = |verdict| entries.iter().filter(|e| e.verdict == verdict).count();
-    let findings = problems + entries.iter().filter(|e| e.is_finding()).count();
+    let findings = problems + entries.iter().map(|e| super::findings_of(e)).sum::<usize>();
     let numbers = Verdict::ALL.map(of).into_iter().chain([findings]);
-    let cells = numbers.map(|number| match number {
-        0 => format!("  {:>9}", "–"),
-        _ => format!("  {number:>9}"),
+    let cells = numbers.zip(HEAD).map(|(number, head)| {
+        let width = head.len();
+        match number {
+            0 => format!("  {:>width$}", "–"),
+            _ => format!("  {number:>width$}"),
+        }
     });
     cells.collect::<String>() + "\n"
 }

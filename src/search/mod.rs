@@ -257,6 +257,14 @@ fn proven(claim: Claim, certificate: Certificate, conditions: Vec<Formula>) -> O
     }
 }
 
+fn compared(term: Expr, relation: Relation) -> Formula {
+    Formula::Relation {
+        left: term,
+        relation,
+        right: Expr::integer(0),
+    }
+}
+
 enum Attempt {
     Nothing,
     Proof(Certificate),
@@ -271,24 +279,44 @@ fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
         return Ok(Attempt::Nothing);
     };
     let mut needs = Vec::new();
-    for divisor in &problem.conditions.nonzero {
-        if prover.knows_nonzero(divisor) {
+    let conditions = &problem.conditions;
+    let nonzero = conditions.nonzero.iter().map(|p| (p, Sign::NonZero));
+    let nonnegative = conditions.nonnegative.iter().map(|p| (p, Sign::NonNegative));
+    let positive = conditions.positive.iter().map(|p| (p, Sign::Positive));
+    for (polynomial, sign) in nonzero.chain(nonnegative).chain(positive) {
+        if prover.knows(polynomial, sign) {
             continue;
         }
         let fact = Fact {
-            polynomial: divisor.clone(),
-            sign: Sign::NonZero,
+            polynomial: polynomial.clone(),
+            sign,
         };
         match prover.prove(&fact, Effort::Full) {
             Some(proof) => {
                 prover.add(fact, proof);
             }
-            None => needs.push(Formula::nonzero(expr_of(divisor, &problem.atoms))),
+            None => {
+                let term = expr_of(polynomial, &problem.atoms);
+                needs.push(match sign {
+                    Sign::NonNegative => compared(term, Relation::GreaterOrEqual),
+                    Sign::Positive => compared(term, Relation::Greater),
+                    _ => Formula::nonzero(term),
+                });
+            }
         }
     }
+    if !conditions.doubtful.is_empty() {
+        return Ok(Attempt::Nothing);
+    }
     for change in &problem.conditions.zero {
-        let known = |f: &Fact| f.sign == Sign::Zero && f.polynomial.monic() == change.monic();
-        if !problem.facts.iter().any(known) {
+        let throughout = |origin: &Origin| {
+            matches!(origin, Origin::Hypothesis(at) if claim.hypotheses[*at].standing == Standing::Identity)
+        };
+        let mut facts = problem.facts.iter().zip(&problem.origins);
+        let known = facts.any(|(f, origin)| {
+            f.sign == Sign::Zero && f.polynomial.monic() == change.monic() && throughout(origin)
+        });
+        if !known {
             let term = expr_of(change, &problem.atoms);
             needs.push(Formula::equal(term, Expr::integer(0)));
         }

@@ -52,7 +52,16 @@ impl Prover {
     }
 
     pub fn knows_nonzero(&self, polynomial: &Polynomial) -> bool {
-        self.knowledge.is_nonzero(polynomial)
+        self.knows(polynomial, Sign::NonZero)
+    }
+
+    pub fn knows(&self, polynomial: &Polynomial, sign: Sign) -> bool {
+        match sign {
+            Sign::Zero => polynomial.is_zero(),
+            Sign::NonZero => self.knowledge.is_nonzero(polynomial),
+            Sign::NonNegative => self.knowledge.is_nonnegative(polynomial),
+            Sign::Positive => self.knowledge.is_positive(polynomial),
+        }
     }
 
     /// Adds a proved fact and says where it stands.

@@ -209,8 +209,8 @@ fn without_series(expr: &Expr) -> Expr {
     } = expr
         && let (Expr::Number(from), Expr::Number(to)) = (&**from, &**to)
         && let (Ok(from), Ok(to)) = (
-            i64::try_from(from.to_integer()),
-            i64::try_from(to.to_integer()),
+            u32::try_from(from.to_integer()),
+            u32::try_from(to.to_integer()),
         )
         && to.saturating_sub(from) < 64
     {

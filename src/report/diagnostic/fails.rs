@@ -45,6 +45,23 @@ impl Report<'_> {
         })
     }
 
+    pub(super) fn ill_dimensioned(&self, entry: &Entry) -> Finding {
+        let equation = self.equation(entry.equation);
+        let whole = self.statement(entry).map_or(equation.body, |s| s.span);
+        Finding {
+            level: Level::ERROR,
+            code: "ill-dimensioned",
+            title: format!(
+                "{} adds or equates what differs in dimension",
+                self.subject(entry)
+            ),
+            page: equation.page,
+            primary: (whole, String::new()),
+            context: Vec::new(),
+            said: replay(self, entry.equation).into_iter().collect(),
+        }
+    }
+
     fn evidence(
         &self,
         entry: &Entry,
@@ -56,7 +73,10 @@ impl Report<'_> {
             self.judged_from(judged),
         )];
         let point = Point::new(refuted.claim(), refuted.witness());
-        let mut lines = wrapped(&point.values());
+        let mut lines = match point.values().as_slice() {
+            [] => vec!["there is nothing to choose".to_owned()],
+            values => wrapped(values),
+        };
         let formula = &judged.goal.formula;
         match point.sides(formula) {
             Some((left, right)) => lines.push(format!(

@@ -9,7 +9,7 @@ use crate::notation::Mark;
 
 use super::super::Report;
 use super::super::line::exchange;
-use super::super::words::{self, list};
+use super::super::words::list;
 use super::fails::conditional;
 use super::{Finding, replay, unreadable};
 
@@ -136,8 +136,8 @@ impl Report<'_> {
             }
             Note::DuplicateTag(at) => {
                 finding.level = Level::ERROR;
-                let label = words::list(equation.label().map(str::to_owned).into_iter().collect());
-                finding.title = format!("there are two equations {label}");
+                let label = self.reference(entry.equation);
+                finding.title = format!("{label} stands for two equations");
                 let text = format!("the first is at {}", self.place(*at));
                 finding.said.push((Level::NOTE, text));
                 let help =
@@ -145,6 +145,10 @@ impl Report<'_> {
                 finding.said.push((Level::HELP, help.into()));
             }
             Note::Unreadable(error) => {
+                let subject = match equation.label() {
+                    Some(_) => subject,
+                    None => "this equation".into(),
+                };
                 let title = format!("{subject} could not be read: {}", error.message);
                 let help = error.help.clone();
                 let mut finding = unreadable(equation.page, error.span, title, help);

@@ -1,0 +1,401 @@
+//! The program from outside: exit codes, each command, and input that a careless world sends.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+fn program(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+        .args(args)
+        .env_remove("NO_COLOR")
+        .output()
+        .unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output
+        .status
+        .code()
+        .expect("ended by itself, not by a signal")
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// A directory of this test's own with one document in it.
+fn page(test: &str, source: &[u8]) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("page.md");
+    std::fs::write(&path, source).unwrap();
+    path
+}
+
+fn check(test: &str, source: &str) -> Output {
+    program(&["check", page(test, source.as_bytes()).to_str().unwrap()])
+}
+
+#[test]
+fn the_built_in_report_is_audited() {
+    let output = program(&[]);
+    assert_eq!(code(&output), 1, "{}", err(&output));
+    let text = out(&output);
+    assert!(
+        text.contains("(23)") && text.contains("error[fails]: equation (23)"),
+        "{text}"
+    );
+    assert!(!text.contains('\u{1b}'), "colours without a terminal");
+    assert!(err(&output).is_empty());
+    let wide = text
+        .lines()
+        .find(|l| l.starts_with("  (") && l.chars().count() > 100);
+    assert_eq!(wide, None);
+}
+
+#[test]
+fn the_output_is_always_the_same() {
+    assert_eq!(program(&[]).stdout, program(&[]).stdout);
+}
+
+#[test]
+fn scenarios_by_letter() {
+    for (letter, expected) in [("A", 1), ("B", 0), ("C", 1), ("D", 0), ("c", 1), ("b", 0)] {
+        assert_eq!(
+            code(&program(&["--scenario", letter])),
+            expected,
+            "{letter}"
+        );
+    }
+    for letter in ["E", "", "AB", "é"] {
+        let output = program(&["--scenario", letter]);
+        assert_eq!(code(&output), 2);
+        assert!(err(&output).contains("A, B, C, D"), "{}", err(&output));
+    }
+}
+
+#[test]
+fn scenarios_of_ones_own() {
+    let run = |before, after, more: &[&str]| {
+        program(&[&["scenario", "--before", before, "--after", after], more].concat())
+    };
+    assert_eq!(code(&run("1,1,0,0,0", "0,0,0,0,2", &[])), 1);
+    assert_eq!(code(&run("1,0", "0,1", &[])), 0);
+    assert_eq!(code(&run("-1,0.5", "-1,1/2", &[])), 0);
+    assert_eq!(code(&run("1,0", "-1/3,2/3", &["--masses", "1,2"])), 0);
+    for (before, after, more) in [
+        ("1,x", "0,1", &[][..]),
+        ("1,0", "0", &[]),
+        ("1/0", "1", &[]),
+        ("", "", &[]),
+        ("1", "1", &["--masses", "-1"]),
+    ] {
+        let output = run(before, after, more);
+        assert_eq!(code(&output), 2, "{before} {after}");
+        assert!(err(&output).starts_with("error: "));
+        assert!(out(&output).is_empty());
+    }
+    let json = run("1,0", "0,1", &["--format", "json"]);
+    let value: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(value["holds"], true);
+}
+
+#[test]
+fn a_document_without_faults() {
+    let source =
+        "<!-- check: given -->\n$$ a = b + c \\tag{1} $$\n\nSo\n\n$$ a - c = b \\tag{2} $$\n";
+    let output = check("sound", source);
+    assert_eq!(code(&output), 0, "{}", out(&output));
+    assert!(out(&output).contains("Nothing is amiss"));
+}
+
+#[test]
+fn a_false_step_is_found_with_numbers_and_place() {
+    let source =
+        "<!-- check: given -->\n$$ a = b + c \\tag{1} $$\n\nSo\n\n$$ a + c = b \\tag{2} $$\n";
+    let output = check("false", source);
+    assert_eq!(code(&output), 1);
+    let text = out(&output);
+    for part in [
+        "error[fails]: equation (2)",
+        "page.md:6:12",
+        "left = ",
+        "(1): a = b + c",
+    ] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+}
+
+#[test]
+fn a_directory_is_read_as_one_derivation() {
+    let first = page("folder", b"<!-- check: given -->\n$$ a = b \\tag{1} $$\n");
+    let folder = first.parent().unwrap();
+    std::fs::create_dir(folder.join("sub")).unwrap();
+    std::fs::write(
+        folder.join("sub/z.md"),
+        "From (1):\n\n$$ b = a \\tag{2} $$\n",
+    )
+    .unwrap();
+    std::fs::write(folder.join("ignored.txt"), "$$ 1 = 2 $$").unwrap();
+    let output = program(&["check", folder.to_str().unwrap()]);
+    assert_eq!(code(&output), 0, "{}", out(&output));
+    assert!(out(&output).contains("from (1)"));
+}
+
+#[test]
+fn standard_input_is_a_document() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+        .args(["check", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(b"<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$")
+        .unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(code(&output), 1);
+    assert!(
+        out(&output).contains("standard input:2:"),
+        "{}",
+        out(&output)
+    );
+}
+
+#[test]
+fn what_cannot_be_read_at_all() {
+    let absent = program(&["check", "no/such/file.md"]);
+    assert_eq!(code(&absent), 2);
+    assert!(err(&absent).contains("no/such/file.md"));
+    let binary = page("binary", b"a\nb\xff");
+    let output = program(&["check", binary.to_str().unwrap()]);
+    assert_eq!(code(&output), 2);
+    assert!(err(&output).contains("line 2"), "{}", err(&output));
+    std::fs::remove_file(&binary).unwrap();
+    let empty = program(&["check", binary.parent().unwrap().to_str().unwrap()]);
+    assert_eq!(code(&empty), 2);
+    assert!(err(&empty).contains("no Markdown document"));
+    assert_eq!(code(&program(&["check"])), 2);
+    assert_eq!(code(&program(&["nonsense"])), 2);
+}
+
+#[test]
+fn what_cannot_be_read_in_a_document_is_a_finding() {
+    let deep = format!("$$ a = {}x{} $$", "{".repeat(10_000), "}".repeat(10_000));
+    for (test, source, expected) in [
+        ("braces", "$$ a = \\frac{b $$", "error[unreadable]"),
+        ("macro", "$$ a = \\foo b \\tag{1} $$", "`\\foo`"),
+        (
+            "twice",
+            "$$ a = b \\tag{1} $$\n\nand\n\n$$ a = b \\tag{1} $$",
+            "error[duplicate-tag]",
+        ),
+        (
+            "missing",
+            "<!-- check: given -->\n$$ a = b \\tag{1} $$\n\n<!-- check: from (9) -->\n$$ b = a \\tag{2} $$",
+            "error[unknown-citation]",
+        ),
+        ("deep", &deep, "error[unreadable]"),
+    ] {
+        let output = check(test, source);
+        assert_eq!(code(&output), 1, "{test}: {}", err(&output));
+        assert!(out(&output).contains(expected), "{test}: {}", out(&output));
+    }
+}
+
+#[test]
+fn a_gigantic_power_ends_without_a_crash() {
+    let output = check(
+        "power",
+        "<!-- check: derived -->\n$$ x^{1000000000} + y = (x + 1)^{1000000000} \\tag{1} $$",
+    );
+    assert!(matches!(code(&output), 0 | 1), "{}", err(&output));
+    assert!(out(&output).contains("(1)"));
+}
+
+#[test]
+fn a_document_without_equations_says_so() {
+    let output = check("prose", "Only words.\n");
+    assert_eq!(code(&output), 0);
+    assert!(out(&output).contains("nothing was checked"));
+}
+
+#[test]
+fn explanations_can_be_checked_by_hand() {
+    let proof = out(&program(&["explain", "45"]));
+    for part in [
+        "Equation (45)",
+        "proofs/report/3.1",
+        "read as",
+        "To show",
+        "premise (42)",
+        "G",
+    ] {
+        assert!(proof.contains(part), "{part} in {proof}");
+    }
+    let limit = out(&program(&["explain", "65"]));
+    assert!(limit.contains("comes to"), "{limit}");
+    let witness = program(&["explain", "(23)"]);
+    assert_eq!(code(&witness), 1);
+    for part in [
+        "Counterexample",
+        "Every premise is true",
+        "left = ",
+        "is false",
+    ] {
+        assert!(out(&witness).contains(part), "{part}");
+    }
+    assert!(out(&program(&["explain", "n-in-n-out"])).contains("Statement 2 of 2"));
+    assert!(out(&program(&["explain", "claim cauchy-equality"])).contains("Step 1 of"));
+}
+
+#[test]
+fn an_unknown_equation_is_refused_with_its_neighbours() {
+    let output = program(&["explain", "233"]);
+    assert_eq!(code(&output), 2);
+    assert!(err(&output).contains("23"), "{}", err(&output));
+    assert!(err(&program(&["explain", "n-in-n-ou"])).contains("n-in-n-out"));
+    let own = page("explained", b"<!-- check: given -->\n$$ a = b \\tag{1} $$");
+    assert_eq!(code(&program(&["explain", "1", own.to_str().unwrap()])), 0);
+    assert_eq!(code(&program(&["explain", "2", own.to_str().unwrap()])), 2);
+}
+
+#[test]
+fn what_was_understood_can_be_shown() {
+    assert!(out(&program(&["--show-understood"])).contains("understood: k \\leq n"));
+}
+
+#[test]
+fn colours_are_as_asked() {
+    assert!(out(&program(&["--color", "always"])).contains('\u{1b}'));
+    assert!(!out(&program(&["--color", "never"])).contains('\u{1b}'));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_who_stops_reading_is_no_error() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(code(&output), 1, "{}", err(&output));
+    assert!(err(&output).is_empty(), "{}", err(&output));
+}
+
+#[test]
+fn json_is_as_the_schema_says() {
+    let schema: Value = serde_json::from_str(include_str!("../docs/schema.json")).unwrap();
+    let unread = page(
+        "schema",
+        "$$ a = \\foo $$\n\n<!-- chekc: -->\n\n<!-- check: nonsense -->\n".as_bytes(),
+    );
+    for args in [
+        &["--format", "json"][..],
+        &["explain", "33", "--format", "json"],
+        &["check", unread.to_str().unwrap(), "--format", "json"],
+    ] {
+        let value: Value = serde_json::from_slice(&program(args).stdout).unwrap();
+        valid(&value, &schema, &schema, "$");
+    }
+    let value: Value = serde_json::from_slice(&program(&["--format", "json"]).stdout).unwrap();
+    let equations = value["documents"].as_array().unwrap().iter();
+    let equations: Vec<&Value> = equations
+        .flat_map(|d| d["equations"].as_array().unwrap())
+        .collect();
+    let total: u64 = value["summary"]
+        .as_object()
+        .unwrap()
+        .values()
+        .map(|n| n.as_u64().unwrap())
+        .sum();
+    assert_eq!(total as usize, equations.len());
+    let wrong = equations.iter().find(|e| e["tag"] == "23").unwrap();
+    assert_eq!(wrong["verdict"], "fails");
+    assert!(wrong["witness"]["k"].is_string());
+    let unnumbered = equations
+        .iter()
+        .find(|e| e["name"] == "n-in-n-out")
+        .unwrap();
+    assert!(unnumbered.get("tag").is_none() && unnumbered["part"] == 1);
+}
+
+/// The part of JSON Schema that docs/schema.json uses.
+fn valid(value: &Value, schema: &Value, root: &Value, place: &str) {
+    let keys = schema.as_object().unwrap();
+    for (key, rule) in keys {
+        match key.as_str() {
+            "$ref" => {
+                let pointer = rule.as_str().unwrap().trim_start_matches('#');
+                valid(value, root.pointer(pointer).unwrap(), root, place);
+            }
+            "type" => {
+                let right = match rule.as_str().unwrap() {
+                    "object" => value.is_object(),
+                    "array" => value.is_array(),
+                    "string" => value.is_string(),
+                    "integer" => value.is_u64(),
+                    other => panic!("type {other}"),
+                };
+                assert!(right, "{place}: {value} is no {rule}");
+            }
+            "enum" => assert!(rule.as_array().unwrap().contains(value), "{place}: {value}"),
+            "minimum" => assert!(value.as_u64() >= rule.as_u64(), "{place}: {value}"),
+            "required" => {
+                for name in rule.as_array().unwrap() {
+                    assert!(
+                        value.get(name.as_str().unwrap()).is_some(),
+                        "{place}: {name}"
+                    );
+                }
+            }
+            "items" => {
+                for (at, item) in value.as_array().unwrap().iter().enumerate() {
+                    valid(item, rule, root, &format!("{place}[{at}]"));
+                }
+            }
+            "properties" | "additionalProperties" => {}
+            "anyOf" => {
+                let text = value.is_string();
+                let choice = &rule.as_array().unwrap()[usize::from(!text)];
+                valid(value, choice, root, place);
+            }
+            "pattern" => {
+                let text = value.as_str().unwrap().trim_start_matches('-');
+                let exact = text
+                    .split('/')
+                    .all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
+                assert!(exact && text.split('/').count() <= 2, "{place}: {text}");
+            }
+            "$schema" | "title" | "description" | "$defs" => {}
+            other => panic!("the schema uses `{other}`"),
+        }
+    }
+    let Some(object) = value.as_object() else {
+        return;
+    };
+    for (name, item) in object {
+        let place = format!("{place}.{name}");
+        match (
+            schema.get("properties").and_then(|p| p.get(name)),
+            schema.get("additionalProperties"),
+        ) {
+            (Some(rule), _) => valid(item, rule, root, &place),
+            (None, Some(rule)) if rule.is_object() => valid(item, rule, root, &place),
+            (None, Some(_)) => panic!("{place} is not in the schema"),
+            (None, None) => {}
+        }
+    }
+}
