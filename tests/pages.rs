@@ -181,7 +181,9 @@ impl Page {
             let answer = Answer::read(comment.text);
             for word in answer.misspelt() {
                 let (path, line) = (&self.path, comment.line);
-                faults.push(format!("{path}:{line}\n    `{word}` is no verdict and no note"));
+                faults.push(format!(
+                    "{path}:{line}\n    `{word}` is no verdict and no note"
+                ));
             }
             open += usize::from(is_open);
             match (is_open, answer == found) {
@@ -202,7 +204,9 @@ impl Page {
         }
         if not_yet && open == 0 {
             let path = &self.path;
-            faults.push(format!("{path}\n    nothing is open here: move the page up"));
+            faults.push(format!(
+                "{path}\n    nothing is open here: move the page up"
+            ));
         }
         self.compare_problems(faults);
     }
@@ -272,7 +276,10 @@ impl Page {
                     fault("good news: makes no other step fail now; write `slip:`");
                 }
                 for other in others.iter().filter(|_| !spreads) {
-                    fault(&format!("makes another step fail:\n  {}", slipped.show(**other)));
+                    fault(&format!(
+                        "makes another step fail:\n  {}",
+                        slipped.show(**other)
+                    ));
                 }
             }
         }
@@ -302,7 +309,11 @@ fn pages(folder: &str) -> Vec<Page> {
 
 fn complain(faults: Vec<String>) {
     let count = faults.len();
-    assert!(count == 0, "\n\n{}\n\n{count} in all\n", faults.join("\n\n"));
+    assert!(
+        count == 0,
+        "\n\n{}\n\n{count} in all\n",
+        faults.join("\n\n")
+    );
 }
 
 #[test]
