@@ -22,6 +22,8 @@
 //! <!-- slip: 2 a s becomes 3 a s -->
 //! ```
 //!
+//! (`slip-spreads:` where the engine still lets a step that cites the wrong one fail with it.)
+//!
 //! In `tests/pages/not-yet/` some displays bear the right answer that the engine does not give so far. Once
 //! it does, the page moves up:
 //!
@@ -237,7 +239,9 @@ impl Page {
     fn slips(&self, faults: &mut Vec<String>) {
         let original = self.failing();
         for at in 0..self.derivation.equations.len() {
-            for slip in self.above("slip", at) {
+            let slips = self.above("slip", at).into_iter().map(|slip| (slip, false));
+            let spreading = self.above("slip-spreads", at).into_iter();
+            for (slip, spreads) in slips.chain(spreading.map(|slip| (slip, true))) {
                 let mut fault = |text: &str| {
                     faults.push(format!(
                         "{}:{}\n    slip      {}\n    {text}",
@@ -266,10 +270,15 @@ impl Page {
                     let found = Answer::found(&Audit::of(&slipped.derivation), at);
                     fault(&format!("is not caught: {found}"));
                 }
-                for other in failing.difference(&original).filter(|&&other| other != at) {
+                let new = failing.difference(&original);
+                let others: Vec<&usize> = new.filter(|&&other| other != at).collect();
+                if spreads && others.is_empty() {
+                    fault("good news: makes no other step fail now; write `slip:`");
+                }
+                for other in others.iter().filter(|_| !spreads) {
                     fault(&format!(
                         "makes another step fail:\n  {}",
-                        slipped.show(*other)
+                        slipped.show(**other)
                     ));
                 }
             }
