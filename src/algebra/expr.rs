@@ -215,10 +215,23 @@ impl Expr {
     /// the point of a limit.
     fn scope(&self) -> Option<(&Symbol, &Expr, Vec<&Expr>)> {
         match self {
-            Expr::Series { index: bound, from, to, body } | Expr::Integral { variable: bound, from, to, body } => {
-                Some((bound, body, vec![from, to]))
+            Expr::Series {
+                index: bound,
+                from,
+                to,
+                body,
             }
-            Expr::Limit { body, variable, point } => match point {
+            | Expr::Integral {
+                variable: bound,
+                from,
+                to,
+                body,
+            } => Some((bound, body, vec![from, to])),
+            Expr::Limit {
+                body,
+                variable,
+                point,
+            } => match point {
                 LimitPoint::Finite(point) => Some((variable, body, vec![point])),
                 _ => Some((variable, body, Vec::new())),
             },
@@ -247,12 +260,17 @@ impl Expr {
         }
         match self.scope() {
             Some((own, body, outside)) => {
-                outside.into_iter().for_each(|e| e.collect_free(bound, free));
+                outside
+                    .into_iter()
+                    .for_each(|e| e.collect_free(bound, free));
                 bound.push(own);
                 body.collect_free(bound, free);
                 bound.pop();
             }
-            None => self.children().into_iter().for_each(|e| e.collect_free(bound, free)),
+            None => self
+                .children()
+                .into_iter()
+                .for_each(|e| e.collect_free(bound, free)),
         }
     }
 
@@ -282,16 +300,18 @@ impl Expr {
     pub fn at_index(&self, index: &Symbol, position: u32) -> Expr {
         match self {
             Expr::Symbol(own) if own == index => Expr::integer(position),
-            Expr::Element { sequence, index: own } if own == index => {
-                Expr::Symbol(super::element_symbol(sequence, position))
-            }
+            Expr::Element {
+                sequence,
+                index: own,
+            } if own == index => Expr::Symbol(super::element_symbol(sequence, position)),
             _ => self.in_scope(index, |child| child.at_index(index, position)),
         }
     }
 
     /// Whether an element of a sequence occurs.
     pub fn has_elements(&self) -> bool {
-        matches!(self, Expr::Element { .. }) || self.children().iter().any(|child| child.has_elements())
+        matches!(self, Expr::Element { .. })
+            || self.children().iter().any(|child| child.has_elements())
     }
 
     /// Whether this is the number 1.

@@ -7,8 +7,8 @@ use num_integer::Integer;
 use num_traits::ToPrimitive;
 
 use super::{
-    Atom, Atoms, BigRational, Expr, Fraction, Function, LimitPoint, Monomial, Polynomial, Rational, Symbol,
-    TooLarge, Var,
+    Atom, Atoms, BigRational, Expr, Fraction, Function, LimitPoint, Monomial, Polynomial, Rational,
+    Symbol, TooLarge, Var,
 };
 
 /// Sums with definite limits are written out up to this many terms.
@@ -260,7 +260,9 @@ impl Lowering<'_> {
         let body = self.lower(body)?;
         let inner = std::mem::replace(&mut self.conditions, outer);
         // What must hold for every element cannot be said of one.
-        let bound = inner.polynomials().any(|p| p.vars().iter().any(|&v| self.depends(v, index)));
+        let bound = inner
+            .polynomials()
+            .any(|p| p.vars().iter().any(|&v| self.depends(v, index)));
         if !bound
             && inner.doubtful.is_empty()
             && let Some(value) = self.power_sums(&body, index, count)?
@@ -393,11 +395,19 @@ impl Lowering<'_> {
             _ if !plain || inner.polynomials().count() > inner.nonzero.len() => None,
             _ if !inner.doubtful.is_empty() => None,
             // A lone symbol that is not known to be constant tells nothing about where it goes.
-            _ if !held.is_empty() && value.as_polynomial().is_some_and(|p| p.degree_in(var) == 0) => None,
+            _ if !held.is_empty()
+                && value.as_polynomial().is_some_and(|p| p.degree_in(var) == 0) =>
+            {
+                None
+            }
             LimitPoint::Finite(point) => {
                 let point = self.lower(point)?;
                 let moves = point.numerator().degree_in(var) > 0;
-                if moves { None } else { limit_at(value.numerator(), &below, var, &point)? }
+                if moves {
+                    None
+                } else {
+                    limit_at(value.numerator(), &below, var, &point)?
+                }
             }
             LimitPoint::PlusInfinity | LimitPoint::MinusInfinity => {
                 limit_at_infinity(value.numerator(), &below, var)?

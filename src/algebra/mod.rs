@@ -19,8 +19,8 @@ pub use expr::{Expr, Function, LimitPoint};
 pub use formula::{Formula, Relation};
 pub use fraction::{Fraction, factors, product};
 pub use lower::{
-    Conditions, LowerError, Lowering, element_parts, element_symbol, expr_of, expr_of_atom, expr_of_fraction,
-    power_sum,
+    Conditions, LowerError, Lowering, element_parts, element_symbol, expr_of, expr_of_atom,
+    expr_of_fraction, power_sum,
 };
 pub use monomial::{Monomial, Var};
 pub use num_bigint::BigInt;

@@ -96,6 +96,8 @@ pub enum Outcome {
 pub enum Note {
     /// An equation that it comes from fails.
     RestsOn(Vec<usize>),
+    /// An equation that it comes from is not proved, or only under a condition that nothing states.
+    RestsOnUnproved(Vec<usize>),
     /// It does not follow from what it cites; it does from what is named.
     Miscited {
         /// What it cites.
@@ -130,6 +132,7 @@ impl Note {
     pub fn code(&self) -> &'static str {
         match self {
             Note::RestsOn(_) => "rests-on",
+            Note::RestsOnUnproved(_) => "rests-on-unproved",
             Note::Miscited { .. } => "miscited",
             Note::Uncited(_) => "uncited",
             Note::UnstatedCondition(_) => "unstated-condition",
@@ -146,7 +149,10 @@ impl Note {
 
     /// Whether it is something to mend, rather than to know.
     pub fn is_finding(&self) -> bool {
-        !matches!(self, Note::Uncited(_) | Note::OutOfScope(_))
+        !matches!(
+            self,
+            Note::Uncited(_) | Note::OutOfScope(_) | Note::RestsOnUnproved(_)
+        )
     }
 }
 

@@ -4,7 +4,7 @@ use crate::kernel::{Assignment, Proven, Standing, check_model};
 use crate::search::{self, Consistency, Decision, Effort, Stop};
 
 use super::premise::{Usable, usable};
-use super::{Auditor, Entry, Judged, Outcome, Verdict};
+use super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
 const MOST_RELATIVES: usize = 12;
@@ -215,12 +215,26 @@ impl Judge<'_> {
             if !goal.formula.free_symbols().iter().all(said) {
                 continue;
             }
-            for &(most, effort) in stages {
+            if others.is_empty() {
+                continue;
+            }
+            // What is cited and fails can stand in the way of what does follow.
+            let failing = self.auditor.failing(&premises.iter().copied().collect());
+            let fails =
+                |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
+            let sound: Vec<Assumed> = assumed.iter().filter(|a| !fails(a)).cloned().collect();
+            let with = |&(most, effort): &(usize, Effort)| (assumed.to_vec(), most, effort);
+            let mut tries: Vec<(Vec<Assumed>, usize, Effort)> = stages.iter().map(with).collect();
+            if sound.len() < assumed.len() {
+                tries.extend(
+                    stages
+                        .iter()
+                        .map(|&(most, effort)| (sound.clone(), most, effort)),
+                );
+            }
+            for (cited, most, effort) in tries {
                 let near = others.iter().take(most).cloned();
-                let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
-                if others.is_empty() {
-                    break;
-                }
+                let all: Vec<Assumed> = cited.into_iter().chain(near).collect();
                 let claim = self.derivation.claim(self.at, &all, &goal.formula);
                 let Some(proven) = search::prove_unconditionally(&claim, effort) else {
                     continue;
@@ -248,10 +262,13 @@ impl Judge<'_> {
         let (mut sound, mut all) = (Vec::new(), Vec::new());
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
             let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
-            if entries
-                .iter()
-                .any(|e| matches!(e.verdict, Verdict::Fails | Verdict::Undecided))
-            {
+            let doubtful =
+                |n: &Note| matches!(n, Note::UnstatedCondition(_) | Note::RestsOnUnproved(_));
+            let unsound = |e: &&Entry| {
+                matches!(e.verdict, Verdict::Fails | Verdict::Undecided)
+                    || e.notes.iter().any(doubtful)
+            };
+            if entries.iter().any(unsound) {
                 continue;
             }
             if entries.iter().all(|e| e.rests_on.is_empty()) {

@@ -208,11 +208,14 @@ impl Auditor<'_> {
                 false => Note::Uncited(instead.into_iter().collect()),
             };
             entry.notes.push(note);
-            if says_so {
-                entry
-                    .notes
-                    .extend(usable.out_of_scope.iter().map(|&p| Note::OutOfScope(p)));
-            }
+        }
+        if says_so && (entry.verdict != Verdict::Holds || !entry.notes.is_empty()) {
+            let missing = usable.out_of_scope.iter();
+            entry.notes.extend(missing.map(|&p| Note::OutOfScope(p)));
+        }
+        // The premise that could not be read may be just what is needed.
+        if entry.verdict == Verdict::Fails && !usable.unreadable.is_empty() {
+            entry.verdict = Verdict::Undecided;
         }
         if entry.verdict == Verdict::Undecided {
             entry.notes.extend(
@@ -227,6 +230,10 @@ impl Auditor<'_> {
             entry.rests_on = self.failing(&used);
             if !entry.rests_on.is_empty() {
                 entry.notes.insert(0, Note::RestsOn(entry.rests_on.clone()));
+            }
+            let open = self.unproved(&used);
+            if !open.is_empty() {
+                entry.notes.push(Note::RestsOnUnproved(open));
             }
         }
         self.mark(statement, &mut entry);
@@ -245,6 +252,29 @@ impl Auditor<'_> {
             }
         }
         failing.into_iter().collect()
+    }
+
+    /// The premises that are not proved themselves, or only under a condition that nothing states, and those
+    /// that these rest on.
+    fn unproved(&self, premises: &BTreeSet<usize>) -> Vec<usize> {
+        let mut open = BTreeSet::new();
+        for &premise in premises.iter().filter(|&&p| p < self.first.len()) {
+            for entry in self.entries_of(premise) {
+                let conditional = entry
+                    .notes
+                    .iter()
+                    .any(|n| matches!(n, Note::UnstatedCondition(_)));
+                if entry.verdict == Verdict::Undecided || conditional {
+                    open.insert(premise);
+                }
+                for note in &entry.notes {
+                    if let Note::RestsOnUnproved(others) = note {
+                        open.extend(others);
+                    }
+                }
+            }
+        }
+        open.into_iter().collect()
     }
 
     fn entries_of(&self, at: usize) -> impl Iterator<Item = &Entry> {

@@ -27,7 +27,7 @@ impl Offer {
     }
 
     /// What is offered by an equation once judged: all that it asserts, be it true or not. What it only
-    /// asks and then crosses out, it does not assert; an equivalence asserts neither side.
+    /// asks, or crosses out, counts once it is proved; an equivalence asserts neither side.
     pub fn judged(
         derivation: &Derivation,
         at: usize,
@@ -48,8 +48,8 @@ impl Offer {
                 .as_ref()
                 .is_some_and(|m| m.value == Mark::Cross);
             for judged in &entry.judged {
-                let refuted = matches!(judged.outcome, Outcome::Refuted(_));
-                if !(refuted && (crossed || judged.goal.questioned)) {
+                let proven = matches!(judged.outcome, Outcome::Proven(_));
+                if proven || !(crossed || judged.goal.questioned) {
                     offer.formulas.push(judged.goal.formula.clone());
                 }
                 for assumed in &judged.assumed {

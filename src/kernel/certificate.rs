@@ -150,7 +150,11 @@ impl Certificate {
     /// Every polynomial in it.
     pub fn polynomials(&self) -> Vec<&Polynomial> {
         let mut all: Vec<&Polynomial> = self.lemmas.iter().map(|l| &l.fact.polynomial).collect();
-        let proofs = self.lemmas.iter().map(|l| &l.proof).chain([&self.conclusion]);
+        let proofs = self
+            .lemmas
+            .iter()
+            .map(|l| &l.proof)
+            .chain([&self.conclusion]);
         proofs.for_each(|proof| proof.collect_polynomials(&mut all));
         all
     }
@@ -159,15 +163,42 @@ impl Certificate {
 impl Proof {
     fn collect_polynomials<'a>(&'a self, all: &mut Vec<&'a Polynomial>) {
         match self {
-            Proof::Combination { multiplier: factors, cofactors, .. } => {
-                all.extend(factors.iter().map(|f| &f.0).chain(cofactors.iter().map(|c| &c.1)));
+            Proof::Combination {
+                multiplier: factors,
+                cofactors,
+                ..
+            } => {
+                all.extend(
+                    factors
+                        .iter()
+                        .map(|f| &f.0)
+                        .chain(cofactors.iter().map(|c| &c.1)),
+                );
             }
-            Proof::NonVanishing { certain, cofactor, cofactors } => {
+            Proof::NonVanishing {
+                certain,
+                cofactor,
+                cofactors,
+            } => {
                 all.push(cofactor);
-                all.extend(certain.iter().map(|f| &f.0).chain(cofactors.iter().map(|c| &c.1)));
+                all.extend(
+                    certain
+                        .iter()
+                        .map(|f| &f.0)
+                        .chain(cofactors.iter().map(|c| &c.1)),
+                );
             }
-            Proof::Positivity { multiplier, terms, cofactors } => {
-                all.extend(multiplier.iter().map(|f| &f.0).chain(cofactors.iter().map(|c| &c.1)));
+            Proof::Positivity {
+                multiplier,
+                terms,
+                cofactors,
+            } => {
+                all.extend(
+                    multiplier
+                        .iter()
+                        .map(|f| &f.0)
+                        .chain(cofactors.iter().map(|c| &c.1)),
+                );
                 for term in terms {
                     all.extend(term.factors.iter().map(|f| &f.0).chain(&term.squares));
                 }

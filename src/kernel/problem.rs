@@ -92,10 +92,16 @@ impl Problem {
         let named = claim.free_symbols();
         for symbol in named.union(&counts) {
             let own = Expr::Symbol(symbol.clone());
-            let term = values.iter().find(|v| v.0 == *symbol).map_or(&own, |v| &v.1);
+            let term = values
+                .iter()
+                .find(|v| v.0 == *symbol)
+                .map_or(&own, |v| &v.1);
             // A sum up to something that is not a natural number is no sum.
             let counted = counts.contains(symbol).then_some((&natural, Origin::Sums));
-            let declared = claim.domains.get(symbol).map(|d| (d, Origin::Domain(symbol.clone())));
+            let declared = claim
+                .domains
+                .get(symbol)
+                .map(|d| (d, Origin::Domain(symbol.clone())));
             for (domain, origin) in declared.into_iter().chain(counted) {
                 for formula in domain.formulas(term) {
                     problem.assume(&formula, origin.clone())?;
@@ -114,7 +120,11 @@ impl Problem {
                 Atom::Element { sequence, position } => element_symbol(&sequence, position),
                 _ => continue,
             };
-            let Some(domain) = claim.domains.get(&symbol).filter(|_| !named.contains(&symbol)) else {
+            let Some(domain) = claim
+                .domains
+                .get(&symbol)
+                .filter(|_| !named.contains(&symbol))
+            else {
                 continue;
             };
             for formula in domain.formulas(&Expr::Symbol(symbol.clone())) {
@@ -414,12 +424,21 @@ fn counts(claim: &Claim) -> BTreeSet<Symbol> {
         {
             found.insert(count.clone());
         }
-        expr.children().into_iter().for_each(|child| collect(child, found));
+        expr.children()
+            .into_iter()
+            .for_each(|child| collect(child, found));
     }
     let mut found = BTreeSet::new();
     for formula in claim.formulas() {
-        formula.terms().into_iter().for_each(|term| collect(term, &mut found));
-        if let Formula::AllEqual { to: Expr::Symbol(count), .. } = formula {
+        formula
+            .terms()
+            .into_iter()
+            .for_each(|term| collect(term, &mut found));
+        if let Formula::AllEqual {
+            to: Expr::Symbol(count),
+            ..
+        } = formula
+        {
             found.insert(count.clone());
         }
     }
@@ -444,7 +463,10 @@ fn is_variable(term: &Expr, symbol: &Symbol) -> bool {
         Expr::Series { .. } => false,
         _ => term.binder() == Some(symbol),
     };
-    here || term.children().iter().any(|child| is_variable(child, symbol))
+    here || term
+        .children()
+        .iter()
+        .any(|child| is_variable(child, symbol))
 }
 
 /// Whether a sum binds an index that occurs in `value`.

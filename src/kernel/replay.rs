@@ -22,7 +22,11 @@ impl<'a> State<'a> {
 
     /// Checks every lemma in order, then the goal and that it is defined.
     pub fn certificate(&mut self, certificate: &Certificate) -> Result<(), Reject> {
-        let known = |p: &&Polynomial| p.vars().iter().all(|v| v.position() < self.problem.atoms.len());
+        let known = |p: &&Polynomial| {
+            p.vars()
+                .iter()
+                .all(|v| v.position() < self.problem.atoms.len())
+        };
         if !certificate.polynomials().iter().all(known) {
             return Err(Reject::NoSuchUnknown);
         }
@@ -59,9 +63,11 @@ impl<'a> State<'a> {
         for change in &conditions.zero {
             // That a slope vanishes at one point holds nothing constant.
             let throughout = |origin: &Origin| match origin {
-                Origin::Hypothesis(at) => {
-                    self.problem.formulas.get(*at).is_some_and(|f| f.1 == Standing::Identity)
-                }
+                Origin::Hypothesis(at) => self
+                    .problem
+                    .formulas
+                    .get(*at)
+                    .is_some_and(|f| f.1 == Standing::Identity),
                 _ => false,
             };
             let mut facts = self.problem.facts.iter().zip(&self.problem.origins);

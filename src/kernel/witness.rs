@@ -1,7 +1,7 @@
 use super::{Assignment, Claim, Domain, Fact, Problem, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational, Relation,
-    Symbol, Var, element_parts, element_symbol,
+    Atom, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational,
+    Relation, Symbol, Var, element_parts, element_symbol,
 };
 
 /// A claim's formulas at one point.

@@ -154,6 +154,9 @@ impl Report<'_> {
     pub(super) fn aside(&self, note: &Note) -> Option<String> {
         Some(match note {
             Note::RestsOn(failing) => format!("rests on {}", self.references(failing)),
+            Note::RestsOnUnproved(open) => {
+                format!("rests on {}, not proved", self.references(open))
+            }
             Note::Miscited { cited, instead } => {
                 let (added, dropped) = exchange(cited, instead);
                 match (added.is_empty(), dropped.is_empty()) {

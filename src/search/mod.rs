@@ -128,19 +128,17 @@ pub fn consistency(claim: &Claim) -> Consistency {
         if let Some(model) = first(&mut points, budget, |p| check_model(claim, p).ok()) {
             return Consistency::Model(model);
         }
-        let impossible = Claim {
-            goal: Formula::equal(Expr::integer(1), Expr::integer(0)),
-            ..claim.clone()
-        };
-        let negative = Claim {
-            goal: Formula::Relation {
-                left: Expr::integer(-1),
-                relation: Relation::GreaterOrEqual,
-                right: Expr::integer(0),
-            },
-            ..claim.clone()
-        };
-        for claim in [impossible, negative] {
+        let zero = || Expr::integer(0);
+        let impossible = [
+            Formula::equal(Expr::integer(1), zero()),
+            compared(Expr::integer(-1), Relation::GreaterOrEqual),
+            compared(zero(), Relation::Greater),
+        ];
+        for goal in impossible {
+            let claim = Claim {
+                goal,
+                ..claim.clone()
+            };
             if let Some(proven) = prove_unconditionally(&claim, Effort::Full) {
                 return Consistency::Contradictory(proven);
             }
@@ -281,7 +279,10 @@ fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
     let mut needs = Vec::new();
     let conditions = &problem.conditions;
     let nonzero = conditions.nonzero.iter().map(|p| (p, Sign::NonZero));
-    let nonnegative = conditions.nonnegative.iter().map(|p| (p, Sign::NonNegative));
+    let nonnegative = conditions
+        .nonnegative
+        .iter()
+        .map(|p| (p, Sign::NonNegative));
     let positive = conditions.positive.iter().map(|p| (p, Sign::Positive));
     for (polynomial, sign) in nonzero.chain(nonnegative).chain(positive) {
         if prover.knows(polynomial, sign) {
@@ -309,9 +310,7 @@ fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
         return Ok(Attempt::Nothing);
     }
     for change in &problem.conditions.zero {
-        let throughout = |origin: &Origin| {
-            matches!(origin, Origin::Hypothesis(at) if claim.hypotheses[*at].standing == Standing::Identity)
-        };
+        let throughout = |origin: &Origin| matches!(origin, Origin::Hypothesis(at) if claim.hypotheses[*at].standing == Standing::Identity);
         let mut facts = problem.facts.iter().zip(&problem.origins);
         let known = facts.any(|(f, origin)| {
             f.sign == Sign::Zero && f.polynomial.monic() == change.monic() && throughout(origin)

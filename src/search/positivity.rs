@@ -335,7 +335,7 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
         .facts
         .iter()
         .filter(|(_, f)| matches!(f.sign, Sign::NonNegative | Sign::Positive))
-        .filter(|(_, f)| f.polynomial.as_constant().is_none())
+        .filter(|(_, f)| f.polynomial.as_constant().is_none_or(|c| c.is_negative()))
         .collect();
     for (at, fact) in &facts {
         for weight in &weights {
@@ -364,6 +364,15 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
     for monomial in &support {
         for weight in &weights {
             halves.extend(monomial.divided_by(weight).and_then(|m| m.sqrt()));
+        }
+    }
+    // The sums of squares bring (Σu)² with them.
+    for (var, atom) in known.atoms.iter() {
+        if let Atom::PowerSum { powers, .. } = atom
+            && powers.len() == 1
+            && powers[0].1 == 1
+        {
+            halves.insert(Monomial::power(var, 1));
         }
     }
     let halves: Vec<Monomial> = halves.into_iter().take(8).collect();

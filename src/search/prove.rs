@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::ideal::Ideal;
 use super::positivity::{Known, decompose};
 use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
-use crate::algebra::{Polynomial, Rational, TooLarge};
+use crate::algebra::{Atom, Polynomial, Rational, TooLarge};
 use crate::kernel::{Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign};
 
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
@@ -203,7 +203,23 @@ impl Prover {
             reduced.polynomial = reduced.polynomial.divided_by(&content)?;
             *reduced.outer.entry(content).or_insert(0) += 1;
         }
-        let found = decompose(&reduced.polynomial, strict, &known)?;
+        let mut found = decompose(&reduced.polynomial, strict, &known);
+        if found.is_none() {
+            // A variance is a sum of squares only when multiplied by the number of elements.
+            for count in positive_counts(&self.atoms, &self.knowledge) {
+                let scaled = reduced.polynomial.times(&count).ok()?;
+                found = decompose(&scaled, strict, &known);
+                if found.is_some() {
+                    reduced.polynomial = scaled;
+                    *reduced.multiplier.entry(count.clone()).or_insert(0) += 1;
+                    for cofactor in reduced.cofactors.values_mut() {
+                        *cofactor = cofactor.times(&count).ok()?;
+                    }
+                    break;
+                }
+            }
+        }
+        let found = found?;
         let mut used: BTreeMap<usize, Polynomial> = BTreeMap::new();
         for (at, weight) in &found.equations {
             for (position, cofactor) in &self.ideal.rest[*at].cofactors {
@@ -315,9 +331,9 @@ impl Prover {
             polynomial = polynomial.divided_by(&content).unwrap_or_default();
             multiplier.push((content, 1));
         }
-        if polynomial == fact.polynomial
-            || polynomial.as_constant().is_some_and(|c| !c.is_negative())
-        {
+        // What says that 1 > 0 is of no use; what says that 0 > 0 is of great use.
+        let idle = |c: Rational| c.is_positive() || c.is_zero() && fact.sign == Sign::NonNegative;
+        if polynomial == fact.polynomial || polynomial.as_constant().is_some_and(idle) {
             return Ok(None);
         }
         // S m Q = M F − Σ C h
@@ -364,4 +380,20 @@ fn from_contradiction(element: &Tracked, goal: &Polynomial) -> Result<Proof, Too
         power: 1,
         cofactors: cofactors(&used),
     })
+}
+
+/// The numbers of elements of sums that are known to be positive.
+fn positive_counts(atoms: &crate::algebra::Atoms, knowledge: &Knowledge) -> Vec<Polynomial> {
+    let mut found = Vec::new();
+    for (_, atom) in atoms.iter() {
+        if let Atom::PowerSum { to, .. } = atom
+            && let Some(var) = atoms.find(&Atom::Symbol(to.clone()))
+        {
+            let count = Polynomial::var(var);
+            if knowledge.is_positive(&count) && !found.contains(&count) {
+                found.push(count);
+            }
+        }
+    }
+    found
 }
