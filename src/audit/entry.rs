@@ -125,6 +125,8 @@ pub enum Note {
     Unreadable(SyntaxError),
     /// It is said to follow from an equation that could not be read.
     UnreadablePremise(usize),
+    /// The search broke down on it: a defect of this program.
+    GivenUp,
 }
 
 impl Note {
@@ -144,6 +146,7 @@ impl Note {
             Note::DuplicateTag(_) => "duplicate-tag",
             Note::Unreadable(_) => "unreadable",
             Note::UnreadablePremise(_) => "unreadable-premise",
+            Note::GivenUp => "given-up",
         }
     }
 

@@ -219,7 +219,9 @@ impl Judge<'_> {
                 continue;
             }
             // What is cited and fails can stand in the way of what does follow.
-            let failing = self.auditor.failing(&premises.iter().copied().collect());
+            let failing = self
+                .auditor
+                .failing(self.at, &premises.iter().copied().collect());
             let fails =
                 |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
             let sound: Vec<Assumed> = assumed.iter().filter(|a| !fails(a)).cloned().collect();
@@ -258,7 +260,9 @@ impl Judge<'_> {
         }
         let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
         // What is cited may rest on something false already; then so may what is found instead.
-        let cited = self.auditor.failing(&premises.iter().copied().collect());
+        let cited = self
+            .auditor
+            .failing(self.at, &premises.iter().copied().collect());
         let (mut sound, mut all) = (Vec::new(), Vec::new());
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
             let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
@@ -284,7 +288,10 @@ impl Judge<'_> {
         }
         let own = self.usable.assumed.len();
         let gather = |list: &[usize]| {
-            let gathered = usable(self.derivation, &self.auditor.offers, self.at, list).assumed;
+            let gathered = {
+                let offer = |premise| self.auditor.offer(self.at, premise);
+                usable(self.derivation, offer, self.at, list).assumed
+            };
             let mut extra: Vec<Assumed> = gathered
                 .into_iter()
                 .filter(|a| !self.usable.assumed.contains(a))

@@ -11,6 +11,10 @@ mod premise;
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::derivation::{Derivation, Kind, Source, goals};
 use crate::kernel::Assignment;
@@ -18,6 +22,9 @@ use crate::notation::{Mark, Statement};
 
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
 use premise::{Offer, usable};
+
+/// More threads than this would mostly wait for one another.
+const MOST_THREADS: usize = 8;
 
 /// The audit of a derivation.
 #[derive(Clone, Debug)]
@@ -27,35 +34,42 @@ pub struct Audit {
 }
 
 impl Audit {
-    /// Judges every equation.
+    /// Judges every equation, several pages at a time where there is more than one processor.
+    ///
+    /// A page waits for what it needs of an earlier one, so the result does not depend on how many work at it.
     pub fn of(derivation: &Derivation) -> Audit {
-        let mut auditor = Auditor {
+        let shared = Shared {
             derivation,
-            offers: vec![None; derivation.equations.len()],
-            entries: Vec::new(),
-            first: Vec::new(),
-            points: RefCell::default(),
-        };
-        let givens = given::models(derivation);
-        let duplicates: BTreeMap<usize, usize> = derivation.duplicates().into_iter().collect();
-        for at in 0..derivation.equations.len() {
-            let start = auditor.entries.len();
-            auditor.first.push(start);
-            let mut entries = auditor.equation(at, &givens);
-            if let (Some(&original), Some(entry)) = (duplicates.get(&at), entries.first_mut()) {
-                entry.notes.push(Note::DuplicateTag(original));
-            }
-            let given = entries
+            givens: given::models(derivation),
+            duplicates: derivation.duplicates().into_iter().collect(),
+            done: derivation
+                .equations
                 .iter()
-                .all(|e| e.verdict == Verdict::Given && e.judged.is_empty());
-            auditor.offers[at] = Some(match given {
-                true => Offer::given(derivation, at),
-                false => Offer::judged(derivation, at, &entries, &auditor.offers),
-            });
-            auditor.entries.extend(entries);
-        }
+                .map(|_| OnceLock::new())
+                .collect(),
+        };
+        let pages: Vec<Range<usize>> = (0..derivation.pages.len())
+            .map(|page| {
+                let from = derivation.equations.partition_point(|e| e.page < page);
+                from..derivation.equations.partition_point(|e| e.page <= page)
+            })
+            .collect();
+        let next = AtomicUsize::new(0);
+        let work = || {
+            while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
+                shared.page(page.clone());
+            }
+        };
+        let processors = std::thread::available_parallelism().map_or(1, |n| n.get());
+        std::thread::scope(|scope| {
+            for _ in 1..processors.min(pages.len()).min(MOST_THREADS) {
+                scope.spawn(work);
+            }
+            work();
+        });
+        let done = shared.done.into_iter().filter_map(OnceLock::into_inner);
         Audit {
-            entries: auditor.entries,
+            entries: done.flat_map(|done| done.entries).collect(),
         }
     }
 
@@ -81,18 +95,88 @@ impl Audit {
     }
 }
 
-struct Auditor<'a> {
-    derivation: &'a Derivation,
-    offers: Vec<Option<Offer>>,
+/// What is known of an equation once it is judged.
+struct Done {
     entries: Vec<Entry>,
-    /// The first entry of each equation so far.
-    first: Vec<usize>,
+    offer: Offer,
+}
+
+/// What all who work at an audit share.
+struct Shared<'a> {
+    derivation: &'a Derivation,
+    givens: given::Models,
+    duplicates: BTreeMap<usize, usize>,
+    /// Filled in the reading order of each page.
+    done: Vec<OnceLock<Done>>,
+}
+
+impl Shared<'_> {
+    /// Judges the equations of one page.
+    fn page(&self, equations: Range<usize>) {
+        let auditor = Auditor {
+            shared: self,
+            derivation: self.derivation,
+            points: RefCell::default(),
+        };
+        for at in equations {
+            // Others may be waiting for this equation: whatever happens, there is a result.
+            let result = catch_unwind(AssertUnwindSafe(|| auditor.done(at)));
+            let done = result.unwrap_or_else(|_| auditor.given_up(at));
+            let _ = self.done[at].set(done);
+        }
+    }
+}
+
+/// Judges the equations of one page, one after another.
+struct Auditor<'a> {
+    shared: &'a Shared<'a>,
+    derivation: &'a Derivation,
     /// Points at which premises were found to hold together, the latest first.
     points: RefCell<VecDeque<Assignment>>,
 }
 
 impl Auditor<'_> {
-    fn equation(&self, at: usize, givens: &given::Models) -> Vec<Entry> {
+    fn done(&self, at: usize) -> Done {
+        let mut entries = self.equation(at);
+        if let (Some(&original), Some(entry)) =
+            (self.shared.duplicates.get(&at), entries.first_mut())
+        {
+            entry.notes.push(Note::DuplicateTag(original));
+        }
+        let given = entries
+            .iter()
+            .all(|e| e.verdict == Verdict::Given && e.judged.is_empty());
+        let offer = match given {
+            true => Offer::given(self.derivation, at),
+            false => Offer::judged(self.derivation, at, &entries, |premise| {
+                self.offer(at, premise)
+            }),
+        };
+        Done { entries, offer }
+    }
+
+    /// The result for an equation at which the search broke down.
+    fn given_up(&self, at: usize) -> Done {
+        let mut entry = blank(
+            at,
+            0,
+            1,
+            self.derivation.equations[at].kind,
+            Verdict::Undecided,
+        );
+        entry.notes.push(Note::GivenUp);
+        Done {
+            entries: vec![entry],
+            offer: Offer::given(self.derivation, at),
+        }
+    }
+
+    /// What an earlier equation offers; nothing for one that is not yet judged when its turn has not come.
+    fn offer(&self, at: usize, premise: usize) -> Option<&Offer> {
+        (premise < at).then(|| &self.shared.done[premise].wait().offer)
+    }
+
+    fn equation(&self, at: usize) -> Vec<Entry> {
         let equation = &self.derivation.equations[at];
         let statements = match &equation.statements {
             Ok(statements) => statements,
@@ -105,15 +189,27 @@ impl Auditor<'_> {
         let parts = statements.len();
         if equation.kind == Kind::Given {
             return (0..parts)
-                .map(|part| givens.entry(at, part, parts))
+                .map(|part| self.shared.givens.entry(at, part, parts))
                 .collect();
         }
         let (premises, says_so, unknown) = self.derivation.premises(at);
-        let usable = usable(self.derivation, &self.offers, at, &premises);
+        let usable = usable(
+            self.derivation,
+            |premise| self.offer(at, premise),
+            at,
+            &premises,
+        );
         let mut entries = Vec::new();
         for (part, statement) in statements.iter().enumerate() {
             let defines = equation.defines && part == 0;
-            let mut entry = self.statement(at, statement, &usable, &premises, says_so, defines);
+            let mut entry = self.statement(
+                at,
+                statement,
+                &usable,
+                &premises,
+                (says_so, !unknown.is_empty()),
+                defines,
+            );
             (entry.part, entry.parts) = (part, parts);
             if part == 0 {
                 entry.notes.extend(
@@ -143,7 +239,7 @@ impl Auditor<'_> {
         statement: &Statement,
         usable: &premise::Usable,
         premises: &[usize],
-        says_so: bool,
+        (says_so, unknown): (bool, bool),
         defines: bool,
     ) -> Entry {
         let equation = &self.derivation.equations[at];
@@ -213,8 +309,9 @@ impl Auditor<'_> {
             let missing = usable.out_of_scope.iter();
             entry.notes.extend(missing.map(|&p| Note::OutOfScope(p)));
         }
-        // The premise that could not be read may be just what is needed.
-        if entry.verdict == Verdict::Fails && !usable.unreadable.is_empty() {
+        // A premise that could not be had may be just what is needed.
+        let missing = !usable.unreadable.is_empty() || !usable.later.is_empty() || unknown;
+        if entry.verdict == Verdict::Fails && missing {
             entry.verdict = Verdict::Undecided;
         }
         if entry.verdict == Verdict::Undecided {
@@ -227,11 +324,11 @@ impl Auditor<'_> {
         }
         entry.premises = used.iter().copied().collect();
         if entry.verdict == Verdict::Holds {
-            entry.rests_on = self.failing(&used);
+            entry.rests_on = self.failing(at, &used);
             if !entry.rests_on.is_empty() {
                 entry.notes.insert(0, Note::RestsOn(entry.rests_on.clone()));
             }
-            let open = self.unproved(&used);
+            let open = self.unproved(at, &used);
             if !open.is_empty() {
                 entry.notes.push(Note::RestsOnUnproved(open));
             }
@@ -241,9 +338,9 @@ impl Auditor<'_> {
     }
 
     /// The failing equations among premises, and those that these rest on.
-    fn failing(&self, premises: &BTreeSet<usize>) -> Vec<usize> {
+    fn failing(&self, at: usize, premises: &BTreeSet<usize>) -> Vec<usize> {
         let mut failing = BTreeSet::new();
-        for &premise in premises.iter().filter(|&&p| p < self.first.len()) {
+        for &premise in premises.iter().filter(|&&p| p < at) {
             for entry in self.entries_of(premise) {
                 if entry.verdict == Verdict::Fails && !entry.fails_as_marked() {
                     failing.insert(premise);
@@ -256,9 +353,9 @@ impl Auditor<'_> {
 
     /// The premises that are not proved themselves, or only under a condition that nothing states, and those
     /// that these rest on.
-    fn unproved(&self, premises: &BTreeSet<usize>) -> Vec<usize> {
+    fn unproved(&self, at: usize, premises: &BTreeSet<usize>) -> Vec<usize> {
         let mut open = BTreeSet::new();
-        for &premise in premises.iter().filter(|&&p| p < self.first.len()) {
+        for &premise in premises.iter().filter(|&&p| p < at) {
             for entry in self.entries_of(premise) {
                 let conditional = entry
                     .notes
@@ -277,11 +374,9 @@ impl Auditor<'_> {
         open.into_iter().collect()
     }
 
+    /// The entries of an equation before the one that is being judged.
     fn entries_of(&self, at: usize) -> impl Iterator<Item = &Entry> {
-        let start = self.first.get(at).copied().unwrap_or(self.entries.len());
-        self.entries[start..]
-            .iter()
-            .take_while(move |e| e.equation == at)
+        self.shared.done[at].wait().entries.iter()
     }
 
     /// Whether the author's ✓ or ✗ is right.

@@ -28,11 +28,11 @@ impl Offer {
 
     /// What is offered by an equation once judged: all that it asserts, be it true or not. What it only
     /// asks, or crosses out, counts once it is proved; an equivalence asserts neither side.
-    pub fn judged(
+    pub fn judged<'a>(
         derivation: &Derivation,
         at: usize,
         entries: &[Entry],
-        offers: &[Option<Offer>],
+        offers: impl Fn(usize) -> Option<&'a Offer>,
     ) -> Offer {
         let mut offer = Offer::default();
         for (statement, entry) in derivation.equations[at].statements().iter().zip(entries) {
@@ -58,7 +58,7 @@ impl Offer {
                             offer.under.insert((page, local));
                         }
                         Source::Equation(premise) => {
-                            let inherited = offers.get(premise).and_then(Option::as_ref);
+                            let inherited = offers(premise);
                             offer.under.extend(inherited.iter().flat_map(|o| &o.under));
                         }
                         Source::Step => {}
@@ -84,9 +84,9 @@ pub struct Usable {
 }
 
 /// Gathers the hypotheses that come with `premises` where equation `at` stands.
-pub fn usable(
+pub fn usable<'a>(
     derivation: &Derivation,
-    offers: &[Option<Offer>],
+    offers: impl Fn(usize) -> Option<&'a Offer>,
     at: usize,
     premises: &[usize],
 ) -> Usable {
@@ -106,7 +106,7 @@ pub fn usable(
             usable.unreadable.push(premise);
             continue;
         }
-        let offer = match &offers[premise] {
+        let offer = match offers(premise) {
             Some(offer) => offer.clone(),
             None if equation.kind == Kind::Given => Offer::given(derivation, premise),
             None => {

@@ -279,6 +279,11 @@ impl Problem {
             }
         }
         let all: Vec<_> = self.atoms.iter().map(|(v, a)| (v, a.clone())).collect();
+        let sums = all.iter().filter_map(|(_, atom)| match atom {
+            Atom::PowerSum { to, powers } => Some((to.clone(), powers.clone())),
+            _ => None,
+        });
+        let sums: BTreeSet<(Symbol, Vec<(Symbol, u32)>)> = sums.collect();
         for (var, atom) in all {
             match atom {
                 Atom::PowerSum { powers, .. } if powers.iter().all(|p| p.1 % 2 == 0) => {

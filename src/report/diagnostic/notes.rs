@@ -87,6 +87,12 @@ impl Report<'_> {
                     }
                 }
             }
+            Note::GivenUp => {
+                finding.level = Level::ERROR;
+                finding.title = format!(
+                    "{subject}: the search broke down; this is a defect of this program, please report it"
+                );
+            }
             Note::UnstatedCondition(conditions) => {
                 let shown = conditions.iter().map(crate::notation::plain_formula);
                 finding.title = format!(
