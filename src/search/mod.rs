@@ -11,6 +11,7 @@ mod refute;
 mod simplex;
 mod tracked;
 mod unfold;
+mod units;
 mod values;
 
 use crate::algebra::{Atom, Expr, Formula, Relation, expr_of, factors};
@@ -84,8 +85,17 @@ pub fn decide(claim: &Claim) -> Decision {
         }
     );
     let quick = if inequality { QUICK / 8 } else { QUICK };
+    let unfold = unfold::definitions_to_unfold(claim);
+    let problem = match Problem::new(claim, &unfold) {
+        Ok(problem) => problem,
+        Err(reject) => {
+            stop.reason = reject.to_string();
+            stop.hopeless = true;
+            return Decision::Open(stop);
+        }
+    };
     for (effort, budget) in [(Effort::Light, quick), (Effort::Full, EARNEST)] {
-        match prove(claim, effort) {
+        match prove_as(claim, &unfold, &problem, effort) {
             Ok(Some(decision)) => return decision,
             Ok(None) => {}
             Err(reject) => {
@@ -235,12 +245,25 @@ fn refuted(claim: &Claim, point: Assignment) -> Option<Refuted> {
 /// # Errors
 /// The kernel cannot even say what the claim means in polynomials.
 fn prove(claim: &Claim, effort: Effort) -> Result<Option<Decision>, Reject> {
-    match attempt(claim, effort)? {
+    let unfold = unfold::definitions_to_unfold(claim);
+    let problem = Problem::new(claim, &unfold)?;
+    prove_as(claim, &unfold, &problem, effort)
+}
+
+/// The same where the problem is at hand.
+fn prove_as(
+    claim: &Claim,
+    unfold: &[usize],
+    problem: &Problem,
+    effort: Effort,
+) -> Result<Option<Decision>, Reject> {
+    match attempt(claim, unfold, problem, effort)? {
         Attempt::Nothing => Ok(None),
         Attempt::Proof(candidate) => Ok(proven(claim.clone(), candidate, Vec::new())),
         Attempt::Needs(conditions) => {
             let claim = assuming(claim, &conditions);
-            match attempt(&claim, effort)? {
+            let problem = Problem::new(&claim, unfold)?;
+            match attempt(&claim, unfold, &problem, effort)? {
                 Attempt::Proof(candidate) => Ok(proven(claim, candidate, conditions)),
                 _ => Ok(None),
             }
@@ -269,10 +292,13 @@ enum Attempt {
     Needs(Vec<Formula>),
 }
 
-fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
-    let unfold = unfold::definitions_to_unfold(claim);
-    let problem = Problem::new(claim, &unfold)?;
-    let mut prover = Prover::new(&problem)?;
+fn attempt(
+    claim: &Claim,
+    unfold: &[usize],
+    problem: &Problem,
+    effort: Effort,
+) -> Result<Attempt, Reject> {
+    let mut prover = Prover::new(problem)?;
     let Some(conclusion) = prover.prove(&problem.goal, effort) else {
         return Ok(Attempt::Nothing);
     };
@@ -324,7 +350,7 @@ fn attempt(claim: &Claim, effort: Effort) -> Result<Attempt, Reject> {
         return Ok(Attempt::Needs(needs));
     }
     Ok(Attempt::Proof(Certificate {
-        unfold,
+        unfold: unfold.to_vec(),
         lemmas: prover.into_lemmas(),
         conclusion,
     }))

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use super::units::unit_choices;
 use super::values::{candidates, rational_roots};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
 use crate::kernel::{Fact, Sign};
@@ -17,6 +18,8 @@ pub struct Target {
     /// The unknowns that take integer values only.
     integers: Vec<Var>,
     order: Vec<Var>,
+    /// The unknowns that a choice of units lets be 1, −1 or 0.
+    units: Vec<Var>,
 }
 
 /// What came of trying all choices up to a cost.
@@ -34,6 +37,7 @@ struct Search<'a> {
     values: Vec<(u32, Rational)>,
     budget: &'a mut usize,
     order: &'a [Var],
+    units: &'a [Var],
     /// Whether a number was passed over because it costs too much.
     cut: bool,
 }
@@ -52,6 +56,18 @@ impl Target {
         let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
         order.sort();
         order.dedup();
+        // What cannot vanish makes the better unit.
+        let nonzero = |var: &Var| {
+            let alone = |f: &&Fact| {
+                matches!(f.sign, Sign::NonZero | Sign::Positive)
+                    && f.polynomial == Polynomial::var(*var)
+            };
+            !facts.iter().any(|f| alone(&f))
+        };
+        let mut preferred = order.clone();
+        preferred.sort_by_key(nonzero);
+        let all = facts.iter().map(|f| &f.polynomial);
+        let units = unit_choices(all, &preferred, |var| integers.contains(&var));
         let (equations, conditions): (Vec<&Fact>, Vec<&Fact>) =
             facts.iter().partition(|f| f.sign == Sign::Zero);
         Target {
@@ -65,6 +81,7 @@ impl Target {
             },
             integers,
             order,
+            units,
         }
     }
 
@@ -75,6 +92,7 @@ impl Target {
             values: candidates(),
             budget,
             order: &self.order,
+            units: &self.units,
             cut: false,
         };
         match search.explore(self.start.clone(), cost) {
@@ -142,6 +160,9 @@ impl Search<'_> {
                 break;
             }
             if self.integers.contains(&var) && !value.is_integer() {
+                continue;
+            }
+            if self.units.contains(&var) && !value.is_zero() && !value.abs().is_one() {
                 continue;
             }
             let met = |fact: &Rc<Fact>| {
