@@ -328,7 +328,8 @@ impl Auditor<'_> {
             if !entry.rests_on.is_empty() {
                 entry.notes.insert(0, Note::RestsOn(entry.rests_on.clone()));
             }
-            let open = self.unproved(at, &used);
+            let mut open = self.unproved(at, &used);
+            open.retain(|premise| !entry.rests_on.contains(premise));
             if !open.is_empty() {
                 entry.notes.push(Note::RestsOnUnproved(open));
             }

@@ -197,7 +197,9 @@ pub fn missing_conditions(claim: &Claim, witness: &Assignment) -> Option<(Vec<Fo
                 mut conditions,
             })) => {
                 conditions.splice(0..0, formulas);
-                Some((conditions, proven))
+                // What the premises rule out would prove anything.
+                let possible = consistency(&assuming(claim, &conditions));
+                matches!(possible, Consistency::Model(_)).then_some((conditions, proven))
             }
             _ => None,
         }
