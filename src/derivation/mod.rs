@@ -76,13 +76,12 @@ impl Derivation {
             derivation.equations.extend(equations);
         }
         for (at, equation) in derivation.equations.iter().enumerate() {
-            for label in [
+            let labels = [
                 tag_key(equation.tag.as_deref()),
                 name_key(equation.name.as_deref()),
-            ] {
-                if let Some(label) = label {
-                    derivation.labels.entry(label).or_default().push(at);
-                }
+            ];
+            for label in labels.into_iter().flatten() {
+                derivation.labels.entry(label).or_default().push(at);
             }
             for symbol in symbols(equation) {
                 derivation.mentions.entry(symbol).or_default().push(at);

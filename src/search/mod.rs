@@ -61,7 +61,7 @@ pub enum Consistency {
     /// They are, here.
     Model(Model),
     /// They cannot be.
-    Contradictory(Proven),
+    Contradictory(Box<Proven>),
     /// Neither was found.
     Unknown,
 }
@@ -150,7 +150,7 @@ pub fn consistency(claim: &Claim) -> Consistency {
                 ..claim.clone()
             };
             if let Some(proven) = prove_unconditionally(&claim, Effort::Full) {
-                return Consistency::Contradictory(proven);
+                return Consistency::Contradictory(proven.into());
             }
         }
     }
