@@ -362,7 +362,7 @@ impl Values {
         let elements = self.sequences.get(&sequence).ok_or_else(missing)?;
         let at = (position as usize).checked_sub(1);
         let element = at.and_then(|at| elements.get(at)).cloned();
-        element.ok_or_else(|| EvaluateError::NoElement {
+        element.ok_or(EvaluateError::NoElement {
             sequence,
             position,
             length: elements.len(),

