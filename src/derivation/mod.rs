@@ -4,6 +4,7 @@
 //! [`Equation`]: what it states, what kind of statement it is, and what it is said to rest on. From these
 //! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
 
+mod checker;
 mod equation;
 mod page;
 
@@ -14,6 +15,7 @@ use crate::document::{Document, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
 use crate::notation::Spanned;
 
+pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, formulas, goals};
 pub use page::{Local, Page, Premises};
 
