@@ -7,6 +7,7 @@ use super::{Monomial, Rational, Var};
 /// Products of polynomials beyond these sizes are refused rather than waited for.
 const MOST_TERM_PRODUCTS: usize = 60_000;
 const MOST_TERMS_OF_A_POWER: u64 = 10_000;
+const HIGHEST_EXPONENT_OF_A_SUM: u32 = 256;
 const HIGHEST_DEGREE: u32 = 1 << 20;
 /// A coefficient may grow to this many bits in a power.
 const LONGEST_NUMBER: u64 = 1 << 17;
@@ -241,6 +242,9 @@ impl Polynomial {
         }
         if self.is_zero() && exponent > 0 {
             return Ok(Polynomial::zero());
+        }
+        if exponent > HIGHEST_EXPONENT_OF_A_SUM {
+            return Err(TooLarge);
         }
         // A power of t unlike terms has (e + t − 1 choose t − 1) terms, if none cancel.
         let mut terms: u64 = 1;
