@@ -59,7 +59,10 @@ fn lines() -> Vec<Line> {
     files(&source, &mut all);
     all.sort();
     let mut lines = Vec::new();
-    for path in all.iter().filter(|p| p.extension().is_some_and(|e| e == "rs")) {
+    for path in all
+        .iter()
+        .filter(|p| p.extension().is_some_and(|e| e == "rs"))
+    {
         let own = path.strip_prefix(&source).unwrap();
         let first = own.components().next().unwrap().as_os_str();
         let module = first.to_str().unwrap().trim_end_matches(".rs").to_owned();
@@ -132,8 +135,7 @@ fn each_library_is_known_where_it_belongs() {
     for line in lines() {
         for (library, modules) in KNOWN_TO {
             let path = format!("{library}::");
-            let named = line.code.contains(&path)
-                && words(&line.code).any(|word| word == *library);
+            let named = line.code.contains(&path) && words(&line.code).any(|word| word == *library);
             assert!(
                 !named || modules.contains(&line.module.as_str()),
                 "{}: `{library}` belongs to {modules:?}",
@@ -145,7 +147,10 @@ fn each_library_is_known_where_it_belongs() {
 
 #[test]
 fn exact_modules_have_no_floating_point() {
-    for line in lines().iter().filter(|l| EXACT.contains(&l.module.as_str())) {
+    for line in lines()
+        .iter()
+        .filter(|l| EXACT.contains(&l.module.as_str()))
+    {
         let float = words(&line.code).find(|word| {
             ["f32", "f64"].contains(word) || word.ends_with("_f32") || word.ends_with("_f64")
         });
@@ -164,7 +169,14 @@ fn nothing_is_unsafe() {
 #[test]
 fn the_kernel_reads_no_file_and_prints_nothing() {
     for line in lines().iter().filter(|l| l.module == "kernel") {
-        for word in ["std::fs", "std::io", "std::env", "println!", "print!", "eprintln!"] {
+        for word in [
+            "std::fs",
+            "std::io",
+            "std::env",
+            "println!",
+            "print!",
+            "eprintln!",
+        ] {
             assert!(!line.code.contains(word), "{}: {word}", line.place);
         }
     }
@@ -181,7 +193,10 @@ fn the_code_map_knows_each_module_and_no_file_that_is_gone() {
         lines.iter().map(|l| l.module.as_str()).collect();
     for module in modules.iter().filter(|m| !["lib", "main"].contains(m)) {
         let file = format!("### `src/{module}");
-        assert!(map.contains(&file), "ARCHITECTURE.md does not know `{module}`");
+        assert!(
+            map.contains(&file),
+            "ARCHITECTURE.md does not know `{module}`"
+        );
     }
     // `name.rs` in the section of a folder is a file of that folder.
     let mut folder = String::new();

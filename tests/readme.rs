@@ -119,7 +119,12 @@ fn the_document_in_the_readme_is_the_example_of_that_name() {
 
 #[test]
 fn each_link_leads_somewhere() {
-    for name in ["README.md", "ARCHITECTURE.md", "divergences.md", "CHANGELOG.md"] {
+    for name in [
+        "README.md",
+        "ARCHITECTURE.md",
+        "divergences.md",
+        "CHANGELOG.md",
+    ] {
         let page = std::fs::read_to_string(root().join(name)).unwrap();
         for link in page.split("](").skip(1) {
             let target = link.split(')').next().unwrap();
