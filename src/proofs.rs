@@ -1,63 +1,46 @@
 //! The report that ships inside the program: what the bare command audits.
 
-use crate::derivation::Derivation;
+use crate::derivation::{Checker, Derivation};
 use crate::document::Document;
 
-/// The pages in reading order: the path of each, and its text.
-pub const PAGES: &[(&str, &str)] = &[
-    (
-        "proofs/report/1.2-conservation-laws.md",
-        include_str!("../proofs/report/1.2-conservation-laws.md"),
-    ),
-    (
-        "proofs/report/1.3-scenarios.md",
-        include_str!("../proofs/report/1.3-scenarios.md"),
-    ),
-    (
-        "proofs/report/1.4-n-balls-in-n-balls-out.md",
-        include_str!("../proofs/report/1.4-n-balls-in-n-balls-out.md"),
-    ),
-    (
-        "proofs/report/2.1-restitution.md",
-        include_str!("../proofs/report/2.1-restitution.md"),
-    ),
-    (
-        "proofs/report/2.2-hertz-contact.md",
-        include_str!("../proofs/report/2.2-hertz-contact.md"),
-    ),
-    (
-        "proofs/report/2.3-heat.md",
-        include_str!("../proofs/report/2.3-heat.md"),
-    ),
-    (
-        "proofs/report/2.4-sound.md",
-        include_str!("../proofs/report/2.4-sound.md"),
-    ),
-    (
-        "proofs/report/2.5-energy-balance.md",
-        include_str!("../proofs/report/2.5-energy-balance.md"),
-    ),
-    (
-        "proofs/report/3.1-unequal-masses.md",
-        include_str!("../proofs/report/3.1-unequal-masses.md"),
-    ),
-    (
-        "proofs/report/3.5-mass-ratio.md",
-        include_str!("../proofs/report/3.5-mass-ratio.md"),
-    ),
-    (
-        "proofs/report/3.6-efficiency.md",
-        include_str!("../proofs/report/3.6-efficiency.md"),
-    ),
-    (
-        "proofs/report/3.7-maximum.md",
-        include_str!("../proofs/report/3.7-maximum.md"),
-    ),
-    (
-        "proofs/report/4.2-energy-decay.md",
-        include_str!("../proofs/report/4.2-energy-decay.md"),
-    ),
-];
+/// The pages, and a handle on each: its file's name, and a line on what it is about.
+macro_rules! pages {
+    ($($handle:ident: $name:literal, $about:literal;)*) => {
+        /// The pages in reading order: the path of each, and its text.
+        pub const PAGES: &[(&str, &str)] = &[$((
+            concat!("proofs/report/", $name, ".md"),
+            include_str!(concat!("../proofs/report/", $name, ".md")),
+        )),*];
+
+        /// A handle on each page of the report.
+        pub mod pages {
+            use crate::derivation::Checker;
+
+            $(
+                #[doc = concat!("Page ", $name, ": ", $about, ".")]
+                pub fn $handle() -> Checker {
+                    super::page_checker($name).expect("the page is one of those above")
+                }
+            )*
+        }
+    };
+}
+
+pages! {
+    conservation_laws: "1.2-conservation-laws", "momentum and kinetic energy of five equal balls";
+    scenarios: "1.3-scenarios", "four outcomes put to both laws";
+    n_balls_in_n_balls_out: "1.4-n-balls-in-n-balls-out", "what two conservation laws say about how many balls leave";
+    restitution: "2.1-restitution", "the energy that one imperfect click costs";
+    hertz_contact: "2.2-hertz-contact", "how two spheres press on each other";
+    heat: "2.3-heat", "friction inside the contact";
+    sound: "2.4-sound", "the click itself";
+    energy_balance: "2.5-energy-balance", "where the energy of one collision goes";
+    unequal_masses: "3.1-unequal-masses", "two unequal balls";
+    mass_ratio: "3.5-mass-ratio", "both velocities by the ratio of the masses alone";
+    efficiency: "3.6-efficiency", "how much of the energy gets across";
+    maximum: "3.7-maximum", "the best target";
+    energy_decay: "4.2-energy-decay", "how the clicking dies away";
+}
 
 /// The whole report, read as one derivation.
 pub fn report() -> Derivation {
@@ -75,6 +58,37 @@ pub fn page(path: &str) -> Option<&'static str> {
         .iter()
         .find(|(own, _)| *own == path)
         .map(|&(_, source)| source)
+}
+
+/// A handle on one page of the report, by the name of its file, with or without `.md` and the folder.
+///
+/// The page is read together with all others, which its equations may cite.
+///
+/// ```
+/// use cradle_verify::derivation::Point;
+/// use cradle_verify::proofs::page_checker;
+///
+/// let page = page_checker("3.1-unequal-masses").unwrap();
+/// // A ball strikes one of twice its mass.
+/// let at = Point::new().with("m_1", 1).with("m_2", 2).with("v_0", 3).with("v'_2", 2);
+/// let sides = &page.sides_at("54", &at).unwrap()[0];
+/// assert_eq!(sides.right.to_string(), "2");
+/// assert!(sides.holds);
+/// assert!(page_checker("9.9-nothing").is_none());
+/// ```
+pub fn page_checker(name: &str) -> Option<Checker> {
+    let name = name.strip_suffix(".md").unwrap_or(name);
+    let named = |path: &str| {
+        let path = path.strip_suffix(".md").unwrap_or(path);
+        path == name || path.rsplit('/').next() == Some(name)
+    };
+    let page = PAGES.iter().position(|(path, _)| named(path))?;
+    Some(Checker::of_page(report(), page))
+}
+
+/// A handle on the whole report.
+pub fn checker() -> Checker {
+    Checker::new(report())
 }
 
 #[cfg(test)]

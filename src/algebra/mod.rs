@@ -5,6 +5,7 @@
 //! floating point here, and every operation that could grow without bound returns [`TooLarge`] instead.
 
 mod atom;
+mod evaluate;
 mod expr;
 mod formula;
 mod fraction;
@@ -15,6 +16,7 @@ mod rational;
 mod symbol;
 
 pub use atom::{Atom, Atoms};
+pub use evaluate::{EvaluateError, Sides, Values};
 pub use expr::{Expr, Function, LimitPoint};
 pub use formula::{Formula, Relation};
 pub use fraction::{Fraction, factors, product};

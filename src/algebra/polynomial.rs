@@ -5,7 +5,8 @@ use std::fmt;
 use super::{Monomial, Rational, Var};
 
 /// Products of polynomials beyond these sizes are refused rather than waited for.
-const MOST_TERM_PRODUCTS: usize = 400_000;
+const MOST_TERM_PRODUCTS: usize = 60_000;
+const MOST_TERMS_OF_A_POWER: u64 = 10_000;
 const HIGHEST_DEGREE: u32 = 1 << 20;
 /// A coefficient may grow to this many bits in a power.
 const LONGEST_NUMBER: u64 = 1 << 17;
@@ -241,9 +242,13 @@ impl Polynomial {
         if self.is_zero() && exponent > 0 {
             return Ok(Polynomial::zero());
         }
-        // A power of two terms or more has more terms than its exponent.
-        if exponent > 512 {
-            return Err(TooLarge);
+        // A power of t unlike terms has (e + t − 1 choose t − 1) terms, if none cancel.
+        let mut terms: u64 = 1;
+        for k in 1..self.len() as u64 {
+            terms = terms.saturating_mul(u64::from(exponent) + k) / k;
+            if terms > MOST_TERMS_OF_A_POWER {
+                return Err(TooLarge);
+            }
         }
         let mut product = Polynomial::one();
         for _ in 0..exponent {

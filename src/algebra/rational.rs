@@ -285,7 +285,7 @@ impl Sub for &Rational {
 impl Div for &Rational {
     type Output = Rational;
     fn div(self, other: &Rational) -> Rational {
-        self * &other.recip()
+        Mul::mul(self, &other.recip())
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Derivation, Kind, Source, formulas};
+use crate::derivation::{Assumed, Derivation, Equation, Kind, Source, formulas};
 use crate::kernel::{Model, Standing};
 use crate::search::{Consistency, consistency};
 
@@ -92,43 +92,40 @@ pub(super) fn models(derivation: &Derivation) -> Models {
 
 /// The given equations of each page, grouped so that no symbol occurs in two groups.
 fn groups(derivation: &Derivation) -> Vec<Vec<usize>> {
-    let mut groups: Vec<Vec<usize>> = Vec::new();
-    let mut owner: BTreeMap<(usize, Symbol), usize> = BTreeMap::new();
-    for (at, equation) in derivation.equations.iter().enumerate() {
-        if equation.kind != Kind::Given || equation.statements.is_err() {
-            continue;
+    // Union-find over equations: each symbol of a page joins the equations that it occurs in.
+    let mut parent: Vec<usize> = (0..derivation.equations.len()).collect();
+    fn root(parent: &mut [usize], mut at: usize) -> usize {
+        while parent[at] != at {
+            parent[at] = parent[parent[at]];
+            at = parent[at];
         }
+        at
+    }
+    let mut first: BTreeMap<(usize, Symbol), usize> = BTreeMap::new();
+    let is_given =
+        |equation: &Equation| equation.kind == Kind::Given && equation.statements.is_ok();
+    let equations = || {
+        derivation
+            .equations
+            .iter()
+            .enumerate()
+            .filter(|(_, e)| is_given(e))
+    };
+    for (at, equation) in equations() {
         let mut symbols: BTreeSet<Symbol> = BTreeSet::new();
         for formula in equation.statements().iter().flat_map(formulas) {
             symbols.extend(formula.free_symbols());
             symbols.extend(formula.sequences());
         }
-        let own = groups.len();
-        groups.push(vec![at]);
         for symbol in symbols {
-            let key = (equation.page, symbol);
-            let Some(mut other) = owner.insert(key, own) else {
-                continue;
-            };
-            // Groups that were merged leave a forwarding address: their members moved on.
-            while groups[other].is_empty() {
-                other = owner
-                    .values()
-                    .copied()
-                    .find(|&g| !groups[g].is_empty())
-                    .unwrap_or(own);
-            }
-            if other != own {
-                let moved = std::mem::take(&mut groups[other]);
-                groups[own].extend(moved);
-                owner
-                    .values_mut()
-                    .filter(|g| **g == other)
-                    .for_each(|g| *g = own);
-            }
+            let other = *first.entry((equation.page, symbol)).or_insert(at);
+            let (a, b) = (root(&mut parent, at), root(&mut parent, other));
+            parent[a.max(b)] = a.min(b);
         }
     }
-    groups.retain(|g| !g.is_empty());
-    groups.iter_mut().for_each(|g| g.sort());
-    groups
+    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (at, _) in equations() {
+        groups.entry(root(&mut parent, at)).or_default().push(at);
+    }
+    groups.into_values().collect()
 }

@@ -25,6 +25,8 @@ use premise::{Offer, usable};
 
 /// More threads than this would mostly wait for one another.
 const MOST_THREADS: usize = 8;
+/// How many equations of a page are judged in one go.
+const MOST_AT_A_TIME: usize = 40;
 
 /// The audit of a derivation.
 #[derive(Clone, Debug)]
@@ -48,21 +50,24 @@ impl Audit {
                 .map(|_| OnceLock::new())
                 .collect(),
         };
-        let pages: Vec<Range<usize>> = (0..derivation.pages.len())
-            .map(|page| {
+        // A long page is cut up: its parts are done side by side too.
+        let parts: Vec<Range<usize>> = (0..derivation.pages.len())
+            .flat_map(|page| {
                 let from = derivation.equations.partition_point(|e| e.page < page);
-                from..derivation.equations.partition_point(|e| e.page <= page)
+                let to = derivation.equations.partition_point(|e| e.page <= page);
+                let starts = (from..to).step_by(MOST_AT_A_TIME);
+                starts.map(move |start| start..to.min(start + MOST_AT_A_TIME))
             })
             .collect();
         let next = AtomicUsize::new(0);
         let work = || {
-            while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
-                shared.page(page.clone());
+            while let Some(part) = parts.get(next.fetch_add(1, Ordering::Relaxed)) {
+                shared.part(part.clone());
             }
         };
         let processors = std::thread::available_parallelism().map_or(1, |n| n.get());
         std::thread::scope(|scope| {
-            for _ in 1..processors.min(pages.len()).min(MOST_THREADS) {
+            for _ in 1..processors.min(parts.len()).min(MOST_THREADS) {
                 scope.spawn(work);
             }
             work();
@@ -106,13 +111,13 @@ struct Shared<'a> {
     derivation: &'a Derivation,
     givens: given::Models,
     duplicates: BTreeMap<usize, usize>,
-    /// Filled in the reading order of each page.
+    /// Filled in reading order within each part.
     done: Vec<OnceLock<Done>>,
 }
 
 impl Shared<'_> {
-    /// Judges the equations of one page.
-    fn page(&self, equations: Range<usize>) {
+    /// Judges some neighbouring equations of one page.
+    fn part(&self, equations: Range<usize>) {
         let auditor = Auditor {
             shared: self,
             derivation: self.derivation,
@@ -127,7 +132,7 @@ impl Shared<'_> {
     }
 }
 
-/// Judges the equations of one page, one after another.
+/// Judges neighbouring equations, one after another.
 struct Auditor<'a> {
     shared: &'a Shared<'a>,
     derivation: &'a Derivation,
@@ -328,7 +333,8 @@ impl Auditor<'_> {
             if !entry.rests_on.is_empty() {
                 entry.notes.insert(0, Note::RestsOn(entry.rests_on.clone()));
             }
-            let open = self.unproved(at, &used);
+            let mut open = self.unproved(at, &used);
+            open.retain(|premise| !entry.rests_on.contains(premise));
             if !open.is_empty() {
                 entry.notes.push(Note::RestsOnUnproved(open));
             }

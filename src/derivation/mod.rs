@@ -4,6 +4,7 @@
 //! [`Equation`]: what it states, what kind of statement it is, and what it is said to rest on. From these
 //! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
 
+mod checker;
 mod equation;
 mod page;
 
@@ -14,6 +15,7 @@ use crate::document::{Document, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
 use crate::notation::Spanned;
 
+pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, formulas, goals};
 pub use page::{Local, Page, Premises};
 
@@ -76,13 +78,12 @@ impl Derivation {
             derivation.equations.extend(equations);
         }
         for (at, equation) in derivation.equations.iter().enumerate() {
-            for label in [
+            let labels = [
                 tag_key(equation.tag.as_deref()),
                 name_key(equation.name.as_deref()),
-            ] {
-                if let Some(label) = label {
-                    derivation.labels.entry(label).or_default().push(at);
-                }
+            ];
+            for label in labels.into_iter().flatten() {
+                derivation.labels.entry(label).or_default().push(at);
             }
             for symbol in symbols(equation) {
                 derivation.mentions.entry(symbol).or_default().push(at);

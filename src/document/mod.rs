@@ -3,10 +3,10 @@
 //!
 //! Nothing here knows mathematics. A document becomes a list of [`Item`]s in source order and a
 //! list of [`Problem`]s; **whatever looks like an equation ends up in one of the two**. A general
-//! Markdown reader is asked only where code, HTML and headings are ([`outline`]): it would take a
+//! Markdown reader is asked only where code, HTML and headings are (`outline`): it would take a
 //! `$$` block with a blank line for prose, so it never decides what an equation is. The scanner
-//! ([`markdown`]) does that on the raw bytes; [`prose`] then reads citations and suppositions,
-//! [`directive`] the comments.
+//! (`markdown`) does that on the raw bytes; `prose` then reads citations and suppositions,
+//! `directive` the comments.
 
 mod attribute;
 mod citation;

@@ -63,7 +63,7 @@ impl Domain {
         self.lower.as_ref().is_none_or(above)
             && self.upper.as_ref().is_none_or(below)
             && !(self.nonzero && value.is_zero())
-            && !(self.integer && !value.is_integer())
+            && (!self.integer || value.is_integer())
     }
 
     /// The domain as formulas about a term; that it is an integer cannot be said so.

@@ -78,15 +78,35 @@ impl Report<'_> {
 
     fn lay_out(&self, finding: &Finding) -> String {
         let document = &self.derivation.pages[finding.page].document;
-        let source: &str = &document.source;
+        // Only the lines that are shown: the renderer reads all it is given, and there may be many findings.
+        let spans = finding
+            .context
+            .iter()
+            .map(|c| c.0)
+            .chain([finding.primary.0]);
+        let whole = spans.reduce(Span::to).unwrap_or_default();
+        let full: &str = &document.source;
+        let start = full
+            .get(..whole.start)
+            .and_then(|s| s.rfind('\n'))
+            .map_or(0, |at| at + 1);
+        let rest = full.get(whole.end..).and_then(|s| s.find('\n'));
+        let end = rest.map_or(full.len(), |at| whole.end + at);
+        let source = full.get(start..end).unwrap_or_default();
+        let line = document.position(start).line;
         let mark = |kind: AnnotationKind, (span, label): &(Span, String)| -> Annotation<'_> {
-            let mark = kind.span(within(source, *span));
+            let local = Span::new(
+                span.start.saturating_sub(start),
+                span.end.saturating_sub(start),
+            );
+            let mark = kind.span(within(source, local));
             match label.is_empty() {
                 true => mark,
                 false => mark.label(label.clone()),
             }
         };
         let mut snippet = Snippet::source(source)
+            .line_start(line)
             .path(document.path.as_str())
             .annotation(mark(AnnotationKind::Primary, &finding.primary));
         for context in &finding.context {

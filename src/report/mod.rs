@@ -1,8 +1,8 @@
 //! What people and programs see of an audit.
 //!
-//! A [`Report`] is a derivation with its audit. Each view is a file of its own: [`human`] puts together the
-//! whole page from [`line`] (an equation each), [`diagnostic`] (a finding each, in the author's own text) and
-//! [`summary`]; [`explain`] writes out one equation's evidence so that it can be checked by hand; [`json`] is
+//! A [`Report`] is a derivation with its audit. Each view is a file of its own: `human` puts together the
+//! whole page from `line` (an equation each), `diagnostic` (a finding each, in the author's own text) and
+//! `summary`; `explain` writes out one equation's evidence so that it can be checked by hand; `json` is
 //! for programs. `words` has what all of them say alike.
 //!
 //! Every view is a `String` with colours in it; whoever prints it leaves them out where they are not wanted.

@@ -114,7 +114,8 @@ fn divisors(facts: &[Fact]) -> Vec<Polynomial> {
 
 /// The element and unknown that are the cheapest to eliminate with.
 fn best_pivot(pending: &[Tracked], knowledge: &Knowledge) -> Option<(usize, Pivot)> {
-    let mut best: Option<((usize, usize, std::cmp::Reverse<usize>), usize, Pivot)> = None;
+    type Rank = (usize, usize, std::cmp::Reverse<usize>);
+    let mut best: Option<(Rank, usize, Pivot)> = None;
     for (at, element) in pending.iter().enumerate() {
         for var in element.polynomial.vars() {
             if element.polynomial.degree_in(var) != 1 {

@@ -61,7 +61,7 @@ pub enum Consistency {
     /// They are, here.
     Model(Model),
     /// They cannot be.
-    Contradictory(Proven),
+    Contradictory(Box<Proven>),
     /// Neither was found.
     Unknown,
 }
@@ -150,7 +150,7 @@ pub fn consistency(claim: &Claim) -> Consistency {
                 ..claim.clone()
             };
             if let Some(proven) = prove_unconditionally(&claim, Effort::Full) {
-                return Consistency::Contradictory(proven);
+                return Consistency::Contradictory(proven.into());
             }
         }
     }
@@ -197,7 +197,9 @@ pub fn missing_conditions(claim: &Claim, witness: &Assignment) -> Option<(Vec<Fo
                 mut conditions,
             })) => {
                 conditions.splice(0..0, formulas);
-                Some((conditions, proven))
+                // What the premises rule out would prove anything.
+                let possible = consistency(&assuming(claim, &conditions));
+                matches!(possible, Consistency::Model(_)).then_some((conditions, proven))
             }
             _ => None,
         }

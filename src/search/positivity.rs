@@ -425,9 +425,7 @@ fn series_squares(atoms: &Atoms) -> Vec<(Polynomial, SeriesSquare)> {
     for (count, sequences) in counts {
         let sequences: Vec<&Symbol> = sequences.into_iter().collect();
         for (i, &u) in sequences.iter().enumerate() {
-            let others = sequences[i + 1..]
-                .iter()
-                .map(|&&ref w| vec![(w.clone(), 1)]);
+            let others = sequences[i + 1..].iter().map(|w| vec![((*w).clone(), 1)]);
             for g in others.chain([Vec::new()]) {
                 let f = vec![(u.clone(), 1)];
                 let sum = |powers: Vec<(Symbol, u32)>| {

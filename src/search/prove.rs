@@ -11,6 +11,7 @@ use crate::kernel::{Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Pr
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
 const HIGHEST_POWER: u32 = 3;
 const REDUCTIONS: usize = 2_000;
+const LIGHT_REDUCTIONS: usize = 60;
 
 /// How hard to try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,6 +87,16 @@ impl Prover {
         let reduced = self.ideal.reduce(goal, false).ok()?;
         if reduced.polynomial.is_zero() {
             return Some(combination(&reduced, 1));
+        }
+        // What is left may already be a multiple of the goal; no basis is needed to see that.
+        let mut divided = reduced.clone();
+        if !self.ideal.rest.is_empty()
+            && divided
+                .normal_form(&self.ideal.rest, &mut { LIGHT_REDUCTIONS })
+                .is_ok()
+            && divided.polynomial.is_zero()
+        {
+            return Some(combination(&divided, 1));
         }
         if effort == Effort::Light || !self.is_tied_down(&reduced.polynomial) {
             return None;

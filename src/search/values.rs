@@ -91,7 +91,7 @@ pub fn rational_roots(polynomial: &Polynomial, var: Var) -> Option<Vec<Rational>
             }
         }
     }
-    roots.sort_by(|a, b| simplicity(a).cmp(&simplicity(b)));
+    roots.sort_by_key(simplicity);
     roots.dedup();
     Some(roots)
 }

@@ -1,0 +1,13 @@
+//! The report's pages against the physics in `src/cradle`, which shares no code with the reading of equations; and the
+//! audit against its own evidence. All of it goes through the handles that anybody can use.
+
+#[path = "properties/broken.rs"]
+mod broken;
+#[path = "properties/claims.rs"]
+mod claims;
+#[path = "properties/pages.rs"]
+mod pages;
+#[path = "properties/physics.rs"]
+mod physics;
+#[path = "properties/spellings.rs"]
+mod spellings;
