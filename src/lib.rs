@@ -54,28 +54,29 @@
 //! }
 //! ```
 //!
-//! Nobody needs to take that point on trust. [`report::evidence::Point`] evaluates any term or formula there:
+//! Nobody needs to take that point on trust. A [`Checker`](derivation::Checker) is a derivation to be questioned:
+//! it looks up any equation, evaluates both its sides at any exact point, and hunts for counterexamples.
 //!
 //! ```
-//! # use cradle_verify::{audit::Audit, derivation::Derivation};
-//! use cradle_verify::report::evidence::Point;
+//! use cradle_verify::derivation::{Checker, Point};
 //!
-//! let derivation = Derivation::from_markdown("slip.md", r"
+//! let page = Checker::from_markdown("slip.md", r"
 //! <!-- check: law -->
 //! $$ s = \frac12 a t^2 \tag{1} $$
 //! Hence
 //! $$ 2 s = a t \tag{2} $$
 //! ");
-//! let audit = Audit::of(&derivation);
-//! let (judged, refuted) = audit.entries[1].refuted().unwrap();
-//! let point = Point::new(refuted.claim(), refuted.witness());
-//! let (left, right) = point.sides(&refuted.claim().hypotheses[0].formula).unwrap();
-//! assert_eq!(left, right, "the premise is true");
-//! let (left, right) = point.sides(&judged.goal.formula).unwrap();
-//! assert_ne!(left, right, "and what was to follow is not");
+//! let refuted = page.hunt("2").unwrap();
+//! let there = Point::at_witness(&refuted);
+//! assert!(there.holds(&refuted.claim().hypotheses[0].formula).unwrap());
+//! assert!(!there.holds(&refuted.claim().goal).unwrap());
+//!
+//! let elsewhere = Point::new().with("a", 2).with("t", 1).with("s", 1);
+//! assert!(page.sides_at("2", &elsewhere).unwrap()[0].holds);
 //! ```
 //!
-//! [`proofs::report`] is the report on Newton's cradle that ships inside; the bare command audits that.
+//! [`proofs::pages`] has such a handle for each page of the report on Newton's cradle that ships inside;
+//! [`proofs::report`] is all of it together, which is what the bare command audits.
 //!
 //! # Whom to believe
 //!
