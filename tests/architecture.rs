@@ -1,0 +1,234 @@
+//! The rules of ARCHITECTURE.md that a reader of the sources can check, checked.
+
+use std::path::{Path, PathBuf};
+
+/// Modules, and what else of the crate each may name.
+const MAY_USE: &[(&str, &[&str])] = &[
+    ("algebra", &[]),
+    ("kernel", &["algebra"]),
+    ("document", &["algebra", "notation"]),
+    ("notation", &["algebra", "document"]),
+    ("derivation", &["algebra", "document", "kernel", "notation"]),
+    ("search", &["algebra", "kernel"]),
+    ("cradle", &[]),
+];
+
+/// The modules that are exact.
+const EXACT: &[&str] = &[
+    "algebra",
+    "kernel",
+    "document",
+    "notation",
+    "derivation",
+    "search",
+    "audit",
+];
+
+/// Libraries, and the only modules that may know them.
+const KNOWN_TO: &[(&str, &[&str])] = &[
+    ("serde", &["report", "cli"]),
+    ("serde_json", &["report", "cli"]),
+    ("anstyle", &["report", "cli"]),
+    ("anstream", &["cli"]),
+    ("annotate_snippets", &["report"]),
+    ("clap", &["cli"]),
+    ("nalgebra", &["cradle", "cli"]),
+    ("pulldown_cmark", &["document"]),
+];
+
+/// A line of code, without its comment.
+struct Line {
+    place: String,
+    module: String,
+    code: String,
+}
+
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        match path.is_dir() {
+            true => files(&path, found),
+            false => found.push(path),
+        }
+    }
+}
+
+fn lines() -> Vec<Line> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut all = Vec::new();
+    files(&source, &mut all);
+    all.sort();
+    let mut lines = Vec::new();
+    for path in all
+        .iter()
+        .filter(|p| p.extension().is_some_and(|e| e == "rs"))
+    {
+        let own = path.strip_prefix(&source).unwrap();
+        let first = own.components().next().unwrap().as_os_str();
+        // The handle on a derivation stands at the end of the pipeline, though in this folder.
+        let module = match own.starts_with("derivation/checker") {
+            true => "checker".to_owned(),
+            false => first.to_str().unwrap().trim_end_matches(".rs").to_owned(),
+        };
+        for (at, text) in std::fs::read_to_string(path).unwrap().lines().enumerate() {
+            let code = match text.trim_start().starts_with("//") {
+                true => "",
+                false => text,
+            };
+            lines.push(Line {
+                place: format!("src/{}:{}", own.display(), at + 1),
+                module: module.clone(),
+                code: code.to_owned(),
+            });
+        }
+    }
+    assert!(lines.len() > 5_000, "the sources were not found");
+    lines
+}
+
+/// The words of a line: what a path is made of.
+fn words(code: &str) -> impl Iterator<Item = &str> {
+    code.split(|c: char| !c.is_alphanumeric() && c != '_')
+}
+
+/// The modules of this crate that a line names by `crate::…`.
+fn named(code: &str) -> Vec<&str> {
+    let after = code.split("crate::").skip(1);
+    after.filter_map(|rest| words(rest).next()).collect()
+}
+
+#[test]
+fn modules_name_only_what_they_may() {
+    let lines = lines();
+    for (module, allowed) in MAY_USE {
+        let own: Vec<&Line> = lines.iter().filter(|l| l.module == *module).collect();
+        assert!(!own.is_empty(), "there is no module `{module}`");
+        for line in own {
+            for other in named(&line.code) {
+                assert!(
+                    other == *module || allowed.contains(&other),
+                    "{}: `{module}` names `{other}`",
+                    line.place
+                );
+            }
+            // `use crate::{…}` over several modules would hide what it names.
+            assert!(
+                !line.code.contains("crate::{"),
+                "{}: import each module by itself",
+                line.place
+            );
+        }
+    }
+}
+
+#[test]
+fn only_the_end_of_the_pipeline_knows_the_search() {
+    let lines = lines();
+    let knows = lines.iter().filter(|l| named(&l.code).contains(&"search"));
+    for line in knows {
+        assert!(
+            ["search", "audit", "checker", "report", "cli"].contains(&line.module.as_str()),
+            "{}",
+            line.place
+        );
+    }
+}
+
+#[test]
+fn each_library_is_known_where_it_belongs() {
+    for line in lines() {
+        for (library, modules) in KNOWN_TO {
+            let path = format!("{library}::");
+            let named = line.code.contains(&path) && words(&line.code).any(|word| word == *library);
+            assert!(
+                !named || modules.contains(&line.module.as_str()),
+                "{}: `{library}` belongs to {modules:?}",
+                line.place
+            );
+        }
+    }
+}
+
+#[test]
+fn exact_modules_have_no_floating_point() {
+    for line in lines()
+        .iter()
+        .filter(|l| EXACT.contains(&l.module.as_str()))
+    {
+        let float = words(&line.code).find(|word| {
+            ["f32", "f64"].contains(word) || word.ends_with("_f32") || word.ends_with("_f64")
+        });
+        assert_eq!(float, None, "{}", line.place);
+    }
+}
+
+#[test]
+fn nothing_is_unsafe() {
+    for line in lines() {
+        let word = words(&line.code).find(|word| *word == "unsafe");
+        assert_eq!(word, None, "{}", line.place);
+    }
+}
+
+#[test]
+fn the_kernel_reads_no_file_and_prints_nothing() {
+    for line in lines().iter().filter(|l| l.module == "kernel") {
+        for word in [
+            "std::fs",
+            "std::io",
+            "std::env",
+            "println!",
+            "print!",
+            "eprintln!",
+        ] {
+            assert!(!line.code.contains(word), "{}: {word}", line.place);
+        }
+    }
+}
+
+#[test]
+fn the_code_map_knows_each_module_and_no_file_that_is_gone() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let map = std::fs::read_to_string(root.join("ARCHITECTURE.md")).unwrap();
+    let map = map.split("## Code map").nth(1).expect("a code map");
+    let map = map.split("\n## ").next().unwrap();
+    let lines = lines();
+    let modules: std::collections::BTreeSet<&str> =
+        lines.iter().map(|l| l.module.as_str()).collect();
+    for module in modules
+        .iter()
+        .filter(|m| !["lib", "main", "checker"].contains(m))
+    {
+        let file = format!("### `src/{module}");
+        assert!(
+            map.contains(&file),
+            "ARCHITECTURE.md does not know `{module}`"
+        );
+    }
+    // `name.rs` in the section of a folder is a file of that folder.
+    let mut folder = String::new();
+    for line in map.lines() {
+        if let Some(heading) = line.strip_prefix("### `") {
+            folder = heading.split('`').next().unwrap().to_owned();
+            assert!(root.join(&folder).exists(), "{folder} is gone");
+        } else if let Some(row) = line.strip_prefix("| `") {
+            let name = row.split('`').next().unwrap();
+            let path = root.join(&folder).join(name);
+            assert!(path.exists(), "{folder}{name} is gone");
+        }
+    }
+}
+
+#[test]
+fn each_note_has_an_entry_in_the_reference_and_the_other_way_round() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let source = std::fs::read_to_string(root.join("src/audit/entry.rs")).unwrap();
+    let codes = source.split("fn code(").nth(1).expect("Note::code");
+    let codes = codes.split("\n    }\n").next().unwrap();
+    let codes: std::collections::BTreeSet<&str> = codes.split('"').skip(1).step_by(2).collect();
+    let page = std::fs::read_to_string(root.join("docs/notes.md")).unwrap();
+    let entries = page.lines().filter_map(|line| line.strip_prefix("## `"));
+    let entries: std::collections::BTreeSet<&str> =
+        entries.map(|line| line.trim_end_matches('`')).collect();
+    assert_eq!(codes, entries);
+}
