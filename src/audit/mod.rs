@@ -207,14 +207,7 @@ impl Auditor<'_> {
         let mut entries = Vec::new();
         for (part, statement) in statements.iter().enumerate() {
             let defines = equation.defines && part == 0;
-            let mut entry = self.statement(
-                at,
-                statement,
-                &usable,
-                &premises,
-                (says_so, !unknown.is_empty()),
-                defines,
-            );
+            let mut entry = self.statement(at, statement, &usable, &premises, says_so, defines);
             (entry.part, entry.parts) = (part, parts);
             if part == 0 {
                 entry.notes.extend(
@@ -244,7 +237,7 @@ impl Auditor<'_> {
         statement: &Statement,
         usable: &premise::Usable,
         premises: &[usize],
-        (says_so, unknown): (bool, bool),
+        says_so: bool,
         defines: bool,
     ) -> Entry {
         let equation = &self.derivation.equations[at];
@@ -315,7 +308,7 @@ impl Auditor<'_> {
             entry.notes.extend(missing.map(|&p| Note::OutOfScope(p)));
         }
         // A premise that could not be had may be just what is needed.
-        let missing = !usable.unreadable.is_empty() || !usable.later.is_empty() || unknown;
+        let missing = !usable.unreadable.is_empty() || !usable.later.is_empty();
         if entry.verdict == Verdict::Fails && missing {
             entry.verdict = Verdict::Undecided;
         }

@@ -236,8 +236,8 @@ proptest! {
                     _ => page.sides_at(labels[1], &at).unwrap()[0].left.clone(),
                 };
                 prop_assert_eq!(last, after.clone(), "{} {:?}", name, law);
-                let said = labels.iter().flat_map(|label| page.sides_at(label, &at).unwrap());
-                let said = said.fold(true, |all, s| all && s.holds == (s.relation == Relation::Equal));
+                let mut said = labels.iter().flat_map(|label| page.sides_at(label, &at).unwrap());
+                let said = said.all(|s| s.holds == (s.relation == Relation::Equal));
                 prop_assert_eq!(said, before == after, "{} {:?}", name, law);
             }
         }
