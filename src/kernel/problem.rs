@@ -135,6 +135,23 @@ impl Problem {
         Ok(problem)
     }
 
+    /// Whether a hypothesis says that a polynomial vanishes throughout: that a slope vanishes at one point
+    /// holds nothing constant.
+    pub fn vanishes_throughout(&self, polynomial: &Polynomial) -> bool {
+        let throughout = |origin: &Origin| match origin {
+            Origin::Hypothesis(at) => {
+                let formula = self.formulas.get(*at);
+                formula.is_some_and(|f| f.1 == Standing::Identity)
+            }
+            _ => false,
+        };
+        let monic = polynomial.monic();
+        let mut facts = self.facts.iter().zip(&self.origins);
+        facts.any(|(f, origin)| {
+            f.sign == Sign::Zero && f.polynomial.monic() == monic && throughout(origin)
+        })
+    }
+
     pub(super) fn lowering(&mut self) -> Lowering<'_> {
         Lowering {
             atoms: &mut self.atoms,

@@ -1,6 +1,6 @@
 use super::{
-    Certificate, Cofactors, Fact, Factors, Knowledge, Origin, PositiveTerm, Problem, Proof, Reject,
-    SeriesSquare, Sign, Standing,
+    Certificate, Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Reject,
+    SeriesSquare, Sign,
 };
 use crate::algebra::{Atom, Polynomial, Symbol, expr_of, power_sum, product};
 
@@ -61,20 +61,7 @@ impl<'a> State<'a> {
             return Err(Reject::MayHaveNoValue(term.clone()));
         }
         for change in &conditions.zero {
-            // That a slope vanishes at one point holds nothing constant.
-            let throughout = |origin: &Origin| match origin {
-                Origin::Hypothesis(at) => self
-                    .problem
-                    .formulas
-                    .get(*at)
-                    .is_some_and(|f| f.1 == Standing::Identity),
-                _ => false,
-            };
-            let mut facts = self.problem.facts.iter().zip(&self.problem.origins);
-            let known = facts.any(|(f, origin)| {
-                f.sign == Sign::Zero && f.polynomial.monic() == change.monic() && throughout(origin)
-            });
-            if !known {
+            if !self.problem.vanishes_throughout(change) {
                 return Err(Reject::MayVary(expr_of(change, atoms)));
             }
         }

@@ -259,13 +259,13 @@ fn prove_as(
     problem: &Problem,
     effort: Effort,
 ) -> Result<Option<Decision>, Reject> {
-    match attempt(claim, unfold, problem, effort)? {
+    match attempt(unfold, problem, effort)? {
         Attempt::Nothing => Ok(None),
         Attempt::Proof(candidate) => Ok(proven(claim.clone(), candidate, Vec::new())),
         Attempt::Needs(conditions) => {
             let claim = assuming(claim, &conditions);
             let problem = Problem::new(&claim, unfold)?;
-            match attempt(&claim, unfold, &problem, effort)? {
+            match attempt(unfold, &problem, effort)? {
                 Attempt::Proof(candidate) => Ok(proven(claim, candidate, conditions)),
                 _ => Ok(None),
             }
@@ -294,12 +294,7 @@ enum Attempt {
     Needs(Vec<Formula>),
 }
 
-fn attempt(
-    claim: &Claim,
-    unfold: &[usize],
-    problem: &Problem,
-    effort: Effort,
-) -> Result<Attempt, Reject> {
+fn attempt(unfold: &[usize], problem: &Problem, effort: Effort) -> Result<Attempt, Reject> {
     let mut prover = Prover::new(problem)?;
     let Some(conclusion) = prover.prove(&problem.goal, effort) else {
         return Ok(Attempt::Nothing);
@@ -338,12 +333,7 @@ fn attempt(
         return Ok(Attempt::Nothing);
     }
     for change in &problem.conditions.zero {
-        let throughout = |origin: &Origin| matches!(origin, Origin::Hypothesis(at) if claim.hypotheses[*at].standing == Standing::Identity);
-        let mut facts = problem.facts.iter().zip(&problem.origins);
-        let known = facts.any(|(f, origin)| {
-            f.sign == Sign::Zero && f.polynomial.monic() == change.monic() && throughout(origin)
-        });
-        if !known {
+        if !problem.vanishes_throughout(change) {
             let term = expr_of(change, &problem.atoms);
             needs.push(Formula::equal(term, Expr::integer(0)));
         }
