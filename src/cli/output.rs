@@ -23,10 +23,17 @@ impl From<Color> for ColorChoice {
 /// # Errors
 /// It cannot be written, for another reason than that nobody reads on.
 pub fn data(text: &str, color: Color) -> Result<(), Failure> {
-    let mut stream = AutoStream::new(std::io::stdout().lock(), color.into());
-    let written = stream
+    let mut stdout = std::io::stdout().lock();
+    let color = match color.into() {
+        ColorChoice::Auto => AutoStream::choice(&stdout),
+        choice => choice,
+    };
+    // Colours are taken out piece by piece; in the buffer, so that not every piece is a call to the system.
+    let mut buffer = AutoStream::new(Vec::with_capacity(text.len()), color);
+    let written = buffer
         .write_all(text.as_bytes())
-        .and_then(|()| stream.flush());
+        .and_then(|()| stdout.write_all(&buffer.into_inner()))
+        .and_then(|()| stdout.flush());
     match written {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::new(format!(
             "standard output could not be written: {error}"
