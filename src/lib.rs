@@ -94,6 +94,7 @@ pub mod audit;
 pub mod cli;
 pub mod cradle;
 pub mod derivation;
+pub mod dimension;
 pub mod document;
 pub mod kernel;
 pub mod notation;

@@ -4,6 +4,7 @@
 //! A step that does not follow from these is tried once more from what stands before it, so that a stale
 //! citation is told apart from an error.
 
+mod dimensions;
 mod entry;
 mod given;
 mod judge;
@@ -20,6 +21,7 @@ use crate::derivation::{Derivation, Kind, Source, goals};
 use crate::kernel::Assignment;
 use crate::notation::{Mark, Statement};
 
+pub use dimensions::Dimensions;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
 use premise::{Offer, usable};
 
@@ -33,6 +35,8 @@ const MOST_AT_A_TIME: usize = 40;
 pub struct Audit {
     /// One entry for each statement of each equation, in reading order.
     pub entries: Vec<Entry>,
+    /// What is known of dimensions.
+    pub dimensions: Dimensions,
 }
 
 impl Audit {
@@ -42,6 +46,7 @@ impl Audit {
     pub fn of(derivation: &Derivation) -> Audit {
         let shared = Shared {
             derivation,
+            dimensions: Dimensions::of(derivation),
             givens: given::models(derivation),
             duplicates: derivation.duplicates().into_iter().collect(),
             done: derivation
@@ -75,6 +80,7 @@ impl Audit {
         let done = shared.done.into_iter().filter_map(OnceLock::into_inner);
         Audit {
             entries: done.flat_map(|done| done.entries).collect(),
+            dimensions: shared.dimensions,
         }
     }
 
@@ -109,6 +115,7 @@ struct Done {
 /// What all who work at an audit share.
 struct Shared<'a> {
     derivation: &'a Derivation,
+    dimensions: Dimensions,
     givens: given::Models,
     duplicates: BTreeMap<usize, usize>,
     /// Filled in reading order within each part.
@@ -157,6 +164,7 @@ impl Auditor<'_> {
                 self.offer(at, premise)
             }),
         };
+        self.shared.dimensions.mark(&mut entries);
         Done { entries, offer }
     }
 
@@ -341,7 +349,7 @@ impl Auditor<'_> {
         let mut failing = BTreeSet::new();
         for &premise in premises.iter().filter(|&&p| p < at) {
             for entry in self.entries_of(premise) {
-                if entry.verdict == Verdict::Fails && !entry.fails_as_marked() {
+                if entry.is_wrong() && !entry.fails_as_marked() {
                     failing.insert(premise);
                 }
                 failing.extend(&entry.rests_on);

@@ -13,7 +13,7 @@ mod citation;
 mod directive;
 mod item;
 mod markdown;
-mod nearest;
+pub(crate) mod nearest;
 mod number;
 mod outline;
 mod prose;

@@ -30,7 +30,7 @@ pub(super) fn distance(left: &str, right: &str) -> usize {
 }
 
 /// The first of the nearest `words`, if it is no further than `slips`, in any case of letters.
-pub(super) fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Option<&'w str> {
+pub(crate) fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Option<&'w str> {
     let written: String = written.chars().take(LONGEST + 1).collect();
     let written = written.to_lowercase();
     words
