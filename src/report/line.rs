@@ -67,7 +67,8 @@ impl Report<'_> {
             Verdict::Fails => said.push(self.failure(entry)),
             Verdict::Undecided => said.extend(undecided(entry)),
             Verdict::Holds if entry.notes.is_empty() => said.push(self.holds_from(entry)),
-            Verdict::Holds | Verdict::IllDimensioned => {}
+            Verdict::IllDimensioned => said.extend(self.conflict(entry).map(|c| self.fault(c))),
+            Verdict::Holds => {}
         }
         said.extend(entry.notes.iter().filter_map(|note| self.aside(note)));
         said.join("; ")

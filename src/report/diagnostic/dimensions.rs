@@ -1,0 +1,373 @@
+//! An equation that compares what differs in dimension: both dimensions, a change of units, whom it disagrees with.
+
+use annotate_snippets::Level;
+
+use crate::algebra::{Expr, Formula, Function, Relation};
+use crate::audit::Entry;
+use crate::derivation::Source;
+use crate::dimension::Conflict;
+use crate::document::Span;
+use crate::kernel::dimension::{Comparison, Form, Member, What, comparisons};
+use crate::notation::{Clause, Side, Statement, plain, plain_formula};
+
+use super::super::Report;
+use super::super::dimension::{called, change_of_units, columns, lacking};
+use super::super::words::{list, shortened, symbol};
+use super::{Finding, replay};
+
+/// The widest that a term may be beside its dimension.
+const WIDEST_TERM: usize = 28;
+
+/// One of the two things that differ.
+struct Thing {
+    /// `the left side`, `` `m v` ``.
+    words: String,
+    /// `left`, `` `m v` ``.
+    label: String,
+    form: Form,
+    path: Option<Vec<usize>>,
+}
+
+impl Report<'_> {
+    pub(super) fn ill_dimensioned(&self, entry: &Entry) -> Option<Finding> {
+        let conflict = self.conflict(entry)?;
+        let statement = self.statement(entry)?;
+        let equation = self.equation(entry.equation);
+        let title = format!("{} {}", self.subject(entry), self.fault(conflict));
+        let mut finding = self.disagreement(conflict, equation.page, title, statement.span);
+        let (guilty, other) = things(conflict);
+        let place =
+            |thing: &Thing| Some(place(statement, conflict.reading, thing.path.as_deref()?));
+        if let Some(span) = place(&guilty).flatten() {
+            finding.primary = (span, format!("is {}", self.called(&guilty.form)));
+            if let Some(other_span) = place(&other).flatten().filter(|other| *other != span) {
+                finding
+                    .context
+                    .push((other_span, format!("is {}", self.called(&other.form))));
+            } else {
+                finding.primary.1 =
+                    format!("here {} is {}", guilty.label, self.called(&guilty.form));
+            }
+        }
+        if let Some((judged, refuted)) = entry.refuted() {
+            let text = self.in_numbers(judged, refuted);
+            finding.said.push((
+                Level::NOTE.with_name("as numbers"),
+                format!("it does not follow either: {text}"),
+            ));
+        }
+        finding.said.extend(replay(self, entry.equation));
+        Some(finding)
+    }
+
+    /// A `let` or an assumption at fault.
+    pub(super) fn ill_supposed(
+        &self,
+        page: usize,
+        at: usize,
+        conflict: &Conflict<Source>,
+    ) -> Finding {
+        let span = self.derivation.local(page, at).span;
+        let title = format!("what is supposed here {}", self.fault(conflict));
+        self.disagreement(conflict, page, title, span)
+    }
+
+    fn disagreement(
+        &self,
+        conflict: &Conflict<Source>,
+        page: usize,
+        title: String,
+        span: Span,
+    ) -> Finding {
+        let mut said: Vec<(Level<'static>, String)> = self
+            .dimensions_said(conflict)
+            .into_iter()
+            .map(|(name, text)| {
+                let level = if name == "help" {
+                    Level::HELP
+                } else {
+                    Level::NOTE.with_name(name)
+                };
+                (level, text)
+            })
+            .collect();
+        said.retain(|(_, text)| !text.is_empty());
+        Finding {
+            level: Level::ERROR,
+            code: "ill-dimensioned",
+            title,
+            page,
+            primary: (span, String::new()),
+            context: Vec::new(),
+            said,
+        }
+    }
+
+    /// The evidence, a name and a text each.
+    pub(in super::super) fn dimensions_said(
+        &self,
+        conflict: &Conflict<Source>,
+    ) -> Vec<(&'static str, String)> {
+        let unknowns = &self.audit.dimensions.unknowns;
+        let (first, second) = in_order(conflict);
+        let rows = [
+            (first.label.clone(), &first.form),
+            (second.label.clone(), &second.form),
+        ];
+        let mut said = vec![("dimension", columns(&rows, unknowns).join("\n"))];
+        if let Some(rescaling) = conflict.evidence.rescaling() {
+            said.push((
+                "change of units",
+                change_of_units(rescaling, &first.words, &second.words),
+            ));
+        }
+        let comparison = conflict.evidence.comparison();
+        if comparison.what == What::Sides && conflict.origins.len() == 1 {
+            let lacks = |form: Form| form.dimension().and_then(lacking);
+            let by = lacks(first.form.over(&second.form));
+            said.extend(by.map(|by| {
+                (
+                    "note",
+                    format!("the right side lacks a factor with the dimension {by}"),
+                )
+            }));
+        }
+        if conflict.origins.len() > 1 {
+            let others = conflict
+                .origins
+                .iter()
+                .zip(conflict.evidence.parts())
+                .skip(1);
+            let mut lines: Vec<String> = Vec::new();
+            for (origin, part) in others {
+                let line = format!(
+                    "{}: {}",
+                    self.origin_of(*origin),
+                    plain_formula(&part.formula)
+                );
+                if !lines.contains(&line) {
+                    lines.push(line);
+                }
+            }
+            said.push(("disagrees with", lines.join("\n")));
+            said.push(("help", self.settled_by(conflict)));
+        }
+        said
+    }
+
+    /// The declarations that would tell which of several equations is wrong.
+    fn settled_by(&self, conflict: &Conflict<Source>) -> String {
+        let mut open: Vec<String> = Vec::new();
+        for part in conflict.evidence.parts() {
+            let all = comparisons(&part.formula, &part.scope);
+            let quotient = all.get(part.comparison).map(Comparison::quotient);
+            for unknown in quotient.iter().flat_map(|q| q.unknowns.keys()) {
+                let name = self.audit.dimensions.unknowns.get(unknown.0).map(symbol);
+                open.extend(name.filter(|name| !open.contains(name)));
+            }
+        }
+        format!(
+            "declare the dimension of {}: then the one that is wrong stands out",
+            list(open)
+        )
+    }
+
+    fn origin_of(&self, origin: Source) -> String {
+        match origin {
+            Source::Equation(at) => format!("{} at {}", self.name(at), self.place(at)),
+            Source::Local(page, at) => format!(
+                "supposed at {}",
+                self.place_of(page, self.derivation.local(page, at).span)
+            ),
+            Source::Step => "the step before".into(),
+        }
+    }
+
+    pub(in super::super) fn conflict(&self, entry: &Entry) -> Option<&Conflict<Source>> {
+        self.audit
+            .dimensions
+            .conflicts
+            .get(&(entry.equation, entry.part))
+    }
+
+    fn called(&self, form: &Form) -> String {
+        called(form, &self.audit.dimensions.unknowns)
+    }
+
+    /// What is wrong, as the end of a sentence.
+    pub(in super::super) fn fault(&self, conflict: &Conflict<Source>) -> String {
+        let (guilty, other) = things(conflict);
+        let (own, needed) = (self.called(&guilty.form), self.called(&other.form));
+        let fault = match conflict.evidence.comparison().what {
+            What::Sides => {
+                let (left, right) = in_order(conflict);
+                let equal = matches!(
+                    &conflict.evidence.parts()[0].formula,
+                    Formula::Relation {
+                        relation: Relation::Equal,
+                        ..
+                    } | Formula::AllEqual { .. }
+                );
+                let verb = if equal { "equates" } else { "compares" };
+                format!(
+                    "{verb} {} and {}",
+                    self.called(&left.form),
+                    self.called(&right.form)
+                )
+            }
+            What::Summands => format!("adds {own} to {needed}"),
+            What::Argument(function) => format!("takes the {} of {own}", function_name(function)),
+            What::Exponent => format!("has {own} in an exponent"),
+            What::Count => format!("counts up to {own}"),
+            What::Limit => format!("lets a variable that is {needed} go to {own}"),
+        };
+        let mut others: Vec<usize> = Vec::new();
+        for origin in &conflict.origins[1..] {
+            if let Source::Equation(at) = origin
+                && conflict.origins[0] != *origin
+                && !others.contains(at)
+            {
+                others.push(*at);
+            }
+        }
+        match others.is_empty() {
+            true => fault,
+            false => format!(
+                "{fault}, as {} {} it",
+                self.references(&others),
+                if others.len() == 1 { "has" } else { "have" }
+            ),
+        }
+    }
+}
+
+/// What is guilty, and what it is held against.
+fn things(conflict: &Conflict<Source>) -> (Thing, Thing) {
+    let (first, second) = in_order(conflict);
+    match conflict.evidence.comparison().what {
+        What::Sides => (second, first),
+        What::Summands if reference_is_guilty(conflict) => (second, first),
+        _ => (first, second),
+    }
+}
+
+/// The two things in the order of the comparison.
+fn in_order(conflict: &Conflict<Source>) -> (Thing, Thing) {
+    let formula = &conflict.evidence.parts()[0].formula;
+    let Comparison { what, left, right } = conflict.evidence.comparison();
+    let thing = |member: &Member, side: &str| {
+        let (words, label) = match what {
+            What::Sides => (format!("the {side} side"), side.to_owned()),
+            _ => {
+                let term = term_at(formula, &member.path)
+                    .map(plain)
+                    .unwrap_or_default();
+                let term = format!("`{}`", shortened(&term, WIDEST_TERM));
+                (term.clone(), term)
+            }
+        };
+        Thing {
+            words,
+            label,
+            form: member.form.clone(),
+            path: Some(member.path.clone()),
+        }
+    };
+    let second = match right {
+        Some(right) if *what == What::Limit => Thing {
+            words: "the variable".into(),
+            label: "the variable".into(),
+            form: right.form.clone(),
+            path: None,
+        },
+        Some(right) => thing(right, "right"),
+        None => Thing {
+            words: "a pure number".into(),
+            label: "needed".into(),
+            form: Form::default(),
+            path: None,
+        },
+    };
+    (thing(left, "left"), second)
+}
+
+/// Whether it is rather the summand that all others were compared with: two or more agree against it, or the other
+/// side of the equation does.
+fn reference_is_guilty(conflict: &Conflict<Source>) -> bool {
+    let part = &conflict.evidence.parts()[0];
+    let Comparison {
+        left,
+        right: Some(right),
+        ..
+    } = conflict.evidence.comparison()
+    else {
+        return false;
+    };
+    let all = comparisons(&part.formula, &part.scope);
+    let known = |form: &Form| form.known == left.form.known;
+    let sum = &right.path[..right.path.len().saturating_sub(1)];
+    let Some(Expr::Sum(items)) = term_at(&part.formula, sum) else {
+        return false;
+    };
+    let against = all.iter().filter(|c| {
+        c.what == What::Summands && c.right.as_ref().is_some_and(|r| r.path == right.path)
+    });
+    let against = against.filter(|c| known(&c.left.form)).count();
+    let others = against + 1 == items.len() && against > 1;
+    let side = all.iter().any(|c| {
+        let member = |m: &Member| m.path != sum && known(&m.form);
+        c.what == What::Sides
+            && sum.len() == 1
+            && (member(&c.left) || c.right.as_ref().is_some_and(member))
+    });
+    others || side
+}
+
+fn function_name(function: Function) -> &'static str {
+    match function {
+        Function::Sin => "sine",
+        Function::Cos => "cosine",
+        Function::Tan => "tangent",
+        Function::Exp => "exponential",
+        Function::Ln => "logarithm",
+        Function::Abs => "absolute value",
+        Function::Ceiling | Function::Floor => "whole part",
+    }
+}
+
+fn term_at<'a>(formula: &'a Formula, path: &[usize]) -> Option<&'a Expr> {
+    let (side, steps) = path.split_first()?;
+    let mut term = formula.terms().into_iter().nth(*side)?;
+    for step in steps {
+        term = term.children().into_iter().nth(*step)?;
+    }
+    Some(term)
+}
+
+/// Where a term of the `reading`-th formula of a statement stands: the whole summand that it is part of.
+fn place(statement: &Statement, reading: usize, path: &[usize]) -> Option<Span> {
+    let mut sides: Vec<(Option<&Side>, Option<&Side>, Span)> = Vec::new();
+    for clause in &statement.clauses {
+        match clause {
+            Clause::Chain { sides: all, links } => {
+                let pairs = links.iter().zip(all.windows(2));
+                sides.extend(pairs.map(|(link, pair)| (pair.first(), pair.last(), link.span)));
+            }
+            Clause::AllEqual { value, span, .. } => sides.push((None, value.as_ref(), *span)),
+        }
+    }
+    let (left, right, whole) = sides.get(reading)?;
+    let side = match path.first() {
+        Some(0) => *left,
+        Some(_) => *right,
+        None => None,
+    };
+    let Some(side) = side else {
+        return Some(*whole);
+    };
+    let summand = match (&side.expr, path.get(1)) {
+        (Expr::Sum(_), Some(at)) => side.terms.get(*at).copied(),
+        _ => None,
+    };
+    Some(summand.unwrap_or(side.span))
+}
