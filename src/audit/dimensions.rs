@@ -65,6 +65,9 @@ impl Dimensions {
             }
             let ticked = entry.kind == Kind::Marked && entry.verdict == Verdict::Holds;
             entry.verdict = Verdict::IllDimensioned;
+            entry.rests_on.clear();
+            let rests = |note: &Note| matches!(note, Note::RestsOn(_) | Note::RestsOnUnproved(_));
+            entry.notes.retain(|note| !rests(note));
             let crossed = |note: &Note| matches!(note, Note::WrongMark(Mark::Cross));
             match entry.notes.iter().position(crossed) {
                 Some(at) => drop(entry.notes.remove(at)),
@@ -259,7 +262,9 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
                         .over(&Dimension::base(Base::Time).power(&Rational::from(dots))),
                 )
             };
-            let said = match declared(symbol).cloned().or_else(dotted) {
+            // Nobody declares π.
+            let pi = || (symbol.name() == "\\pi").then(Dimension::none);
+            let said = match declared(symbol).cloned().or_else(dotted).or_else(pi) {
                 Some(dimension) => Said::Declared(dimension),
                 None => element()
                     .cloned()

@@ -5,6 +5,9 @@ use std::collections::BTreeMap;
 use crate::algebra::Rational;
 use crate::kernel::dimension::{Form, Unknown};
 
+/// An equation that leaves more unknowns open than this says too little to be worth keeping.
+const MOST_OPEN: usize = 48;
+
 /// Solved equations. Each new one is reduced by those before it, so nothing is ever solved again.
 #[derive(Clone, Debug, Default)]
 pub(super) struct System {
@@ -60,6 +63,9 @@ impl System {
                 false => Fit::Bad(self.trace(&reduced_by)),
             };
         };
+        if form.unknowns.len() > MOST_OPEN {
+            return Fit::Good;
+        }
         let divisor = divisor.clone();
         let mut value = form.power(&-divisor.recip());
         value.unknowns.remove(&unknown);

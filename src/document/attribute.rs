@@ -15,6 +15,8 @@ const DOMAINS: [&str; 7] = [
     "natural",
     "constant",
 ];
+/// What may stand before `constant` in the name of a dimension.
+const CONSTANTS: [&str; 5] = ["spring", "gas", "gravitational", "boltzmann", "diffusion"];
 const HELP: &str = "an attribute is a dimension (`mass`, `M L^{-1/2} T^{-2}`), a domain (`real`, \
                     `positive`, `nonnegative`, `nonzero`, `integer`, `natural`, `constant`), an \
                     interval (`in [0, 1]`) or a bound (`>= 1`)";
@@ -158,7 +160,12 @@ fn attribute(text: &str) -> Result<Attribute, (String, String)> {
     if let Some(domain) = nearest(text, &DOMAINS, slips) {
         return error("is not an attribute", &format!("did you mean `{domain}`?"));
     }
-    if let Some(domain) = text.split_whitespace().find(|word| DOMAINS.contains(word)) {
+    let is_name = |begin: &str| {
+        text.strip_suffix(" constant")
+            .is_some_and(|rest| rest == begin)
+    };
+    let domain = text.split_whitespace().find(|word| DOMAINS.contains(word));
+    if let Some(domain) = domain.filter(|_| !CONSTANTS.iter().any(|begin| is_name(begin))) {
         return error(
             "is not an attribute",
             &format!("write `{domain}`, with a comma before what follows"),

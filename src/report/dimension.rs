@@ -84,7 +84,7 @@ pub(super) fn columns(rows: &[(String, &Form)], unknowns: &[Symbol]) -> Vec<Stri
             } else {
                 "   "
             };
-            *line += if any { joined } else { " " };
+            *line += if any { joined } else { "" };
             *line += &format!("{text:<size$}");
             begun[row] |= !text.is_empty();
         }
@@ -240,17 +240,16 @@ pub(super) fn change_of_units(rescaling: &Rescaling, left: &str, right: &str) ->
         "4" => format!("quarter {unit}s"),
         factor => format!("units of 1/{factor} {unit}"),
     };
-    let grown = |(what, factor): Grown<'_>| {
-        let one = BigRational::from_integer(1.into());
-        match factor {
-            factor if *factor == one => format!("{what} stays as it is"),
-            factor if *factor > one => format!("{what} becomes {factor} times as large"),
-            factor => format!("{what} becomes {factor} of what it was"),
-        }
+    let one = BigRational::from_integer(1.into());
+    let grown = |(what, factor): Grown<'_>| match factor {
+        factor if *factor == one => format!("{what} stays as it is"),
+        factor if *factor > one => format!("{what} becomes {factor} times as large"),
+        factor => format!("{what} becomes {factor} of what it was"),
     };
-    format!(
-        "measure {quantity} in {units}: {}, {}",
-        grown((left, &rescaling.left)),
-        grown((right, &rescaling.right))
-    )
+    let first = grown((left, &rescaling.left));
+    let second = match rescaling.left > one && rescaling.right > one {
+        true => format!("{right} {} times", rescaling.right),
+        false => grown((right, &rescaling.right)),
+    };
+    format!("measure {quantity} in {units}: {first}, {second}")
 }

@@ -66,7 +66,7 @@ impl Report<'_> {
         if let Some(conflict) = self.conflict(entry) {
             for (name, said) in self.dimensions_said(conflict) {
                 let lines: Vec<&str> = said.lines().collect();
-                text += &format!("  {name:<16}{}\n", lines.join(&format!("\n{:18}", "")));
+                text += &format!("  {name:<17}{}\n", lines.join(&format!("\n{:19}", "")));
             }
             return text;
         }

@@ -67,7 +67,15 @@ impl Report<'_> {
             Verdict::Fails => said.push(self.failure(entry)),
             Verdict::Undecided => said.extend(undecided(entry)),
             Verdict::Holds if entry.notes.is_empty() => said.push(self.holds_from(entry)),
-            Verdict::IllDimensioned => said.extend(self.conflict(entry).map(|c| self.fault(c))),
+            Verdict::IllDimensioned => {
+                said.extend(
+                    self.conflict(entry)
+                        .map(|conflict| match entry.fails_as_marked() {
+                            true => format!("as the author says: {}", self.fault(conflict)),
+                            false => self.fault(conflict),
+                        }),
+                )
+            }
             Verdict::Holds => {}
         }
         said.extend(entry.notes.iter().filter_map(|note| self.aside(note)));

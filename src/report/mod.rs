@@ -37,9 +37,18 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// How many findings there are, places that could not be read included.
     pub fn findings(&self) -> usize {
-        let unread: usize = self.derivation.pages.iter().map(|p| p.problems.len()).sum();
-        let supposed = self.audit.dimensions.suppositions.len();
-        unread + supposed + self.audit.entries.iter().map(findings_of).sum::<usize>()
+        let unread: usize = (0..self.derivation.pages.len())
+            .map(|page| self.problems(page))
+            .sum();
+        unread + self.audit.entries.iter().map(findings_of).sum::<usize>()
+    }
+
+    /// How much there is to mend on a page besides equations: what could not be read, and suppositions that compare
+    /// what differs in dimension.
+    fn problems(&self, page: usize) -> usize {
+        let supposed = self.audit.dimensions.suppositions.keys();
+        let supposed = supposed.filter(|(own, _)| *own == page).count();
+        self.derivation.pages[page].problems.len() + supposed
     }
 
     /// What to type to see an equation's evidence in full.
