@@ -37,10 +37,7 @@ pub fn parse(text: &str) -> Result<Dimension, Unreadable> {
     let dimension = parser.product()?;
     match parser.peek() {
         None => Ok(dimension),
-        Some(c) => parser.fault(
-            parser.at..parser.at + c.len_utf8(),
-            format!("`{c}` has no place in a dimension"),
-        ),
+        Some(c) => parser.misplaced(c),
     }
 }
 
@@ -63,6 +60,11 @@ impl<'a> Parser<'a> {
             message: message.into(),
             word: None,
         })
+    }
+
+    fn misplaced<T>(&self, c: char) -> Read<T> {
+        let end = self.at + c.len_utf8();
+        self.fault(self.at..end, format!("`{c}` has no place in a dimension"))
     }
 
     /// The next character after white space and signs of multiplication that say nothing.
@@ -125,7 +127,8 @@ impl<'a> Parser<'a> {
                 Ok(Dimension::none())
             }
             Some(c) if c.is_alphabetic() || c == '\\' => self.name(),
-            _ => self.fault(self.at..self.text.len(), "a dimension is missing here"),
+            Some(c) => self.misplaced(c),
+            None => self.fault(self.at..self.at, "a dimension is missing here"),
         }
     }
 

@@ -37,7 +37,7 @@ impl Report<'_> {
         let name = shortened(&self.line_name(entry), names);
         let word = entry.verdict.word();
         let verdict = format!("{} {word:<9}", style::sign(entry.verdict));
-        let room = WIDTH.saturating_sub(names + 16);
+        let room = WIDTH.saturating_sub(names + 7 + word.len().max(9));
         let headline = shortened(&self.headline(entry), room);
         let line = format!(
             "  {name:<names$}  {} {headline}",
