@@ -82,15 +82,20 @@ impl Dimensions {
         let to = derivation.equations.partition_point(|e| e.page <= page);
         let locals = &derivation.pages[page].locals;
         let mut pending = (0..locals.len()).peekable();
-        // Values that fix a unit: under `let v_0 = 1`, a velocity is compared with numbers.
-        let mut units: BTreeSet<usize> = BTreeSet::new();
+        // What has a number for a value, by supposition: under `let v_0 = 1`, velocities may be compared with numbers.
+        let mut numbers: BTreeMap<usize, Vec<Said>> = BTreeMap::new();
         for at in from..to {
             let equation = &derivation.equations[at];
             while let Some(local) = pending.next_if(|&l| locals[l].span.start < equation.span.start)
             {
-                self.supposition(derivation, page, local, &mut units);
+                self.supposition(derivation, page, local, &mut numbers);
             }
-            if equation.locals.iter().any(|local| units.contains(local)) {
+            let mut fixed = equation
+                .locals
+                .iter()
+                .filter_map(|l| numbers.get(l))
+                .flatten();
+            if fixed.any(|said| self.is_quantity(said)) {
                 self.skipped.insert(at);
                 continue;
             }
@@ -106,7 +111,7 @@ impl Dimensions {
             }
         }
         for local in pending {
-            self.supposition(derivation, page, local, &mut units);
+            self.supposition(derivation, page, local, &mut numbers);
         }
     }
 
@@ -123,17 +128,17 @@ impl Dimensions {
         derivation: &Derivation,
         page: usize,
         at: usize,
-        units: &mut BTreeSet<usize>,
+        numbers: &mut BTreeMap<usize, Vec<Said>>,
     ) {
         let local = derivation.local(page, at);
-        let (fixes, formulas): (Vec<_>, Vec<_>) = local
-            .formulas
-            .iter()
-            .cloned()
-            .partition(|formula| self.fixes_a_unit(page, formula));
-        if !fixes.is_empty() {
-            units.insert(at);
-        }
+        let mut formulas = local.formulas.clone();
+        formulas.retain(|formula| match number_for(&self.scopes[page], formula) {
+            Some(said) => {
+                numbers.entry(at).or_default().push(said);
+                false
+            }
+            None => true,
+        });
         let readings = self.readings(page, formulas);
         if let Err(conflict) = self
             .inference
@@ -143,32 +148,36 @@ impl Dimensions {
         }
     }
 
-    /// `v_0 = 1`, for a `v_0` that is no pure number.
-    fn fixes_a_unit(&self, page: usize, formula: &Formula) -> bool {
-        let scope = &self.scopes[page];
-        let is_number = |term: &Expr| {
-            !term.children().is_empty()
-                || matches!(term, Expr::Number(n) if *n != Default::default())
-        };
-        let said = match formula {
-            Formula::Relation {
-                left: Expr::Symbol(symbol),
-                right,
-                ..
-            } if is_number(right) && closed(right) => scope.symbols.get(symbol),
-            Formula::AllEqual {
-                sequence,
-                value: Some(value),
-                ..
-            } if is_number(value) && closed(value) => scope.sequences.get(sequence),
-            _ => return false,
-        };
-        said.is_some_and(|said| !self.inference.value(&Form::said(said)).is_none())
+    /// Whether something is known to be more than a pure number.
+    fn is_quantity(&self, said: &Said) -> bool {
+        let value = self.inference.value(&Form::said(said));
+        value
+            .dimension()
+            .is_some_and(|dimension| !dimension.is_none())
     }
 
     fn unknown(&mut self, name: &Symbol) -> Said {
         self.unknowns.push(name.clone());
         Said::Unknown(Unknown(self.unknowns.len() - 1))
+    }
+}
+
+/// What a supposition such as `v_0 = 1` gives a number to.
+fn number_for(scope: &Scope, formula: &Formula) -> Option<Said> {
+    let zero = Expr::integer(0);
+    let number = |term: &Expr| closed(term) && *term != zero;
+    match formula {
+        Formula::Relation {
+            left: Expr::Symbol(symbol),
+            right,
+            ..
+        } if number(right) => scope.symbols.get(symbol).cloned(),
+        Formula::AllEqual {
+            sequence,
+            value: Some(value),
+            ..
+        } if number(value) => scope.sequences.get(sequence).cloned(),
+        _ => None,
     }
 }
 

@@ -41,7 +41,7 @@ impl Report<'_> {
 /// `Mass × Length² × Time⁻² [= Energy, Torque]`
 fn in_full(form: &Form) -> String {
     let line = columns(&[(String::new(), form)], &[]).concat();
-    line.trim().replace("   [", " [")
+    line.trim().replace("  [", " [")
 }
 
 /// How a dimension is called in a sentence: by its name, or as a product.
@@ -97,8 +97,8 @@ pub(super) fn columns(rows: &[(String, &Form)], unknowns: &[Symbol]) -> Vec<Stri
             .join(", ");
         match (names.as_str(), form.is_none()) {
             ("" | "Mass" | "Length" | "Time" | "Current" | "Temperature" | "Amount", _) => {}
-            (_, true) => *line += "   [a pure number]",
-            (names, false) => *line += &format!("   [= {names}]"),
+            (_, true) => *line += "  [a pure number]",
+            (names, false) => *line += &format!("  [= {names}]"),
         }
     }
     lines
@@ -183,9 +183,18 @@ pub(super) fn declared(form: &Form) -> Option<String> {
     })
 }
 
-/// What one dimension lacks to be the other, where it has a name or is a power of something with a name.
-pub(super) fn lacking(quotient: &Dimension) -> Option<String> {
-    let simple = [
+/// What the right side lacks or has too much of, given left over right, where that has a name or is a power of
+/// something with a name.
+pub(super) fn missing_factor(quotient: &Dimension) -> Option<String> {
+    let inverse = Dimension::none().over(quotient);
+    let lacks = |name: String| format!("lacks a factor with the dimension {name}");
+    let exceeds = |name: String| format!("has a factor with the dimension {name} too many");
+    let (missing, extra) = (simple(quotient), simple(&inverse));
+    missing.map(lacks).or_else(|| extra.map(exceeds))
+}
+
+fn simple(quotient: &Dimension) -> Option<String> {
+    const NAMED: [&str; 8] = [
         "Length",
         "Time",
         "Mass",
@@ -193,17 +202,14 @@ pub(super) fn lacking(quotient: &Dimension) -> Option<String> {
         "Acceleration",
         "Force",
         "Energy",
-        "Area",
-        "Volume",
         "Density",
     ];
     if let Some(name) = names_of(quotient)
         .first()
-        .filter(|name| simple.contains(name))
+        .filter(|name| NAMED.contains(name))
     {
         return Some((*name).to_owned());
     }
-    let named = |name: &str| crate::dimension::named(&name.to_lowercase());
     [
         "Length",
         "Time",
@@ -214,12 +220,12 @@ pub(super) fn lacking(quotient: &Dimension) -> Option<String> {
     ]
     .iter()
     .find_map(|name| {
-        let base = named(name)?;
+        let base = crate::dimension::named(&name.to_lowercase())?;
         let ratio = Base::ALL.into_iter().find_map(|b| {
             let own = base.exponent(b).filter(|e| !e.is_zero())?;
             Some(quotient.exponent(b)? / own)
         })?;
-        let fits = !ratio.is_zero() && base.power(&ratio) == *quotient;
+        let fits = ratio.is_positive() && base.power(&ratio) == *quotient;
         fits.then(|| format!("{name}{}", raised(&ratio)))
     })
 }

@@ -7,11 +7,11 @@ use crate::audit::Entry;
 use crate::derivation::Source;
 use crate::dimension::Conflict;
 use crate::document::Span;
-use crate::kernel::dimension::{Comparison, Form, Member, What, comparisons};
+use crate::kernel::dimension::{Comparison, Form, Member, Part, What, comparisons};
 use crate::notation::{Clause, Side, Statement, plain, plain_formula};
 
 use super::super::Report;
-use super::super::dimension::{called, change_of_units, columns, lacking};
+use super::super::dimension::{called, change_of_units, columns, missing_factor};
 use super::super::words::{list, shortened, symbol};
 use super::{Finding, replay};
 
@@ -123,14 +123,9 @@ impl Report<'_> {
         }
         let comparison = conflict.evidence.comparison();
         if comparison.what == What::Sides && conflict.origins.len() == 1 {
-            let lacks = |form: Form| form.dimension().and_then(lacking);
-            let by = lacks(first.form.over(&second.form));
-            said.extend(by.map(|by| {
-                (
-                    "note",
-                    format!("the right side lacks a factor with the dimension {by}"),
-                )
-            }));
+            let quotient = first.form.over(&second.form);
+            let hint = quotient.dimension().and_then(missing_factor);
+            said.extend(hint.map(|hint| ("note", format!("the right side {hint}"))));
         }
         if conflict.origins.len() > 1 {
             let others = conflict
@@ -140,11 +135,14 @@ impl Report<'_> {
                 .skip(1);
             let mut lines: Vec<String> = Vec::new();
             for (origin, part) in others {
-                let line = format!(
-                    "{}: {}",
-                    self.origin_of(*origin),
-                    plain_formula(&part.formula)
-                );
+                let line = match *origin == conflict.origins[0] {
+                    true => format!("itself: {}", compared(part)),
+                    false => format!(
+                        "{}: {}",
+                        self.origin_of(*origin),
+                        plain_formula(&part.formula)
+                    ),
+                };
                 if !lines.contains(&line) {
                     lines.push(line);
                 }
@@ -219,7 +217,7 @@ impl Report<'_> {
             What::Argument(function) => format!("takes the {} of {own}", function_name(function)),
             What::Exponent => format!("has {own} in an exponent"),
             What::Count => format!("counts up to {own}"),
-            What::Limit => format!("lets a variable that is {needed} go to {own}"),
+            What::Limit => format!("lets a variable with the dimension {needed} go to {own}"),
         };
         let mut others: Vec<usize> = Vec::new();
         for origin in &conflict.origins[1..] {
@@ -289,6 +287,18 @@ fn in_order(conflict: &Conflict<Source>) -> (Thing, Thing) {
         },
     };
     (thing(left, "left"), second)
+}
+
+/// `` `w` beside `1` ``
+fn compared(part: &Part) -> String {
+    let all = comparisons(&part.formula, &part.scope);
+    let member = |member: &Member| term_at(&part.formula, &member.path).map(plain);
+    let comparison = all.get(part.comparison);
+    let left = comparison.and_then(|c| member(&c.left)).unwrap_or_default();
+    match comparison.and_then(|c| c.right.as_ref()).and_then(member) {
+        Some(right) => format!("`{left}` beside `{right}`"),
+        None => format!("`{left}` must be a pure number"),
+    }
 }
 
 /// Whether it is rather the summand that all others were compared with: two or more agree against it, or the other
