@@ -239,8 +239,23 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
     scope
         .symbols
         .extend(of_page.map(|(s, d)| (s.clone(), Said::Declared(d.clone()))));
+    let mut graded: BTreeSet<&Symbol> = BTreeSet::new();
+    for formula in &stated {
+        occur::graded(formula, &mut |sequence| {
+            graded.insert(sequence);
+        });
+    }
     for formula in &stated {
         occur::sequences(formula, &mut |sequence| {
+            let element = format!("{sequence}_");
+            let declared = || {
+                own.dimensions
+                    .keys()
+                    .any(|s| s.name().starts_with(&element))
+            };
+            if graded.contains(sequence) && !declared() {
+                return;
+            }
             if scope.sequences.contains_key(sequence) {
                 return;
             }

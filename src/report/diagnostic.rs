@@ -1,5 +1,6 @@
 //! Findings in the author's own text: what is wrong, the exact evidence, the nearest repair.
 
+mod differing;
 mod dimensions;
 mod fails;
 mod notes;

@@ -1,9 +1,8 @@
-use std::collections::BTreeMap;
-
 use crate::algebra::{
     BigRational, Expr, Formula, Function, LimitPoint, Rational, Relation, Symbol,
 };
 
+use super::exponent::linear;
 use super::{Form, Said, Scope};
 
 /// Two dimensions that a formula needs to be alike.
@@ -279,6 +278,11 @@ impl<'a> Walk<'a> {
         let Found::Form(form) = own else {
             return own;
         };
+        // In `\sum_i a_i x^i` each term has a dimension of its own.
+        let varies = |term: &&Expr| self.bound.iter().any(|(index, _)| term.mentions(index));
+        if !form.is_none() && opaque.keys().any(varies) {
+            return Found::Unsaid;
+        }
         let mut power = form.power(&constant);
         for (term, factor) in &opaque {
             if !form.unknowns.is_empty() {
@@ -309,57 +313,6 @@ fn times(left: Found, right: &Found, power: &Rational) -> Found {
             Found::Form(left)
         }
     }
-}
-
-/// A number plus multiples of terms that are no numbers: `2γ − 1`.
-type Linear<'a> = (Rational, BTreeMap<&'a Expr, Rational>);
-
-fn linear(term: &Expr) -> Linear<'_> {
-    let opaque = || (Rational::zero(), BTreeMap::from([(term, Rational::one())]));
-    match term {
-        Expr::Number(value) => (Rational::from(value), BTreeMap::new()),
-        Expr::Negate(inner) => scaled(linear(inner), &-Rational::one()),
-        Expr::Sum(items) => items
-            .iter()
-            .map(linear)
-            .fold((Rational::zero(), BTreeMap::new()), plus),
-        Expr::Quotient(over, under) => match linear(under) {
-            (divisor, others) if others.is_empty() && !divisor.is_zero() => {
-                scaled(linear(over), &divisor.recip())
-            }
-            _ => opaque(),
-        },
-        Expr::Product(items) => {
-            let (numbers, mut others): (Vec<Linear<'_>>, Vec<Linear<'_>>) = items
-                .iter()
-                .map(linear)
-                .partition(|(_, others)| others.is_empty());
-            let number = numbers
-                .iter()
-                .fold(Rational::one(), |product, (n, _)| product * n);
-            match (others.pop(), others.is_empty()) {
-                (None, _) => (number, BTreeMap::new()),
-                (Some(only), true) => scaled(only, &number),
-                // The numbers in it stay in the opaque term.
-                (Some(_), false) => opaque(),
-            }
-        }
-        _ => opaque(),
-    }
-}
-
-fn scaled<'a>((number, mut others): Linear<'a>, factor: &Rational) -> Linear<'a> {
-    others.values_mut().for_each(|own| *own *= factor);
-    others.retain(|_, own| !own.is_zero());
-    (number * factor, others)
-}
-
-fn plus<'a>((number, mut sum): Linear<'a>, (other, terms): Linear<'a>) -> Linear<'a> {
-    for (term, factor) in terms {
-        *sum.entry(term).or_insert_with(Rational::zero) += factor;
-    }
-    sum.retain(|_, own| !own.is_zero());
-    (number + other, sum)
 }
 
 /// The dimension of a side, where it has one.

@@ -11,6 +11,7 @@
 //! Both are checked by adding and comparing; who finds the multipliers and the solution is not believed.
 
 mod compare;
+mod exponent;
 mod form;
 
 use std::collections::BTreeMap;
