@@ -85,6 +85,9 @@
 //! with the exact arithmetic of [`algebra`] and nothing else. What a verdict is about is in
 //! [`kernel::Claim`]: hypotheses, domains and the goal, which [`notation`] prints back as LaTeX.
 //!
+//! [`dimension`] infers what nobody declares, and is not believed either: [`kernel::dimension`] adds up what it hands
+//! over, and alone builds the verdict that an equation compares what cannot be compared.
+//!
 //! [`cradle`] holds the physics of the cradle as code. It shares nothing with the route from LaTeX to verdicts, so
 //! that each can be tested against the other.
 #![forbid(unsafe_code)]
@@ -94,6 +97,7 @@ pub mod audit;
 pub mod cli;
 pub mod cradle;
 pub mod derivation;
+pub mod dimension;
 pub mod document;
 pub mod kernel;
 pub mod notation;

@@ -8,7 +8,11 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("kernel", &["algebra"]),
     ("document", &["algebra", "notation"]),
     ("notation", &["algebra", "document"]),
-    ("derivation", &["algebra", "document", "kernel", "notation"]),
+    ("dimension", &["algebra", "kernel"]),
+    (
+        "derivation",
+        &["algebra", "dimension", "document", "kernel", "notation"],
+    ),
     ("search", &["algebra", "kernel"]),
     ("cradle", &[]),
 ];
@@ -20,6 +24,7 @@ const EXACT: &[&str] = &[
     "document",
     "notation",
     "derivation",
+    "dimension",
     "search",
     "audit",
 ];

@@ -386,7 +386,6 @@ fn slips_in_directives_are_named_with_their_repair() {
             "in [0, \\infty]",
             "exact bounds",
         ),
-        ("check: symbols m: mass/length", "mass/length", "dimension"),
         ("check: symbols m, : mass", ",", "for example"),
         ("check: symbols m", "symbols m", "for example"),
         ("check: from 42", "42", "from (42)"),

@@ -3,6 +3,8 @@
 
 #[path = "kernel/claims.rs"]
 mod claims;
+#[path = "kernel/dimensions.rs"]
+mod dimensions;
 #[path = "kernel/proofs.rs"]
 mod proofs;
 #[path = "kernel/readings.rs"]

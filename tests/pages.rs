@@ -285,11 +285,11 @@ impl Page {
         }
     }
 
-    /// The equations with a statement that fails.
+    /// The equations with a statement that fails or is ill-dimensioned.
     fn failing(&self) -> BTreeSet<usize> {
         let audit = Audit::of(&self.derivation);
         let entries = audit.entries.iter();
-        let failing = entries.filter(|entry| entry.verdict == Verdict::Fails);
+        let failing = entries.filter(|entry| entry.is_wrong());
         failing.map(|entry| entry.equation).collect()
     }
 }

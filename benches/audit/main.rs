@@ -4,7 +4,7 @@ mod copies;
 
 use std::hint::black_box;
 
-use cradle_verify::audit::{Audit, Outcome, Verdict};
+use cradle_verify::audit::{Audit, Dimensions, Outcome, Verdict};
 use cradle_verify::derivation::Derivation;
 use cradle_verify::kernel::{Candidate, Claim, check};
 use cradle_verify::proofs;
@@ -36,6 +36,13 @@ fn report_reading(bencher: Bencher) {
     bencher.bench(proofs::report);
 }
 
+/// Dimensions alone: scopes, inference, and the kernel's evidence for what disagrees.
+#[divan::bench]
+fn report_dimensions(bencher: Bencher) {
+    let derivation = proofs::report();
+    bencher.bench(|| Dimensions::of(&derivation));
+}
+
 /// The kernel alone: every certificate and counterexample of the report checked once more.
 #[divan::bench]
 fn report_kernel(bencher: Bencher) {
@@ -55,6 +62,13 @@ fn copies_of_the_algebra(bencher: Bencher, copies: usize) {
     bencher
         .counter(ItemsCount::new(copies))
         .bench(|| Audit::of(&derivation));
+}
+
+/// The dimensions of the copies.
+#[divan::bench(args = [1, 10, 100], sample_count = 5, sample_size = 1)]
+fn dimensions_of_copies(bencher: Bencher, copies: usize) {
+    let derivation = Derivation::new(copies::documents(copies));
+    bencher.bench(|| Dimensions::of(&derivation));
 }
 
 /// Takes half a minute: `cargo bench -- --ignored thousand`.

@@ -5,6 +5,7 @@
 //! floating point here, and every operation that could grow without bound returns [`TooLarge`] instead.
 
 mod atom;
+mod dimension;
 mod evaluate;
 mod expr;
 mod formula;
@@ -16,6 +17,7 @@ mod rational;
 mod symbol;
 
 pub use atom::{Atom, Atoms};
+pub use dimension::{Base, Dimension};
 pub use evaluate::{EvaluateError, Sides, Values};
 pub use expr::{Expr, Function, LimitPoint};
 pub use formula::{Formula, Relation};

@@ -160,17 +160,21 @@ impl Note {
 }
 
 impl Entry {
-    /// The author crosses it out, and it does fail.
+    /// Refuted, or ill-dimensioned.
+    pub fn is_wrong(&self) -> bool {
+        matches!(self.verdict, Verdict::Fails | Verdict::IllDimensioned)
+    }
+
+    /// The author crosses it out, and it is wrong.
     pub fn fails_as_marked(&self) -> bool {
-        self.verdict == Verdict::Fails
+        self.is_wrong()
             && self.kind == Kind::Marked
             && !self.notes.iter().any(|n| matches!(n, Note::WrongMark(_)))
     }
 
     /// Whether there is something to mend.
     pub fn is_finding(&self) -> bool {
-        let bad = matches!(self.verdict, Verdict::Fails | Verdict::IllDimensioned);
-        bad && !self.fails_as_marked() || self.notes.iter().any(Note::is_finding)
+        self.is_wrong() && !self.fails_as_marked() || self.notes.iter().any(Note::is_finding)
     }
 
     /// The first link that is refuted.

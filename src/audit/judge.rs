@@ -300,8 +300,7 @@ impl Judge<'_> {
             let doubtful =
                 |n: &Note| matches!(n, Note::UnstatedCondition(_) | Note::RestsOnUnproved(_));
             let unsound = |e: &&Entry| {
-                matches!(e.verdict, Verdict::Fails | Verdict::Undecided)
-                    || e.notes.iter().any(doubtful)
+                e.is_wrong() || e.verdict == Verdict::Undecided || e.notes.iter().any(doubtful)
             };
             if entries.iter().any(unsound) {
                 continue;

@@ -4,6 +4,7 @@
 //! A step that does not follow from these is tried once more from what stands before it, so that a stale
 //! citation is told apart from an error.
 
+mod dimensions;
 mod entry;
 mod given;
 mod judge;
@@ -20,6 +21,7 @@ use crate::derivation::{Derivation, Kind, Source, goals};
 use crate::kernel::Assignment;
 use crate::notation::{Mark, Statement};
 
+pub use dimensions::Dimensions;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
 use premise::{Offer, usable};
 use schedule::Schedule;
@@ -34,6 +36,8 @@ const REMEMBERED_POINTS: usize = 4;
 pub struct Audit {
     /// One entry for each statement of each equation, in reading order.
     pub entries: Vec<Entry>,
+    /// What is known of dimensions.
+    pub dimensions: Dimensions,
 }
 
 impl Audit {
@@ -44,6 +48,7 @@ impl Audit {
         let shared = Shared {
             derivation,
             schedule: Schedule::new(derivation),
+            dimensions: OnceLock::new(),
             givens: derivation.pages.iter().map(|_| OnceLock::new()).collect(),
             duplicates: derivation.duplicates().into_iter().collect(),
             done: derivation
@@ -63,11 +68,15 @@ impl Audit {
             for _ in 1..processors.min(shared.schedule.len()).min(MOST_THREADS) {
                 scope.spawn(work);
             }
+            // The others begin without them.
+            let dimensions = catch_unwind(AssertUnwindSafe(|| Dimensions::of(derivation)));
+            let _ = shared.dimensions.set(dimensions.unwrap_or_default());
             work();
         });
         let done = shared.done.into_iter().filter_map(OnceLock::into_inner);
         Audit {
             entries: done.flat_map(|done| done.entries).collect(),
+            dimensions: shared.dimensions.into_inner().unwrap_or_default(),
         }
     }
 
@@ -103,6 +112,8 @@ struct Done {
 struct Shared<'a> {
     derivation: &'a Derivation,
     schedule: Schedule,
+    /// The dimensions of all pages, once they are inferred.
+    dimensions: OnceLock<Dimensions>,
     /// What is given on each page, once somebody has looked at it.
     givens: Vec<OnceLock<given::Models>>,
     duplicates: BTreeMap<usize, usize>,
@@ -184,6 +195,7 @@ impl Auditor<'_> {
                 self.offer(at, premise)
             }),
         };
+        self.shared.dimensions.wait().mark(&mut entries);
         Done { entries, offer }
     }
 
@@ -368,7 +380,7 @@ impl Auditor<'_> {
         let mut failing = BTreeSet::new();
         for &premise in premises.iter().filter(|&&p| p < at) {
             for entry in self.entries_of(premise) {
-                if entry.verdict == Verdict::Fails && !entry.fails_as_marked() {
+                if entry.is_wrong() && !entry.fails_as_marked() {
                     failing.insert(premise);
                 }
                 failing.extend(&entry.rests_on);

@@ -1,7 +1,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Dimension, Formula, Symbol, element_symbol};
+use crate::dimension;
+use crate::document::nearest::nearest;
 use crate::document::{
     Attribute, Bound, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
 };
@@ -20,8 +22,8 @@ pub struct Page {
     pub title: String,
     /// Where each declared symbol may lie.
     pub domains: BTreeMap<Symbol, Domain>,
-    /// The declared dimension of each symbol, as written.
-    pub dimensions: BTreeMap<Symbol, String>,
+    /// The declared dimension of each symbol.
+    pub dimensions: BTreeMap<Symbol, Dimension>,
     /// Everything supposed on the page, by `let` or `assuming`.
     pub locals: Vec<Local>,
     /// What could not be read, besides equations.
@@ -206,9 +208,13 @@ impl Page {
                 let Directive::Symbols { names, attributes } = clause.value else {
                     continue;
                 };
+                let dimension = self.dimension(&attributes);
                 for span in names {
                     match read_symbol(self.document.text(span)) {
-                        Ok(symbol) => self.declare(symbol, &attributes),
+                        Ok(symbol) => {
+                            self.declare(symbol.clone(), &attributes);
+                            self.declare_dimension(symbol, span, dimension.as_ref());
+                        }
                         Err(error) => {
                             let shifted = Span::new(
                                 span.start + error.span.start,
@@ -225,16 +231,59 @@ impl Page {
         }
     }
 
+    /// The dimension among the attributes of a declaration; a second one is a problem.
+    fn dimension(&mut self, attributes: &[Spanned<Attribute>]) -> Option<Dimension> {
+        let mut read: Option<Dimension> = None;
+        for attribute in attributes {
+            let Attribute::Dimension(text) = &attribute.value else {
+                continue;
+            };
+            match dimension::parse(text) {
+                Ok(own) if read.as_ref().is_some_and(|other| *other != own) => {
+                    self.problems.push(Problem::new(
+                        attribute.span,
+                        format!("`{text}` is a second dimension"),
+                        "a declaration has one dimension; write a product with a space, `M L`",
+                    ));
+                }
+                Ok(own) => read = Some(own),
+                Err(error) => {
+                    let start = attribute.span.start;
+                    let span = Span::new(start + error.at.start, start + error.at.end);
+                    self.problems.push(Problem {
+                        span,
+                        message: error.message,
+                        help: Some(dimension_help(error.word.as_deref())),
+                    });
+                }
+            }
+        }
+        read
+    }
+
+    fn declare_dimension(&mut self, symbol: Symbol, span: Span, dimension: Option<&Dimension>) {
+        let Some(dimension) = dimension else {
+            return;
+        };
+        let before = self.dimensions.get(&symbol);
+        if before.is_some_and(|before| before != dimension) {
+            self.problems.push(Problem::new(
+                span,
+                format!("`{symbol}` is declared with two dimensions on this page"),
+                "give one of the two another name; until then the first counts",
+            ));
+            return;
+        }
+        self.dimensions.insert(symbol, dimension.clone());
+    }
+
     fn declare(&mut self, symbol: Symbol, attributes: &[Spanned<Attribute>]) {
         let domain = self.domains.entry(symbol.clone()).or_default();
         let at = |bound: &Bound| (bound.value.clone(), bound.strict);
         let number = |n: i32, strict| (crate::algebra::BigRational::from_integer(n.into()), strict);
         for attribute in attributes {
             match &attribute.value {
-                Attribute::Dimension(name) => {
-                    self.dimensions.insert(symbol.clone(), name.clone());
-                }
-                Attribute::Real => {}
+                Attribute::Dimension(_) | Attribute::Real => {}
                 Attribute::Positive => domain.lower = Some(number(0, true)),
                 Attribute::Nonnegative => domain.lower = Some(number(0, false)),
                 Attribute::Nonzero => domain.nonzero = true,
@@ -291,11 +340,39 @@ impl Page {
 
     /// The domain of the elements of a sequence: that declared for `u_i`, whatever the index is called.
     pub fn element_domain(&self, sequence: &Symbol) -> Option<&Domain> {
-        let prefix = format!("{sequence}_");
-        let is_index = |rest: &str| rest.len() == 1 && rest.chars().all(|c| c.is_ascii_lowercase());
-        let mut declared = self.domains.iter();
-        let found = declared.find(|(s, _)| s.name().strip_prefix(&prefix).is_some_and(is_index));
-        found.map(|(_, domain)| domain)
+        of_elements(&self.domains, sequence)
+    }
+
+    /// The dimension of the elements of a sequence: that declared for `u_i`, for `u`, or for `u_1`.
+    pub fn element_dimension(&self, sequence: &Symbol) -> Option<&Dimension> {
+        let element = || self.dimensions.get(&element_symbol(sequence, 1));
+        let own = of_elements(&self.dimensions, sequence);
+        own.or_else(|| self.dimensions.get(sequence))
+            .or_else(element)
+    }
+}
+
+/// What is declared for `u_i`, whatever the index is called.
+fn of_elements<'a, T>(declared: &'a BTreeMap<Symbol, T>, sequence: &Symbol) -> Option<&'a T> {
+    let prefix = format!("{sequence}_");
+    let is_index = |rest: &str| rest.len() == 1 && rest.chars().all(|c| c.is_ascii_lowercase());
+    let mut declared = declared.iter();
+    let found = declared.find(|(s, _)| s.name().strip_prefix(&prefix).is_some_and(is_index));
+    found.map(|(_, value)| value)
+}
+
+/// What to write instead of what is no dimension.
+fn dimension_help(word: Option<&str>) -> String {
+    let names: Vec<&str> = dimension::names().collect();
+    let near = word.and_then(|word| {
+        let slips = if word.len() < 6 { 1 } else { 2 };
+        nearest(word, &names, slips)
+    });
+    match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "a dimension is a name (`mass`, `velocity`, `energy/temperature`) or a product of powers of the bases \
+                 `M L T I \\Theta N J`, such as `M L^{-1/2} T^{-2}`"
+            .into(),
     }
 }
 

@@ -15,6 +15,8 @@ const DOMAINS: [&str; 7] = [
     "natural",
     "constant",
 ];
+/// What may stand before `constant` in the name of a dimension.
+const CONSTANTS: [&str; 5] = ["spring", "gas", "gravitational", "boltzmann", "diffusion"];
 const HELP: &str = "an attribute is a dimension (`mass`, `M L^{-1/2} T^{-2}`), a domain (`real`, \
                     `positive`, `nonnegative`, `nonzero`, `integer`, `natural`, `constant`), an \
                     interval (`in [0, 1]`) or a bound (`>= 1`)";
@@ -158,13 +160,18 @@ fn attribute(text: &str) -> Result<Attribute, (String, String)> {
     if let Some(domain) = nearest(text, &DOMAINS, slips) {
         return error("is not an attribute", &format!("did you mean `{domain}`?"));
     }
-    if let Some(domain) = text.split_whitespace().find(|word| DOMAINS.contains(word)) {
+    let is_name = |begin: &str| {
+        text.strip_suffix(" constant")
+            .is_some_and(|rest| rest == begin)
+    };
+    let domain = text.split_whitespace().find(|word| DOMAINS.contains(word));
+    if let Some(domain) = domain.filter(|_| !CONSTANTS.iter().any(|begin| is_name(begin))) {
         return error(
             "is not an attribute",
             &format!("write `{domain}`, with a comma before what follows"),
         );
     }
-    if !is_words(text) && !is_exponents(text) {
+    if !is_dimension(text) {
         return error("is not an attribute", HELP);
     }
     Ok(Attribute::Dimension(text.to_owned()))
@@ -191,23 +198,11 @@ fn interval(text: &str) -> Option<Attribute> {
     Some(Attribute::Interval { lower, upper })
 }
 
-/// `mass`, `angular velocity`: words that are not base letters in disguise.
-fn is_words(text: &str) -> bool {
-    text.split([' ', '-']).all(|word| {
-        word.len() > 1
-            && word.chars().skip(1).all(char::is_lowercase)
-            && word.starts_with(char::is_alphabetic)
-    })
-}
-
-/// `M L^{-1/2} T^{-2}`
-fn is_exponents(text: &str) -> bool {
-    text.split_whitespace().all(|factor| {
-        let (base, exponent) = factor.split_once('^').unwrap_or((factor, "1"));
-        let inside = exponent
-            .strip_prefix('{')
-            .and_then(|rest| rest.strip_suffix('}'));
-        matches!(base, "M" | "L" | "T" | "I" | "Θ" | "\\Theta" | "N" | "J")
-            && rational(inside.unwrap_or(exponent)).is_some()
-    })
+/// Whether this could be a dimension: `angular velocity`, `M L^{-1/2} T^{-2}`, `energy/temperature`. What it says is
+/// read where its meaning is known.
+fn is_dimension(text: &str) -> bool {
+    let begins = |c: char| c.is_alphabetic() || matches!(c, '\\' | '(' | '1');
+    let goes_on =
+        |c: char| c.is_alphanumeric() || c.is_whitespace() || "\\^{}()/*·×+-−⁻ᐟ,".contains(c);
+    text.starts_with(begins) && text.contains(char::is_alphabetic) && text.chars().all(goes_on)
 }

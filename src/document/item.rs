@@ -171,7 +171,7 @@ pub struct Problem {
 
 impl Problem {
     /// A problem and its repair.
-    pub(super) fn new(span: Span, message: impl Into<String>, help: impl Into<String>) -> Problem {
+    pub(crate) fn new(span: Span, message: impl Into<String>, help: impl Into<String>) -> Problem {
         Problem {
             span,
             message: message.into(),

@@ -14,7 +14,7 @@ mod directive;
 mod in_order;
 mod item;
 mod markdown;
-mod nearest;
+pub(crate) mod nearest;
 mod number;
 mod outline;
 mod prose;

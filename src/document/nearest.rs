@@ -30,7 +30,7 @@ pub(super) fn distance(left: &str, right: &str) -> usize {
 }
 
 /// The first of the nearest `words`, if it is no further than `slips`, in any case of letters.
-pub(super) fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Option<&'w str> {
+pub(crate) fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Option<&'w str> {
     if let Some(word) = words.iter().find(|word| **word == written) {
         return Some(word);
     }

@@ -16,6 +16,7 @@
 
 mod certificate;
 mod claim;
+pub mod dimension;
 mod knowledge;
 mod obligation;
 mod problem;

@@ -1,5 +1,7 @@
 //! Findings in the author's own text: what is wrong, the exact evidence, the nearest repair.
 
+mod differing;
+mod dimensions;
 mod fails;
 mod notes;
 
@@ -47,19 +49,19 @@ impl Report<'_> {
                 ));
             }
         }
+        for (&(page, at), conflict) in &self.audit.dimensions.suppositions {
+            all.push(self.ill_supposed(page, at, conflict));
+        }
         let mut told: Vec<&[usize]> = Vec::new();
         for entry in &self.audit.entries {
             let fails = entry.is_finding() && !entry.fails_as_marked();
             match entry.verdict {
                 Verdict::Fails if fails => all.extend(self.failing(entry)),
-                Verdict::IllDimensioned => all.push(self.ill_dimensioned(entry)),
+                Verdict::IllDimensioned if fails => all.extend(self.ill_dimensioned(entry)),
                 _ => {}
             }
             let apart = |note: &&Note| {
-                note.is_finding()
-                    && !(entry.verdict == Verdict::Fails
-                        && fails
-                        && super::belongs_to_failing(note))
+                note.is_finding() && !(entry.is_wrong() && fails && super::belongs_to_failing(note))
             };
             for note in entry.notes.iter().filter(apart) {
                 match note {

@@ -42,6 +42,7 @@ impl Report<'_> {
         let verdict = format!("{} {}", style::sign(entry.verdict), entry.verdict.word());
         let verdict = paint(style::of(entry), &verdict);
         text += &format!("  verdict     {verdict}\n");
+        text += &self.dimension_lines(entry);
         for note in &entry.notes {
             if let Some(aside) = self.aside(note) {
                 text += &format!("  note        {aside}\n");
@@ -55,6 +56,23 @@ impl Report<'_> {
         }
         for (step, judged) in entry.judged.iter().enumerate() {
             text += &self.explain_step(judged, step, entry.judged.len());
+        }
+        text
+    }
+
+    /// The dimension of both sides, or why they have none in common.
+    fn dimension_lines(&self, entry: &Entry) -> String {
+        let mut text = String::new();
+        if let Some(conflict) = self.conflict(entry) {
+            for (name, said) in self.dimensions_said(conflict) {
+                let lines: Vec<&str> = said.lines().collect();
+                text += &format!("  {name:<17}{}\n", lines.join(&format!("\n{:19}", "")));
+            }
+            return text;
+        }
+        let dimensions = self.dimensions(entry);
+        if !dimensions.is_empty() {
+            text += &format!("  dimension   {}\n", words::list(dimensions));
         }
         text
     }

@@ -6,10 +6,14 @@ use serde::Serialize;
 
 use crate::algebra::Expr;
 use crate::audit::{Entry, Verdict};
+use crate::derivation::Source;
+use crate::dimension::{Conflict, base_letter};
 use crate::kernel::Assignment;
+use crate::kernel::dimension::{Form, What};
 use crate::notation::{latex, latex_statement};
 
 use super::Report;
+use super::dimension::{called, declared};
 
 /// The whole audit.
 #[derive(Clone, Debug, Serialize)]
@@ -65,9 +69,41 @@ pub struct EquationView {
     /// For what fails: the values of a counterexample, by LaTeX name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub witness: BTreeMap<String, ValueView>,
+    /// For what is ill-dimensioned: what differs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dimensions: Option<DimensionsView>,
     /// What would mend it, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub repair: Option<String>,
+}
+
+/// Two dimensions that differ and may not.
+#[derive(Clone, Debug, Serialize)]
+pub struct DimensionsView {
+    /// `sides`, `summands`, `argument`, `exponent`, `count` or `limit`.
+    pub what: &'static str,
+    /// One of them, as a declaration spells it: `M L^{2} T^{-2}`.
+    pub left: String,
+    /// The other.
+    pub right: String,
+    /// The equations that it disagrees with; none where the declarations alone decide.
+    pub disagrees_with: Vec<String>,
+    /// A change of units with which one grows more than the other; absent where there is none in exact numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rescaling: Option<RescalingView>,
+}
+
+/// A unit that is made smaller.
+#[derive(Clone, Debug, Serialize)]
+pub struct RescalingView {
+    /// The letter of the base: `L`.
+    pub base: &'static str,
+    /// How many of the new unit make one of the old.
+    pub factor: String,
+    /// What the left side is multiplied by.
+    pub left: String,
+    /// What the right side is multiplied by.
+    pub right: String,
 }
 
 /// A note.
@@ -127,6 +163,18 @@ impl Report<'_> {
             for equation in &equations {
                 *summary.entry(equation.verdict).or_default() += 1;
             }
+            let supposed = self.audit.dimensions.suppositions.iter();
+            let supposed = supposed.filter(|((page, _), _)| *page == at);
+            let supposed = supposed.map(|(&(page, local), conflict)| {
+                let span = self.derivation.local(page, local).span;
+                let place = self.derivation.pages[page].document.position(span.start);
+                ProblemView {
+                    line: place.line,
+                    column: place.column,
+                    message: format!("what is supposed here {}", self.fault(conflict)),
+                    help: None,
+                }
+            });
             let problems = page.problems.iter().map(|problem| {
                 let place = page.document.position(problem.span.start);
                 ProblemView {
@@ -139,7 +187,7 @@ impl Report<'_> {
             documents.push(DocumentView {
                 path: page.document.path.clone(),
                 equations,
-                problems: problems.collect(),
+                problems: problems.chain(supposed).collect(),
             });
         }
         AuditView { documents, summary }
@@ -171,7 +219,55 @@ impl Report<'_> {
                 .refuted()
                 .map(|(_, refuted)| values(refuted.witness()))
                 .unwrap_or_default(),
+            dimensions: self
+                .conflict(entry)
+                .map(|conflict| self.dimensions_view(conflict)),
             repair: entry.notes.iter().find_map(|note| self.repair(note)),
+        }
+    }
+
+    fn dimensions_view(&self, conflict: &Conflict<Source>) -> DimensionsView {
+        let comparison = conflict.evidence.comparison();
+        let spelt = |form: &Form| {
+            declared(form).unwrap_or_else(|| called(form, &self.audit.dimensions.unknowns))
+        };
+        let mut disagrees_with: Vec<String> = Vec::new();
+        for origin in &conflict.origins[1..] {
+            let label = match *origin {
+                Source::Equation(at) => self.label(at),
+                Source::Local(page, at) => {
+                    self.place_of(page, self.derivation.local(page, at).span)
+                }
+                Source::Step => continue,
+            };
+            if *origin != conflict.origins[0] && !disagrees_with.contains(&label) {
+                disagrees_with.push(label);
+            }
+        }
+        DimensionsView {
+            what: match comparison.what {
+                What::Sides => "sides",
+                What::Summands => "summands",
+                What::Argument(_) => "argument",
+                What::Exponent => "exponent",
+                What::Count => "count",
+                What::Limit => "limit",
+            },
+            left: spelt(&comparison.left.form),
+            right: comparison
+                .right
+                .as_ref()
+                .map_or("dimensionless".into(), |right| spelt(&right.form)),
+            disagrees_with,
+            rescaling: conflict
+                .evidence
+                .rescaling()
+                .map(|rescaling| RescalingView {
+                    base: base_letter(rescaling.base),
+                    factor: rescaling.factor.to_string(),
+                    left: rescaling.left.to_string(),
+                    right: rescaling.right.to_string(),
+                }),
         }
     }
 

@@ -37,7 +37,7 @@ impl Report<'_> {
         let name = shortened(&self.line_name(entry), names);
         let word = entry.verdict.word();
         let verdict = format!("{} {word:<9}", style::sign(entry.verdict));
-        let room = WIDTH.saturating_sub(names + 16);
+        let room = WIDTH.saturating_sub(names + 7 + word.len().max(9));
         let headline = shortened(&self.headline(entry), room);
         let line = format!(
             "  {name:<names$}  {} {headline}",
@@ -67,7 +67,16 @@ impl Report<'_> {
             Verdict::Fails => said.push(self.failure(entry)),
             Verdict::Undecided => said.extend(undecided(entry)),
             Verdict::Holds if entry.notes.is_empty() => said.push(self.holds_from(entry)),
-            Verdict::Holds | Verdict::IllDimensioned => {}
+            Verdict::IllDimensioned => {
+                said.extend(
+                    self.conflict(entry)
+                        .map(|conflict| match entry.fails_as_marked() {
+                            true => format!("as the author says: {}", self.fault(conflict)),
+                            false => self.fault(conflict),
+                        }),
+                )
+            }
+            Verdict::Holds => {}
         }
         said.extend(entry.notes.iter().filter_map(|note| self.aside(note)));
         said.join("; ")

@@ -8,6 +8,7 @@
 //! Every view is a `String` with colours in it; whoever prints it leaves them out where they are not wanted.
 
 pub mod diagnostic;
+mod dimension;
 pub mod evidence;
 pub mod explain;
 pub mod human;
@@ -19,7 +20,7 @@ mod style;
 pub mod summary;
 mod words;
 
-use crate::audit::{Audit, Entry, Note, Verdict};
+use crate::audit::{Audit, Entry, Note};
 use crate::derivation::Derivation;
 
 /// A derivation with its audit: what every view looks at.
@@ -36,8 +37,18 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// How many findings there are, places that could not be read included.
     pub fn findings(&self) -> usize {
-        let unread: usize = self.derivation.pages.iter().map(|p| p.problems.len()).sum();
+        let unread: usize = (0..self.derivation.pages.len())
+            .map(|page| self.problems(page))
+            .sum();
         unread + self.audit.entries.iter().map(findings_of).sum::<usize>()
+    }
+
+    /// How much there is to mend on a page besides equations: what could not be read, and suppositions that compare
+    /// what differs in dimension.
+    fn problems(&self, page: usize) -> usize {
+        let supposed = self.audit.dimensions.suppositions.keys();
+        let supposed = supposed.filter(|(own, _)| *own == page).count();
+        self.derivation.pages[page].problems.len() + supposed
     }
 
     /// What to type to see an equation's evidence in full.
@@ -56,9 +67,7 @@ impl Report<'_> {
 
 /// How many things there are to mend about one entry: what belongs to its failing is counted with that.
 fn findings_of(entry: &Entry) -> usize {
-    let fails = matches!(entry.verdict, Verdict::Fails | Verdict::IllDimensioned)
-        && entry.is_finding()
-        && !entry.fails_as_marked();
+    let fails = entry.is_wrong() && !entry.fails_as_marked();
     let apart = |note: &&Note| note.is_finding() && !(fails && belongs_to_failing(note));
     usize::from(fails) + entry.notes.iter().filter(apart).count()
 }

@@ -32,7 +32,7 @@ pub(super) fn of(entry: &Entry) -> Style {
         Verdict::Given => DIM,
         Verdict::Holds if entry.is_finding() => WARN,
         Verdict::Holds => GOOD,
-        Verdict::Fails if entry.fails_as_marked() => DIM,
+        _ if entry.fails_as_marked() => DIM,
         Verdict::Fails | Verdict::IllDimensioned => BAD,
         Verdict::Undecided => WARN,
     }

@@ -38,10 +38,10 @@ impl Report<'_> {
             let of_page = |e: &&Entry| self.equation(e.equation).page == at;
             let entries: Vec<&Entry> = self.audit.entries.iter().filter(of_page).collect();
             text += &format!("  {title:<width$}");
-            text += &cells(&entries, pages[at].problems.len());
+            text += &cells(&entries, self.problems(at));
         }
         if pages.len() > 1 {
-            let problems = pages.iter().map(|p| p.problems.len()).sum();
+            let problems = (0..pages.len()).map(|page| self.problems(page)).sum();
             let entries: Vec<&Entry> = self.audit.entries.iter().collect();
             text += &paint(BOLD, &format!("  {:<width$}", "all pages"));
             text += &cells(&entries, problems);
@@ -59,15 +59,18 @@ impl Report<'_> {
             return "No displayed equation was found, so nothing was checked.\n".into();
         }
         let crossed = entries.iter().filter(|e| e.fails_as_marked()).count();
-        let failing = of(Verdict::Fails) - crossed;
+        let asserted = |verdict| {
+            let wrong = |e: &&Entry| e.verdict == verdict && !e.fails_as_marked();
+            entries.iter().filter(wrong).count()
+        };
         let total = count(entries.len(), "statement");
         let mut told = Vec::new();
         for (number, word) in [
             (of(Verdict::Given), "given"),
             (of(Verdict::Holds), "proved"),
-            (failing, "refuted"),
+            (asserted(Verdict::Fails), "refuted"),
             (crossed, "crossed out by the author and rightly so"),
-            (of(Verdict::IllDimensioned), "ill-dimensioned"),
+            (asserted(Verdict::IllDimensioned), "ill-dimensioned"),
             (of(Verdict::Undecided), "undecided"),
         ] {
             if number > 0 {

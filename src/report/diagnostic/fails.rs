@@ -45,23 +45,6 @@ impl Report<'_> {
         })
     }
 
-    pub(super) fn ill_dimensioned(&self, entry: &Entry) -> Finding {
-        let equation = self.equation(entry.equation);
-        let whole = self.statement(entry).map_or(equation.body, |s| s.span);
-        Finding {
-            level: Level::ERROR,
-            code: "ill-dimensioned",
-            title: format!(
-                "{} adds or equates what differs in dimension",
-                self.subject(entry)
-            ),
-            page: equation.page,
-            primary: (whole, String::new()),
-            context: Vec::new(),
-            said: replay(self, entry.equation).into_iter().collect(),
-        }
-    }
-
     fn evidence(
         &self,
         entry: &Entry,

@@ -2,7 +2,7 @@
 
 use annotate_snippets::Level;
 
-use crate::audit::{Entry, Note};
+use crate::audit::{Entry, Note, Verdict};
 use crate::derivation::Source;
 use crate::document::Span;
 use crate::notation::Mark;
@@ -27,7 +27,16 @@ impl Report<'_> {
         equations.dedup();
         let first = equations[0];
         let verb = |number: usize| if number == 1 { "rests" } else { "rest" };
-        let fails = if on.len() == 1 { "fails" } else { "fail" };
+        let ill = |at: &usize| {
+            let mut wrong = self.audit.of_equation(*at).iter().filter(|e| e.is_wrong());
+            wrong.all(|e| e.verdict == Verdict::IllDimensioned)
+        };
+        let fails = match (on.iter().all(ill), on.len()) {
+            (true, 1) => "is ill-dimensioned",
+            (true, _) => "are ill-dimensioned",
+            (false, 1) => "fails",
+            (false, _) => "fail",
+        };
         let mut said = vec![(
             Level::NOTE,
             "each step follows from what it cites; what it comes from is false".to_owned(),

@@ -1,0 +1,327 @@
+//! What a derivation says of dimensions, put to the inference: scopes of symbols, statements in reading order.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use crate::algebra::{Base, Dimension, Expr, Formula, Rational, Symbol, element_parts};
+use crate::derivation::{Derivation, Kind, Source, formulas};
+use crate::dimension::{Conflict, Inference, Reading, occur};
+use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
+use crate::notation::{Mark, Statement};
+
+use super::{Entry, Note, Verdict};
+
+/// Statements that compare what differs in dimension, and what is known of all the others.
+#[derive(Clone, Debug, Default)]
+pub struct Dimensions {
+    /// The conflicts, by equation and statement.
+    pub conflicts: BTreeMap<(usize, usize), Conflict<Source>>,
+    /// Suppositions at fault, by page and position.
+    pub suppositions: BTreeMap<(usize, usize), Conflict<Source>>,
+    /// The names of the unknowns.
+    pub unknowns: Vec<Symbol>,
+    inference: Inference<Source>,
+    /// What is said of the symbols of each page; empty where no dimension is declared.
+    scopes: Vec<Arc<Scope>>,
+    /// The statements under values that fix a unit: not compared.
+    skipped: BTreeSet<usize>,
+}
+
+impl Dimensions {
+    /// Reads a derivation. Where no dimension is declared nothing can disagree, and nothing is read.
+    pub fn of(derivation: &Derivation) -> Dimensions {
+        let mut all = Dimensions::default();
+        if derivation.pages.iter().all(|p| p.dimensions.is_empty()) {
+            return all;
+        }
+        for page in 0..derivation.pages.len() {
+            let scope = scope(derivation, page, &mut all);
+            all.scopes.push(Arc::new(scope));
+            all.page(derivation, page);
+        }
+        all
+    }
+
+    /// The kernel's evidence that a formula of an equation is well-dimensioned, where dimensions are declared.
+    pub fn agreement(
+        &self,
+        derivation: &Derivation,
+        at: usize,
+        formula: &Formula,
+    ) -> Option<WellDimensioned> {
+        let scope = self.scopes.get(derivation.equations[at].page)?;
+        let compared = !self.skipped.contains(&at);
+        compared
+            .then(|| self.inference.agreement(formula, scope))
+            .flatten()
+    }
+
+    /// Gives the verdict `ill-dimensioned` to the entries of an equation that deserve it. A counterexample that was
+    /// found stays beside it.
+    pub(super) fn mark(&self, entries: &mut [Entry]) {
+        for entry in entries {
+            if !self.conflicts.contains_key(&(entry.equation, entry.part)) {
+                continue;
+            }
+            let ticked = entry.kind == Kind::Marked && entry.verdict == Verdict::Holds;
+            entry.verdict = Verdict::IllDimensioned;
+            entry.rests_on.clear();
+            let rests = |note: &Note| matches!(note, Note::RestsOn(_) | Note::RestsOnUnproved(_));
+            entry.notes.retain(|note| !rests(note));
+            let crossed = |note: &Note| matches!(note, Note::WrongMark(Mark::Cross));
+            match entry.notes.iter().position(crossed) {
+                Some(at) => drop(entry.notes.remove(at)),
+                None if ticked => entry.notes.push(Note::WrongMark(Mark::Tick)),
+                None => {}
+            }
+        }
+    }
+
+    fn page(&mut self, derivation: &Derivation, page: usize) {
+        let from = derivation.equations.partition_point(|e| e.page < page);
+        let to = derivation.equations.partition_point(|e| e.page <= page);
+        let locals = &derivation.pages[page].locals;
+        let mut pending = (0..locals.len()).peekable();
+        // What has a number for a value, by supposition: under `let v_0 = 1`, velocities may be compared with numbers.
+        let mut numbers: BTreeMap<usize, Vec<Said>> = BTreeMap::new();
+        for at in from..to {
+            let equation = &derivation.equations[at];
+            while let Some(local) = pending.next_if(|&l| locals[l].span.start < equation.span.start)
+            {
+                self.supposition(derivation, page, local, &mut numbers);
+            }
+            let mut fixed = equation
+                .locals
+                .iter()
+                .filter_map(|l| numbers.get(l))
+                .flatten();
+            if fixed.any(|said| self.is_quantity(said)) {
+                self.skipped.insert(at);
+                continue;
+            }
+            for (part, statement) in equation.statements().iter().enumerate() {
+                let readings = self.readings(page, formulas(statement));
+                let crossed = is_crossed_out(statement);
+                let read = self
+                    .inference
+                    .read(&readings, &Source::Equation(at), crossed);
+                if let Err(conflict) = read {
+                    self.conflicts.insert((at, part), *conflict);
+                }
+            }
+        }
+        for local in pending {
+            self.supposition(derivation, page, local, &mut numbers);
+        }
+    }
+
+    fn readings(&self, page: usize, formulas: Vec<Formula>) -> Vec<Reading> {
+        let reading = |formula| Reading {
+            formula,
+            scope: Arc::clone(&self.scopes[page]),
+        };
+        formulas.into_iter().map(reading).collect()
+    }
+
+    fn supposition(
+        &mut self,
+        derivation: &Derivation,
+        page: usize,
+        at: usize,
+        numbers: &mut BTreeMap<usize, Vec<Said>>,
+    ) {
+        let local = derivation.local(page, at);
+        let mut formulas = local.formulas.clone();
+        formulas.retain(|formula| match number_for(&self.scopes[page], formula) {
+            Some(said) => {
+                numbers.entry(at).or_default().push(said);
+                false
+            }
+            None => true,
+        });
+        let readings = self.readings(page, formulas.iter().map(|f| Formula::clone(f)).collect());
+        if let Err(conflict) = self
+            .inference
+            .read(&readings, &Source::Local(page, at), false)
+        {
+            self.suppositions.insert((page, at), *conflict);
+        }
+    }
+
+    /// Whether something is known to be more than a pure number.
+    fn is_quantity(&self, said: &Said) -> bool {
+        let value = self.inference.value(&Form::said(said));
+        value
+            .dimension()
+            .is_some_and(|dimension| !dimension.is_none())
+    }
+
+    fn unknown(&mut self, name: &Symbol) -> Said {
+        self.unknowns.push(name.clone());
+        Said::Unknown(Unknown(self.unknowns.len() - 1))
+    }
+}
+
+/// What a supposition such as `v_0 = 1` gives a number to.
+fn number_for(scope: &Scope, formula: &Formula) -> Option<Said> {
+    let zero = Expr::integer(0);
+    let number = |term: &Expr| closed(term) && *term != zero;
+    match formula {
+        Formula::Relation {
+            left: Expr::Symbol(symbol),
+            right,
+            ..
+        } if number(right) => scope.symbols.get(symbol).cloned(),
+        Formula::AllEqual {
+            sequence,
+            value: Some(value),
+            ..
+        } if number(value) => scope.sequences.get(sequence).cloned(),
+        _ => None,
+    }
+}
+
+/// Whether no name occurs in a term.
+fn closed(term: &Expr) -> bool {
+    let formula = Formula::nonzero(term.clone());
+    let mut open = formula.sequences().len();
+    occur::symbols(&formula, &mut |_| open += 1);
+    open == 0
+}
+
+fn is_crossed_out(statement: &Statement) -> bool {
+    statement
+        .mark
+        .as_ref()
+        .is_some_and(|m| m.value == Mark::Cross)
+}
+
+/// What is said of the symbols of a page: declared there, or on a page whose equations it cites, or known there;
+/// otherwise unknown, and the page's own.
+fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
+    let own = &derivation.pages[page];
+    let from = derivation.equations.partition_point(|e| e.page < page);
+    let to = derivation.equations.partition_point(|e| e.page <= page);
+    let mut cited: Vec<usize> = Vec::new();
+    for at in from..to {
+        let (premises, ..) = derivation.premises(at);
+        let pages = premises
+            .iter()
+            .map(|&premise| derivation.equations[premise].page);
+        cited.extend(pages.filter(|&other| other != page));
+    }
+    let mut seen = BTreeSet::new();
+    cited.retain(|&other| seen.insert(other));
+
+    let equations = derivation.equations[from..to].iter();
+    let mut stated: Vec<Formula> = equations
+        .flat_map(|e| e.statements())
+        .flat_map(formulas)
+        .collect();
+    stated.extend(
+        own.locals
+            .iter()
+            .flat_map(|l| l.formulas.iter().map(|f| Formula::clone(f))),
+    );
+
+    let declared = |symbol: &Symbol| {
+        let there = cited
+            .iter()
+            .filter_map(|&other| derivation.pages[other].dimensions.get(symbol));
+        own.dimensions
+            .get(symbol)
+            .or_else(|| there.into_iter().next())
+    };
+    let earlier = |all: &Dimensions, find: &dyn Fn(&Scope) -> Option<Said>| {
+        let before = cited.iter().filter(|&&other| other < page);
+        before
+            .filter_map(|&other| all.scopes.get(other))
+            .find_map(|scope| find(scope))
+    };
+    let mut scope = Scope::default();
+    let of_page = own.dimensions.iter();
+    scope
+        .symbols
+        .extend(of_page.map(|(s, d)| (s.clone(), Said::Declared(d.clone()))));
+    let mut graded: BTreeSet<&Symbol> = BTreeSet::new();
+    for formula in &stated {
+        occur::graded(formula, &mut |sequence| {
+            graded.insert(sequence);
+        });
+    }
+    for formula in &stated {
+        occur::sequences(formula, &mut |sequence| {
+            let element = format!("{sequence}_");
+            let declared = || {
+                own.dimensions
+                    .keys()
+                    .any(|s| s.name().starts_with(&element))
+            };
+            if graded.contains(sequence) && !declared() {
+                return;
+            }
+            if scope.sequences.contains_key(sequence) {
+                return;
+            }
+            let there = || {
+                cited
+                    .iter()
+                    .find_map(|&other| derivation.pages[other].element_dimension(sequence))
+            };
+            let said = match own.element_dimension(sequence).or_else(there) {
+                Some(dimension) => Said::Declared(dimension.clone()),
+                None => earlier(all, &|scope| scope.sequences.get(sequence).cloned())
+                    .unwrap_or_else(|| all.unknown(sequence)),
+            };
+            scope.sequences.insert(sequence.clone(), said);
+        });
+    }
+    for formula in &stated {
+        occur::symbols(formula, &mut |symbol| {
+            if scope.symbols.contains_key(symbol) {
+                return;
+            }
+            let element =
+                || element_parts(symbol).and_then(|(sequence, _)| scope.sequences.get(&sequence));
+            let dotted = || {
+                let (dots, name) = undotted(symbol)?;
+                Some(
+                    declared(&name)?
+                        .over(&Dimension::base(Base::Time).power(&Rational::from(dots))),
+                )
+            };
+            // Nobody declares π.
+            let pi = || (symbol.name() == "\\pi").then(Dimension::none);
+            let said = match declared(symbol).cloned().or_else(dotted).or_else(pi) {
+                Some(dimension) => Said::Declared(dimension),
+                None => element()
+                    .cloned()
+                    .or_else(|| earlier(all, &|scope| scope.symbols.get(symbol).cloned()))
+                    .unwrap_or_else(|| all.unknown(symbol)),
+            };
+            scope.symbols.insert(symbol.clone(), said);
+        });
+    }
+    scope
+}
+
+/// `\dot{x}_1` is one dot over `x_1`.
+fn undotted(symbol: &Symbol) -> Option<(i32, Symbol)> {
+    let name = symbol.name();
+    let (dots, rest) = [(1, "\\dot{"), (2, "\\ddot{"), (3, "\\dddot{")]
+        .into_iter()
+        .find_map(|(dots, accent)| Some((dots, name.strip_prefix(accent)?)))?;
+    let mut depth = 1_usize;
+    let close = rest.char_indices().find_map(|(at, c)| {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        (depth == 0).then_some(at)
+    })?;
+    Some((
+        dots,
+        Symbol::new(format!("{}{}", &rest[..close], &rest[close + 1..])),
+    ))
+}
