@@ -246,7 +246,14 @@ impl Problem {
     }
 
     fn assume(&mut self, formula: &Formula, origin: Origin) -> Result<(), Reject> {
-        let (fact, conditions) = self.read(formula)?;
+        let (fact, conditions) = match super::scaling::sides(formula) {
+            // At one point a relation between two says no more than that neither side is 0.
+            Some((left, right)) => {
+                let both = Expr::Product(vec![left.clone(), right.clone()]);
+                self.read(&Formula::nonzero(both))?
+            }
+            None => self.read(formula)?,
+        };
         // A limit that was taken with something held constant means what was read only if that is so.
         let fact = fact.filter(|_| conditions.zero.is_empty());
         if let Some(fact) = fact.clone() {

@@ -10,6 +10,7 @@ use crate::kernel::Assignment;
 use crate::notation::{latex, latex_statement};
 
 use super::Report;
+use super::scaling;
 
 /// The whole audit.
 #[derive(Clone, Debug, Serialize)]
@@ -65,6 +66,10 @@ pub struct EquationView {
     /// For what fails: the values of a counterexample, by LaTeX name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub witness: BTreeMap<String, ValueView>,
+    /// For a scaling relation that fails: each quantity in two situations, by LaTeX name. Both are positive
+    /// numbers, written as products of powers.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub situations: BTreeMap<String, Vec<String>>,
     /// What would mend it, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub repair: Option<String>,
@@ -171,7 +176,14 @@ impl Report<'_> {
                 .refuted()
                 .map(|(_, refuted)| values(refuted.witness()))
                 .unwrap_or_default(),
-            repair: entry.notes.iter().find_map(|note| self.repair(note)),
+            situations: entry
+                .rescaled()
+                .map(|(_, refuted, _)| scaling::values(refuted))
+                .unwrap_or_default(),
+            repair: match entry.rescaled() {
+                Some((_, _, repair)) => repair.map(scaling::repaired),
+                None => entry.notes.iter().find_map(|note| self.repair(note)),
+            },
         }
     }
 

@@ -15,6 +15,7 @@ pub mod json;
 pub mod line;
 pub mod near;
 pub mod proof;
+mod scaling;
 mod style;
 pub mod summary;
 mod words;

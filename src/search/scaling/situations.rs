@@ -1,0 +1,447 @@
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::linear::{Echelon, Exponents};
+use super::{breaks, preferred};
+use crate::algebra::{BigInt, BigRational, Expr, Formula, Rational, Relation, Symbol};
+use crate::kernel::{
+    Claim, Domain, Product, Rows, ScalesNot, ScalingCandidate, ScalingVerdict, Situations, Size,
+    check_scaling,
+};
+
+/// No factor is larger than 2 to this power.
+const MOST_DOUBLINGS: u32 = 60;
+/// How many rescalings are tried.
+const MOST_RESCALINGS: usize = 12;
+
+/// Two situations that the kernel accepts as a counterexample.
+pub(super) fn refute(claim: &Claim, rows: &Rows) -> Option<ScalesNot> {
+    let mut search = Search::new(claim, rows)?;
+    // First with every sum kept in shape, then with sums computed.
+    search.rescaled().or_else(|| search.computed())
+}
+
+/// Whether the equations between products of powers have a solution in positive numbers, and there is nothing
+/// else.
+pub(super) fn is_possible(claim: &Claim) -> bool {
+    let Ok(rows) = Rows::new(claim) else {
+        return false;
+    };
+    let plain = |product: &Product| {
+        let mut quantities = product.exponents.keys();
+        quantities.all(is_plain) && !product.negative && !product.slope
+    };
+    let mut own = rows.rows.iter().take(claim.hypotheses.len());
+    let all = own.all(|row| row.as_ref().is_some_and(|row| plain(&row.product)));
+    let free = |d: &Domain| d.upper.is_none() && !d.integer;
+    all && claim.domains.values().all(free) && exact(&rows, Vec::new()).is_some()
+}
+
+fn is_plain(quantity: &Expr) -> bool {
+    matches!(quantity, Expr::Symbol(_) | Expr::Apply(..))
+}
+
+/// The equations between products of powers, solved for some quantities; `None` where they contradict one
+/// another.
+fn exact(rows: &Rows, late: Vec<Expr>) -> Option<Echelon> {
+    let mut echelon = Echelon::new(late);
+    for (number, row) in rows.rows.iter().enumerate() {
+        let Some(row) = row.as_ref().filter(|row| row.exact) else {
+            continue;
+        };
+        let product = &row.product;
+        if product.exponents.keys().all(is_plain) {
+            let value = Size::one().over(&product.number);
+            if let Some(known) = echelon.insert(number, &product.exponents, &value)
+                && !known.over(&value).is_one().ok()?
+            {
+                return None;
+            }
+        }
+    }
+    Some(echelon)
+}
+
+struct Search<'a> {
+    claim: &'a Claim,
+    rows: &'a Rows,
+    late: Vec<Expr>,
+    aside: Vec<usize>,
+    /// All symbols and applications that need a value.
+    quantities: BTreeSet<Expr>,
+}
+
+impl<'a> Search<'a> {
+    fn new(claim: &'a Claim, rows: &'a Rows) -> Option<Search<'a>> {
+        let aside = set_aside(claim, rows);
+        let mut quantities = BTreeSet::new();
+        let hypotheses = claim.hypotheses.iter().enumerate();
+        let kept = hypotheses.filter(|(at, _)| !aside.contains(at));
+        for formula in kept.map(|(_, h)| &h.formula).chain([&claim.goal]) {
+            for term in formula.terms() {
+                collect(term, &mut quantities);
+            }
+        }
+        for (left, right) in [&rows.sides].into_iter().map(|s| (&s.0, &s.1)) {
+            let all = left.exponents.keys().chain(right.exponents.keys());
+            quantities.extend(all.filter(|q| is_plain(q)).cloned());
+        }
+        Some(Search {
+            claim,
+            rows,
+            late: preferred(rows, claim),
+            aside,
+            quantities,
+        })
+    }
+
+    /// Rescalings under which every sum stays in shape.
+    fn rescaled(&mut self) -> Option<ScalesNot> {
+        let mut echelon = Echelon::new(self.late.clone());
+        let mut number = 0;
+        let mut insert = |echelon: &mut Echelon, row: &Exponents| {
+            echelon.insert(number, row, &Size::one());
+            number += 1;
+        };
+        for quantity in &self.rows.held {
+            let still = Exponents::from([(quantity.clone(), Rational::one())]);
+            insert(&mut echelon, &still);
+        }
+        let kept = |at: &usize| !self.aside.contains(at);
+        let rows = self.rows.rows.iter().enumerate();
+        let mut products: Vec<Exponents> = rows
+            .filter(|(at, _)| kept(at))
+            .filter_map(|(_, row)| Some(row.as_ref()?.product.exponents.clone()))
+            .collect();
+        let mut seen: BTreeSet<Expr> = BTreeSet::new();
+        let mut at = 0;
+        let mut rows = Rows::new(self.claim).ok()?;
+        while at < products.len() {
+            insert(&mut echelon, &products[at]);
+            let compounds: Vec<Expr> = products[at]
+                .keys()
+                .filter(|q| !is_plain(q) && seen.insert((*q).clone()))
+                .cloned()
+                .collect();
+            for compound in compounds {
+                match rows.compound(&compound) {
+                    Ok((parts, row)) => {
+                        products.extend(parts.into_iter().map(|p| p.exponents));
+                        products.push(row.product.exponents);
+                    }
+                    // Something that is not understood stays as it is if all in it does.
+                    Err(_) => {
+                        let mut inside = BTreeSet::new();
+                        collect(&compound, &mut inside);
+                        inside.insert(compound);
+                        let still = |q: Expr| Exponents::from([(q, Rational::one())]);
+                        products.extend(inside.into_iter().map(still));
+                    }
+                }
+            }
+            at += 1;
+        }
+        // What is bounded on both sides stays.
+        for quantity in &self.quantities {
+            if let Expr::Symbol(symbol) = quantity
+                && self.claim.domains.get(symbol).is_some_and(|d| d.integer)
+            {
+                let still = Exponents::from([(quantity.clone(), Rational::one())]);
+                insert(&mut echelon, &still);
+            }
+        }
+        let goal = self.rows.goal.exponents.clone();
+        let sums = goal.keys().any(|q| !is_plain(q));
+        let rescalings = self
+            .free(&echelon)
+            .into_iter()
+            .map(|free| echelon.rescaling(&free))
+            .filter(|rescaling| sums || breaks(&goal, rescaling));
+        let first = self.first()?;
+        let tries: Vec<Exponents> = rescalings.take(MOST_RESCALINGS).collect();
+        tries.into_iter().find_map(|rescaling| {
+            doublings(&rescaling).into_iter().find_map(|factor| {
+                let values = first.iter().map(|(quantity, size)| {
+                    let grown = match rescaling.get(quantity) {
+                        Some(exponent) => size.times(&Size::from(factor.clone()), exponent),
+                        None => size.clone(),
+                    };
+                    (quantity.clone(), (size.clone(), grown))
+                });
+                self.check(values.collect())
+            })
+        })
+    }
+
+    /// One quantity doubled, and what is defined by sums computed in both situations.
+    fn computed(&mut self) -> Option<ScalesNot> {
+        let goal = self.rows.goal.exponents.clone();
+        let sums = self.rows.rows.iter().enumerate().any(|(at, row)| {
+            !self.aside.contains(&at)
+                && row
+                    .as_ref()
+                    .is_some_and(|row| row.product.exponents.keys().any(|q| !is_plain(q)))
+        });
+        if !sums {
+            return None;
+        }
+        let mut echelon = Echelon::new(self.late.clone());
+        for quantity in &self.rows.held {
+            let still = Exponents::from([(quantity.clone(), Rational::one())]);
+            echelon.insert(0, &still, &Size::one());
+        }
+        for row in self.rows.rows.iter().flatten() {
+            if row.product.exponents.keys().all(is_plain) {
+                echelon.insert(0, &row.product.exponents, &Size::one());
+            }
+        }
+        let first = self.first()?;
+        let free: Vec<Expr> = self.free(&echelon);
+        let wanted = |q: &&Expr| goal.contains_key(*q) || self.quantities.contains(*q);
+        free.iter()
+            .filter(wanted)
+            .take(MOST_RESCALINGS)
+            .find_map(|free| {
+                let rescaling = echelon.rescaling(free);
+                doublings(&rescaling).into_iter().find_map(|factor| {
+                    let mut second: BTreeMap<Expr, Size> = first
+                        .iter()
+                        .map(|(quantity, size)| {
+                            let grown = match rescaling.get(quantity) {
+                                Some(e) => size.times(&Size::from(factor.clone()), e),
+                                None => size.clone(),
+                            };
+                            (quantity.clone(), grown)
+                        })
+                        .collect();
+                    self.compute(&mut second);
+                    let values = first.iter().map(|(quantity, size)| {
+                        let grown = second.get(quantity).unwrap_or(size).clone();
+                        (quantity.clone(), (size.clone(), grown))
+                    });
+                    self.check(values.collect())
+                })
+            })
+    }
+
+    fn check(&self, values: BTreeMap<Expr, (Size, Size)>) -> Option<ScalesNot> {
+        let situations = Situations {
+            aside: self.aside.clone(),
+            values,
+        };
+        let candidate = ScalingCandidate::Counterexample(situations);
+        match check_scaling(self.claim.clone(), candidate) {
+            Ok(ScalingVerdict::Refuted(refuted)) => Some(refuted),
+            _ => None,
+        }
+    }
+
+    /// The columns that can be chosen, the best first. Of a proportionality only what is on its right side: what
+    /// else is held fixed, it does not say.
+    fn free(&self, echelon: &Echelon) -> Vec<Expr> {
+        let proportional = matches!(
+            &self.claim.goal,
+            Formula::Relation {
+                relation: Relation::Proportional,
+                ..
+            }
+        );
+        let right = &self.rows.sides.1.exponents;
+        let late = self.late.iter().rev();
+        let others = self.quantities.iter().filter(|q| !self.late.contains(q));
+        let mut all: Vec<Expr> = late.chain(others).cloned().collect();
+        all.retain(|q| {
+            !echelon.is_pivot(q) && (!proportional || right.contains_key(q) || right.is_empty())
+        });
+        all
+    }
+
+    /// A first situation: every equation true, and plain numbers where they can be chosen.
+    fn first(&self) -> Option<BTreeMap<Expr, Size>> {
+        let mut pinned: BTreeMap<Expr, Size> = BTreeMap::new();
+        for _ in 0..3 {
+            let mut echelon = exact(self.rows, self.late.clone())?;
+            for (number, (quantity, size)) in pinned.iter().enumerate() {
+                let row = Exponents::from([(quantity.clone(), Rational::one())]);
+                echelon.insert(1_000_000 + number, &row, size);
+            }
+            let free = self
+                .quantities
+                .iter()
+                .filter(|q| !echelon.is_pivot(q))
+                .map(|q| (q.clone(), self.plain_value(q)));
+            let mut values = echelon.solve(&free.collect());
+            values.retain(|q, _| self.quantities.contains(q));
+            let before = values.clone();
+            self.compute(&mut values);
+            if values == before {
+                return Some(values);
+            }
+            for (quantity, size) in values {
+                if before.get(&quantity) != Some(&size) {
+                    pinned.insert(quantity, size);
+                }
+            }
+        }
+        None
+    }
+
+    /// Gives each quantity that is equated to a term with a sum the value of that term.
+    fn compute(&self, values: &mut BTreeMap<Expr, Size>) {
+        for (at, hypothesis) in self.claim.hypotheses.iter().enumerate() {
+            let Formula::Relation {
+                left,
+                relation: Relation::Equal,
+                right,
+            } = &hypothesis.formula
+            else {
+                continue;
+            };
+            let row = self.rows.rows.get(at).and_then(Option::as_ref);
+            let sum = row.is_none_or(|row| row.product.exponents.keys().any(|q| !is_plain(q)));
+            if !sum || self.aside.contains(&at) || !is_plain(left) {
+                continue;
+            }
+            if let Some(value) = number(right, values).filter(Rational::is_positive) {
+                values.insert(left.clone(), Size::from(value));
+            }
+        }
+    }
+
+    /// 1, unless the domain forbids it: then something that may be doubled, and halved.
+    fn plain_value(&self, quantity: &Expr) -> Size {
+        let Expr::Symbol(symbol) = quantity else {
+            return Size::one();
+        };
+        if self.rows.held.contains(quantity) && symbol.name() == "\\pi" {
+            return Size::pi();
+        }
+        let Some(domain) = self.claim.domains.get(symbol) else {
+            return Size::one();
+        };
+        let quarter = BigRational::new(1.into(), 4.into());
+        let two = BigRational::from_integer(2.into());
+        let upper = domain.upper.as_ref().map(|b| b.0.clone());
+        let lower = domain.lower.as_ref().map(|b| b.0.clone());
+        let below = lower.clone().unwrap_or_else(BigRational::zero);
+        let guesses = [
+            upper.clone().map(|u| u * &quarter),
+            Some(BigRational::one()),
+            Some(&below * &two),
+            upper.map(|u| (u + &below) / &two),
+            Some(below + BigRational::one()),
+        ];
+        let fits = |value: &BigRational| *value > BigRational::zero() && domain.contains(value);
+        let found = guesses.into_iter().flatten().find(fits);
+        found.map_or_else(Size::one, |value| Size::from(Rational::from(value)))
+    }
+}
+
+/// The hypotheses that only say what something is of which nothing else is said.
+fn set_aside(claim: &Claim, rows: &Rows) -> Vec<usize> {
+    let mut aside: Vec<usize> = Vec::new();
+    loop {
+        let next = claim.hypotheses.iter().enumerate().find(|(at, h)| {
+            let row = rows.rows.get(*at).and_then(Option::as_ref);
+            let sum = row.is_none_or(|row| row.product.exponents.keys().any(|q| !is_plain(q)));
+            let Formula::Relation {
+                left: Expr::Symbol(symbol) | Expr::Apply(symbol, _),
+                relation: Relation::Equal,
+                right,
+            } = &h.formula
+            else {
+                return false;
+            };
+            let others = claim.hypotheses.iter().enumerate();
+            let mut elsewhere = others
+                .filter(|(other, _)| other != at && !aside.contains(other))
+                .map(|(_, h)| &h.formula)
+                .chain([&claim.goal]);
+            sum && !aside.contains(at)
+                && !right.mentions(symbol)
+                && !elsewhere.any(|f| names(f, symbol))
+        });
+        match next {
+            Some((at, _)) => aside.push(at),
+            None => return aside,
+        }
+    }
+}
+
+fn names(formula: &Formula, symbol: &Symbol) -> bool {
+    formula.terms().iter().any(|term| term.mentions(symbol))
+}
+
+/// The symbols and applications of a term; variables of integration are none.
+fn collect(term: &Expr, found: &mut BTreeSet<Expr>) {
+    match term {
+        Expr::Apply(..) => {
+            found.insert(term.clone());
+        }
+        Expr::Symbol(_) => {
+            found.insert(term.clone());
+        }
+        Expr::Integral {
+            body,
+            variable,
+            from,
+            to,
+        } => {
+            let mut inside = BTreeSet::new();
+            collect(body, &mut inside);
+            inside.remove(&Expr::Symbol(variable.clone()));
+            found.extend(inside);
+            collect(from, found);
+            collect(to, found);
+        }
+        Expr::Derivative { variable, .. } => {
+            found.insert(Expr::Symbol(variable.clone()));
+            term.children().into_iter().for_each(|c| collect(c, found));
+        }
+        _ => term.children().into_iter().for_each(|c| collect(c, found)),
+    }
+}
+
+/// 2, and powers of it with which no root is left.
+fn doublings(rescaling: &Exponents) -> Vec<Rational> {
+    let common = rescaling
+        .values()
+        .fold(BigInt::one(), |all, e| all.lcm(&e.denom()));
+    let mut all = vec![Rational::from(2)];
+    let common = common.to_u32().unwrap_or(u32::MAX);
+    for power in [common, common.saturating_mul(2), common.saturating_mul(4)] {
+        if power > 1 && power <= MOST_DOUBLINGS {
+            all.push(Rational::from(BigInt::from(1u64 << power)));
+        }
+    }
+    all
+}
+
+/// The rational value of a term that has one.
+fn number(term: &Expr, values: &BTreeMap<Expr, Size>) -> Option<Rational> {
+    let mut map = term.clone();
+    fn put(term: &Expr, values: &BTreeMap<Expr, Size>, ok: &mut bool) -> Expr {
+        if let Some(size) = values.get(term) {
+            return match size.as_rational() {
+                Ok(Some(value)) => Expr::Number(value.to_big()),
+                _ => {
+                    *ok = false;
+                    term.clone()
+                }
+            };
+        }
+        term.map_children(|child| put(child, values, ok))
+    }
+    let mut ok = true;
+    map = put(&map, values, &mut ok);
+    let (none, mut atoms) = (BTreeSet::new(), crate::algebra::Atoms::default());
+    let mut lowering = crate::algebra::Lowering {
+        atoms: &mut atoms,
+        sequences: &none,
+        constants: &none,
+        conditions: crate::algebra::Conditions::default(),
+    };
+    lowering.lower(&map).ok()?.as_constant().filter(|_| ok)
+}
