@@ -33,8 +33,8 @@ pub use certificate::{
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};
 pub use knowledge::Knowledge;
-pub(crate) use problem::definition;
 pub use problem::{Origin, Problem};
+pub(crate) use problem::{applied_definition, definition};
 pub use scaling::{
     Alike, Combination, Product, Row, Rows, Scales, ScalesNot, ScalingCandidate, ScalingProof,
     ScalingVerdict, Situations, Size, check_scaling,

@@ -395,6 +395,22 @@ fn unfolded(claim: &Claim, unfold: &[usize]) -> Result<Unfolded, Reject> {
     let mut values: Vec<(Symbol, Expr)> = Vec::new();
     for &position in unfold {
         let (formula, standing) = formulas.get(position).ok_or(Reject::NoSuchFact(position))?;
+        if let Some((applied, term)) = applied_definition(formula) {
+            // A law about a function holds for all of its arguments, under an integral too.
+            let captured = |f: &Formula| f.terms().iter().any(|t| captures(t, &term));
+            let throughout = *standing == Standing::Identity;
+            if !throughout || formulas.iter().map(|f| &f.0).chain([&goal]).any(captured) {
+                return Err(Reject::NotUnfoldable(position));
+            }
+            for (formula, _) in &mut formulas {
+                *formula = formula.map_terms(|t| t.replace(&applied, &term));
+            }
+            goal = goal.map_terms(|t| t.replace(&applied, &term));
+            for (_, value) in &mut values {
+                *value = value.replace(&applied, &term);
+            }
+            continue;
+        }
         let (symbol, term) = definition(formula).ok_or(Reject::NotUnfoldable(position))?;
         let all = || formulas.iter().map(|f| &f.0).chain([&goal]);
         let moving = |f: &Formula| f.terms().iter().any(|t| moves(t, &symbol));
@@ -443,6 +459,18 @@ pub(crate) fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
         _ => None,
     };
     solved(left, right).or_else(|| solved(right, left))
+}
+
+/// `F(x) = term`, the term not mentioning the function.
+pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
+    match formula {
+        Formula::Relation {
+            left: applied @ Expr::Apply(function, _),
+            relation: Relation::Equal,
+            right,
+        } if !right.mentions(function) => Some((applied.clone(), right.clone())),
+        _ => None,
+    }
 }
 
 /// The symbols that say how many elements there are.

@@ -107,10 +107,18 @@ pub(super) fn situations(refuted: &ScalesNot) -> Vec<String> {
         left.unwrap_or_else(unknown),
         right.unwrap_or_else(unknown)
     ));
-    lines.push("In the first situation".into());
-    for (quantity, (first, _)) in &refuted.situations().values {
-        lines.push(format!("  {} = {}", plain(quantity), size(first)));
-    }
+    let first = refuted.situations().values.iter();
+    let told: Vec<String> = first
+        .filter(|(_, (first, _))| !first.is_one().unwrap_or(false))
+        .map(|(quantity, (first, _))| format!("{} = {}", plain(quantity), size(first)))
+        .collect();
+    lines.push(match told.is_empty() {
+        true => "In the first situation every quantity is 1.".into(),
+        false => format!(
+            "In the first situation {}; all other quantities are 1.",
+            told.join(", ")
+        ),
+    });
     lines
 }
 

@@ -339,7 +339,7 @@ fn written(exponents: &Exponents, order: &[Expr]) -> Expr {
         let size = if under { -exponent } else { exponent.clone() };
         let power = match size.is_one() {
             true => quantity.clone(),
-            false => Expr::Power(quantity.clone().into(), Expr::Number(size.to_big()).into()),
+            false => Expr::Power(quantity.clone().into(), ratio(&size).into()),
         };
         if under { &mut below } else { &mut above }.push(power);
     }
@@ -351,6 +351,20 @@ fn written(exponents: &Exponents, order: &[Expr]) -> Expr {
     match below.is_empty() {
         true => product(above),
         false => Expr::Quotient(product(above).into(), product(below).into()),
+    }
+}
+
+/// A number as a quotient of integers: `3/5`, not `0.6`.
+fn ratio(number: &Rational) -> Expr {
+    let size = number.abs();
+    let above = Expr::integer(size.numer());
+    let written = match size.is_integer() {
+        true => above,
+        false => Expr::Quotient(above.into(), Expr::integer(size.denom()).into()),
+    };
+    match number.is_negative() {
+        true => Expr::Negate(written.into()),
+        false => written,
     }
 }
 
