@@ -7,6 +7,8 @@ mod claims;
 mod proofs;
 #[path = "kernel/readings.rs"]
 mod readings;
+#[path = "kernel/scaling.rs"]
+mod scaling;
 #[path = "kernel/search.rs"]
 mod search;
 #[path = "kernel/witnesses.rs"]

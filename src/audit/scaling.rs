@@ -22,8 +22,8 @@ impl Judge<'_> {
             ScalingDecision::Proven(proven) => {
                 let kept = kept(assumed, &claim, &proven);
                 if !kept.is_empty()
-                    && !search::is_plainly_possible(proven.claim())
-                    && self.is_contradictory(&kept, goal)
+                    && !search::is_plainly_possible(&claim)
+                    && self.is_contradictory(assumed, goal)
                 {
                     found.contradictory = sources(assumed);
                     found.judged.outcome = Outcome::Open(Stop {

@@ -70,14 +70,15 @@ impl Report<'_> {
         self.scaling_proof(&judged, proven)
     }
 
-    /// `double v_0: ×2^(11/5) by the premises, ×2^(6/5) by the equation`.
+    /// `double v_0: left ×2^(11/5), right ×2^(6/5)`.
     pub(super) fn in_situations(&self, judged: &Judged, refuted: &ScalesNot) -> String {
         let (left, right) = sides(refuted, &judged.goal.formula);
+        let unknown = || "changes".to_owned();
         format!(
-            "{}: the left side grows by {}, the right side by {}",
+            "{}: left {}, right {}",
             changed(refuted),
-            left.unwrap_or_else(|| "another factor".into()),
-            right.unwrap_or_else(|| "another factor".into()),
+            left.unwrap_or_else(unknown),
+            right.unwrap_or_else(unknown),
         )
     }
 }

@@ -243,9 +243,15 @@ impl Both<'_> {
         let ratio = left.over(&right);
         let mut value = ratio.number.clone();
         for (quantity, exponent) in &ratio.exponents {
-            let sizes = self.values.get(quantity).ok_or(Reject::NoValue)?;
-            let size = if pick == 0 { &sizes.0 } else { &sizes.1 };
-            value = value.times(size, exponent);
+            let size = match self.values.get(quantity) {
+                Some(sizes) => if pick == 0 { &sizes.0 } else { &sizes.1 }.clone(),
+                None => {
+                    let number = self.number(quantity, pick)?;
+                    let positive = Some(number).filter(Rational::is_positive);
+                    Size::from(positive.ok_or(Reject::NoValue)?)
+                }
+            };
+            value = value.times(&size, exponent);
         }
         match value.is_one()? {
             true => Ok(Ordering::Equal),

@@ -224,8 +224,9 @@ pub fn kept_hypotheses(larger: &Claim, proven: &Scales) -> Vec<usize> {
     kept.map(|(at, _)| at).collect()
 }
 
-/// The quantities that had better be chosen freely, the best last: those on the right side of the goal, and
-/// among these a speed, which a reader can imagine to be doubled.
+/// The order in which quantities are solved for: the left side of the goal, what stands alone on the left side of
+/// a premise, the rest, and at last the right side of the goal, which had better be chosen freely; among these a
+/// speed comes last, which a reader can imagine to be doubled.
 fn preferred(rows: &Rows, claim: &Claim) -> Vec<Expr> {
     let left = rows.varying(&rows.sides.0);
     let right = rows.varying(&rows.sides.1);
@@ -233,6 +234,23 @@ fn preferred(rows: &Rows, claim: &Claim) -> Vec<Expr> {
         .into_keys()
         .filter(|q| !right.contains_key(q))
         .collect();
+    let mut add = |quantity: &Expr| {
+        if !right.contains_key(quantity) && !all.contains(quantity) {
+            all.push(quantity.clone());
+        }
+    };
+    for hypothesis in &claim.hypotheses {
+        if let Formula::Relation {
+            left: lone @ (Expr::Symbol(_) | Expr::Apply(..)),
+            ..
+        } = &hypothesis.formula
+        {
+            add(lone);
+        }
+    }
+    for row in rows.rows.iter().flatten() {
+        row.product.exponents.keys().for_each(&mut add);
+    }
     let mut named: Vec<Expr> = match &claim.goal {
         Formula::Relation { right: term, .. } => in_order(term),
         Formula::AllEqual { .. } => Vec::new(),
@@ -390,7 +408,7 @@ fn undecided(claim: &Claim, rows: &Rows, known: &Known, goal: &Exponents) -> Str
         .collect();
     match proportional && !elsewhere.is_empty() {
         true => format!(
-            "it holds only while `{}` stays the same, and nothing is declared to be constant",
+            "it depends on what is held fixed: `{}` is not declared to be constant",
             elsewhere.join("`, `")
         ),
         false => "the premises were not seen to give these exponents, nor to allow others".into(),

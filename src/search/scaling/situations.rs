@@ -18,9 +18,20 @@ const MOST_RESCALINGS: usize = 12;
 
 /// Two situations that the kernel accepts as a counterexample.
 pub(super) fn refute(claim: &Claim, rows: &Rows) -> Option<ScalesNot> {
-    let mut search = Search::new(claim, rows)?;
-    // First with every sum kept in shape, then with sums computed.
-    search.rescaled().or_else(|| search.computed())
+    let mut search = Search::new(claim, rows);
+    let starts = if search.sums.is_empty() { 1 } else { 3 };
+    for start in 0..starts {
+        search.start = start;
+        let Some(first) = search.situation(None) else {
+            continue;
+        };
+        // First with every sum kept in shape, then with sums computed.
+        let found = search.rescaled(&first).or_else(|| search.computed(&first));
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
 }
 
 /// Whether the equations between products of powers have a solution in positive numbers, and there is nothing
@@ -47,22 +58,39 @@ fn is_plain(quantity: &Expr) -> bool {
 /// another.
 fn exact(rows: &Rows, late: Vec<Expr>) -> Option<Echelon> {
     let mut echelon = Echelon::new(late);
-    for (number, row) in rows.rows.iter().enumerate() {
-        let Some(row) = row.as_ref().filter(|row| row.exact) else {
-            continue;
-        };
+    // π is what it is: everything else is solved for.
+    let pi = Expr::symbol("\\pi");
+    if rows.held.contains(&pi) {
+        let own = Exponents::from([(pi, Rational::one())]);
+        echelon.insert(0, &own, &Size::pi());
+    }
+    for row in rows.rows.iter().flatten().filter(|row| row.exact) {
         let product = &row.product;
         if product.exponents.keys().all(is_plain) {
             let value = Size::one().over(&product.number);
-            if let Some(known) = echelon.insert(number, &product.exponents, &value)
-                && !known.over(&value).is_one().ok()?
-            {
-                return None;
-            }
+            equate(&mut echelon, &product.exponents, &value)?;
         }
     }
     Some(echelon)
 }
+
+/// Adds a row; `None` where it contradicts those before it.
+fn equate(echelon: &mut Echelon, row: &Exponents, value: &Size) -> Option<()> {
+    match echelon.insert(0, row, value) {
+        Some(known) => known.over(value).is_one().ok()?.then_some(()),
+        None => Some(()),
+    }
+}
+
+/// A situation that is to differ from another one, in which a quantity is multiplied by a factor.
+struct Change<'a> {
+    from: &'a Values,
+    of: &'a Expr,
+    factor: &'a Rational,
+}
+
+/// Quantities, and the sums of some, with their sizes.
+type Values = BTreeMap<Expr, Size>;
 
 struct Search<'a> {
     claim: &'a Claim,
@@ -71,10 +99,14 @@ struct Search<'a> {
     aside: Vec<usize>,
     /// All symbols and applications that need a value.
     quantities: BTreeSet<Expr>,
+    /// The sums among what the rows speak of.
+    sums: BTreeSet<Expr>,
+    /// Which numbers are tried in sums: all 1, or growing, or falling.
+    start: usize,
 }
 
 impl<'a> Search<'a> {
-    fn new(claim: &'a Claim, rows: &'a Rows) -> Option<Search<'a>> {
+    fn new(claim: &'a Claim, rows: &'a Rows) -> Search<'a> {
         let aside = set_aside(claim, rows);
         let mut quantities = BTreeSet::new();
         let hypotheses = claim.hypotheses.iter().enumerate();
@@ -84,21 +116,92 @@ impl<'a> Search<'a> {
                 collect(term, &mut quantities);
             }
         }
-        for (left, right) in [&rows.sides].into_iter().map(|s| (&s.0, &s.1)) {
-            let all = left.exponents.keys().chain(right.exponents.keys());
-            quantities.extend(all.filter(|q| is_plain(q)).cloned());
+        let own = rows.rows.iter().enumerate();
+        let products = own
+            .filter(|(at, _)| !aside.contains(at))
+            .filter_map(|(_, row)| Some(&row.as_ref()?.product));
+        let mut sums = BTreeSet::new();
+        for product in products.chain([&rows.sides.0, &rows.sides.1]) {
+            let sum = |q: &&Expr| matches!(q, Expr::Sum(_));
+            sums.extend(product.exponents.keys().filter(sum).cloned());
+            let plain = product.exponents.keys().filter(|q| is_plain(q));
+            quantities.extend(plain.cloned());
         }
-        Some(Search {
+        Search {
             claim,
             rows,
             late: preferred(rows, claim),
             aside,
             quantities,
-        })
+            sums,
+            start: 0,
+        }
+    }
+
+    /// A situation with every equation true, as plain as it can be, or as near to another one.
+    fn situation(&self, change: Option<&Change<'_>>) -> Option<Values> {
+        let mut known = Values::new();
+        for _ in 0..4 {
+            let mut echelon = exact(self.rows, self.late.clone())?;
+            for (sum, size) in &known {
+                let own = Exponents::from([(sum.clone(), Rational::one())]);
+                equate(&mut echelon, &own, size)?;
+            }
+            for (at, row) in self.rows.rows.iter().enumerate() {
+                let Some(row) = row.as_ref().filter(|_| !self.aside.contains(&at)) else {
+                    continue;
+                };
+                let product = &row.product;
+                let ready = |q: &Expr| is_plain(q) || known.contains_key(q);
+                if !product.exponents.keys().all(ready) {
+                    continue;
+                }
+                let before = |values: &Values| -> Option<Size> {
+                    let mut size = Size::one();
+                    for (quantity, exponent) in &product.exponents {
+                        size = size.times(values.get(quantity)?, exponent);
+                    }
+                    Some(size)
+                };
+                if row.exact {
+                    let value = Size::one().over(&product.number);
+                    equate(&mut echelon, &product.exponents, &value)?;
+                } else if let Some(change) = change {
+                    equate(&mut echelon, &product.exponents, &before(change.from)?)?;
+                }
+            }
+            let free = self.quantities.iter().filter(|q| !echelon.is_pivot(q));
+            let free = free.map(|quantity| {
+                let size = match change {
+                    None => self.plain_value(quantity),
+                    Some(change) => {
+                        let own = change.from.get(quantity).cloned().unwrap_or_default();
+                        match quantity == change.of {
+                            true => own.times(&Size::from(change.factor.clone()), &Rational::one()),
+                            false => own,
+                        }
+                    }
+                };
+                (quantity.clone(), size)
+            });
+            let mut values = echelon.solve(&free.collect());
+            values.retain(|q, _| self.quantities.contains(q));
+            let mut sums = Values::new();
+            for sum in &self.sums {
+                let value = number(sum, &values).filter(Rational::is_positive);
+                sums.extend(value.map(|value| (sum.clone(), Size::from(value))));
+            }
+            if sums == known {
+                values.extend(sums);
+                return Some(values);
+            }
+            known = sums;
+        }
+        None
     }
 
     /// Rescalings under which every sum stays in shape.
-    fn rescaled(&mut self) -> Option<ScalesNot> {
+    fn rescaled(&self, first: &Values) -> Option<ScalesNot> {
         let mut echelon = Echelon::new(self.late.clone());
         let mut number = 0;
         let mut insert = |echelon: &mut Echelon, row: &Exponents| {
@@ -159,11 +262,11 @@ impl<'a> Search<'a> {
             .into_iter()
             .map(|free| echelon.rescaling(&free))
             .filter(|rescaling| sums || breaks(&goal, rescaling));
-        let first = self.first()?;
         let tries: Vec<Exponents> = rescalings.take(MOST_RESCALINGS).collect();
         tries.into_iter().find_map(|rescaling| {
             doublings(&rescaling).into_iter().find_map(|factor| {
-                let values = first.iter().map(|(quantity, size)| {
+                let plain = first.iter().filter(|(q, _)| is_plain(q));
+                let values = plain.map(|(quantity, size)| {
                     let grown = match rescaling.get(quantity) {
                         Some(exponent) => size.times(&Size::from(factor.clone()), exponent),
                         None => size.clone(),
@@ -175,55 +278,34 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// One quantity doubled, and what is defined by sums computed in both situations.
-    fn computed(&mut self) -> Option<ScalesNot> {
-        let goal = self.rows.goal.exponents.clone();
-        let sums = self.rows.rows.iter().enumerate().any(|(at, row)| {
-            !self.aside.contains(&at)
-                && row
-                    .as_ref()
-                    .is_some_and(|row| row.product.exponents.keys().any(|q| !is_plain(q)))
-        });
-        if !sums {
+    /// One quantity doubled, and sums computed in both situations.
+    fn computed(&self, first: &Values) -> Option<ScalesNot> {
+        if self.sums.is_empty() {
             return None;
         }
-        let mut echelon = Echelon::new(self.late.clone());
-        for quantity in &self.rows.held {
-            let still = Exponents::from([(quantity.clone(), Rational::one())]);
-            echelon.insert(0, &still, &Size::one());
-        }
-        for row in self.rows.rows.iter().flatten() {
-            if row.product.exponents.keys().all(is_plain) {
-                echelon.insert(0, &row.product.exponents, &Size::one());
+        let mut all = self.free(&Echelon::default());
+        all.retain(|q| !self.rows.held.contains(q) && is_plain(q));
+        for of in all.iter().take(MOST_RESCALINGS) {
+            for factor in [2, 4, 16].map(Rational::from) {
+                let change = Change {
+                    from: first,
+                    of,
+                    factor: &factor,
+                };
+                let Some(second) = self.situation(Some(&change)) else {
+                    continue;
+                };
+                let plain = first.iter().filter(|(q, _)| is_plain(q));
+                let values = plain.map(|(quantity, size)| {
+                    let grown = second.get(quantity).unwrap_or(size).clone();
+                    (quantity.clone(), (size.clone(), grown))
+                });
+                if let Some(refuted) = self.check(values.collect()) {
+                    return Some(refuted);
+                }
             }
         }
-        let first = self.first()?;
-        let free: Vec<Expr> = self.free(&echelon);
-        let wanted = |q: &&Expr| goal.contains_key(*q) || self.quantities.contains(*q);
-        free.iter()
-            .filter(wanted)
-            .take(MOST_RESCALINGS)
-            .find_map(|free| {
-                let rescaling = echelon.rescaling(free);
-                doublings(&rescaling).into_iter().find_map(|factor| {
-                    let mut second: BTreeMap<Expr, Size> = first
-                        .iter()
-                        .map(|(quantity, size)| {
-                            let grown = match rescaling.get(quantity) {
-                                Some(e) => size.times(&Size::from(factor.clone()), e),
-                                None => size.clone(),
-                            };
-                            (quantity.clone(), grown)
-                        })
-                        .collect();
-                    self.compute(&mut second);
-                    let values = first.iter().map(|(quantity, size)| {
-                        let grown = second.get(quantity).unwrap_or(size).clone();
-                        (quantity.clone(), (size.clone(), grown))
-                    });
-                    self.check(values.collect())
-                })
-            })
+        None
     }
 
     fn check(&self, values: BTreeMap<Expr, (Size, Size)>) -> Option<ScalesNot> {
@@ -258,58 +340,6 @@ impl<'a> Search<'a> {
         all
     }
 
-    /// A first situation: every equation true, and plain numbers where they can be chosen.
-    fn first(&self) -> Option<BTreeMap<Expr, Size>> {
-        let mut pinned: BTreeMap<Expr, Size> = BTreeMap::new();
-        for _ in 0..3 {
-            let mut echelon = exact(self.rows, self.late.clone())?;
-            for (number, (quantity, size)) in pinned.iter().enumerate() {
-                let row = Exponents::from([(quantity.clone(), Rational::one())]);
-                echelon.insert(1_000_000 + number, &row, size);
-            }
-            let free = self
-                .quantities
-                .iter()
-                .filter(|q| !echelon.is_pivot(q))
-                .map(|q| (q.clone(), self.plain_value(q)));
-            let mut values = echelon.solve(&free.collect());
-            values.retain(|q, _| self.quantities.contains(q));
-            let before = values.clone();
-            self.compute(&mut values);
-            if values == before {
-                return Some(values);
-            }
-            for (quantity, size) in values {
-                if before.get(&quantity) != Some(&size) {
-                    pinned.insert(quantity, size);
-                }
-            }
-        }
-        None
-    }
-
-    /// Gives each quantity that is equated to a term with a sum the value of that term.
-    fn compute(&self, values: &mut BTreeMap<Expr, Size>) {
-        for (at, hypothesis) in self.claim.hypotheses.iter().enumerate() {
-            let Formula::Relation {
-                left,
-                relation: Relation::Equal,
-                right,
-            } = &hypothesis.formula
-            else {
-                continue;
-            };
-            let row = self.rows.rows.get(at).and_then(Option::as_ref);
-            let sum = row.is_none_or(|row| row.product.exponents.keys().any(|q| !is_plain(q)));
-            if !sum || self.aside.contains(&at) || !is_plain(left) {
-                continue;
-            }
-            if let Some(value) = number(right, values).filter(Rational::is_positive) {
-                values.insert(left.clone(), Size::from(value));
-            }
-        }
-    }
-
     /// 1, unless the domain forbids it: then something that may be doubled, and halved.
     fn plain_value(&self, quantity: &Expr) -> Size {
         let Expr::Symbol(symbol) = quantity else {
@@ -318,8 +348,20 @@ impl<'a> Search<'a> {
         if self.rows.held.contains(quantity) && symbol.name() == "\\pi" {
             return Size::pi();
         }
+        let inside = |sum: &Expr| sum.mentions(symbol);
+        let own = match self.start > 0 && self.sums.iter().any(inside) {
+            true => {
+                let mut order: Vec<&Expr> = self.quantities.iter().collect();
+                if self.start == 2 {
+                    order.reverse();
+                }
+                let at = order.iter().position(|q| *q == quantity).unwrap_or(0);
+                BigRational::from_integer((at + 1).into())
+            }
+            false => BigRational::one(),
+        };
         let Some(domain) = self.claim.domains.get(symbol) else {
-            return Size::one();
+            return Size::from(Rational::from(own));
         };
         let quarter = BigRational::new(1.into(), 4.into());
         let two = BigRational::from_integer(2.into());
@@ -328,6 +370,7 @@ impl<'a> Search<'a> {
         let below = lower.clone().unwrap_or_else(BigRational::zero);
         let guesses = [
             upper.clone().map(|u| u * &quarter),
+            Some(own),
             Some(BigRational::one()),
             Some(&below * &two),
             upper.map(|u| (u + &below) / &two),
