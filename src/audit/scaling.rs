@@ -34,10 +34,10 @@ impl Judge<'_> {
                     return;
                 }
                 found.judged.assumed = kept;
-                found.judged.outcome = Outcome::Scales(proven.into());
+                found.judged.outcome = Outcome::Scales(proven);
             }
             ScalingDecision::Refuted { refuted, repair } => {
-                found.judged.outcome = Outcome::ScalesNot(refuted.into(), repair.map(Box::new));
+                found.judged.outcome = Outcome::ScalesNot(refuted, repair);
                 self.scaling_from_elsewhere(goal, assumed, premises, found);
             }
             ScalingDecision::Open(stop) => {

@@ -181,7 +181,7 @@ impl Report<'_> {
                 .map(|(_, refuted, _)| scaling::values(refuted))
                 .unwrap_or_default(),
             repair: match entry.rescaled() {
-                Some((_, _, repair)) => repair.map(scaling::repaired),
+                Some((_, refuted, repair)) => repair.map(|r| scaling::repaired(refuted, r)),
                 None => entry.notes.iter().find_map(|note| self.repair(note)),
             },
         }

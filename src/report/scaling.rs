@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::algebra::{Expr, Formula, Rational};
 use crate::audit::Judged;
 use crate::kernel::{Claim, Combination, Product, Rows, Scales, ScalesNot, Size};
-use crate::notation::{latex_formula, plain, plain_formula};
+use crate::notation::{latex, latex_formula, plain, plain_formula};
 use crate::search::{Repair, kept_hypotheses};
 
 use super::Report;
@@ -134,21 +134,37 @@ pub(super) fn grown(refuted: &ScalesNot) -> Vec<String> {
 pub(super) fn values(refuted: &ScalesNot) -> BTreeMap<String, Vec<String>> {
     let all = refuted.situations().values.iter();
     all.map(|(quantity, (first, second))| {
-        let name = crate::notation::latex(quantity);
+        let name = latex(quantity);
         (name, vec![size(first), size(second)])
     })
     .collect()
 }
 
 /// What follows instead, as LaTeX.
-pub(super) fn repaired(repair: &Repair) -> String {
+pub(super) fn repaired(refuted: &ScalesNot, repair: &Repair) -> String {
     let written = latex_formula(&repair.proven.claim().goal);
-    match repair.one_of_many {
-        true => format!(
-            "`{written}` follows, among others: the premises relate the quantities on the right to one another"
-        ),
-        false => format!("what follows is `{written}`"),
-    }
+    let among = match repair.one_of_many {
+        true => ", among others: the premises relate the quantities on the right to one another",
+        false => "",
+    };
+    let only = match differing(refuted, repair).as_slice() {
+        [only] => format!("; only the exponent of `{}` differs", latex(only)),
+        _ => String::new(),
+    };
+    format!("what follows is `{written}`{among}{only}")
+}
+
+/// The quantities that have another exponent on the right side of what follows.
+fn differing(refuted: &ScalesNot, repair: &Repair) -> Vec<Expr> {
+    let right = |claim: &Claim| Rows::new(claim).map(|rows| rows.sides.1.exponents);
+    let (Ok(own), Ok(meant)) = (right(refuted.claim()), right(repair.proven.claim())) else {
+        return Vec::new();
+    };
+    let mut all: Vec<Expr> = own.keys().chain(meant.keys()).cloned().collect();
+    all.sort();
+    all.dedup();
+    all.retain(|quantity| own.get(quantity) != meant.get(quantity));
+    all
 }
 
 /// `what follows: …` in a line.

@@ -114,7 +114,7 @@ fn alike(hypotheses: &[&str], combinations: Vec<Combination>) -> Result<(), Reje
             term: term("A + B"),
             combinations,
         }],
-        combination: combination(&[(0, "1"), (hypotheses.len(), "1")]),
+        combination: combination(&[(0, "1"), (hypotheses.len(), "1"), (1, "-1")]),
     };
     checked(&claim, ScalingCandidate::Proof(proof))
 }
@@ -122,13 +122,13 @@ fn alike(hypotheses: &[&str], combinations: Vec<Combination>) -> Result<(), Reje
 #[test]
 fn sum_of_what_is_alike_is_as_its_terms() {
     let premises = ["F = A + B", "A \\sim B"];
-    assert_eq!(alike(&premises, vec![combination(&[(1, "-1")])]), Ok(()));
+    assert_eq!(alike(&premises, vec![combination(&[(1, "1")])]), Ok(()));
 }
 
 #[test]
 fn sum_whose_terms_are_not_shown_to_be_alike_is_rejected() {
     let premises = ["F = A + B", "A \\sim B"];
-    let wrong = vec![combination(&[(1, "1")])];
+    let wrong = vec![combination(&[(1, "-1")])];
     assert_eq!(alike(&premises, wrong), Err(Reject::IdentityFails));
     assert_eq!(alike(&premises, Vec::new()), Err(Reject::IdentityFails));
     let circular = vec![combination(&[(0, "1")])];

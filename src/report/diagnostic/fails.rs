@@ -58,7 +58,7 @@ impl Report<'_> {
             Level::NOTE.with_name("counterexample"),
             wrapped_list(&scaling::grown(refuted)) + "\nkeeps every premise true",
         ));
-        said.extend(repair.map(|repair| (Level::HELP, scaling::repaired(repair))));
+        said.extend(repair.map(|repair| (Level::HELP, scaling::repaired(refuted, repair))));
         said.extend(marks(entry));
         said.extend(replay(self, entry.equation));
         Some(Finding {

@@ -17,13 +17,13 @@ use linear::{Echelon, Exponents, pairing};
 #[derive(Clone, Debug)]
 pub enum ScalingDecision {
     /// It follows.
-    Proven(Scales),
+    Proven(Box<Scales>),
     /// It does not.
     Refuted {
         /// The kernel's word.
-        refuted: ScalesNot,
+        refuted: Box<ScalesNot>,
         /// What follows instead.
-        repair: Option<Repair>,
+        repair: Option<Box<Repair>>,
     },
     /// Neither was found.
     Open(Stop),
@@ -58,10 +58,11 @@ pub fn decide_scaling(claim: &Claim) -> ScalingDecision {
     let known = Known::new(&mut rows, claim);
     let goal = rows.varying(&rows.goal);
     if let Some(proven) = known.prove(claim, &goal) {
-        return ScalingDecision::Proven(shortest(proven));
+        return ScalingDecision::Proven(shortest(proven).into());
     }
     if let Some(refuted) = situations::refute(claim, &rows) {
-        let repair = repair(claim, &rows, &known);
+        let repair = repair(claim, &rows, &known).map(Box::new);
+        let refuted = refuted.into();
         return ScalingDecision::Refuted { refuted, repair };
     }
     open(undecided(claim, &rows, &known, &goal), false)

@@ -19,7 +19,7 @@ const MOST_RESCALINGS: usize = 12;
 /// Two situations that the kernel accepts as a counterexample.
 pub(super) fn refute(claim: &Claim, rows: &Rows) -> Option<ScalesNot> {
     let mut search = Search::new(claim, rows);
-    let starts = if search.sums.is_empty() { 1 } else { 3 };
+    let starts = if search.uneven.is_empty() { 1 } else { 3 };
     for start in 0..starts {
         search.start = start;
         let Some(first) = search.situation(None) else {
@@ -101,7 +101,9 @@ struct Search<'a> {
     quantities: BTreeSet<Expr>,
     /// The sums among what the rows speak of.
     sums: BTreeSet<Expr>,
-    /// Which numbers are tried in sums: all 1, or growing, or falling.
+    /// What occurs in sums, or in premises that say nothing of exponents: it may have to differ.
+    uneven: BTreeSet<Expr>,
+    /// Which numbers are tried for these: all 1, or growing, or falling.
     start: usize,
 }
 
@@ -127,6 +129,15 @@ impl<'a> Search<'a> {
             let plain = product.exponents.keys().filter(|q| is_plain(q));
             quantities.extend(plain.cloned());
         }
+        let mut uneven = BTreeSet::new();
+        sums.iter().for_each(|sum| collect(sum, &mut uneven));
+        for (at, hypothesis) in claim.hypotheses.iter().enumerate() {
+            let silent = rows.rows.get(at).is_some_and(Option::is_none);
+            if silent && !aside.contains(&at) {
+                let terms = hypothesis.formula.terms().into_iter();
+                terms.for_each(|term| collect(term, &mut uneven));
+            }
+        }
         Search {
             claim,
             rows,
@@ -134,6 +145,7 @@ impl<'a> Search<'a> {
             aside,
             quantities,
             sums,
+            uneven,
             start: 0,
         }
     }
@@ -348,8 +360,7 @@ impl<'a> Search<'a> {
         if self.rows.held.contains(quantity) && symbol.name() == "\\pi" {
             return Size::pi();
         }
-        let inside = |sum: &Expr| sum.mentions(symbol);
-        let own = match self.start > 0 && self.sums.iter().any(inside) {
+        let own = match self.start > 0 && self.uneven.contains(quantity) {
             true => {
                 let mut order: Vec<&Expr> = self.quantities.iter().collect();
                 if self.start == 2 {
