@@ -398,6 +398,22 @@ impl Lowering<'_> {
             return Ok(self.atom(Atom::Opaque(whole.clone())));
         };
         let (start, end) = (self.lower(from)?, self.lower(to)?);
+        // An even root of the variable needs limits that are not negative; one of something else that moves
+        // with it cannot be followed.
+        let own = self.atoms.var(self.atom_of_symbol(variable));
+        for base in &inner.nonnegative {
+            let moves = base.vars().iter().any(|&v| self.depends(v, variable));
+            if *base == Polynomial::var(own) {
+                for limit in [&start, &end] {
+                    let sign = sign_of_fraction(limit)?;
+                    self.conditions.nonnegative.insert(sign);
+                }
+            } else if moves {
+                return Ok(self.atom(Atom::Opaque(whole.clone())));
+            } else {
+                self.conditions.nonnegative.insert(base.clone());
+            }
+        }
         let (start, end) = (
             expr_of_fraction(&start, self.atoms),
             expr_of_fraction(&end, self.atoms),

@@ -461,16 +461,24 @@ pub(crate) fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
     solved(left, right).or_else(|| solved(right, left))
 }
 
-/// `F(x) = term`, the term not mentioning the function.
+/// `F(x) = term`, the term not mentioning the function and no lone symbol.
 pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
-    match formula {
-        Formula::Relation {
-            left: applied @ Expr::Apply(function, _),
-            relation: Relation::Equal,
-            right,
-        } if !right.mentions(function) => Some((applied.clone(), right.clone())),
-        _ => None,
+    let Formula::Relation {
+        left,
+        relation: Relation::Equal,
+        right,
+    } = formula
+    else {
+        return None;
+    };
+    if definition(formula).is_some() {
+        return None;
     }
+    let solved = |a: &Expr, b: &Expr| match a {
+        Expr::Apply(function, _) if !b.mentions(function) => Some((a.clone(), b.clone())),
+        _ => None,
+    };
+    solved(left, right).or_else(|| solved(right, left))
 }
 
 /// The symbols that say how many elements there are.

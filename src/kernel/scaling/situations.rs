@@ -128,9 +128,13 @@ impl Both<'_> {
             else {
                 return Err(no());
             };
-            let (symbol, applied) = match left {
-                Expr::Symbol(symbol) => (symbol, false),
-                Expr::Apply(symbol, _) => (symbol, true),
+            let (symbol, applied, right) = match (left, right) {
+                (Expr::Symbol(symbol), term) | (term, Expr::Symbol(symbol)) => {
+                    (symbol, false, term)
+                }
+                (Expr::Apply(symbol, _), term) | (term, Expr::Apply(symbol, _)) => {
+                    (symbol, true, term)
+                }
                 _ => return Err(no()),
             };
             gone.push(position);
@@ -220,7 +224,7 @@ impl Both<'_> {
         Ok(true)
     }
 
-    /// How two positive products compare in one of the situations.
+    /// How two products compare in one of the situations.
     fn products_compared(
         &mut self,
         left: &Expr,
@@ -237,10 +241,11 @@ impl Both<'_> {
             };
         }
         let (left, right) = (self.reader.read(left)?, self.reader.read(right)?);
-        if left.negative || right.negative || left.slope || right.slope {
+        if left.slope || right.slope {
             return Err(Reject::NoValue);
         }
         let ratio = left.over(&right);
+        let signs = (left.negative, right.negative);
         let mut value = ratio.number.clone();
         for (quantity, exponent) in &ratio.exponents {
             let size = match self.values.get(quantity) {
@@ -253,11 +258,17 @@ impl Both<'_> {
             };
             value = value.times(&size, exponent);
         }
-        match value.is_one()? {
-            true => Ok(Ordering::Equal),
-            false if value.pi.is_zero() => value.against_one(),
-            false => Err(Reject::NoValue),
-        }
+        let order = match value.is_one()? {
+            true => Ordering::Equal,
+            false if value.pi.is_zero() => value.against_one()?,
+            false => return Err(Reject::NoValue),
+        };
+        Ok(match signs {
+            (false, false) => order,
+            (true, true) => order.reverse(),
+            (true, false) => Ordering::Less,
+            (false, true) => Ordering::Greater,
+        })
     }
 
     /// The rational value of a term in one of the situations.

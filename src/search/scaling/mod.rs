@@ -340,6 +340,10 @@ fn repair(claim: &Claim, rows: &Rows, known: &Known) -> Option<Repair> {
         goal,
         ..claim.clone()
     })?;
+    // What needs no premise is nothing to say.
+    if proven.claim().hypotheses.is_empty() {
+        return None;
+    }
     Some(Repair {
         proven,
         one_of_many: related,

@@ -401,12 +401,17 @@ fn set_aside(claim: &Claim, rows: &Rows) -> Vec<usize> {
             let row = rows.rows.get(*at).and_then(Option::as_ref);
             let sum = row.is_none_or(|row| row.product.exponents.keys().any(|q| !is_plain(q)));
             let Formula::Relation {
-                left: Expr::Symbol(symbol) | Expr::Apply(symbol, _),
+                left,
                 relation: Relation::Equal,
                 right,
             } = &h.formula
             else {
                 return false;
+            };
+            let (symbol, right) = match (left, right) {
+                (Expr::Symbol(symbol), term) | (term, Expr::Symbol(symbol)) => (symbol, term),
+                (Expr::Apply(symbol, _), term) | (term, Expr::Apply(symbol, _)) => (symbol, term),
+                _ => return false,
             };
             let others = claim.hypotheses.iter().enumerate();
             let mut elsewhere = others
