@@ -258,15 +258,6 @@ impl<'a> Search<'a> {
             }
             at += 1;
         }
-        // What is bounded on both sides stays.
-        for quantity in &self.quantities {
-            if let Expr::Symbol(symbol) = quantity
-                && self.claim.domains.get(symbol).is_some_and(|d| d.integer)
-            {
-                let still = Exponents::from([(quantity.clone(), Rational::one())]);
-                insert(&mut echelon, &still);
-            }
-        }
         let goal = self.rows.goal.exponents.clone();
         let sums = goal.keys().any(|q| !is_plain(q));
         let rescalings = self
