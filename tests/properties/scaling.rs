@@ -66,9 +66,9 @@ fn rank(rows: &[Row]) -> usize {
         rows.swap(rank, at);
         for other in rank + 1..rows.len() {
             let factor = &rows[other][column] / &rows[rank][column];
-            for place in 0..NAMES.len() {
-                let taken = &rows[rank][place] * &factor;
-                rows[other][place] -= taken;
+            let pivot = rows[rank].clone();
+            for (slot, own) in rows[other].iter_mut().zip(&pivot) {
+                *slot -= own * &factor;
             }
         }
         rank += 1;
