@@ -9,6 +9,8 @@ mod dimensions;
 mod proofs;
 #[path = "kernel/readings.rs"]
 mod readings;
+#[path = "kernel/scaling.rs"]
+mod scaling;
 #[path = "kernel/search.rs"]
 mod search;
 #[path = "kernel/witnesses.rs"]

@@ -9,5 +9,7 @@ mod claims;
 mod pages;
 #[path = "properties/physics.rs"]
 mod physics;
+#[path = "properties/scaling.rs"]
+mod scaling;
 #[path = "properties/spellings.rs"]
 mod spellings;

@@ -295,6 +295,14 @@ impl Expr {
         }
     }
 
+    /// Puts a term in the place of every occurrence of another, bound symbols in it included.
+    pub fn replace(&self, what: &Expr, value: &Expr) -> Expr {
+        match self == what {
+            true => value.clone(),
+            false => self.map_children(|child| child.replace(what, value)),
+        }
+    }
+
     /// Changes the terms below, but not the body of a binder of `symbol`.
     fn in_scope(&self, symbol: &Symbol, change: impl Fn(&Expr) -> Expr) -> Expr {
         let Some((own, body, _)) = self.scope() else {

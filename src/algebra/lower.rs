@@ -168,7 +168,12 @@ impl Lowering<'_> {
                 let opaque = Expr::Apply(function.clone(), arguments.clone());
                 Ok(self.atom(Atom::Opaque(opaque)))
             }
-            Expr::Integral { .. } => Ok(self.atom(Atom::Opaque(expr.clone()))),
+            Expr::Integral {
+                body,
+                variable,
+                from,
+                to,
+            } => self.integral(expr, body, variable, from, to),
         }
     }
 
@@ -401,6 +406,97 @@ impl Lowering<'_> {
         })))
     }
 
+    /// An integral by linearity: powers of the variable are integrated, everything else becomes an integral of
+    /// one product, in which no more than the product itself tells it from another.
+    ///
+    /// That the integral as written exists is not looked at.
+    fn integral(
+        &mut self,
+        whole: &Expr,
+        body: &Expr,
+        variable: &Symbol,
+        from: &Expr,
+        to: &Expr,
+    ) -> Lowered {
+        let outer = std::mem::take(&mut self.conditions);
+        let value = self.lower(body);
+        let inner = std::mem::replace(&mut self.conditions, outer);
+        let value = value?;
+        let sure = inner.nonzero.is_empty()
+            && inner.zero.is_empty()
+            && inner.positive.is_empty()
+            && inner.doubtful.is_empty();
+        // What is divided by would have to differ from 0 all the way.
+        let Some(value) = value.as_polynomial().filter(|_| sure).cloned() else {
+            return Ok(self.atom(Atom::Opaque(whole.clone())));
+        };
+        let (start, end) = (self.lower(from)?, self.lower(to)?);
+        // An even root of the variable needs limits that are not negative; one of something else that moves
+        // with it cannot be followed.
+        let own = self.atoms.var(self.atom_of_symbol(variable));
+        for base in &inner.nonnegative {
+            let moves = base.vars().iter().any(|&v| self.depends(v, variable));
+            if *base == Polynomial::var(own) {
+                for limit in [&start, &end] {
+                    let sign = sign_of_fraction(limit)?;
+                    self.conditions.nonnegative.insert(sign);
+                }
+            } else if moves {
+                return Ok(self.atom(Atom::Opaque(whole.clone())));
+            } else {
+                self.conditions.nonnegative.insert(base.clone());
+            }
+        }
+        let (start, end) = (
+            expr_of_fraction(&start, self.atoms),
+            expr_of_fraction(&end, self.atoms),
+        );
+        let mut sum = Fraction::default();
+        for (monomial, coefficient) in value.terms() {
+            let (mut outside, mut inside) = (Monomial::one(), Monomial::one());
+            let mut power = Some(Rational::zero());
+            for &(var, exponent) in monomial.powers() {
+                let own = Monomial::power(var, exponent);
+                let root = power_of(self.atoms.atom(var), variable);
+                match self.atoms.atom(var) {
+                    Atom::Symbol(symbol)
+                        if symbol != variable && self.constants.contains(symbol) =>
+                    {
+                        outside = outside.times(&own);
+                        continue;
+                    }
+                    _ => inside = inside.times(&own),
+                }
+                power = power
+                    .zip(root)
+                    .map(|(all, root)| all + root * Rational::from(exponent));
+            }
+            let part = match power {
+                Some(power) => {
+                    // ∫ x^r dx = (b^(r+1) − a^(r+1)) / (r+1)
+                    let power = power + Rational::one();
+                    let exponent = Expr::Number(power.to_big());
+                    let at = |end: &Expr| Expr::Power(end.clone().into(), exponent.clone().into());
+                    let (above, below) = (self.lower(&at(&end))?, self.lower(&at(&start))?);
+                    let length = above.plus(&below.negated())?;
+                    length.times(&power.recip().into())?
+                }
+                None => {
+                    let one = Polynomial::term(inside, Rational::one());
+                    self.atom(Atom::Opaque(Expr::Integral {
+                        body: expr_of(&one, self.atoms).into(),
+                        variable: variable.clone(),
+                        from: start.clone().into(),
+                        to: end.clone().into(),
+                    }))
+                }
+            };
+            let factor = Polynomial::term(outside, coefficient.clone());
+            sum = sum.plus(&part.times(&factor.into())?)?;
+        }
+        Ok(sum)
+    }
+
     fn limit(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
         let outer = std::mem::take(&mut self.conditions);
         let value = self.lower(body)?;
@@ -460,6 +556,18 @@ impl Lowering<'_> {
         }
         self.conditions.zero.extend(held);
         Ok(above.times(&self.recip(&below)?)?)
+    }
+}
+
+/// The exponent, where an unknown is a power of a symbol.
+fn power_of(atom: &Atom, symbol: &Symbol) -> Option<Rational> {
+    match atom {
+        Atom::Symbol(own) if own == symbol => Some(Rational::one()),
+        Atom::Opaque(Expr::Power(base, exponent)) => match (&**base, &**exponent) {
+            (Expr::Symbol(own), Expr::Number(exponent)) if own == symbol => Some(exponent.into()),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

@@ -1,9 +1,9 @@
 use crate::algebra::Formula;
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::document::Span;
-use crate::kernel::{Model, Proven, Refuted};
+use crate::kernel::{Model, Proven, Refuted, Scales, ScalesNot};
 use crate::notation::{Mark, SyntaxError};
-use crate::search::Stop;
+use crate::search::{Repair, Stop};
 
 /// The audit of one statement of an equation.
 #[derive(Clone, Debug)]
@@ -87,8 +87,24 @@ pub enum Outcome {
     Proven(Box<Proven>),
     /// The kernel's counterexample.
     Refuted(Box<Refuted>),
+    /// The kernel's proof of a scaling relation.
+    Scales(Box<Scales>),
+    /// The kernel's two situations against a scaling relation, and what follows instead.
+    ScalesNot(Box<ScalesNot>, Option<Box<Repair>>),
     /// Neither.
     Open(Stop),
+}
+
+impl Outcome {
+    /// Whether the kernel has seen it proved.
+    pub fn is_proven(&self) -> bool {
+        matches!(self, Outcome::Proven(_) | Outcome::Scales(_))
+    }
+
+    /// Whether the kernel has seen it refuted.
+    pub fn is_refuted(&self) -> bool {
+        matches!(self, Outcome::Refuted(_) | Outcome::ScalesNot(..))
+    }
 }
 
 /// What there is to say beside a verdict.
@@ -177,7 +193,15 @@ impl Entry {
         self.is_wrong() && !self.fails_as_marked() || self.notes.iter().any(Note::is_finding)
     }
 
-    /// The first link that is refuted.
+    /// The first link that is a scaling relation and refuted, if no other link is.
+    pub fn rescaled(&self) -> Option<(&Judged, &ScalesNot, Option<&Repair>)> {
+        self.judged.iter().find_map(|judged| match &judged.outcome {
+            Outcome::ScalesNot(refuted, repair) => Some((judged, &**refuted, repair.as_deref())),
+            _ => None,
+        })
+    }
+
+    /// The first link that is refuted at a point.
     pub fn refuted(&self) -> Option<(&Judged, &Refuted)> {
         self.judged.iter().find_map(|judged| match &judged.outcome {
             Outcome::Refuted(refuted) => Some((judged, &**refuted)),

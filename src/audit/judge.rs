@@ -65,6 +65,10 @@ impl Judge<'_> {
             conditions: Vec::new(),
             contradictory: Vec::new(),
         };
+        if search::is_scaling(&goal.formula) {
+            self.scaling(goal, &assumed, premises, &mut found);
+            return found;
+        }
         // An identity needs no premises.
         let bare = self.derivation.claim(self.at, &[], &goal.formula);
         if let Some(derived) = search::prove_unconditionally(bare, Effort::Light) {
@@ -192,7 +196,7 @@ impl Judge<'_> {
     }
 
     /// Whether hypotheses are known not to be true together.
-    fn is_contradictory(&self, assumed: &[Assumed], goal: &Goal) -> bool {
+    pub(super) fn is_contradictory(&self, assumed: &[Assumed], goal: &Goal) -> bool {
         if assumed.is_empty() {
             return false;
         }
@@ -285,7 +289,7 @@ impl Judge<'_> {
         false
     }
 
-    fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 2] {
+    pub(super) fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 2] {
         if let Some(others) = &self.others {
             return others.clone();
         }
@@ -370,7 +374,7 @@ impl Judge<'_> {
 }
 
 /// Where hypotheses come from, each source once.
-fn sources(assumed: &[Assumed]) -> Vec<Source> {
+pub(super) fn sources(assumed: &[Assumed]) -> Vec<Source> {
     let mut all: Vec<Source> = assumed
         .iter()
         .map(|a| a.source)

@@ -9,6 +9,7 @@ mod entry;
 mod given;
 mod judge;
 mod premise;
+mod scaling;
 mod schedule;
 
 use std::cell::{Ref, RefCell};
@@ -302,7 +303,7 @@ impl Auditor<'_> {
                 continue;
             }
             let found = judge.goal(&goal, &steps, premises);
-            if matches!(found.judged.outcome, Outcome::Proven(_)) && goal.suppositions.is_empty() {
+            if found.judged.outcome.is_proven() && goal.suppositions.is_empty() {
                 steps.push((goal.clause, goal.formula.clone()));
             } else if statement.clauses.len() > 1 && goal.suppositions.is_empty() {
                 // The next clause of an implication is judged as if this one were true.
@@ -445,7 +446,7 @@ impl Auditor<'_> {
 
     /// Where the author asks with `\stackrel{?}{=}`, that link alone is crossed out; the others must hold.
     fn crossed_out_rightly(&self, entry: &Entry) -> bool {
-        let refuted = |j: &&Judged| matches!(j.outcome, Outcome::Refuted(_));
+        let refuted = |j: &&Judged| j.outcome.is_refuted();
         match entry.judged.iter().any(|j| j.goal.questioned) {
             true => entry
                 .judged
@@ -475,7 +476,7 @@ fn blank(equation: usize, part: usize, parts: usize, kind: Kind, verdict: Verdic
 /// What the links together say of the statement.
 fn verdict(judged: &[Judged], defines: bool) -> Verdict {
     let any = |test: fn(&Outcome) -> bool| judged.iter().any(|j| test(&j.outcome));
-    if any(|o| matches!(o, Outcome::Refuted(_))) {
+    if any(Outcome::is_refuted) {
         Verdict::Fails
     } else if judged.is_empty() || any(|o| matches!(o, Outcome::Open(_))) {
         Verdict::Undecided

@@ -6,7 +6,7 @@ use crate::derivation::{Assumed, Derivation, Kind, Source, formulas, is_open};
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
 
-use super::{Entry, Outcome};
+use super::Entry;
 
 /// What an equation offers to those that cite it.
 #[derive(Clone, Debug, Default)]
@@ -49,7 +49,7 @@ impl Offer {
                 .as_ref()
                 .is_some_and(|m| m.value == Mark::Cross);
             for judged in &entry.judged {
-                let proven = matches!(judged.outcome, Outcome::Proven(_));
+                let proven = judged.outcome.is_proven();
                 if proven || !(crossed || judged.goal.questioned) {
                     offer.formulas.push(judged.goal.formula.clone().into());
                 }

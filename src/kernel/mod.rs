@@ -13,6 +13,10 @@
 //! | [`Proof::BothBounds`] | a ≥ 0 and −a ≥ 0 |
 //! | [`Proof::Square`] | −a² ≥ 0 |
 //! | [`Assignment`] | evaluate: premises true, goal false |
+//! | [`ScalingProof`] | exponents of the goal = Σ rational · exponents of a premise |
+//! | [`Situations`] | evaluate in both: premises true, the goal's sides grow differently |
+//!
+//! [`check`] judges relations between numbers at one point, [`check_scaling`] relations between two situations.
 
 mod certificate;
 mod claim;
@@ -21,6 +25,7 @@ mod knowledge;
 mod obligation;
 mod problem;
 mod replay;
+mod scaling;
 mod verdict;
 mod witness;
 
@@ -31,8 +36,12 @@ pub use certificate::{
 pub use claim::{Claim, Domain, Hypothesis, Standing};
 pub use knowledge::Knowledge;
 pub use obligation::Obligation;
-pub(crate) use problem::definition;
 pub use problem::{Origin, Problem};
+pub(crate) use problem::{applied_definition, definition};
+pub use scaling::{
+    Alike, Combination, Product, Row, Rows, Scales, ScalesNot, ScalingCandidate, ScalingProof,
+    ScalingVerdict, Situations, Size, check_scaling,
+};
 pub use verdict::{Checked, Model, Proven, Refuted, Reject};
 
 /// Decides whether a candidate is evidence for or against a claim.

@@ -253,7 +253,14 @@ impl Problem {
     }
 
     fn assume(&mut self, formula: &Formula, origin: Origin) -> Result<(), Reject> {
-        let (fact, conditions) = self.read(formula)?;
+        let (fact, conditions) = match super::scaling::sides(formula) {
+            // At one point a relation between two says no more than that neither side is 0.
+            Some((left, right)) => {
+                let both = Expr::Product(vec![left.clone(), right.clone()]);
+                self.read(&Formula::nonzero(both))?
+            }
+            None => self.read(formula)?,
+        };
         self.take(fact, conditions, &origin);
         Ok(())
     }
@@ -422,6 +429,22 @@ fn unfolded(claim: &Claim, unfold: &[usize]) -> Result<Unfolded, Reject> {
     let mut values: Vec<(Symbol, Expr)> = Vec::new();
     for &position in unfold {
         let (formula, standing) = formulas.get(position).ok_or(Reject::NoSuchFact(position))?;
+        if let Some((applied, term)) = applied_definition(formula) {
+            // A law about a function holds for all of its arguments, under an integral too.
+            let captured = |f: &Formula| f.terms().iter().any(|t| captures(t, &term));
+            let throughout = *standing == Standing::Identity;
+            if !throughout || formulas.iter().map(|f| &*f.0).chain([&goal]).any(captured) {
+                return Err(Reject::NotUnfoldable(position));
+            }
+            for (formula, _) in &mut formulas {
+                *formula = formula.map_terms(|t| t.replace(&applied, &term)).into();
+            }
+            goal = goal.map_terms(|t| t.replace(&applied, &term));
+            for (_, value) in &mut values {
+                *value = value.replace(&applied, &term);
+            }
+            continue;
+        }
         let (symbol, term) = definition(formula).ok_or(Reject::NotUnfoldable(position))?;
         let all = || formulas.iter().map(|f| &*f.0).chain([&goal]);
         let moving = |f: &Formula| f.terms().iter().any(|t| moves(t, &symbol));
@@ -470,6 +493,26 @@ pub(crate) fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
     };
     let solved = |a: &Expr, b: &Expr| match a {
         Expr::Symbol(symbol) if !b.mentions(symbol) => Some((symbol.clone(), b.clone())),
+        _ => None,
+    };
+    solved(left, right).or_else(|| solved(right, left))
+}
+
+/// `F(x) = term`, the term not mentioning the function and no lone symbol.
+pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
+    let Formula::Relation {
+        left,
+        relation: Relation::Equal,
+        right,
+    } = formula
+    else {
+        return None;
+    };
+    if definition(formula).is_some() {
+        return None;
+    }
+    let solved = |a: &Expr, b: &Expr| match a {
+        Expr::Apply(function, _) if !b.mentions(function) => Some((a.clone(), b.clone())),
         _ => None,
     };
     solved(left, right).or_else(|| solved(right, left))

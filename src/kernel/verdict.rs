@@ -125,6 +125,10 @@ pub enum Reject {
     GoalNotFalse,
     /// Something is divided by 0 identically.
     DivisionByZero,
+    /// A term of a scaling relation cannot be read as a product of powers.
+    NotAProduct(Expr),
+    /// What the hypothesis with this position speaks of is spoken of elsewhere, or may have no value.
+    NotSetAside(usize),
     /// A bound on the size of the computation was exceeded.
     TooLarge,
 }
@@ -151,6 +155,8 @@ impl fmt::Display for Reject {
             Reject::OutsideDomain => "a value lies outside of its domain",
             Reject::GoalNotFalse => "the goal is not false at the point",
             Reject::DivisionByZero => "division by an expression that is always 0",
+            Reject::NotAProduct(_) => "a term of a scaling relation is no product of powers",
+            Reject::NotSetAside(_) => "a premise that is set aside may matter",
             Reject::TooLarge => "the expression is too large to expand",
         })
     }

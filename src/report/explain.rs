@@ -7,6 +7,7 @@ use crate::notation::{latex_statement, plain_formula};
 
 use super::Report;
 use super::evidence::{Point, number};
+use super::scaling;
 use super::style::{self, BOLD, DIM, paint};
 use super::words::{self, plain_statement};
 
@@ -91,6 +92,15 @@ impl Report<'_> {
             }
             Outcome::Proven(proven) => (Some(proven.claim()), self.proof(judged, proven)),
             Outcome::Refuted(refuted) => (Some(refuted.claim()), witness(refuted)),
+            Outcome::Scales(proven) => (Some(proven.claim()), self.scaling_proof(judged, proven)),
+            Outcome::ScalesNot(refuted, repair) => {
+                let mut lines = scaling::situations(refuted);
+                if let Some(repair) = repair {
+                    lines.push(format!("Instead, {}", scaling::repaired_plainly(repair)));
+                    lines.extend(self.scaling_proof_of(judged, refuted.claim(), &repair.proven));
+                }
+                (Some(refuted.claim()), lines)
+            }
             Outcome::Open(stop) => {
                 let reason = match stop.reason.is_empty() {
                     true => "nothing was found".to_owned(),
@@ -118,8 +128,8 @@ impl Report<'_> {
             text += "      nothing: it must hold for all values\n";
         }
         text += match &judged.outcome {
-            Outcome::Proven(_) => "    Proof\n",
-            Outcome::Refuted(_) => "    Counterexample\n",
+            Outcome::Proven(_) | Outcome::Scales(_) => "    Proof\n",
+            Outcome::Refuted(_) | Outcome::ScalesNot(..) => "    Counterexample\n",
             _ => "    Outcome\n",
         };
         for line in evidence {

@@ -14,6 +14,7 @@ use crate::notation::{latex, latex_statement};
 
 use super::Report;
 use super::dimension::{called, declared};
+use super::scaling;
 
 /// The whole audit.
 #[derive(Clone, Debug, Serialize)]
@@ -72,6 +73,10 @@ pub struct EquationView {
     /// For what is ill-dimensioned: what differs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dimensions: Option<DimensionsView>,
+    /// For a scaling relation that fails: each quantity in two situations, by LaTeX name. Both are positive
+    /// numbers, written as products of powers.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub situations: BTreeMap<String, Vec<String>>,
     /// What would mend it, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub repair: Option<String>,
@@ -222,7 +227,14 @@ impl Report<'_> {
             dimensions: self
                 .conflict(entry)
                 .map(|conflict| self.dimensions_view(conflict)),
-            repair: entry.notes.iter().find_map(|note| self.repair(note)),
+            situations: entry
+                .rescaled()
+                .map(|(_, refuted, _)| scaling::values(refuted))
+                .unwrap_or_default(),
+            repair: match entry.rescaled() {
+                Some((_, refuted, repair)) => repair.map(|r| scaling::repaired(refuted, r)),
+                None => entry.notes.iter().find_map(|note| self.repair(note)),
+            },
         }
     }
 

@@ -83,10 +83,11 @@ impl Report<'_> {
     }
 
     fn failure(&self, entry: &Entry) -> String {
-        let Some((judged, refuted)) = entry.refuted() else {
-            return "refuted".into();
+        let evidence = match (entry.refuted(), entry.rescaled()) {
+            (Some((judged, refuted)), _) => self.in_numbers(judged, refuted),
+            (None, Some((judged, refuted, _))) => self.in_situations(judged, refuted),
+            (None, None) => return "refuted".into(),
         };
-        let evidence = self.in_numbers(judged, refuted);
         match entry.fails_as_marked() {
             true => format!("as the author says: {evidence}"),
             false => evidence,

@@ -16,6 +16,7 @@ pub mod json;
 pub mod line;
 pub mod near;
 pub mod proof;
+mod scaling;
 mod style;
 pub mod summary;
 mod words;

@@ -102,7 +102,7 @@ impl Report<'_> {
     }
 
     /// Where the hypothesis at a position comes from.
-    fn premise(&self, judged: &Judged, position: usize) -> String {
+    pub(super) fn premise(&self, judged: &Judged, position: usize) -> String {
         match judged.assumed.get(position).map(|a| a.source) {
             Some(Source::Equation(at)) => format!("premise {}", self.name(at)),
             Some(source @ Source::Local(..)) => format!("supposed: {}", self.source(&source)),

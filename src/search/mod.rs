@@ -8,6 +8,7 @@ mod point;
 mod positivity;
 mod prove;
 mod refute;
+mod scaling;
 mod simplex;
 mod tracked;
 mod unfold;
@@ -21,6 +22,10 @@ use crate::kernel::{
 };
 pub use prove::Effort;
 use prove::Prover;
+pub use scaling::{
+    Repair, ScalingDecision, decide_scaling, is_plainly_possible, is_scaling, kept_hypotheses,
+    prove_scaling,
+};
 use std::collections::BTreeSet;
 
 /// How many choices a search for a point may try, quickly and in earnest.

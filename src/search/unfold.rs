@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::kernel::{Claim, Standing, definition};
+use crate::kernel::{Claim, Standing, applied_definition, definition};
 
 /// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit or summed up
 /// to: what is done to the symbol must be done to the term.
@@ -29,20 +29,29 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             if chosen.contains(&at) {
                 return None;
             }
+            if let Some((applied, term)) = applied_definition(&formulas[at]) {
+                let fits = claim.hypotheses[at].standing == Standing::Identity
+                    && found.applied.contains(&applied);
+                return fits.then_some((at, applied, term));
+            }
             let (symbol, term) = definition(&formulas[at])?;
             // A value at one point says nothing of how the symbol moves; a count does not move.
             let fits = match found.moving.contains(&symbol) {
                 true => claim.hypotheses[at].standing == Standing::Identity,
                 false => found.counts.contains(&symbol),
             };
-            (fits && !found.variables.contains(&symbol)).then_some((at, symbol, term))
+            let fits = fits && !found.variables.contains(&symbol);
+            fits.then_some((at, Expr::Symbol(symbol), term))
         });
-        let Some((at, symbol, term)) = next else {
+        let Some((at, unfolded, term)) = next else {
             return chosen;
         };
         chosen.push(at);
         for formula in &mut formulas {
-            *formula = formula.map_terms(|t| t.substitute(&symbol, &term));
+            *formula = formula.map_terms(|t| match &unfolded {
+                Expr::Symbol(symbol) => t.substitute(symbol, &term),
+                applied => t.replace(applied, &term),
+            });
         }
     }
 }
@@ -59,6 +68,8 @@ fn has_operands(formula: &Formula) -> bool {
 struct Operands {
     /// Under a derivative, a limit or an integral.
     moving: BTreeSet<Symbol>,
+    /// Unknown functions, applied, under an integral.
+    applied: BTreeSet<Expr>,
     /// In the upper limit of a sum.
     counts: BTreeSet<Symbol>,
     /// What is differentiated by, goes to a limit or is integrated over.
@@ -74,6 +85,9 @@ impl Operands {
                 self.moving
                     .extend(body.free_symbols().into_iter().filter(|s| s != variable));
                 self.variables.insert(variable.clone());
+                if let Expr::Integral { .. } = term {
+                    applications(body, &mut self.applied);
+                }
             }
             Expr::Series { to, .. } => self.counts.extend(to.free_symbols()),
             _ => {}
@@ -82,4 +96,13 @@ impl Operands {
             self.collect(child);
         }
     }
+}
+
+fn applications(term: &Expr, found: &mut BTreeSet<Expr>) {
+    if let Expr::Apply(..) = term {
+        found.insert(term.clone());
+    }
+    term.children()
+        .into_iter()
+        .for_each(|child| applications(child, found));
 }

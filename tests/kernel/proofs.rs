@@ -135,9 +135,21 @@ fn inequality_is_no_equation() {
 
 #[test]
 fn relations_without_an_exact_meaning_give_no_fact() {
-    for hypothesis in [r"y \approx 2", r"y \sim 2", r"y \propto 2", r"y \gg 2"] {
+    for hypothesis in [r"y \approx 2", r"y \gg 2"] {
         let p = Proving::new(claim(&[hypothesis], "y = 2"));
         assert!(p.problem.facts.is_empty(), "{hypothesis}");
+    }
+}
+
+#[test]
+fn scaling_relation_says_at_one_point_that_its_sides_are_sizes_and_no_more() {
+    for hypothesis in [r"y \sim 2 x", r"y \propto 2 x"] {
+        let p = Proving::new(claim(&[hypothesis], "y = 2 x"));
+        let sides = Fact {
+            polynomial: p.p("2 x y"),
+            sign: Sign::NonZero,
+        };
+        assert_eq!(p.problem.facts, vec![sides], "{hypothesis}");
     }
 }
 

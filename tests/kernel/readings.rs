@@ -304,3 +304,51 @@ fn root_of_a_square_is_not_taken_to_be_the_base() {
         assert!(verdict.is_err(), "{goal}");
     }
 }
+
+#[test]
+fn root_under_an_integral_needs_limits_that_are_not_negative() {
+    let bare = claim(
+        &[],
+        r"\int_a^b \sqrt{s} \sqrt{s} \, ds = \frac{b^2 - a^2}{2}",
+    );
+    let p = Proving::new(bare.clone());
+    let verdict = p.checked(p.combination(&[], 1, &[]));
+    assert!(matches!(verdict, Err(Reject::MayBeNegative(_))));
+    let p = Proving::new(bare.domain("a", positive()).domain("b", positive()));
+    assert_eq!(p.checked(p.combination(&[], 1, &[])), Ok(()));
+}
+
+#[test]
+fn only_declared_constants_come_out_of_an_integral() {
+    let bare = claim(&[], r"\int_0^1 k f \, dt = k \int_0^1 f \, dt");
+    let p = Proving::new(bare.clone());
+    assert_eq!(
+        p.checked(p.combination(&[], 1, &[])),
+        Err(Reject::IdentityFails)
+    );
+    let p = Proving::new(bare.domain("k", constant()));
+    assert_eq!(p.checked(p.combination(&[], 1, &[])), Ok(()));
+}
+
+#[test]
+fn integrand_that_is_divided_is_left_as_it_stands() {
+    let bare = claim(&[], r"\int_a^b \frac{s}{s} \, ds = b - a");
+    let p = Proving::new(bare);
+    assert_eq!(
+        p.checked(p.combination(&[], 1, &[])),
+        Err(Reject::IdentityFails)
+    );
+}
+
+#[test]
+fn law_about_a_function_is_put_in_under_an_integral_if_it_holds_throughout() {
+    let laws = ["P(t) = 2 q"];
+    let bare = claim(&laws, r"\int_0^1 P(t) \, dt = 2 \int_0^1 q \, dt");
+    let p = Proving::unfolding(bare.clone(), &[0]);
+    assert_eq!(p.checked(p.combination(&[], 1, &[])), Ok(()));
+    let here = bare.at_point(0);
+    assert_eq!(
+        Problem::new(&here, &[0]).map(drop),
+        Err(Reject::NotUnfoldable(0))
+    );
+}

@@ -12,6 +12,7 @@ use crate::notation::plain_formula;
 
 use super::super::Report;
 use super::super::dimension::{called, change_of_units, columns, missing_factor};
+use super::super::scaling;
 use super::super::words::{list, symbol};
 use super::differing::{Thing, compared, in_order, place, things};
 use super::{Finding, replay};
@@ -43,6 +44,15 @@ impl Report<'_> {
                 Level::NOTE.with_name("as numbers"),
                 format!("it does not follow either: {text}"),
             ));
+        }
+        if let Some((judged, refuted, repair)) = entry.rescaled() {
+            let text = self.in_situations(judged, refuted);
+            finding.said.push((
+                Level::NOTE.with_name("scaling"),
+                format!("it does not follow either: {text}"),
+            ));
+            let repaired = repair.map(|repair| (Level::HELP, scaling::repaired(refuted, repair)));
+            finding.said.extend(repaired);
         }
         finding.said.extend(replay(self, entry.equation));
         Some(finding)

@@ -9,6 +9,7 @@ use crate::notation::{Mark, plain_formula};
 
 use super::super::Report;
 use super::super::evidence::{Point, number};
+use super::super::scaling;
 use super::super::words;
 use super::{Finding, replay};
 
@@ -17,7 +18,9 @@ const WIDTH: usize = 76;
 
 impl Report<'_> {
     pub(super) fn failing(&self, entry: &Entry) -> Option<Finding> {
-        let (judged, refuted) = entry.refuted()?;
+        let Some((judged, refuted)) = entry.refuted() else {
+            return self.failing_to_scale(entry);
+        };
         let page = self.equation(entry.equation).page;
         let point = Point::new(refuted.claim(), refuted.witness());
         let sides = point.sides(&judged.goal.formula);
@@ -42,6 +45,34 @@ impl Report<'_> {
             primary,
             context,
             said: self.evidence(entry, judged, refuted),
+        })
+    }
+
+    fn failing_to_scale(&self, entry: &Entry) -> Option<Finding> {
+        let (judged, refuted, repair) = entry.rescaled()?;
+        let mut said = vec![(
+            Level::NOTE.with_name("judged from"),
+            self.judged_from(judged),
+        )];
+        said.push((
+            Level::NOTE.with_name("counterexample"),
+            wrapped_list(&scaling::grown(refuted)) + "\nkeeps every premise true",
+        ));
+        said.extend(repair.map(|repair| (Level::HELP, scaling::repaired(refuted, repair))));
+        said.extend(marks(entry));
+        said.extend(replay(self, entry.equation));
+        Some(Finding {
+            level: Level::ERROR,
+            code: "fails",
+            title: format!(
+                "{} does not follow: {}",
+                self.subject(entry),
+                self.in_situations(judged, refuted)
+            ),
+            page: self.equation(entry.equation).page,
+            primary: (judged.goal.sides.1, "scales differently".into()),
+            context: Vec::new(),
+            said,
         })
     }
 
@@ -70,22 +101,7 @@ impl Report<'_> {
             None => lines.push(format!("`{}` is false there", plain_formula(formula))),
         }
         said.push((Level::NOTE.with_name("counterexample"), lines.join("\n")));
-        for note in &entry.notes {
-            match note {
-                Note::UnstatedCondition(conditions) => {
-                    said.push((Level::HELP, conditional(conditions)));
-                }
-                Note::WrongMark(Mark::Tick) => said.push((
-                    Level::NOTE,
-                    "the author marks it ✓, as an equation that holds".into(),
-                )),
-                Note::WrongMark(Mark::Cross) => said.push((
-                    Level::NOTE,
-                    "the author crosses out something else: this link is meant to hold".into(),
-                )),
-                _ => {}
-            }
-        }
+        said.extend(marks(entry));
         said.extend(replay(self, entry.equation));
         said
     }
@@ -108,6 +124,28 @@ impl Report<'_> {
     }
 }
 
+/// What the author marks, and what would have to be stated.
+fn marks(entry: &Entry) -> Vec<(Level<'static>, String)> {
+    let mut said = Vec::new();
+    for note in &entry.notes {
+        match note {
+            Note::UnstatedCondition(conditions) => {
+                said.push((Level::HELP, conditional(conditions)));
+            }
+            Note::WrongMark(Mark::Tick) => said.push((
+                Level::NOTE,
+                "the author marks it ✓, as an equation that holds".into(),
+            )),
+            Note::WrongMark(Mark::Cross) => said.push((
+                Level::NOTE,
+                "the author crosses out something else: this link is meant to hold".into(),
+            )),
+            _ => {}
+        }
+    }
+    said
+}
+
 /// What would have to be stated.
 pub(super) fn conditional(conditions: &[crate::algebra::Formula]) -> String {
     let conditions = conditions.iter().map(plain_formula).collect();
@@ -115,10 +153,21 @@ pub(super) fn conditional(conditions: &[crate::algebra::Formula]) -> String {
 }
 
 fn wrapped(values: &[(String, String)]) -> Vec<String> {
+    let items = values
+        .iter()
+        .map(|(name, value)| format!("{name} = {value}"));
+    broken(&items.collect::<Vec<_>>())
+}
+
+fn wrapped_list(items: &[String]) -> String {
+    broken(items).join("\n")
+}
+
+fn broken(items: &[String]) -> Vec<String> {
     let mut lines = vec![String::new()];
-    for (at, (name, value)) in values.iter().enumerate() {
-        let comma = if at + 1 < values.len() { "," } else { "" };
-        let item = format!("{name} = {value}{comma}");
+    for (at, item) in items.iter().enumerate() {
+        let comma = if at + 1 < items.len() { "," } else { "" };
+        let item = format!("{item}{comma}");
         match lines.last_mut() {
             Some(line) if line.is_empty() => *line = item,
             Some(line) if line.chars().count() + item.chars().count() < WIDTH => {
