@@ -3,6 +3,8 @@
 
 #[path = "kernel/claims.rs"]
 mod claims;
+#[path = "kernel/knowledge.rs"]
+mod knowledge;
 #[path = "kernel/proofs.rs"]
 mod proofs;
 #[path = "kernel/readings.rs"]
