@@ -306,3 +306,8 @@ hole!(bound_index_is_no_count, {
     };
     p.checked(p.positivity(&[], vec![t], &[(0, "-1")]))
 });
+hole!(slope_of_an_element_that_is_an_integer, {
+    let mut c = claim(&[], r"\frac{du_1}{dx} = 0");
+    c.sequences.insert(symbol("u"), integer());
+    refuted(&c, point(&[("x", 0)]).list("u", &[1]).slope("u_1", "x", 1))
+});
