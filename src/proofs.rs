@@ -44,12 +44,8 @@ pages! {
 
 /// The whole report, read as one derivation.
 pub fn report() -> Derivation {
-    let pages = PAGES.iter();
-    Derivation::new(
-        pages
-            .map(|&(path, source)| Document::markdown(path, source))
-            .collect(),
-    )
+    let read = |&(path, source): &(&str, &str)| Document::markdown(path, source);
+    Derivation::new(crate::document::in_order(PAGES, read))
 }
 
 /// One page's text, by its path.

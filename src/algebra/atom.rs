@@ -1,5 +1,3 @@
-use std::collections::BTreeMap;
-
 use super::{Expr, Symbol, Var};
 
 /// What a polynomial is a polynomial in.
@@ -37,25 +35,32 @@ pub enum Atom {
 #[derive(Clone, Debug, Default)]
 pub struct Atoms {
     list: Vec<Atom>,
-    index: BTreeMap<Atom, Var>,
+    /// The same in the order of the atoms.
+    sorted: Vec<Var>,
 }
 
 impl Atoms {
     /// The unknown that stands for an atom.
     pub fn var(&mut self, atom: Atom) -> Var {
-        if let Some(&var) = self.index.get(&atom) {
-            return var;
-        }
+        let at = match self.place(&atom) {
+            Ok(at) => return self.sorted[at],
+            Err(at) => at,
+        };
         // A document of 2^32 symbols does not fit in memory.
         let var = Var(self.list.len() as u32);
-        self.list.push(atom.clone());
-        self.index.insert(atom, var);
+        self.list.push(atom);
+        self.sorted.insert(at, var);
         var
+    }
+
+    fn place(&self, atom: &Atom) -> Result<usize, usize> {
+        self.sorted
+            .binary_search_by(|var| self.list[var.position()].cmp(atom))
     }
 
     /// The unknown of an atom, if it has been met.
     pub fn find(&self, atom: &Atom) -> Option<Var> {
-        self.index.get(atom).copied()
+        self.place(atom).ok().map(|at| self.sorted[at])
     }
 
     /// The atom that an unknown stands for.

@@ -1,8 +1,12 @@
 use std::collections::BTreeSet;
 
 use num_traits::One;
+use smallvec::{SmallVec, smallvec};
 
 use super::{BigInt, BigRational, Symbol};
+
+/// The terms below a term; most have few.
+type Children<'a> = SmallVec<[&'a Expr; 4]>;
 
 /// A mathematical term, as its author structured it. There is no floating point in it: decimals are rationals.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -116,21 +120,21 @@ impl Expr {
     }
 
     /// The terms directly below this one.
-    pub fn children(&self) -> Vec<&Expr> {
+    pub fn children(&self) -> Children<'_> {
         match self {
-            Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => Vec::new(),
+            Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => Children::new(),
             Expr::Sum(items) | Expr::Product(items) | Expr::Apply(_, items) => {
                 items.iter().collect()
             }
-            Expr::Negate(inner) | Expr::Call(_, inner) => vec![inner],
-            Expr::Quotient(a, b) | Expr::Power(a, b) => vec![a, b],
+            Expr::Negate(inner) | Expr::Call(_, inner) => smallvec![&**inner],
+            Expr::Quotient(a, b) | Expr::Power(a, b) => smallvec![&**a, &**b],
             Expr::Series { from, to, body, .. } | Expr::Integral { from, to, body, .. } => {
-                vec![from, to, body]
+                smallvec![&**from, &**to, &**body]
             }
-            Expr::Derivative { body, .. } => vec![body],
+            Expr::Derivative { body, .. } => smallvec![&**body],
             Expr::Limit { body, point, .. } => match point {
-                LimitPoint::Finite(point) => vec![body, point],
-                _ => vec![body],
+                LimitPoint::Finite(point) => smallvec![&**body, &**point],
+                _ => smallvec![&**body],
             },
         }
     }
@@ -242,15 +246,22 @@ impl Expr {
     /// The symbols that have a value of their own in this term: not indices, not the variables of
     /// limits and integrals. The variable of a derivative has one: the point at which it is taken.
     pub fn free_symbols(&self) -> BTreeSet<Symbol> {
-        let mut free = BTreeSet::new();
+        let mut free = Vec::new();
         self.collect_free(&mut Vec::new(), &mut free);
-        free
+        free.into_iter().cloned().collect()
     }
 
-    fn collect_free<'a>(&'a self, bound: &mut Vec<&'a Symbol>, free: &mut BTreeSet<Symbol>) {
-        let mut add = |symbol: &Symbol, bound: &[&Symbol]| {
-            if !bound.contains(&symbol) && !free.contains(symbol) {
-                free.insert(symbol.clone());
+    /// Adds the symbols of [`Expr::free_symbols`] to a sorted list.
+    pub(super) fn collect_free<'a>(
+        &'a self,
+        bound: &mut Vec<&'a Symbol>,
+        free: &mut Vec<&'a Symbol>,
+    ) {
+        let mut add = |symbol: &'a Symbol, bound: &[&Symbol]| {
+            if !bound.contains(&symbol)
+                && let Err(at) = free.binary_search(&symbol)
+            {
+                free.insert(at, symbol);
             }
         };
         match self {

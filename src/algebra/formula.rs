@@ -1,5 +1,7 @@
 use std::collections::BTreeSet;
 
+use smallvec::{SmallVec, smallvec};
+
 use super::{Expr, Symbol};
 
 /// How two terms are related.
@@ -72,9 +74,9 @@ impl Formula {
     }
 
     /// The terms of the formula.
-    pub fn terms(&self) -> Vec<&Expr> {
+    pub fn terms(&self) -> SmallVec<[&Expr; 2]> {
         match self {
-            Formula::Relation { left, right, .. } => vec![left, right],
+            Formula::Relation { left, right, .. } => smallvec![left, right],
             Formula::AllEqual { to, value, .. } => std::iter::once(to).chain(value).collect(),
         }
     }
@@ -105,10 +107,21 @@ impl Formula {
 
     /// The symbols that have a value of their own.
     pub fn free_symbols(&self) -> BTreeSet<Symbol> {
-        self.terms()
+        Formula::free_symbols_of(std::iter::once(self))
             .into_iter()
-            .flat_map(Expr::free_symbols)
+            .cloned()
             .collect()
+    }
+
+    /// The same for several formulas at once, in order.
+    pub fn free_symbols_of<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Vec<&'a Symbol> {
+        let mut free = Vec::new();
+        for formula in formulas {
+            for term in formula.terms() {
+                term.collect_free(&mut Vec::new(), &mut free);
+            }
+        }
+        free
     }
 
     /// The sequences that occur.

@@ -70,6 +70,14 @@ impl Fraction {
         .cancelled())
     }
 
+    /// The difference.
+    pub fn minus(&self, other: &Self) -> Result<Self, TooLarge> {
+        if self.denominator.is_empty() && other.denominator.is_empty() {
+            return Ok(self.numerator.minus(&other.numerator).into());
+        }
+        self.plus(&other.negated())
+    }
+
     /// What this fraction must be multiplied by, above and below, to have a larger denominator.
     fn missing(&self, denominator: &BTreeMap<Polynomial, u32>) -> Result<Polynomial, TooLarge> {
         let own = |factor| self.denominator.get(factor).copied().unwrap_or(0);

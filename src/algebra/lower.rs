@@ -14,6 +14,9 @@ use super::{
 /// Sums with definite limits are written out up to this many terms.
 const MOST_EXPLICIT_TERMS: i64 = 512;
 
+/// Exponents up to this are multiplied out without asking whether that grows too large.
+const SMALL_EXPONENT: u32 = 64;
+
 /// Why a term has no value as a rational function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LowerError {
@@ -104,14 +107,26 @@ impl Lowering<'_> {
                 Ok(sum)
             }
             Expr::Product(factors) => {
-                let Some((first, rest)) = factors.split_first() else {
-                    return Ok(Rational::one().into());
-                };
-                let mut product = self.lower(first)?;
-                for factor in rest {
-                    product = product.times(&self.lower(factor)?)?;
+                // Most products are of numbers and powers of symbols: these are multiplied in one go.
+                let (mut monomial, mut coefficient) = (Monomial::one(), Rational::one());
+                let mut others: Option<Fraction> = None;
+                for factor in factors {
+                    if let Some((own, number)) = self.simple_factor(factor) {
+                        monomial = monomial.times(&own);
+                        coefficient *= number;
+                        continue;
+                    }
+                    let factor = self.lower(factor)?;
+                    others = Some(match others {
+                        Some(others) => others.times(&factor)?,
+                        None => factor,
+                    });
                 }
-                Ok(product)
+                let simple: Fraction = Polynomial::term(monomial, coefficient).into();
+                match others {
+                    Some(others) => Ok(simple.times(&others)?),
+                    None => Ok(simple),
+                }
             }
             Expr::Negate(inner) => Ok(self.lower(inner)?.negated()),
             Expr::Quotient(above, below) => {
@@ -157,17 +172,35 @@ impl Lowering<'_> {
         }
     }
 
+    /// A number, a symbol or a small natural power of one.
+    fn simple_factor(&mut self, factor: &Expr) -> Option<(Monomial, Rational)> {
+        let (symbol, exponent) = match factor {
+            Expr::Number(value) => return Some((Monomial::one(), value.into())),
+            Expr::Symbol(symbol) => (symbol, 1),
+            Expr::Power(base, exponent) => {
+                let (Expr::Symbol(symbol), Expr::Number(exponent)) = (&**base, &**exponent) else {
+                    return None;
+                };
+                let whole = exponent.is_integer().then(|| exponent.numer().to_u32())?;
+                (symbol, whole.filter(|e| (1..=SMALL_EXPONENT).contains(e))?)
+            }
+            _ => return None,
+        };
+        let var = self.atoms.var(self.atom_of_symbol(symbol));
+        Some((Monomial::power(var, exponent), Rational::one()))
+    }
+
     fn atom(&mut self, atom: Atom) -> Fraction {
         Polynomial::var(self.atoms.var(atom)).into()
     }
 
     /// `u_3` is an element where `u` is a sequence.
     fn atom_of_symbol(&self, symbol: &Symbol) -> Atom {
-        match element_parts(symbol) {
-            Some((sequence, position)) if self.sequences.contains(&sequence) => {
-                Atom::Element { sequence, position }
-            }
-            _ => Atom::Symbol(symbol.clone()),
+        let element = element_name(symbol)
+            .and_then(|(name, position)| Some((self.sequences.get(name)?.clone(), position)));
+        match element {
+            Some((sequence, position)) => Atom::Element { sequence, position },
+            None => Atom::Symbol(symbol.clone()),
         }
     }
 
@@ -328,7 +361,7 @@ impl Lowering<'_> {
 
     fn derivative(&mut self, value: &Fraction, variable: &Symbol) -> Lowered {
         let mut total = Fraction::default();
-        let mut vars = value.numerator().vars();
+        let mut vars: BTreeSet<Var> = value.numerator().vars().into_iter().collect();
         for (factor, _) in value.denominator() {
             vars.extend(factor.vars());
         }
@@ -380,7 +413,7 @@ impl Lowering<'_> {
         let own = self.atom_of_symbol(variable);
         let var = self.atoms.var(own);
         let below = value.expanded_denominator()?;
-        let mut others = value.numerator().vars();
+        let mut others: BTreeSet<Var> = value.numerator().vars().into_iter().collect();
         others.extend(below.vars());
         others.remove(&var);
         let (mut held, mut plain) = (Vec::new(), true);
@@ -560,6 +593,11 @@ pub fn expr_of_atom(atom: &Atom) -> Expr {
 
 /// `u` and 3, for the symbol `u_3`; `None` for a symbol that cannot name an element.
 pub fn element_parts(symbol: &Symbol) -> Option<(Symbol, u32)> {
+    let (name, position) = element_name(symbol)?;
+    Some((Symbol::new(name), position))
+}
+
+fn element_name(symbol: &Symbol) -> Option<(&str, u32)> {
     let (name, subscript) = symbol.name().rsplit_once('_')?;
     let digits = match subscript.strip_prefix('{') {
         Some(braced) => braced.strip_suffix('}')?,
@@ -567,7 +605,7 @@ pub fn element_parts(symbol: &Symbol) -> Option<(Symbol, u32)> {
     };
     let plain = digits.bytes().all(|b| b.is_ascii_digit()) && !digits.starts_with('0');
     let position = digits.parse().ok().filter(|_| plain)?;
-    Some((Symbol::new(name), position))
+    Some((name, position))
 }
 
 /// `u_3`, as a symbol.

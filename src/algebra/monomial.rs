@@ -14,7 +14,7 @@ impl Var {
 }
 
 /// A product of powers of unknowns, ordered by total degree and then lexicographically.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, PartialEq, Eq, Hash, Default)]
 pub struct Monomial {
     degree: u32,
     /// Sorted by unknown; no exponent is zero.
@@ -23,6 +23,16 @@ pub struct Monomial {
 
 /// Few products have more than four unknowns; those that do go to the heap.
 type Powers = SmallVec<[(Var, u32); 4]>;
+
+// Copied whole rather than power by power, which is what deriving would do.
+impl Clone for Monomial {
+    fn clone(&self) -> Self {
+        Monomial {
+            degree: self.degree,
+            powers: Powers::from_slice(&self.powers),
+        }
+    }
+}
 
 impl Monomial {
     /// The empty product.
@@ -122,7 +132,11 @@ impl Monomial {
 
     /// The monomial with one unknown left out.
     pub fn without(&self, var: Var) -> Self {
-        Monomial::from_powers(self.powers.iter().copied().filter(|p| p.0 != var).collect())
+        let mut rest = self.clone();
+        if let Ok(at) = rest.powers.binary_search_by_key(&var, |p| p.0) {
+            rest.degree -= rest.powers.remove(at).1;
+        }
+        rest
     }
 
     /// The square root, where every exponent is even.

@@ -1,6 +1,7 @@
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
 use std::fmt;
+
+use smallvec::{SmallVec, smallvec};
 
 use super::{Monomial, Rational, Var};
 
@@ -22,13 +23,18 @@ impl fmt::Display for TooLarge {
     }
 }
 
+/// The unknowns of a polynomial; few have more than eight.
+type Vars = SmallVec<[Var; 8]>;
+/// Most polynomials are a single term, which needs no place of its own.
+type Terms = SmallVec<[(Monomial, Rational); 1]>;
+
 /// A polynomial over the rationals in the unknowns of an [`Atoms`](super::Atoms) table.
 ///
 /// Canonical by construction: the terms are sorted, none occurs twice and no coefficient is zero, so two
 /// polynomials are equal exactly when their lists of terms are.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Polynomial {
-    terms: Vec<(Monomial, Rational)>,
+    terms: Terms,
 }
 
 impl Polynomial {
@@ -55,8 +61,8 @@ impl Polynomial {
     /// `coefficient · monomial`.
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
         let terms = match coefficient.is_zero() {
-            true => Vec::new(),
-            false => vec![(monomial, coefficient)],
+            true => Terms::new(),
+            false => smallvec![(monomial, coefficient)],
         };
         Polynomial { terms }
     }
@@ -106,10 +112,17 @@ impl Polynomial {
         self.leading().map_or(0, |(m, _)| m.degree())
     }
 
-    /// The unknowns that occur.
-    pub fn vars(&self) -> BTreeSet<Var> {
-        let powers = self.terms.iter().flat_map(|(m, _)| m.powers());
-        powers.map(|p| p.0).collect()
+    /// The unknowns that occur, in order.
+    pub fn vars(&self) -> Vars {
+        let mut vars = Vars::new();
+        for (monomial, _) in &self.terms {
+            for &(var, _) in monomial.powers() {
+                if let Err(at) = vars.binary_search(&var) {
+                    vars.insert(at, var);
+                }
+            }
+        }
+        vars
     }
 
     /// The degree in one unknown.
@@ -122,23 +135,23 @@ impl Polynomial {
     }
 
     /// From terms in any order, equal monomials added up.
-    fn collect(mut terms: Vec<(Monomial, Rational)>) -> Self {
+    fn collect(mut terms: Terms) -> Self {
         terms.sort_by(|a, b| a.0.cmp(&b.0));
-        let mut sorted: Vec<(Monomial, Rational)> = Vec::with_capacity(terms.len());
-        for (monomial, coefficient) in terms {
-            match sorted.last_mut() {
-                Some(last) if last.0 == monomial => last.1 += coefficient,
-                _ => sorted.push((monomial, coefficient)),
+        terms.dedup_by(|next, kept| {
+            let same = next.0 == kept.0;
+            if same {
+                kept.1 += next.1.clone();
             }
-        }
-        sorted.retain(|term| !term.1.is_zero());
-        Polynomial { terms: sorted }
+            same
+        });
+        terms.retain(|term| !term.1.is_zero());
+        Polynomial { terms }
     }
 
     /// `self + factor · other`, by merging.
     fn merged(&self, other: &Self, factor: &Rational) -> Self {
         let (a, b) = (&self.terms, &other.terms);
-        let mut terms = Vec::with_capacity(a.len() + b.len());
+        let mut terms = Terms::with_capacity(a.len() + b.len());
         let (mut i, mut j) = (0, 0);
         while i < a.len() && j < b.len() {
             match a[i].0.cmp(&b[j].0) {
@@ -160,7 +173,7 @@ impl Polynomial {
                 }
             }
         }
-        terms.extend_from_slice(&a[i..]);
+        terms.extend(a[i..].iter().cloned());
         terms.extend(b[j..].iter().map(|(m, c)| (m.clone(), factor * c)));
         Polynomial { terms }
     }
@@ -217,7 +230,7 @@ impl Polynomial {
         if let [(m, c)] = self.terms.as_slice() {
             return Ok(other.times_term(m, c));
         }
-        let mut terms = Vec::with_capacity(self.len() * other.len());
+        let mut terms = Terms::with_capacity(self.len() * other.len());
         for (m, c) in &self.terms {
             terms.extend(other.terms.iter().map(|(n, d)| (m.times(n), c * d)));
         }
@@ -275,7 +288,7 @@ impl Polynomial {
         if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first()) {
             low.divided_by(own)?;
         }
-        let (mut rest, mut quotient) = (self.clone(), Vec::new());
+        let (mut rest, mut quotient) = (self.clone(), Terms::new());
         while let Some((m, c)) = rest.leading() {
             let (m, c) = (m.divided_by(lead)?, c / coefficient);
             rest = rest.minus(&other.times_term(&m, &c));
@@ -287,7 +300,7 @@ impl Polynomial {
 
     /// The coefficients of the powers of one unknown, from the 0th up.
     pub fn in_powers_of(&self, var: Var) -> Vec<Polynomial> {
-        let mut coefficients = vec![Vec::new(); self.degree_in(var) as usize + 1];
+        let mut coefficients = vec![Terms::new(); self.degree_in(var) as usize + 1];
         for (m, c) in &self.terms {
             coefficients[m.exponent(var) as usize].push((m.without(var), c.clone()));
         }
@@ -311,7 +324,7 @@ impl Polynomial {
 
     /// The partial derivative.
     pub fn derivative(&self, var: Var) -> Self {
-        let mut terms = Vec::new();
+        let mut terms = Terms::new();
         for (m, c) in &self.terms {
             let exponent = m.exponent(var);
             if exponent > 0 {
@@ -328,7 +341,7 @@ impl Polynomial {
             return Ok(self.clone());
         }
         if let Some(value) = value.as_constant() {
-            let mut terms = Vec::with_capacity(self.len());
+            let mut terms = Terms::with_capacity(self.len());
             for (m, c) in &self.terms {
                 let power = value.pow(m.exponent(var), LONGEST_NUMBER).ok_or(TooLarge)?;
                 terms.push((m.without(var), c * power));

@@ -1,3 +1,4 @@
+use std::borrow::Borrow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -16,6 +17,13 @@ impl Symbol {
 
     /// The canonical LaTeX name.
     pub fn name(&self) -> &str {
+        &self.0
+    }
+}
+
+/// Symbols are compared by name, so a set of them can be asked for a name.
+impl Borrow<str> for Symbol {
+    fn borrow(&self) -> &str {
         &self.0
     }
 }

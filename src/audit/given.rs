@@ -1,10 +1,11 @@
 //! Whether what is given can all be true together: no audit is vacuous.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Equation, Kind, Source, formulas};
-use crate::kernel::{Model, Standing};
+use crate::kernel::{Assignment, Model, Standing};
 use crate::search::{Consistency, consistency};
 
 use super::{Entry, Note, Verdict, blank};
@@ -17,9 +18,23 @@ const MOST_FORMULAS: usize = 40;
 pub(super) struct Models {
     found: BTreeMap<usize, Model>,
     contradictions: BTreeMap<usize, Vec<Source>>,
+    /// Where all groups have their models.
+    pub point: Assignment,
 }
 
 impl Models {
+    /// Groups have no symbol in common, so their models can be had at once.
+    fn together(&mut self, point: &Assignment) {
+        let own = &mut self.point;
+        let of = |s: &(Symbol, Symbol)| s.clone();
+        own.symbols
+            .extend(point.symbols.iter().map(|(s, v)| (s.clone(), v.clone())));
+        own.sequences
+            .extend(point.sequences.iter().map(|(s, v)| (s.clone(), v.clone())));
+        own.derivatives
+            .extend(point.derivatives.iter().map(|(s, v)| (of(s), v.clone())));
+    }
+
     pub fn entry(&self, at: usize, part: usize, parts: usize) -> Entry {
         let mut entry = blank(at, part, parts, Kind::Given, Verdict::Given);
         entry.model = self.found.get(&at).cloned();
@@ -32,15 +47,15 @@ impl Models {
     }
 }
 
-/// Looks for a model of the givens of each page, one group of equations with common symbols at a time.
-pub(super) fn models(derivation: &Derivation) -> Models {
+/// Looks for a model of the givens of a page, one group of equations with common symbols at a time.
+pub(super) fn models(derivation: &Derivation, page: usize) -> Models {
     let mut models = Models::default();
-    for group in groups(derivation) {
+    for group in groups(derivation, derivation.equations_of(page)) {
         let assume = |members: &[usize]| -> Vec<Assumed> {
             let all = members.iter().flat_map(|&at| {
                 let statements = derivation.equations[at].statements().iter();
                 statements.flat_map(formulas).map(move |formula| Assumed {
-                    formula,
+                    formula: formula.into(),
                     standing: Standing::Identity,
                     source: Source::Equation(at),
                 })
@@ -53,10 +68,11 @@ pub(super) fn models(derivation: &Derivation) -> Models {
             if assumed.len() > MOST_FORMULAS {
                 return Consistency::Unknown;
             }
-            consistency(&derivation.claim(members[0], &assumed, &trivial))
+            consistency(&derivation.claim(members[0], &assumed, &trivial), &[])
         };
         match together(&group) {
             Consistency::Model(model) => {
+                models.together(model.point());
                 models
                     .found
                     .extend(group.iter().map(|&at| (at, model.clone())));
@@ -90,10 +106,11 @@ pub(super) fn models(derivation: &Derivation) -> Models {
     models
 }
 
-/// The given equations of each page, grouped so that no symbol occurs in two groups.
-fn groups(derivation: &Derivation) -> Vec<Vec<usize>> {
-    // Union-find over equations: each symbol of a page joins the equations that it occurs in.
-    let mut parent: Vec<usize> = (0..derivation.equations.len()).collect();
+/// The given ones among some equations, grouped so that no symbol occurs in two groups.
+fn groups(derivation: &Derivation, among: Range<usize>) -> Vec<Vec<usize>> {
+    // Union-find over equations: each symbol joins the equations that it occurs in.
+    let start = among.start;
+    let mut parent: Vec<usize> = (0..among.len()).collect();
     fn root(parent: &mut [usize], mut at: usize) -> usize {
         while parent[at] != at {
             parent[at] = parent[parent[at]];
@@ -101,15 +118,12 @@ fn groups(derivation: &Derivation) -> Vec<Vec<usize>> {
         }
         at
     }
-    let mut first: BTreeMap<(usize, Symbol), usize> = BTreeMap::new();
+    let mut first: BTreeMap<Symbol, usize> = BTreeMap::new();
     let is_given =
         |equation: &Equation| equation.kind == Kind::Given && equation.statements.is_ok();
     let equations = || {
-        derivation
-            .equations
-            .iter()
-            .enumerate()
-            .filter(|(_, e)| is_given(e))
+        let own = derivation.equations[among.clone()].iter();
+        own.enumerate().filter(|(_, e)| is_given(e))
     };
     for (at, equation) in equations() {
         let mut symbols: BTreeSet<Symbol> = BTreeSet::new();
@@ -118,14 +132,15 @@ fn groups(derivation: &Derivation) -> Vec<Vec<usize>> {
             symbols.extend(formula.sequences());
         }
         for symbol in symbols {
-            let other = *first.entry((equation.page, symbol)).or_insert(at);
+            let other = *first.entry(symbol).or_insert(at);
             let (a, b) = (root(&mut parent, at), root(&mut parent, other));
             parent[a.max(b)] = a.min(b);
         }
     }
     let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (at, _) in equations() {
-        groups.entry(root(&mut parent, at)).or_default().push(at);
+        let group = groups.entry(root(&mut parent, at)).or_default();
+        group.push(start + at);
     }
     groups.into_values().collect()
 }

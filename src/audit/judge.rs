@@ -1,7 +1,7 @@
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
-use crate::kernel::{Assignment, Proven, Standing, check_model};
-use crate::search::{self, Consistency, Decision, Effort, Stop};
+use crate::kernel::{Assignment, Proven, Standing};
+use crate::search::{self, Consistency, Decision, Derived, Effort, Stop};
 
 use super::premise::{Usable, usable};
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
@@ -12,8 +12,6 @@ const MOST_RELATIVES: usize = 12;
 /// lines up.
 const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
 const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
-/// How many points at which premises held are tried again on the next ones.
-const REMEMBERED_POINTS: usize = 6;
 
 /// Judges the goals of one statement.
 pub(super) struct Judge<'a> {
@@ -37,11 +35,18 @@ pub(super) struct Found {
     pub contradictory: Vec<Source>,
 }
 
+/// What a step that does not follow from what it cites may be tried with.
+struct Attempt {
+    cited: Vec<Assumed>,
+    /// The likeliest first.
+    others: Vec<Assumed>,
+}
+
 impl Judge<'_> {
     pub fn goal(&mut self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
         let mut assumed = self.usable.assumed.clone();
         let step = |formula: &Formula| Assumed {
-            formula: formula.clone(),
+            formula: formula.clone().into(),
             standing: Standing::AtPoint,
             source: Source::Step,
         };
@@ -62,14 +67,19 @@ impl Judge<'_> {
         };
         // An identity needs no premises.
         let bare = self.derivation.claim(self.at, &[], &goal.formula);
-        if let Some(proven) = search::prove_unconditionally(&bare, Effort::Light) {
+        if let Some(derived) = search::prove_unconditionally(bare, Effort::Light) {
             found.judged.assumed.clear();
-            found.judged.outcome = Outcome::Proven(proven.into());
+            found.judged.outcome = Outcome::Proven(derived.proven.into());
             return found;
         }
-        match search::decide(&self.derivation.claim(self.at, &assumed, &goal.formula)) {
-            Decision::Proven { proven, conditions } if conditions.is_empty() => {
-                let (kept, least) = self.least(assumed.clone(), goal, proven);
+        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+        let decision = search::decide(claim, &self.auditor.hints());
+        match decision {
+            Decision::Proven {
+                derived,
+                conditions,
+            } if conditions.is_empty() => {
+                let (kept, least) = self.least(assumed.clone(), goal, derived);
                 if kept.iter().any(|a| a.source != Source::Step)
                     && self.is_contradictory(&assumed, goal)
                 {
@@ -84,9 +94,13 @@ impl Judge<'_> {
                 found.judged.assumed = kept;
                 found.judged.outcome = Outcome::Proven(least.into());
             }
-            Decision::Proven { proven, conditions } => {
+            Decision::Proven {
+                derived,
+                conditions,
+            } => {
                 // What stands before may say what is missing.
-                if self.rescue(goal, &assumed, premises, &NEARBY, &mut found) {
+                let attempts = self.attempts(goal, &assumed, premises, None);
+                if self.rescue(goal, &attempts, &NEARBY, &mut found) {
                     return found;
                 }
                 // A condition that the premises rule out proves nothing.
@@ -98,19 +112,22 @@ impl Judge<'_> {
                 }
                 found.judged.assumed.extend(with);
                 found.conditions = conditions;
-                found.judged.outcome = Outcome::Proven(proven.into());
+                found.judged.outcome = Outcome::Proven(derived.proven.into());
             }
             Decision::Refuted(refuted) => {
+                let witness = refuted.witness().clone();
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 let marked = self.derivation.equations[self.at].kind == Kind::Marked;
-                let settled = marked && goal.questioned
-                    || self.rescue(goal, &assumed, premises, &NEARBY, &mut found)
-                    || !self.strengthen(goal, &assumed, premises, &mut found)
-                        && self.rescue(goal, &assumed, premises, &FARTHER, &mut found);
+                let settled = marked && goal.questioned || {
+                    let attempts = self.attempts(goal, &assumed, premises, Some(witness));
+                    self.rescue(goal, &attempts, &NEARBY, &mut found)
+                        || !self.strengthen(goal, &assumed, premises, &mut found)
+                            && self.rescue(goal, &attempts, &FARTHER, &mut found)
+                };
                 if !settled && let Outcome::Refuted(refuted) = &found.judged.outcome {
                     let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
                     if let Some((conditions, _)) =
-                        search::missing_conditions(&claim, refuted.witness())
+                        search::missing_conditions(&claim, refuted.witness(), &self.auditor.hints())
                     {
                         found.conditions = conditions;
                     }
@@ -119,9 +136,11 @@ impl Judge<'_> {
             Decision::Open(stop) => {
                 let hopeless = stop.hopeless;
                 found.judged.outcome = Outcome::Open(stop);
-                let rescued = !hopeless
-                    && (self.rescue(goal, &assumed, premises, &NEARBY, &mut found)
-                        || self.rescue(goal, &assumed, premises, &FARTHER, &mut found));
+                let rescued = !hopeless && {
+                    let attempts = self.attempts(goal, &assumed, premises, None);
+                    self.rescue(goal, &attempts, &NEARBY, &mut found)
+                        || self.rescue(goal, &attempts, &FARTHER, &mut found)
+                };
                 if !rescued && self.is_contradictory(&assumed, goal) {
                     found.contradictory = sources(&assumed);
                 }
@@ -135,15 +154,18 @@ impl Judge<'_> {
         &self,
         mut assumed: Vec<Assumed>,
         goal: &Goal,
-        mut proven: Proven,
+        derived: Derived,
     ) -> (Vec<Assumed>, Proven) {
         let again = |assumed: &[Assumed]| {
-            let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-            search::prove_unconditionally(&claim, Effort::Light)
-                .or_else(|| search::prove_unconditionally(&claim, Effort::Full))
+            let claim = || self.derivation.claim(self.at, assumed, &goal.formula);
+            search::prove_unconditionally(claim(), Effort::Light)
+                .or_else(|| search::prove_unconditionally(claim(), Effort::Full))
         };
         // What the certificate combines nearly always suffices; what only keeps something from vanishing is not in it.
-        let combined = search::combined_hypotheses(&proven);
+        let Derived {
+            mut proven,
+            combined,
+        } = derived;
         let mut few: Vec<Assumed> = Vec::new();
         for (position, own) in assumed.iter().enumerate() {
             if combined.contains(&position) {
@@ -153,7 +175,7 @@ impl Judge<'_> {
         if few.len() < assumed.len()
             && let Some(shorter) = again(&few)
         {
-            (assumed, proven) = (few, shorter);
+            (assumed, proven) = (few, shorter.proven);
         }
         for position in (0..assumed.len()).rev() {
             if assumed.len() < 2 {
@@ -162,8 +184,8 @@ impl Judge<'_> {
             let mut fewer = assumed.clone();
             fewer.remove(position);
             let claim = self.derivation.claim(self.at, &fewer, &goal.formula);
-            if let Some(shorter) = search::prove_unconditionally(&claim, Effort::Light) {
-                (assumed, proven) = (fewer, shorter);
+            if let Some(shorter) = search::prove_unconditionally(claim, Effort::Light) {
+                (assumed, proven) = (fewer, shorter.proven);
             }
         }
         (assumed, proven)
@@ -175,21 +197,11 @@ impl Judge<'_> {
             return false;
         }
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        let mut points = self.auditor.points.borrow_mut();
         // Neighbouring steps share their premises, and so the points at which these hold.
-        let symbols = claim.free_symbols();
-        let covers = |point: &&Assignment| symbols.iter().all(|s| point.symbols.contains_key(s));
-        if points
-            .iter()
-            .filter(covers)
-            .any(|point| check_model(&claim, point.clone()).is_ok())
-        {
-            return false;
-        }
-        match search::consistency(&claim) {
+        let consistency = search::consistency(&claim, &self.auditor.hints());
+        match consistency {
             Consistency::Model(model) => {
-                points.push_front(model.point().clone());
-                points.truncate(REMEMBERED_POINTS);
+                self.auditor.remember(model.point());
                 false
             }
             Consistency::Contradictory(_) => true,
@@ -197,51 +209,70 @@ impl Judge<'_> {
         }
     }
 
-    /// Tries again with what stands before, cited or not.
-    fn rescue(
+    /// What a step that does not follow may be tried with: what is cited, and what is not but stands before.
+    /// The witness against it may stand against all of these too.
+    fn attempts(
         &mut self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
-        stages: &[(usize, Effort)],
-        found: &mut Found,
-    ) -> bool {
+        witness: Option<Assignment>,
+    ) -> Vec<Attempt> {
+        let mut attempts = Vec::new();
+        let hints: Vec<Assignment> = witness
+            .into_iter()
+            .chain(self.auditor.hints().iter().cloned())
+            .collect();
+        // What is cited and fails can stand in the way of what does follow.
+        let failing = self
+            .auditor
+            .failing(self.at, &premises.iter().copied().collect());
+        let fails = |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
+        let sound: Vec<Assumed> = assumed.iter().filter(|a| !fails(a)).cloned().collect();
         for others in self.others(premises) {
             // A symbol of which nothing at all is said can have any value.
-            let said = |symbol: &Symbol| {
+            let said = |symbol: &&Symbol| {
                 let mut all = assumed.iter().chain(&others);
                 all.any(|a| a.formula.terms().iter().any(|term| term.mentions(symbol)))
             };
-            if !goal.formula.free_symbols().iter().all(said) {
+            let named = Formula::free_symbols_of(std::iter::once(&goal.formula));
+            if others.is_empty() || !named.iter().all(said) {
                 continue;
             }
-            if others.is_empty() {
-                continue;
-            }
-            // What is cited and fails can stand in the way of what does follow.
-            let failing = self
-                .auditor
-                .failing(self.at, &premises.iter().copied().collect());
-            let fails =
-                |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
-            let sound: Vec<Assumed> = assumed.iter().filter(|a| !fails(a)).cloned().collect();
-            let with = |&(most, effort): &(usize, Effort)| (assumed.to_vec(), most, effort);
-            let mut tries: Vec<(Vec<Assumed>, usize, Effort)> = stages.iter().map(with).collect();
+            let mut choices = vec![assumed.to_vec()];
             if sound.len() < assumed.len() {
-                tries.extend(
-                    stages
-                        .iter()
-                        .map(|&(most, effort)| (sound.clone(), most, effort)),
-                );
+                choices.push(sound.clone());
             }
-            for (cited, most, effort) in tries {
-                let near = others.iter().take(most).cloned();
-                let all: Vec<Assumed> = cited.into_iter().chain(near).collect();
+            for cited in choices {
+                let all: Vec<Assumed> = cited.iter().chain(&others).cloned().collect();
                 let claim = self.derivation.claim(self.at, &all, &goal.formula);
-                let Some(proven) = search::prove_unconditionally(&claim, effort) else {
+                // Where all of it is true and the goal is not, no part of it will do.
+                if !search::is_doomed(claim, &hints) {
+                    let others = others.clone();
+                    attempts.push(Attempt { cited, others });
+                }
+            }
+        }
+        attempts
+    }
+
+    /// Tries again with what stands before, cited or not.
+    fn rescue(
+        &mut self,
+        goal: &Goal,
+        attempts: &[Attempt],
+        stages: &[(usize, Effort)],
+        found: &mut Found,
+    ) -> bool {
+        for Attempt { cited, others } in attempts {
+            for &(most, effort) in stages {
+                let near = others.iter().take(most);
+                let all: Vec<Assumed> = cited.iter().chain(near).cloned().collect();
+                let claim = self.derivation.claim(self.at, &all, &goal.formula);
+                let Some(derived) = search::prove_unconditionally(claim, effort) else {
                     continue;
                 };
-                let (kept, least) = self.least(all, goal, proven);
+                let (kept, least) = self.least(all, goal, derived);
                 if self.is_contradictory(&kept, goal) {
                     continue;
                 }
@@ -331,7 +362,7 @@ impl Judge<'_> {
         let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        if let Some(refuted) = search::refute_in_context(&claim, &larger) {
+        if let Some(refuted) = search::refute_in_context(&claim, larger) {
             found.judged.outcome = Outcome::Refuted(refuted.into());
             return true;
         }

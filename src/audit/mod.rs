@@ -8,13 +8,13 @@ mod entry;
 mod given;
 mod judge;
 mod premise;
+mod schedule;
 
-use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::cell::{Ref, RefCell};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::derivation::{Derivation, Kind, Source, goals};
 use crate::kernel::Assignment;
@@ -22,11 +22,12 @@ use crate::notation::{Mark, Statement};
 
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
 use premise::{Offer, usable};
+use schedule::Schedule;
 
 /// More threads than this would mostly wait for one another.
 const MOST_THREADS: usize = 8;
-/// How many equations of a page are judged in one go.
-const MOST_AT_A_TIME: usize = 40;
+/// How many points at which premises held are tried again on the next ones.
+const REMEMBERED_POINTS: usize = 4;
 
 /// The audit of a derivation.
 #[derive(Clone, Debug)]
@@ -42,7 +43,8 @@ impl Audit {
     pub fn of(derivation: &Derivation) -> Audit {
         let shared = Shared {
             derivation,
-            givens: given::models(derivation),
+            schedule: Schedule::new(derivation),
+            givens: derivation.pages.iter().map(|_| OnceLock::new()).collect(),
             duplicates: derivation.duplicates().into_iter().collect(),
             done: derivation
                 .equations
@@ -50,24 +52,15 @@ impl Audit {
                 .map(|_| OnceLock::new())
                 .collect(),
         };
-        // A long page is cut up: its parts are done side by side too.
-        let parts: Vec<Range<usize>> = (0..derivation.pages.len())
-            .flat_map(|page| {
-                let from = derivation.equations.partition_point(|e| e.page < page);
-                let to = derivation.equations.partition_point(|e| e.page <= page);
-                let starts = (from..to).step_by(MOST_AT_A_TIME);
-                starts.map(move |start| start..to.min(start + MOST_AT_A_TIME))
-            })
-            .collect();
-        let next = AtomicUsize::new(0);
+        let is_done = |at: usize| shared.done[at].get().is_some();
         let work = || {
-            while let Some(part) = parts.get(next.fetch_add(1, Ordering::Relaxed)) {
-                shared.part(part.clone());
+            while let Some(part) = shared.schedule.take(is_done) {
+                shared.part(part);
             }
         };
         let processors = std::thread::available_parallelism().map_or(1, |n| n.get());
         std::thread::scope(|scope| {
-            for _ in 1..processors.min(parts.len()).min(MOST_THREADS) {
+            for _ in 1..processors.min(shared.schedule.len()).min(MOST_THREADS) {
                 scope.spawn(work);
             }
             work();
@@ -109,19 +102,39 @@ struct Done {
 /// What all who work at an audit share.
 struct Shared<'a> {
     derivation: &'a Derivation,
-    givens: given::Models,
+    schedule: Schedule,
+    /// What is given on each page, once somebody has looked at it.
+    givens: Vec<OnceLock<given::Models>>,
     duplicates: BTreeMap<usize, usize>,
     /// Filled in reading order within each part.
     done: Vec<OnceLock<Done>>,
 }
 
 impl Shared<'_> {
+    /// What was found of an equation, once it is.
+    fn finished(&self, at: usize) -> &Done {
+        while self.done[at].get().is_none()
+            && let Some(part) = self.schedule.take_until(at)
+        {
+            self.part(part);
+        }
+        self.done[at].wait()
+    }
+
     /// Judges some neighbouring equations of one page.
     fn part(&self, equations: Range<usize>) {
+        let Some(first) = self.derivation.equations.get(equations.start) else {
+            return;
+        };
+        let page = first.page;
+        let models = || given::models(self.derivation, page);
+        let givens = self.givens[page]
+            .get_or_init(|| catch_unwind(AssertUnwindSafe(models)).unwrap_or_default());
         let auditor = Auditor {
             shared: self,
             derivation: self.derivation,
-            points: RefCell::default(),
+            givens,
+            points: RefCell::new(vec![givens.point.clone()]),
         };
         for at in equations {
             // Others may be waiting for this equation: whatever happens, there is a result.
@@ -136,11 +149,25 @@ impl Shared<'_> {
 struct Auditor<'a> {
     shared: &'a Shared<'a>,
     derivation: &'a Derivation,
+    givens: &'a given::Models,
     /// Points at which premises were found to hold together, the latest first.
-    points: RefCell<VecDeque<Assignment>>,
+    points: RefCell<Vec<Assignment>>,
 }
 
 impl Auditor<'_> {
+    /// Points at which premises of the page are known to hold.
+    fn hints(&self) -> Ref<'_, Vec<Assignment>> {
+        self.points.borrow()
+    }
+
+    fn remember(&self, point: &Assignment) {
+        let mut points = self.points.borrow_mut();
+        if !points.contains(point) {
+            points.insert(0, point.clone());
+            points.truncate(REMEMBERED_POINTS);
+        }
+    }
+
     fn done(&self, at: usize) -> Done {
         let mut entries = self.equation(at);
         if let (Some(&original), Some(entry)) =
@@ -178,7 +205,7 @@ impl Auditor<'_> {
 
     /// What an earlier equation offers; nothing for one that is not yet judged when its turn has not come.
     fn offer(&self, at: usize, premise: usize) -> Option<&Offer> {
-        (premise < at).then(|| &self.shared.done[premise].wait().offer)
+        (premise < at).then(|| &self.shared.finished(premise).offer)
     }
 
     fn equation(&self, at: usize) -> Vec<Entry> {
@@ -194,7 +221,7 @@ impl Auditor<'_> {
         let parts = statements.len();
         if equation.kind == Kind::Given {
             return (0..parts)
-                .map(|part| self.shared.givens.entry(at, part, parts))
+                .map(|part| self.givens.entry(at, part, parts))
                 .collect();
         }
         let (premises, says_so, unknown) = self.derivation.premises(at);
@@ -375,7 +402,7 @@ impl Auditor<'_> {
 
     /// The entries of an equation before the one that is being judged.
     fn entries_of(&self, at: usize) -> impl Iterator<Item = &Entry> {
-        self.shared.done[at].wait().entries.iter()
+        self.shared.finished(at).entries.iter()
     }
 
     /// Whether the author's ✓ or ✗ is right.

@@ -1,4 +1,5 @@
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::algebra::Formula;
 use crate::derivation::{Assumed, Derivation, Kind, Source, formulas, is_open};
@@ -11,7 +12,7 @@ use super::{Entry, Outcome};
 #[derive(Clone, Debug, Default)]
 pub struct Offer {
     /// What it states.
-    pub formulas: Vec<Formula>,
+    pub formulas: Vec<Arc<Formula>>,
     /// The local hypotheses that its derivation used, itself or through its premises: page and position.
     pub under: BTreeSet<(usize, usize)>,
 }
@@ -21,7 +22,7 @@ impl Offer {
     pub fn given(derivation: &Derivation, at: usize) -> Offer {
         let statements = derivation.equations[at].statements().iter();
         Offer {
-            formulas: statements.flat_map(formulas).collect(),
+            formulas: statements.flat_map(formulas).map(Arc::new).collect(),
             under: BTreeSet::new(),
         }
     }
@@ -50,7 +51,7 @@ impl Offer {
             for judged in &entry.judged {
                 let proven = matches!(judged.outcome, Outcome::Proven(_));
                 if proven || !(crossed || judged.goal.questioned) {
-                    offer.formulas.push(judged.goal.formula.clone());
+                    offer.formulas.push(judged.goal.formula.clone().into());
                 }
                 for assumed in &judged.assumed {
                     match assumed.source {

@@ -4,7 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::derivation::Derivation;
-use crate::document::{Document, read_bytes};
+use crate::document::{Document, in_order, read_bytes};
 
 use super::Failure;
 
@@ -24,8 +24,10 @@ pub fn derivation(paths: &[PathBuf]) -> Result<Derivation, Failure> {
     }
     let mut seen = std::collections::BTreeSet::new();
     files.retain(|file| seen.insert(file.clone()));
-    let documents = files.iter().map(|file| read(file));
-    Ok(Derivation::new(documents.collect::<Result<_, _>>()?))
+    let documents = in_order(&files, |file| read(file));
+    Ok(Derivation::new(
+        documents.into_iter().collect::<Result<_, _>>()?,
+    ))
 }
 
 /// The Markdown files at a path: itself, or all below a directory, sorted.

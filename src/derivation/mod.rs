@@ -9,6 +9,8 @@ mod equation;
 mod page;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use std::sync::Arc;
 
 use crate::algebra::{Formula, Relation, Symbol};
 use crate::document::{Document, Premise, Span};
@@ -27,14 +29,19 @@ pub struct Derivation {
     /// The equations of all pages.
     pub equations: Vec<Equation>,
     labels: BTreeMap<String, Vec<usize>>,
-    mentions: BTreeMap<Symbol, Vec<usize>>,
+    /// By page, the equations in which a symbol occurs.
+    mentions: Vec<BTreeMap<Symbol, Vec<usize>>>,
+    /// The pages in which a symbol occurs.
+    pages_of: BTreeMap<Symbol, Vec<usize>>,
+    /// By page, the pages that it cites, and itself.
+    neighbours: Vec<BTreeSet<usize>>,
 }
 
 /// A hypothesis with where it comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assumed {
     /// What is assumed.
-    pub formula: Formula,
+    pub formula: Arc<Formula>,
     /// Throughout, or at the point in question.
     pub standing: Standing,
     /// Where it comes from.
@@ -68,7 +75,9 @@ impl Derivation {
             pages: Vec::new(),
             equations: Vec::new(),
             labels: BTreeMap::new(),
-            mentions: BTreeMap::new(),
+            mentions: Vec::new(),
+            pages_of: BTreeMap::new(),
+            neighbours: Vec::new(),
         };
         let mut seen = BTreeSet::new();
         for document in documents {
@@ -85,9 +94,26 @@ impl Derivation {
             for label in labels.into_iter().flatten() {
                 derivation.labels.entry(label).or_default().push(at);
             }
-            for symbol in symbols(equation) {
-                derivation.mentions.entry(symbol).or_default().push(at);
+        }
+        for page in 0..derivation.pages.len() {
+            let mut mentions: BTreeMap<Symbol, Vec<usize>> = BTreeMap::new();
+            let mut neighbours = BTreeSet::from([page]);
+            for at in derivation.equations_of(page) {
+                for symbol in symbols(&derivation.equations[at]) {
+                    mentions.entry(symbol).or_default().push(at);
+                }
+                let cited = derivation.premises(at).0.into_iter();
+                neighbours.extend(cited.map(|premise| derivation.equations[premise].page));
             }
+            for symbol in mentions.keys() {
+                derivation
+                    .pages_of
+                    .entry(symbol.clone())
+                    .or_default()
+                    .push(page);
+            }
+            derivation.mentions.push(mentions);
+            derivation.neighbours.push(neighbours);
         }
         derivation
     }
@@ -174,7 +200,7 @@ impl Derivation {
         }
     }
 
-    /// The equations before `at` that share symbols with it: the two nearest, then those that are solved for a
+    /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a
     /// symbol, then the rest, each the nearest first.
     pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {
         let mut wanted = symbols(&self.equations[at]);
@@ -183,13 +209,11 @@ impl Derivation {
         for _ in 0..2 {
             let mut fresh: BTreeSet<usize> = BTreeSet::new();
             for symbol in &wanted {
-                let all = self
-                    .mentions
-                    .get(symbol)
-                    .map(Vec::as_slice)
-                    .unwrap_or_default();
-                let before = &all[..all.partition_point(|&other| other < at)];
-                fresh.extend(before.iter().rev().take(most));
+                for page in self.speaking_of(symbol, at) {
+                    let all = &self.mentions[page][symbol];
+                    let before = &all[..all.partition_point(|&other| other < at)];
+                    fresh.extend(before.iter().rev().take(most));
+                }
             }
             wanted = fresh
                 .difference(&found)
@@ -205,6 +229,37 @@ impl Derivation {
         let rest = order.split_off(order.len().min(2));
         let (first, last): (Vec<usize>, Vec<usize>) = rest.into_iter().partition(solved);
         order.into_iter().chain(first).chain(last).collect()
+    }
+
+    /// The pages to look for a symbol of equation `at`: its own and those that this cites, as far as they speak
+    /// of the symbol before; if they do not, the last page that did.
+    fn speaking_of(&self, symbol: &Symbol, at: usize) -> Vec<usize> {
+        let own = self.equations[at].page;
+        let speaks = |&page: &usize| {
+            let all = self.mentions[page].get(symbol);
+            all.is_some_and(|all| all.first().is_some_and(|&first| first < at))
+        };
+        let near: Vec<usize> = self.neighbours[own]
+            .iter()
+            .copied()
+            .filter(speaks)
+            .collect();
+        if !near.is_empty() {
+            return near;
+        }
+        let pages = self
+            .pages_of
+            .get(symbol)
+            .map(Vec::as_slice)
+            .unwrap_or_default();
+        let before = pages.partition_point(|&page| page < own);
+        pages[..before].last().copied().into_iter().collect()
+    }
+
+    /// The positions of the equations of a page.
+    pub fn equations_of(&self, page: usize) -> Range<usize> {
+        let start = self.equations.partition_point(|e| e.page < page);
+        start..self.equations.partition_point(|e| e.page <= page)
     }
 
     /// The hypotheses in effect where an equation stands.
@@ -251,14 +306,16 @@ impl Derivation {
         let mut pages: Vec<usize> = vec![own];
         pages.extend(others);
         pages.dedup();
+        let mut domains = BTreeMap::new();
         for symbol in claim.free_symbols() {
             let mut declared = pages
                 .iter()
-                .filter_map(|&p| self.pages[p].domains.get(&symbol));
+                .filter_map(|&p| self.pages[p].domains.get(symbol));
             if let Some(domain) = declared.next() {
-                claim.domains.insert(symbol, domain.clone());
+                domains.insert(symbol.clone(), domain.clone());
             }
         }
+        claim.domains = domains;
         let sequences: BTreeSet<Symbol> = claim.formulas().flat_map(Formula::sequences).collect();
         for sequence in sequences {
             let mut declared = pages

@@ -1,4 +1,5 @@
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use crate::algebra::{Formula, Symbol};
 use crate::document::{
@@ -31,7 +32,7 @@ pub struct Page {
 #[derive(Clone, Debug)]
 pub struct Local {
     /// What is supposed.
-    pub formulas: Vec<Formula>,
+    pub formulas: Vec<Arc<Formula>>,
     /// `let`: a value for this section alone; otherwise `assuming`, which conclusions carry with them.
     pub is_let: bool,
     /// Where it stands.
@@ -279,7 +280,7 @@ impl Page {
             active.retain(|&at| !locals[at].is_let || locals[at].assigned.is_disjoint(&assigned));
             active.push(self.locals.len());
             self.locals.push(Local {
-                formulas,
+                formulas: formulas.into_iter().map(Arc::new).collect(),
                 is_let,
                 span: statement.span,
                 assigned,

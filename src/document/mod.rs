@@ -11,6 +11,7 @@
 mod attribute;
 mod citation;
 mod directive;
+mod in_order;
 mod item;
 mod markdown;
 mod nearest;
@@ -23,6 +24,7 @@ mod supposition;
 
 use std::sync::Arc;
 
+pub(crate) use in_order::in_order;
 pub use item::{
     Attribute, Bound, Citation, Directive, Item, Premise, Problem, Prose, Supposition,
     SuppositionKind,

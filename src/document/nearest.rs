@@ -31,10 +31,15 @@ pub(super) fn distance(left: &str, right: &str) -> usize {
 
 /// The first of the nearest `words`, if it is no further than `slips`, in any case of letters.
 pub(super) fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Option<&'w str> {
+    if let Some(word) = words.iter().find(|word| **word == written) {
+        return Some(word);
+    }
     let written: String = written.chars().take(LONGEST + 1).collect();
     let written = written.to_lowercase();
+    let length = written.chars().count();
     words
         .iter()
+        .filter(|word| word.chars().count().abs_diff(length) <= slips)
         .map(|word| (distance(&written, word), *word))
         .filter(|(distance, _)| *distance <= slips)
         .min_by_key(|(distance, _)| *distance)

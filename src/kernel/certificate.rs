@@ -16,6 +16,16 @@ pub enum Candidate {
     Counterexample(Assignment),
 }
 
+impl Candidate {
+    /// The hypotheses that it puts in.
+    pub fn unfold(&self) -> &[usize] {
+        match self {
+            Candidate::Proof(certificate) => &certificate.unfold,
+            Candidate::Counterexample(point) => &point.unfold,
+        }
+    }
+}
+
 /// A proof that a goal follows from its hypotheses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Certificate {

@@ -1,4 +1,5 @@
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
+use std::sync::{Arc, LazyLock};
 
 use num_traits::{Signed, Zero};
 
@@ -23,8 +24,8 @@ pub struct Claim {
 /// A premise.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hypothesis {
-    /// What is assumed.
-    pub formula: Formula,
+    /// What is assumed; shared, for one formula is a premise of many claims.
+    pub formula: Arc<Formula>,
     /// Whether it is assumed throughout or at the point in question only.
     pub standing: Standing,
 }
@@ -66,50 +67,50 @@ impl Domain {
             && (!self.integer || value.is_integer())
     }
 
-    /// The domain as formulas about a term; that it is an integer cannot be said so.
-    pub fn formulas(&self, term: &Expr) -> Vec<Formula> {
-        let mut formulas = Vec::new();
-        let mut say = |relation, bound: &BigRational| {
-            formulas.push(Formula::Relation {
-                left: term.clone(),
-                relation,
-                right: Expr::Number(bound.clone()),
-            });
+    /// What the domain says of a term, as relations to numbers; that it is an integer cannot be said so.
+    pub fn bounds(&self) -> impl Iterator<Item = (Relation, &BigRational)> {
+        let lower = self.lower.iter().map(|(bound, strict)| match strict {
+            true => (Relation::Greater, bound),
+            false => (Relation::GreaterOrEqual, bound),
+        });
+        let upper = self.upper.iter().map(|(bound, strict)| match strict {
+            true => (Relation::Less, bound),
+            false => (Relation::LessOrEqual, bound),
+        });
+        let zero = self.nonzero.then(|| (Relation::NotEqual, nought()));
+        let excluded = |(bound, strict): &(BigRational, bool)| {
+            bound.is_positive() || (*strict && bound.is_zero())
         };
-        if let Some((bound, strict)) = &self.lower {
-            let relation = match strict {
-                true => Relation::Greater,
-                false => Relation::GreaterOrEqual,
-            };
-            say(relation, bound);
-        }
-        if let Some((bound, strict)) = &self.upper {
-            let relation = match strict {
-                true => Relation::Less,
-                false => Relation::LessOrEqual,
-            };
-            say(relation, bound);
-        }
-        let excluded = self
-            .lower
-            .as_ref()
-            .is_some_and(|(b, strict)| b.is_positive() || (*strict && b.is_zero()));
-        if self.nonzero && !excluded {
-            say(Relation::NotEqual, &BigRational::zero());
-        }
-        formulas
+        let zero = zero.filter(|_| !self.lower.as_ref().is_some_and(excluded));
+        lower.chain(upper).chain(zero)
     }
+
+    /// The same as formulas about a term.
+    pub fn formulas(&self, term: &Expr) -> Vec<Formula> {
+        let bounds = self.bounds().map(|(relation, bound)| Formula::Relation {
+            left: term.clone(),
+            relation,
+            right: Expr::Number(bound.clone()),
+        });
+        bounds.collect()
+    }
+}
+
+/// 0, to be lent out.
+fn nought() -> &'static BigRational {
+    static ZERO: LazyLock<BigRational> = LazyLock::new(BigRational::zero);
+    &ZERO
 }
 
 impl Claim {
     /// Every formula: the hypotheses in order, then the goal.
     pub fn formulas(&self) -> impl Iterator<Item = &Formula> {
-        let hypotheses = self.hypotheses.iter().map(|h| &h.formula);
+        let hypotheses = self.hypotheses.iter().map(|h| &*h.formula);
         hypotheses.chain(std::iter::once(&self.goal))
     }
 
-    /// The symbols that have a value of their own in some formula.
-    pub fn free_symbols(&self) -> BTreeSet<Symbol> {
-        self.formulas().flat_map(Formula::free_symbols).collect()
+    /// The symbols that have a value of their own in some formula, in order.
+    pub fn free_symbols(&self) -> Vec<&Symbol> {
+        Formula::free_symbols_of(self.formulas())
     }
 }

@@ -17,6 +17,7 @@
 mod certificate;
 mod claim;
 mod knowledge;
+mod obligation;
 mod problem;
 mod replay;
 mod verdict;
@@ -28,6 +29,7 @@ pub use certificate::{
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};
 pub use knowledge::Knowledge;
+pub use obligation::Obligation;
 pub(crate) use problem::definition;
 pub use problem::{Origin, Problem};
 pub use verdict::{Checked, Model, Proven, Refuted, Reject};
@@ -37,19 +39,7 @@ pub use verdict::{Checked, Model, Proven, Refuted, Reject};
 /// # Errors
 /// The first reason found for which it is not.
 pub fn check(claim: Claim, candidate: Candidate) -> Result<Checked, Reject> {
-    match candidate {
-        Candidate::Proof(certificate) => {
-            let problem = Problem::new(&claim, &certificate.unfold)?;
-            replay::State::new(&problem).certificate(&certificate)?;
-            Ok(Checked::Proven(Proven { claim, certificate }))
-        }
-        Candidate::Counterexample(witness) => {
-            let mut point = witness::Point::new(&claim, &witness)?;
-            point.premises()?;
-            point.goal_is_false()?;
-            Ok(Checked::Refuted(Refuted { claim, witness }))
-        }
-    }
+    Obligation::new(claim, candidate.unfold().to_vec())?.check(candidate)
 }
 
 /// Decides whether all domains and hypotheses of a claim are true at a point. The goal is not looked at.
@@ -57,11 +47,5 @@ pub fn check(claim: Claim, candidate: Candidate) -> Result<Checked, Reject> {
 /// # Errors
 /// The first reason found for which they are not.
 pub fn check_model(claim: &Claim, point: Assignment) -> Result<Model, Reject> {
-    let zero = crate::algebra::Expr::integer(0);
-    let claim = Claim {
-        goal: crate::algebra::Formula::equal(zero.clone(), zero),
-        ..claim.clone()
-    };
-    witness::Point::new(&claim, &point)?.premises()?;
-    Ok(Model { point })
+    Obligation::of_premises(claim.clone(), point.unfold.clone())?.model(point)
 }

@@ -1,4 +1,5 @@
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use super::{Claim, Domain, Fact, Reject, Sign, Standing};
 use crate::algebra::{
@@ -26,7 +27,7 @@ pub struct Problem {
     pub(super) integers: Vec<Fraction>,
     pub(super) sequences: BTreeSet<Symbol>,
     pub(super) constants: BTreeSet<Symbol>,
-    pub(super) formulas: Vec<(Formula, Standing)>,
+    pub(super) formulas: Vec<(Arc<Formula>, Standing)>,
     pub(super) goal_formula: Formula,
 }
 
@@ -73,16 +74,17 @@ impl Problem {
             integers: Vec::new(),
             sequences,
             constants: declared.map(|(s, _)| s.clone()).collect(),
-            formulas,
-            goal_formula: goal.clone(),
+            formulas: Vec::new(),
+            goal_formula: Formula::equal(Expr::integer(0), Expr::integer(0)),
         };
         let (fact, conditions) = problem.read(&goal)?;
         problem.goal = fact.ok_or(Reject::UnsupportedRelation)?;
         problem.conditions = conditions;
-        for position in 0..problem.formulas.len() {
-            let formula = problem.formulas[position].0.clone();
-            problem.assume(&formula, Origin::Hypothesis(position))?;
+        problem.goal_formula = goal;
+        for (position, (formula, _)) in formulas.iter().enumerate() {
+            problem.assume(formula, Origin::Hypothesis(position))?;
         }
+        problem.formulas = formulas;
         let counts = counts(claim);
         let natural = Domain {
             lower: Some((BigRational::from_integer(0.into()), false)),
@@ -90,7 +92,14 @@ impl Problem {
             ..Domain::default()
         };
         let named = claim.free_symbols();
-        for symbol in named.union(&counts) {
+        let mut every = named.clone();
+        every.extend(&counts);
+        every.sort();
+        every.dedup();
+        for symbol in every {
+            if !claim.domains.contains_key(symbol) && !counts.contains(symbol) {
+                continue;
+            }
             let own = Expr::Symbol(symbol.clone());
             let term = values
                 .iter()
@@ -103,9 +112,7 @@ impl Problem {
                 .get(symbol)
                 .map(|d| (d, Origin::Domain(symbol.clone())));
             for (domain, origin) in declared.into_iter().chain(counted) {
-                for formula in domain.formulas(term) {
-                    problem.assume(&formula, origin.clone())?;
-                }
+                problem.confine(term, domain, &origin)?;
                 if domain.integer {
                     let value = problem.lowering().lower(term)?;
                     problem.integers.push(value);
@@ -123,13 +130,12 @@ impl Problem {
             let Some(domain) = claim
                 .domains
                 .get(&symbol)
-                .filter(|_| !named.contains(&symbol))
+                .filter(|_| named.binary_search(&&symbol).is_err())
             else {
                 continue;
             };
-            for formula in domain.formulas(&Expr::Symbol(symbol.clone())) {
-                problem.assume(&formula, Origin::Domain(symbol.clone()))?;
-            }
+            let term = Expr::Symbol(symbol.clone());
+            problem.confine(&term, domain, &Origin::Domain(symbol))?;
         }
         problem.add_facts_about_sums(claim)?;
         Ok(problem)
@@ -152,9 +158,19 @@ impl Problem {
         })
     }
 
-    pub(super) fn lowering(&mut self) -> Lowering<'_> {
+    fn lowering(&mut self) -> Lowering<'_> {
         Lowering {
             atoms: &mut self.atoms,
+            sequences: &self.sequences,
+            constants: &self.constants,
+            conditions: Conditions::default(),
+        }
+    }
+
+    /// Reads further terms in the way of this problem, over a copy of its unknowns.
+    pub(super) fn lowering_over<'a>(&'a self, atoms: &'a mut Atoms) -> Lowering<'a> {
+        Lowering {
+            atoms,
             sequences: &self.sequences,
             constants: &self.constants,
             conditions: Conditions::default(),
@@ -169,21 +185,12 @@ impl Problem {
     /// A formula as a fact. `None` for relations that say nothing exact.
     fn read(&mut self, formula: &Formula) -> Result<(Option<Fact>, Conditions), Reject> {
         let mut lowering = self.lowering();
-        let (value, relation) = match formula {
+        let (left, relation, right) = match formula {
             Formula::Relation {
                 left,
                 relation,
                 right,
-            } => {
-                let (left, right) = (lowering.lower(left)?, lowering.lower(right)?);
-                let (above, relation) = match relation {
-                    Relation::Less | Relation::LessOrEqual => {
-                        (right.plus(&left.negated())?, *relation)
-                    }
-                    _ => (left.plus(&right.negated())?, *relation),
-                };
-                (above, relation)
-            }
+            } => (lowering.lower(left)?, *relation, lowering.lower(right)?),
             // u_1 = … = u_n (= w)  ⇔  n Σu² − (Σu)² = 0  (Σu² − 2w Σu + n w² = 0)
             Formula::AllEqual {
                 sequence,
@@ -222,31 +229,36 @@ impl Problem {
                         second.plus(&middle)?.plus(&count.times(&value.pow(2)?)?)?
                     }
                 };
-                (spread, Relation::Equal)
+                (spread, Relation::Equal, Fraction::default())
             }
         };
         let conditions = lowering.conditions;
-        let sign = match relation {
-            Relation::Equal => Sign::Zero,
-            Relation::NotEqual => Sign::NonZero,
-            Relation::Less | Relation::Greater => Sign::Positive,
-            Relation::LessOrEqual | Relation::GreaterOrEqual => Sign::NonNegative,
-            _ => return Ok((None, conditions)),
-        };
-        let mut polynomial = value.numerator().clone();
-        if matches!(sign, Sign::Positive | Sign::NonNegative) {
-            // P / Q has the sign of P times the factors of Q with an odd exponent.
-            for (factor, exponent) in value.denominator() {
-                if exponent % 2 == 1 {
-                    polynomial = polynomial.times(factor)?;
-                }
-            }
+        Ok((compared(&left, relation, &right)?, conditions))
+    }
+
+    /// Assumes that a term lies in a domain; that it is an integer is not among the facts.
+    fn confine(&mut self, term: &Expr, domain: &Domain, origin: &Origin) -> Result<(), Reject> {
+        let mut bounds = domain.bounds().peekable();
+        if bounds.peek().is_none() {
+            return Ok(());
         }
-        Ok((Some(Fact { polynomial, sign }), conditions))
+        let mut lowering = self.lowering();
+        let value = lowering.lower(term)?;
+        let conditions = lowering.conditions;
+        for (relation, bound) in bounds {
+            let fact = compared(&value, relation, &Rational::from(bound).into())?;
+            self.take(fact, conditions.clone(), origin);
+        }
+        Ok(())
     }
 
     fn assume(&mut self, formula: &Formula, origin: Origin) -> Result<(), Reject> {
         let (fact, conditions) = self.read(formula)?;
+        self.take(fact, conditions, &origin);
+        Ok(())
+    }
+
+    fn take(&mut self, fact: Option<Fact>, conditions: Conditions, origin: &Origin) {
         // A limit that was taken with something held constant means what was read only if that is so.
         let fact = fact.filter(|_| conditions.zero.is_empty());
         if let Some(fact) = fact.clone() {
@@ -263,7 +275,6 @@ impl Problem {
             }
         }
         self.readings.push(Reading { fact, conditions });
-        Ok(())
     }
 
     /// Counts and even power sums are not negative; equal elements make every power sum a multiple of one power.
@@ -309,9 +320,7 @@ impl Problem {
                 Atom::Element { sequence, .. } => {
                     let domain = claim.sequences.get(&sequence).cloned().unwrap_or_default();
                     let term = expr_of(&Polynomial::var(var), &self.atoms);
-                    for formula in domain.formulas(&term) {
-                        self.assume(&formula, Origin::Domain(sequence.clone()))?;
-                    }
+                    self.confine(&term, &domain, &Origin::Domain(sequence))?;
                 }
                 _ => {}
             }
@@ -321,9 +330,9 @@ impl Problem {
                 sequence,
                 to: Expr::Symbol(to),
                 value,
-            } = self.formulas[position].0.clone()
+            } = &*self.formulas[position].0.clone()
             {
-                self.equal_elements(position, &sequence, &to, value.as_ref(), &sums)?;
+                self.equal_elements(position, sequence, to, value.as_ref(), &sums)?;
             }
         }
         Ok(())
@@ -376,7 +385,32 @@ impl Problem {
     }
 }
 
-type Unfolded = (Vec<(Formula, Standing)>, Formula, Vec<(Symbol, Expr)>);
+/// `left relation right` as a fact. `None` for relations that say nothing exact.
+fn compared(left: &Fraction, relation: Relation, right: &Fraction) -> Result<Option<Fact>, Reject> {
+    let value = match relation {
+        Relation::Less | Relation::LessOrEqual => right.minus(left)?,
+        _ => left.minus(right)?,
+    };
+    let sign = match relation {
+        Relation::Equal => Sign::Zero,
+        Relation::NotEqual => Sign::NonZero,
+        Relation::Less | Relation::Greater => Sign::Positive,
+        Relation::LessOrEqual | Relation::GreaterOrEqual => Sign::NonNegative,
+        _ => return Ok(None),
+    };
+    let mut polynomial = value.numerator().clone();
+    if matches!(sign, Sign::Positive | Sign::NonNegative) {
+        // P / Q has the sign of P times the factors of Q with an odd exponent.
+        for (factor, exponent) in value.denominator() {
+            if exponent % 2 == 1 {
+                polynomial = polynomial.times(factor)?;
+            }
+        }
+    }
+    Ok(Some(Fact { polynomial, sign }))
+}
+
+type Unfolded = (Vec<(Arc<Formula>, Standing)>, Formula, Vec<(Symbol, Expr)>);
 
 /// Puts hypotheses `symbol = term` in everywhere, in order, and says what each symbol became.
 fn unfolded(
@@ -393,7 +427,7 @@ fn unfolded(
     for &position in unfold {
         let (formula, standing) = formulas.get(position).ok_or(Reject::NoSuchFact(position))?;
         let (symbol, term) = definition(formula).ok_or(Reject::NotUnfoldable(position))?;
-        let all = || formulas.iter().map(|f| &f.0).chain([&goal]);
+        let all = || formulas.iter().map(|f| &*f.0).chain([&goal]);
         let moving = |f: &Formula| f.terms().iter().any(|t| moves(t, &symbol));
         let captured = |f: &Formula| f.terms().iter().any(|t| captures(t, &term));
         // An element is named by its sequence too, under a sum and in the sequence's domain.
@@ -406,12 +440,15 @@ fn unfolded(
         }
         let pointwise = *standing == Standing::AtPoint;
         for (formula, standing) in &mut formulas {
+            if !formula.terms().iter().any(|t| t.mentions(&symbol)) {
+                continue;
+            }
             let changed = formula.map_terms(|t| t.substitute(&symbol, &term));
             // A law into which a value was put says something of this point only.
-            if pointwise && changed != *formula {
+            if pointwise && changed != **formula {
                 *standing = Standing::AtPoint;
             }
-            *formula = changed;
+            *formula = changed.into();
         }
         goal = goal.map_terms(|t| t.substitute(&symbol, &term));
         for (_, value) in &mut values {

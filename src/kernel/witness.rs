@@ -1,20 +1,32 @@
+use std::borrow::Cow;
+
 use super::{Assignment, Claim, Domain, Fact, Problem, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational,
+    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational,
     Relation, Symbol, Var, element_parts, element_symbol,
 };
 
 /// A claim's formulas at one point.
 pub(super) struct Point<'a> {
     claim: &'a Claim,
-    problem: Problem,
+    problem: &'a Problem,
+    /// The problem's, and what the terms within them bring along.
+    atoms: Cow<'a, Atoms>,
     at: &'a Assignment,
+    /// The unknowns' values found so far, by position.
+    values: Vec<Option<Rational>>,
 }
 
 impl<'a> Point<'a> {
-    pub fn new(claim: &'a Claim, at: &'a Assignment) -> Result<Self, Reject> {
-        let problem = Problem::new(claim, &at.unfold)?;
-        Ok(Point { claim, problem, at })
+    /// The point at which the problem of a claim is to be evaluated; it puts in what the problem does.
+    pub fn new(claim: &'a Claim, problem: &'a Problem, at: &'a Assignment) -> Self {
+        Point {
+            claim,
+            problem,
+            atoms: Cow::Borrowed(&problem.atoms),
+            at,
+            values: Vec::new(),
+        }
     }
 
     /// Whether every domain condition and every hypothesis is true.
@@ -38,14 +50,14 @@ impl<'a> Point<'a> {
                 }
             }
         }
-        for (position, reading) in self.problem.readings.clone().into_iter().enumerate() {
-            let fact = reading.fact.ok_or(Reject::NoValue)?;
-            if !self.is_defined(&reading.conditions)? || !self.is_true(&fact)? {
+        for (position, reading) in self.problem.readings.iter().enumerate() {
+            let fact = reading.fact.as_ref().ok_or(Reject::NoValue)?;
+            if !self.is_defined(&reading.conditions)? || !self.is_true(fact)? {
                 return Err(Reject::PremiseFalse(position));
             }
         }
-        for value in self.problem.integers.clone() {
-            if !self.fraction(&value)?.is_some_and(|v| v.is_integer()) {
+        for value in &self.problem.integers {
+            if !self.fraction(value)?.is_some_and(|v| v.is_integer()) {
                 return Err(Reject::OutsideDomain);
             }
         }
@@ -54,8 +66,8 @@ impl<'a> Point<'a> {
 
     /// Whether the goal is defined and false.
     pub fn goal_is_false(&mut self) -> Result<(), Reject> {
-        let (goal, conditions) = (self.problem.goal.clone(), self.problem.conditions.clone());
-        match self.is_defined(&conditions)? && !self.is_true(&goal)? {
+        let problem = self.problem;
+        match self.is_defined(&problem.conditions)? && !self.is_true(&problem.goal)? {
             true => Ok(()),
             false => Err(Reject::GoalNotFalse),
         }
@@ -96,12 +108,22 @@ impl<'a> Point<'a> {
     }
 
     fn value(&mut self, polynomial: &Polynomial) -> Result<Rational, Reject> {
-        let mut values = std::collections::BTreeMap::new();
         for var in polynomial.vars() {
-            values.insert(var, self.atom(var)?);
+            let position = var.position();
+            if self.values.len() <= position {
+                self.values.resize(position + 1, None);
+            }
+            if self.values[position].is_none() {
+                self.values[position] = Some(self.atom(var)?);
+            }
         }
-        let value = polynomial.evaluate(|v| values.get(&v).cloned())?;
+        let value = polynomial.evaluate(|v| self.values[v.position()].clone())?;
         value.ok_or(Reject::NoValue)
+    }
+
+    fn lowered(&mut self, term: &Expr) -> Result<Fraction, Reject> {
+        let mut lowering = self.problem.lowering_over(self.atoms.to_mut());
+        Ok(lowering.lower(term)?)
     }
 
     fn fraction(&mut self, value: &Fraction) -> Result<Option<Rational>, Reject> {
@@ -117,7 +139,7 @@ impl<'a> Point<'a> {
     }
 
     fn atom(&mut self, var: Var) -> Result<Rational, Reject> {
-        match self.problem.atoms.atom(var).clone() {
+        match self.atoms.atom(var).clone() {
             Atom::Symbol(symbol) => self
                 .at
                 .symbols
@@ -166,7 +188,7 @@ impl<'a> Point<'a> {
 
     fn opaque(&mut self, expr: &Expr) -> Result<Rational, Reject> {
         let mut evaluated = |inner: &Expr| {
-            let value = self.problem.lowering().lower(inner)?;
+            let value = self.lowered(inner)?;
             self.fraction(&value)?.ok_or(Reject::NoValue)
         };
         match expr {
@@ -185,7 +207,7 @@ impl<'a> Point<'a> {
                     Expr::Number(base.to_big()).into(),
                     Expr::Number(exponent.to_big()).into(),
                 );
-                let value = self.problem.lowering().lower(&power)?;
+                let value = self.lowered(&power)?;
                 value.as_constant().ok_or(Reject::NoValue)
             }
             Expr::Derivative { body, variable } => match &**body {
@@ -219,9 +241,9 @@ impl<'a> Point<'a> {
         let identities: Vec<&Formula> = formulas
             .clone()
             .filter(|f| f.1 == Standing::Identity && !is_trivial(&f.0))
-            .map(|f| &f.0)
+            .map(|f| &*f.0)
             .collect();
-        let all = || formulas.clone().map(|f| &f.0).chain([goal]);
+        let all = || formulas.clone().map(|f| &*f.0).chain([goal]);
         let key = (symbol.clone(), variable.clone());
         if let Some(chosen) = self.at.derivatives.get(&key) {
             let elsewhere =

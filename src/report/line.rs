@@ -132,7 +132,7 @@ impl Report<'_> {
                     let formulas = &self.derivation.local(page, at).formulas;
                     let said: Vec<String> = formulas
                         .iter()
-                        .map(crate::notation::plain_formula)
+                        .map(|formula| crate::notation::plain_formula(formula))
                         .collect();
                     format!("`{}`", said.join(", "))
                 }

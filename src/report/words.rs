@@ -75,7 +75,7 @@ impl<'a> Report<'a> {
             Source::Equation(at) => self.reference(at),
             Source::Local(page, at) => {
                 let local = self.derivation.local(page, at);
-                let said: Vec<String> = local.formulas.iter().map(plain_formula).collect();
+                let said: Vec<String> = local.formulas.iter().map(|f| plain_formula(f)).collect();
                 let line = self.derivation.pages[page]
                     .document
                     .position(local.span.start);

@@ -1,7 +1,7 @@
 //! What follows from equations: linear unknowns are eliminated, the rest is left to Buchberger's algorithm.
 
 use super::tracked::{Pivot, Reduced, Tracked};
-use crate::algebra::{Polynomial, TooLarge};
+use crate::algebra::{Polynomial, TooLarge, Var};
 use crate::kernel::{Fact, Knowledge, Sign};
 
 /// Guesses at what a derivation step can need; beyond them the search gives up.
@@ -118,17 +118,8 @@ fn best_pivot(pending: &[Tracked], knowledge: &Knowledge) -> Option<(usize, Pivo
     let mut best: Option<(Rank, usize, Pivot)> = None;
     for (at, element) in pending.iter().enumerate() {
         for var in element.polynomial.vars() {
-            if element.polynomial.degree_in(var) != 1 {
+            let Some(cost) = cost_of(&element.polynomial, var) else {
                 continue;
-            }
-            let coefficient = element
-                .polynomial
-                .in_powers_of(var)
-                .pop()
-                .unwrap_or_default();
-            let cost = match coefficient.as_constant() {
-                Some(_) => 0,
-                None => coefficient.len(),
             };
             let rank = (
                 cost,
@@ -138,6 +129,11 @@ fn best_pivot(pending: &[Tracked], knowledge: &Knowledge) -> Option<(usize, Pivo
             if best.as_ref().is_some_and(|b| b.0 <= rank) {
                 continue;
             }
+            let coefficient = element
+                .polynomial
+                .in_powers_of(var)
+                .pop()
+                .unwrap_or_default();
             let constant = coefficient.as_constant().is_some();
             let positive = constant || knowledge.is_positive(&coefficient);
             let negative = !positive && knowledge.is_positive(&coefficient.negated());
@@ -160,6 +156,26 @@ fn best_pivot(pending: &[Tracked], knowledge: &Knowledge) -> Option<(usize, Pivo
         }
     }
     best.map(|(_, at, pivot)| (at, pivot))
+}
+
+/// How long the coefficient of an unknown is, 0 for a constant; `None` where the unknown is not linear.
+fn cost_of(polynomial: &Polynomial, var: Var) -> Option<usize> {
+    let (mut cost, mut constant) = (0, false);
+    for (monomial, _) in polynomial.terms() {
+        match monomial.exponent(var) {
+            0 => {}
+            1 => {
+                cost += 1;
+                constant |= monomial.degree() == 1;
+            }
+            _ => return None,
+        }
+    }
+    match (cost, constant) {
+        (0, _) => None,
+        (1, true) => Some(0),
+        _ => Some(cost),
+    }
 }
 
 fn lcm_degree(a: &Tracked, b: &Tracked) -> u32 {

@@ -16,8 +16,8 @@ mod values;
 
 use crate::algebra::{Atom, Expr, Formula, Relation, expr_of, factors};
 use crate::kernel::{
-    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Origin, Problem,
-    Proof, Proven, Refuted, Reject, Sign, Standing, check, check_model,
+    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Obligation,
+    Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
 pub use prove::Effort;
 use prove::Prover;
@@ -34,7 +34,7 @@ pub enum Decision {
     /// It follows; under `conditions` besides the claim's own hypotheses, where something had to be added.
     Proven {
         /// The kernel's word.
-        proven: Proven,
+        derived: Derived,
         /// What must not vanish (or not vary), and is nowhere said not to.
         conditions: Vec<Formula>,
     },
@@ -42,6 +42,16 @@ pub enum Decision {
     Refuted(Refuted),
     /// Neither was found.
     Open(Stop),
+}
+
+/// A proof, and what it makes use of.
+#[derive(Clone, Debug)]
+pub struct Derived {
+    /// The kernel's word.
+    pub proven: Proven,
+    /// The hypotheses that the certificate combines, by position. Those that only say that something does
+    /// not vanish are not among them.
+    pub combined: BTreeSet<usize>,
 }
 
 /// Why a search ended without an answer.
@@ -66,13 +76,12 @@ pub enum Consistency {
     Unknown,
 }
 
-/// Decides a claim, or says why not.
-pub fn decide(claim: &Claim) -> Decision {
+/// Decides a claim, or says why not. `hints` are points at which premises like these are known to hold.
+pub fn decide(claim: Claim, hints: &[Assignment]) -> Decision {
     let mut stop = Stop {
         reason: "no proof and no counterexample was found".into(),
         ..Stop::default()
     };
-    let mut points: Option<refute::Points> = None;
     // Elimination decides no inequality: there the proper search comes early.
     let inequality = matches!(
         claim.goal,
@@ -85,32 +94,45 @@ pub fn decide(claim: &Claim) -> Decision {
         }
     );
     let quick = if inequality { QUICK / 8 } else { QUICK };
-    let unfold = unfold::definitions_to_unfold(claim);
-    let problem = match Problem::new(claim, &unfold) {
-        Ok(problem) => problem,
-        Err(reject) => {
-            stop.reason = reject.to_string();
-            stop.hopeless = true;
-            return Decision::Open(stop);
-        }
+    let hopeless = |reject: Reject, mut stop: Stop| {
+        stop.reason = reject.to_string();
+        stop.hopeless = true;
+        Decision::Open(stop)
     };
+    let obligation = match posed(claim) {
+        Ok(obligation) => obligation,
+        Err(reject) => return hopeless(reject, stop),
+    };
+    let mut points = refute::Points::new(&obligation);
+    let mut known = None;
     for (effort, budget) in [(Effort::Light, quick), (Effort::Full, EARNEST)] {
-        match prove_as(claim, &unfold, &problem, effort) {
-            Ok(Some(decision)) => return decision,
-            Ok(None) => {}
-            Err(reject) => {
-                stop.reason = reject.to_string();
-                stop.hopeless = true;
-                return Decision::Open(stop);
+        // Where a counterexample is known, only a simpler one is worth looking for.
+        if known.is_none() {
+            match prove(&obligation, effort) {
+                Ok(Some((derived, conditions))) => {
+                    return Decision::Proven {
+                        derived,
+                        conditions,
+                    };
+                }
+                Ok(None) => {}
+                Err(reject) => return hopeless(reject, stop),
             }
         }
-        let points = points.get_or_insert_with(|| refute::Points::new(claim, true));
-        if let Some(refuted) = first(points, budget, |point| refuted(claim, point)) {
+        if effort == Effort::Light {
+            known = points.near(hints).find_map(|p| refuted(&obligation, p));
+        }
+        if let Some(refuted) = first(&mut points, budget, |point| refuted(&obligation, point)) {
             return Decision::Refuted(refuted);
         }
         stop.tried = points.tried;
     }
-    Decision::Open(stop)
+    known.map_or(Decision::Open(stop), Decision::Refuted)
+}
+
+fn posed(claim: Claim) -> Result<Obligation, Reject> {
+    let unfold = unfold::definitions_to_unfold(&claim);
+    Obligation::new(claim, unfold)
 }
 
 /// The first point that the kernel accepts.
@@ -131,36 +153,59 @@ fn first<T>(
     }
 }
 
-/// A point at which all hypotheses hold, or a proof that there is none.
-pub fn consistency(claim: &Claim) -> Consistency {
-    let mut points = refute::Points::new(claim, false);
-    for budget in [QUICK, EARNEST] {
-        if let Some(model) = first(&mut points, budget, |p| check_model(claim, p).ok()) {
-            return Consistency::Model(model);
-        }
-        let zero = || Expr::integer(0);
-        let impossible = [
-            Formula::equal(Expr::integer(1), zero()),
-            compared(Expr::integer(-1), Relation::GreaterOrEqual),
-            compared(zero(), Relation::Greater),
-        ];
-        for goal in impossible {
-            let claim = Claim {
-                goal,
-                ..claim.clone()
-            };
-            if let Some(proven) = prove_unconditionally(&claim, Effort::Full) {
-                return Consistency::Contradictory(proven.into());
-            }
+/// A point at which all hypotheses hold, or a proof that there is none. `hints` are points to start from.
+pub fn consistency(claim: &Claim, hints: &[Assignment]) -> Consistency {
+    let unfold = unfold::definitions_to_unfold(claim);
+    let Ok(premises) = Obligation::of_premises(claim.clone(), unfold) else {
+        return Consistency::Unknown;
+    };
+    let mut points = refute::Points::of_premises(&premises);
+    if let Some(model) = points.near(hints).find_map(|p| premises.model(p).ok()) {
+        return Consistency::Model(model);
+    }
+    if let Some(model) = first(&mut points, QUICK, |p| premises.model(p).ok()) {
+        return Consistency::Model(model);
+    }
+    let zero = || Expr::integer(0);
+    let impossible = [
+        Formula::equal(Expr::integer(1), zero()),
+        compared(Expr::integer(-1), Relation::GreaterOrEqual),
+        compared(zero(), Relation::Greater),
+    ];
+    for goal in impossible {
+        let claim = Claim {
+            goal,
+            ..claim.clone()
+        };
+        if let Some(derived) = prove_unconditionally(claim, Effort::Full) {
+            return Consistency::Contradictory(derived.proven.into());
         }
     }
-    Consistency::Unknown
+    first(&mut points, EARNEST, |p| premises.model(p).ok())
+        .map_or(Consistency::Unknown, Consistency::Model)
+}
+
+/// Whether premises like those of a claim hold near one of the `hints` where its goal does not, so that
+/// no proof need be looked for.
+pub fn is_doomed(claim: Claim, hints: &[Assignment]) -> bool {
+    let Ok(obligation) = posed(claim) else {
+        return false;
+    };
+    let points = refute::Points::new(&obligation);
+    points
+        .near(hints)
+        .any(|point| refuted(&obligation, point).is_some())
 }
 
 /// What would have to be different from 0 for a refuted claim to follow, with the proof that it then does.
-pub fn missing_conditions(claim: &Claim, witness: &Assignment) -> Option<(Vec<Formula>, Proven)> {
-    let problem = Problem::new(claim, &unfold::definitions_to_unfold(claim)).ok()?;
-    let prover = Prover::new(&problem).ok()?;
+pub fn missing_conditions(
+    claim: &Claim,
+    witness: &Assignment,
+    hints: &[Assignment],
+) -> Option<(Vec<Formula>, Proven)> {
+    let obligation = posed(claim.clone()).ok()?;
+    let problem = obligation.problem();
+    let prover = Prover::new(problem).ok()?;
     let mut candidates: Vec<Expr> = Vec::new();
     for fact in problem.facts.iter().filter(|f| f.sign == Sign::Zero) {
         for var in fact.polynomial.vars() {
@@ -184,25 +229,19 @@ pub fn missing_conditions(claim: &Claim, witness: &Assignment) -> Option<(Vec<Fo
     // What does not vanish at the counterexample would not rule it out.
     candidates.retain(|term| {
         let claim = assuming(claim, &[Formula::nonzero(term.clone())]);
-        refuted(&claim, witness.clone()).is_none()
+        check(claim, Candidate::Counterexample(witness.clone())).is_err()
     });
     if candidates.is_empty() {
         return None;
     }
     let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
-        match prove(&assuming(claim, &formulas), Effort::Light) {
-            Ok(Some(Decision::Proven {
-                proven,
-                mut conditions,
-            })) => {
-                conditions.splice(0..0, formulas);
-                // What the premises rule out would prove anything.
-                let possible = consistency(&assuming(claim, &conditions));
-                matches!(possible, Consistency::Model(_)).then_some((conditions, proven))
-            }
-            _ => None,
-        }
+        let obligation = posed(assuming(claim, &formulas)).ok()?;
+        let (derived, mut conditions) = prove(&obligation, Effort::Light).ok()??;
+        conditions.splice(0..0, formulas);
+        // What the premises rule out would prove anything.
+        let possible = consistency(&assuming(claim, &conditions), hints);
+        matches!(possible, Consistency::Model(_)).then_some((conditions, derived.proven))
     };
     if let Some(found) = candidates
         .iter()
@@ -229,14 +268,14 @@ fn assuming(claim: &Claim, formulas: &[Formula]) -> Claim {
     claim
         .hypotheses
         .extend(formulas.iter().map(|formula| Hypothesis {
-            formula: formula.clone(),
+            formula: formula.clone().into(),
             standing: Standing::Identity,
         }));
     claim
 }
 
-fn refuted(claim: &Claim, point: Assignment) -> Option<Refuted> {
-    match check(claim.clone(), Candidate::Counterexample(point)) {
+fn refuted(obligation: &Obligation, point: Assignment) -> Option<Refuted> {
+    match obligation.check(Candidate::Counterexample(point)) {
         Ok(Checked::Refuted(refuted)) => Some(refuted),
         _ => None,
     }
@@ -246,36 +285,32 @@ fn refuted(claim: &Claim, point: Assignment) -> Option<Refuted> {
 ///
 /// # Errors
 /// The kernel cannot even say what the claim means in polynomials.
-fn prove(claim: &Claim, effort: Effort) -> Result<Option<Decision>, Reject> {
-    let unfold = unfold::definitions_to_unfold(claim);
-    let problem = Problem::new(claim, &unfold)?;
-    prove_as(claim, &unfold, &problem, effort)
-}
-
-/// The same where the problem is at hand.
-fn prove_as(
-    claim: &Claim,
-    unfold: &[usize],
-    problem: &Problem,
+fn prove(
+    obligation: &Obligation,
     effort: Effort,
-) -> Result<Option<Decision>, Reject> {
-    match attempt(unfold, problem, effort)? {
+) -> Result<Option<(Derived, Vec<Formula>)>, Reject> {
+    match attempt(obligation, effort)? {
         Attempt::Nothing => Ok(None),
-        Attempt::Proof(candidate) => Ok(proven(claim.clone(), candidate, Vec::new())),
+        Attempt::Proof(certificate) => {
+            Ok(derived(obligation, certificate).map(|derived| (derived, Vec::new())))
+        }
         Attempt::Needs(conditions) => {
-            let claim = assuming(claim, &conditions);
-            let problem = Problem::new(&claim, unfold)?;
-            match attempt(unfold, &problem, effort)? {
-                Attempt::Proof(candidate) => Ok(proven(claim, candidate, conditions)),
+            let claim = assuming(obligation.claim(), &conditions);
+            let obligation = Obligation::new(claim, obligation.unfold().to_vec())?;
+            match attempt(&obligation, effort)? {
+                Attempt::Proof(certificate) => {
+                    Ok(derived(&obligation, certificate).map(|derived| (derived, conditions)))
+                }
                 _ => Ok(None),
             }
         }
     }
 }
 
-fn proven(claim: Claim, certificate: Certificate, conditions: Vec<Formula>) -> Option<Decision> {
-    match check(claim, Candidate::Proof(certificate)) {
-        Ok(Checked::Proven(proven)) => Some(Decision::Proven { proven, conditions }),
+fn derived(obligation: &Obligation, certificate: Certificate) -> Option<Derived> {
+    let combined = combined_hypotheses(obligation.problem(), &certificate);
+    match obligation.check(Candidate::Proof(certificate)) {
+        Ok(Checked::Proven(proven)) => Some(Derived { proven, combined }),
         _ => None,
     }
 }
@@ -294,7 +329,8 @@ enum Attempt {
     Needs(Vec<Formula>),
 }
 
-fn attempt(unfold: &[usize], problem: &Problem, effort: Effort) -> Result<Attempt, Reject> {
+fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
+    let problem = obligation.problem();
     let mut prover = Prover::new(problem)?;
     let Some(conclusion) = prover.prove(&problem.goal, effort) else {
         return Ok(Attempt::Nothing);
@@ -342,30 +378,23 @@ fn attempt(unfold: &[usize], problem: &Problem, effort: Effort) -> Result<Attemp
         return Ok(Attempt::Needs(needs));
     }
     Ok(Attempt::Proof(Certificate {
-        unfold: unfold.to_vec(),
+        unfold: obligation.unfold().to_vec(),
         lemmas: prover.into_lemmas(),
         conclusion,
     }))
 }
 
 /// A proof without further conditions, if one is found.
-pub fn prove_unconditionally(claim: &Claim, effort: Effort) -> Option<Proven> {
-    match prove(claim, effort) {
-        Ok(Some(Decision::Proven { proven, conditions })) => {
-            conditions.is_empty().then_some(proven)
-        }
+pub fn prove_unconditionally(claim: Claim, effort: Effort) -> Option<Derived> {
+    match prove(&posed(claim).ok()?, effort) {
+        Ok(Some((derived, conditions))) => conditions.is_empty().then_some(derived),
         _ => None,
     }
 }
 
-/// The hypotheses that a certificate combines, by position. Those that only say that something does not
-/// vanish are not among them.
-pub fn combined_hypotheses(proven: &Proven) -> BTreeSet<usize> {
-    let certificate = proven.certificate();
+/// The hypotheses that a certificate combines, by position.
+fn combined_hypotheses(problem: &Problem, certificate: &Certificate) -> BTreeSet<usize> {
     let mut used: BTreeSet<usize> = certificate.unfold.iter().copied().collect();
-    let Ok(problem) = Problem::new(proven.claim(), &certificate.unfold) else {
-        return used;
-    };
     let proofs = certificate
         .lemmas
         .iter()
@@ -418,12 +447,16 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
 }
 
 /// A counterexample to `claim` at which the hypotheses of `larger` hold as well.
-pub fn refute_in_context(claim: &Claim, larger: &Claim) -> Option<Refuted> {
-    let mut points = refute::Points::new(larger, true);
+pub fn refute_in_context(claim: &Claim, larger: Claim) -> Option<Refuted> {
+    let larger = posed(larger).ok()?;
+    let mut points = refute::Points::new(&larger);
     first(&mut points, IN_CONTEXT, |mut point| {
         // The larger claim numbers its hypotheses differently; the same symbols are put in.
-        check_model(larger, point.clone()).ok()?;
+        larger.model(point.clone()).ok()?;
         point.unfold = unfold::definitions_to_unfold(claim);
-        refuted(claim, point)
+        match check(claim.clone(), Candidate::Counterexample(point)) {
+            Ok(Checked::Refuted(refuted)) => Some(refuted),
+            _ => None,
+        }
     })
 }

@@ -14,7 +14,8 @@ use crate::kernel::{Fact, Sign};
 
 /// What a point must satisfy.
 pub struct Target {
-    start: State,
+    /// `None` where some fact is plainly false.
+    start: Option<State>,
     /// The unknowns that take integer values only.
     integers: Vec<Var>,
     order: Vec<Var>,
@@ -42,20 +43,107 @@ struct Search<'a> {
     cut: bool,
 }
 
+/// What is left to satisfy. No equation or condition in it is constant.
 #[derive(Clone)]
 struct State {
     /// Shared between states: a choice changes few of them.
-    equations: Vec<Rc<Polynomial>>,
-    conditions: Vec<Rc<Fact>>,
+    equations: Vec<Rc<Open>>,
+    conditions: Vec<Rc<Open>>,
     solved: Vec<(Var, Rc<Polynomial>)>,
+}
+
+/// A fact that is not yet decided.
+struct Open {
+    polynomial: Polynomial,
+    sign: Sign,
+    vars: Mask,
+    /// The unknown to solve for, where the fact is an equation that is linear in one with a constant
+    /// coefficient: one that may be any number before an integer, then the one met last.
+    solvable: Option<(bool, Var)>,
+}
+
+/// A set of unknowns at a glance; the last bit stands for all that have none of their own.
+#[derive(Clone, Copy, Default)]
+struct Mask(u128);
+
+impl Mask {
+    const LAST: u32 = u128::BITS - 1;
+
+    fn of(var: Var) -> Mask {
+        let bit = u32::try_from(var.position()).map_or(Mask::LAST, |at| at.min(Mask::LAST));
+        Mask(1 << bit)
+    }
+
+    /// Whether an unknown may be in the set; certain but for the last bit.
+    fn may_have(self, var: Var) -> bool {
+        self.0 & Mask::of(var).0 != 0
+    }
+}
+
+impl Open {
+    /// `Err` with whether the fact is true, where no unknown is left in it.
+    fn new(polynomial: Polynomial, sign: Sign, integers: &[Var]) -> Result<Open, bool> {
+        if let Some(value) = polynomial.as_constant() {
+            return Err(satisfies(&value, sign));
+        }
+        let mut vars = Mask::default();
+        for (monomial, _) in polynomial.terms() {
+            for &(var, _) in monomial.powers() {
+                vars.0 |= Mask::of(var).0;
+            }
+        }
+        let solvable = match sign {
+            Sign::Zero => solvable(&polynomial, integers),
+            _ => None,
+        };
+        Ok(Open {
+            polynomial,
+            sign,
+            vars,
+            solvable,
+        })
+    }
+
+    fn has(&self, var: Var) -> bool {
+        self.vars.may_have(var)
+            && (Mask::of(var).0 != 1 << Mask::LAST || self.polynomial.degree_in(var) > 0)
+    }
+
+    /// The only unknown, where there is just one.
+    fn single(&self) -> Option<Var> {
+        if self.vars.0.count_ones() > 1 {
+            return None;
+        }
+        let vars = self.polynomial.vars();
+        (vars.len() == 1).then(|| vars[0])
+    }
+}
+
+/// Unknowns met late are solved for first: those of the goal stay free.
+fn solvable(equation: &Polynomial, integers: &[Var]) -> Option<(bool, Var)> {
+    let mut best = None;
+    for (monomial, _) in equation.terms() {
+        let [(var, 1)] = monomial.powers() else {
+            continue;
+        };
+        let own = Some((!integers.contains(var), *var));
+        if own > best
+            && equation
+                .terms()
+                .filter(|(m, _)| m.exponent(*var) > 0)
+                .count()
+                == 1
+        {
+            best = own;
+        }
+    }
+    best
 }
 
 impl Target {
     /// Equations and conditions that must hold; `integers` take integer values only.
     pub fn new(facts: &[Fact], integers: Vec<Var>) -> Self {
-        let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
-        order.sort();
-        order.dedup();
+        let mut target = Target::unordered(facts, integers);
         // What cannot vanish makes the better unit.
         let nonzero = |var: &Var| {
             let alone = |f: &&Fact| {
@@ -64,25 +152,47 @@ impl Target {
             };
             !facts.iter().any(|f| alone(&f))
         };
-        let mut preferred = order.clone();
+        let mut preferred = target.order.clone();
         preferred.sort_by_key(nonzero);
         let all = facts.iter().map(|f| &f.polynomial);
-        let units = unit_choices(all, &preferred, |var| integers.contains(&var));
-        let (equations, conditions): (Vec<&Fact>, Vec<&Fact>) =
-            facts.iter().partition(|f| f.sign == Sign::Zero);
+        target.units = unit_choices(all, &preferred, |var| target.integers.contains(&var));
+        target
+    }
+
+    fn unordered(facts: &[Fact], integers: Vec<Var>) -> Self {
+        let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
+        order.sort();
+        order.dedup();
+        let mut start = State {
+            equations: Vec::new(),
+            conditions: Vec::new(),
+            solved: Vec::new(),
+        };
+        let possible = facts
+            .iter()
+            .all(|f| start.require(Open::new(f.polynomial.clone(), f.sign, &integers)));
         Target {
-            start: State {
-                equations: equations
-                    .into_iter()
-                    .map(|f| Rc::new(f.polynomial.clone()))
-                    .collect(),
-                conditions: conditions.into_iter().cloned().map(Rc::new).collect(),
-                solved: Vec::new(),
-            },
+            start: possible.then_some(start),
             integers,
             order,
-            units,
+            units: Vec::new(),
         }
+    }
+
+    /// The same where some unknowns have a value already. `None` where that cannot be, or is too large to
+    /// compute with.
+    pub fn near(
+        facts: &[Fact],
+        integers: Vec<Var>,
+        known: impl Iterator<Item = (Var, Rational)>,
+    ) -> Option<Self> {
+        let mut target = Target::unordered(facts, integers);
+        let mut start = target.start.take()?;
+        for (var, value) in known {
+            start.put(var, Polynomial::constant(value), &target.integers)?;
+        }
+        target.start = Some(start);
+        Some(target)
     }
 
     /// Tries all choices up to a total cost, or until the budget is spent.
@@ -95,7 +205,10 @@ impl Target {
             units: &self.units,
             cut: false,
         };
-        match search.explore(self.start.clone(), cost) {
+        let Some(start) = self.start.clone() else {
+            return Tried::Exhausted;
+        };
+        match search.explore(start, cost) {
             Some(point) => Tried::Found(point),
             None if search.cut || *search.budget == 0 => Tried::Costlier,
             None => Tried::Exhausted,
@@ -110,30 +223,24 @@ impl Search<'_> {
         }
         *self.budget -= 1;
         // Solve what is linear in an unknown with a constant coefficient.
-        loop {
-            state.equations.retain(|e| !e.is_zero());
-            if state.equations.iter().any(|e| e.as_constant().is_some()) || !state.is_possible() {
-                return None;
-            }
-            let Some((at, var, value)) = self.linear(&state.equations) else {
-                break;
-            };
+        while let Some((at, var, value)) = linear(&state.equations) {
             state.equations.remove(at);
-            state.put(var, value)?;
+            state.put(var, value, self.integers)?;
         }
         // Branch on the rational roots of an equation in one unknown.
-        let single = state.equations.iter().find_map(|e| {
-            let mut vars = e.vars().into_iter();
-            let var = vars.next()?;
-            vars.next().is_none().then(|| (e.clone(), var))
-        });
+        let single = state
+            .equations
+            .iter()
+            .find_map(|e| Some((e.clone(), e.single()?)));
         if let Some((equation, var)) = single {
-            for root in rational_roots(&equation, var)? {
+            for root in rational_roots(&equation.polynomial, var)? {
                 if self.integers.contains(&var) && !root.is_integer() {
                     continue;
                 }
                 let mut next = state.clone();
-                if next.put(var, Polynomial::constant(root)).is_some()
+                if next
+                    .put(var, Polynomial::constant(root), self.integers)
+                    .is_some()
                     && let Some(point) = self.explore(next, cost)
                 {
                     return Some(point);
@@ -145,10 +252,10 @@ impl Search<'_> {
             return self.finish(state);
         };
         // What speaks of this unknown alone is asked before anything is put in.
-        let (own_conditions, rest): (Vec<Rc<Fact>>, Vec<Rc<Fact>>) =
+        let (own_conditions, rest): (Vec<Rc<Open>>, Vec<Rc<Open>>) =
             std::mem::take(&mut state.conditions)
                 .into_iter()
-                .partition(|f| f.polynomial.vars().len() == 1 && f.polynomial.degree_in(var) > 0);
+                .partition(|f| f.has(var) && f.single() == Some(var));
         state.conditions = rest;
         for at in 0..self.values.len() {
             let (own, value) = &self.values[at];
@@ -165,7 +272,7 @@ impl Search<'_> {
             if self.units.contains(&var) && !value.is_zero() && !value.abs().is_one() {
                 continue;
             }
-            let met = |fact: &Rc<Fact>| {
+            let met = |fact: &Rc<Open>| {
                 let value = fact.polynomial.evaluate(|_| Some(value.clone()));
                 value.is_ok_and(|v| v.is_some_and(|v| satisfies(&v, fact.sign)))
             };
@@ -173,7 +280,9 @@ impl Search<'_> {
                 continue;
             }
             let mut next = state.clone();
-            if next.put(var, Polynomial::constant(value)).is_some()
+            if next
+                .put(var, Polynomial::constant(value), self.integers)
+                .is_some()
                 && let Some(point) = self.explore(next, cost - own)
             {
                 return Some(point);
@@ -182,44 +291,11 @@ impl Search<'_> {
         None
     }
 
-    /// An equation that is linear in an unknown with a constant coefficient, solved for it. Unknowns met
-    /// late are solved for first: those of the goal stay free.
-    fn linear(&self, equations: &[Rc<Polynomial>]) -> Option<(usize, Var, Polynomial)> {
-        let mut best: Option<(bool, Var, usize)> = None;
-        for (at, equation) in equations.iter().enumerate() {
-            for (monomial, _) in equation.terms() {
-                let [(var, 1)] = monomial.powers() else {
-                    continue;
-                };
-                let free = !self.integers.contains(var);
-                let elsewhere = equation
-                    .terms()
-                    .filter(|(m, _)| m.exponent(*var) > 0)
-                    .count()
-                    > 1;
-                if elsewhere || best.is_some_and(|b| (b.0, b.1) >= (free, *var)) {
-                    continue;
-                }
-                best = Some((free, *var, at));
-            }
-        }
-        let (_, var, at) = best?;
-        let own = Monomial::power(var, 1);
-        let slope = equations[at].coefficient(&own)?.clone();
-        let rest = equations[at].minus(&Polynomial::term(own, slope.clone()));
-        Some((at, var, rest.scaled(&-slope.recip())))
-    }
-
     /// The next unknown to try numbers for, one of an equation before one of a condition; and whether it is
     /// one of an equation.
     fn next_var(&self, state: &State) -> Option<(Var, bool)> {
-        let in_equations = |var: &&Var| state.equations.iter().any(|e| e.degree_in(**var) > 0);
-        let in_conditions = |var: &&Var| {
-            state
-                .conditions
-                .iter()
-                .any(|f| f.polynomial.degree_in(**var) > 0)
-        };
+        let in_equations = |var: &&Var| state.equations.iter().any(|e| e.has(**var));
+        let in_conditions = |var: &&Var| state.conditions.iter().any(|f| f.has(**var));
         let mut vars = self.order.iter();
         let tied = vars.clone().find(in_equations).map(|&var| (var, true));
         tied.or_else(|| vars.find(in_conditions).map(|&var| (var, false)))
@@ -250,40 +326,62 @@ impl Search<'_> {
 }
 
 impl State {
-    /// Puts a value in the place of an unknown. `None` where that grows too large.
-    fn put(&mut self, var: Var, value: Polynomial) -> Option<()> {
-        for equation in &mut self.equations {
-            if equation.degree_in(var) > 0 {
-                *equation = equation.substitute(var, &value).ok()?.into();
-            }
+    /// Adds what must be true; `false` where it is false.
+    fn require(&mut self, open: Result<Open, bool>) -> bool {
+        match open {
+            Ok(open) if open.sign == Sign::Zero => self.equations.push(open.into()),
+            Ok(open) => self.conditions.push(open.into()),
+            Err(known) => return known,
         }
-        for condition in &mut self.conditions {
-            if condition.polynomial.degree_in(var) > 0 {
-                *condition = Rc::new(Fact {
-                    polynomial: condition.polynomial.substitute(var, &value).ok()?,
-                    sign: condition.sign,
-                });
+        true
+    }
+
+    /// Puts a value in the place of an unknown. `None` where something becomes false, or too large.
+    fn put(&mut self, var: Var, value: Polynomial, integers: &[Var]) -> Option<()> {
+        for list in [&mut self.equations, &mut self.conditions] {
+            let mut at = 0;
+            while let Some(open) = list.get_mut(at) {
+                if !open.has(var) {
+                    at += 1;
+                    continue;
+                }
+                let polynomial = open.polynomial.substitute(var, &value).ok()?;
+                match Open::new(polynomial, open.sign, integers) {
+                    Ok(changed) => {
+                        *open = changed.into();
+                        at += 1;
+                    }
+                    Err(true) => {
+                        list.remove(at);
+                    }
+                    Err(false) => return None,
+                }
             }
         }
         self.solved.push((var, value.into()));
         Some(())
     }
-
-    /// Drops conditions that are met; `false` where one is not.
-    fn is_possible(&mut self) -> bool {
-        let mut possible = true;
-        self.conditions.retain(|fact| {
-            let Some(value) = fact.polynomial.as_constant() else {
-                return true;
-            };
-            possible &= satisfies(&value, fact.sign);
-            false
-        });
-        possible
-    }
 }
 
-fn satisfies(value: &Rational, sign: Sign) -> bool {
+/// The equation to solve, the unknown to solve it for, and what that then is.
+fn linear(equations: &[Rc<Open>]) -> Option<(usize, Var, Polynomial)> {
+    let mut best: Option<((bool, Var), usize)> = None;
+    for (at, equation) in equations.iter().enumerate() {
+        if let Some(own) = equation.solvable
+            && best.is_none_or(|b| own > b.0)
+        {
+            best = Some((own, at));
+        }
+    }
+    let ((_, var), at) = best?;
+    let equation = &equations[at].polynomial;
+    let own = Monomial::power(var, 1);
+    let slope = equation.coefficient(&own)?.clone();
+    let rest = equation.minus(&Polynomial::term(own, slope.clone()));
+    Some((at, var, rest.scaled(&-slope.recip())))
+}
+
+pub fn satisfies(value: &Rational, sign: Sign) -> bool {
     match sign {
         Sign::Zero => value.is_zero(),
         Sign::NonZero => !value.is_zero(),

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::simplex::nonnegative_solution;
 use super::tracked::Tracked;
-use crate::algebra::{Atom, Atoms, Monomial, Polynomial, Rational, Symbol, Var, power_sum};
+use crate::algebra::{Atom, Atoms, Monomial, Polynomial, Rational, Symbol, power_sum};
 use crate::kernel::{Fact, Knowledge, PositiveTerm, SeriesSquare, Sign};
 
 /// Guesses at what a step of a derivation can need.
@@ -294,7 +294,7 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
     };
     let one = Rational::one;
     // What a product may be multiplied by: unknowns (and their products) that are not negative.
-    let vars: BTreeSet<Var> = goal.vars();
+    let vars = goal.vars();
     let single = vars.iter().map(|&v| Monomial::power(v, 1));
     let mut weights: Vec<Monomial> = single
         .filter(|m| knowledge.is_nonnegative(&Polynomial::term(m.clone(), one())))

@@ -1,27 +1,33 @@
 //! Exact counterexamples, and exact points at which premises hold together.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::point::{Target, Tried};
+use num_traits::ToPrimitive;
+
+use super::point::{Target, Tried, satisfies};
 use super::unfold::definitions_to_unfold;
 use super::values::candidates;
 use crate::algebra::{
-    Atom, BigRational, Conditions, Expr, Formula, Lowering, Polynomial, Rational, Symbol, Var,
-    element_symbol,
+    Atom, Atoms, BigRational, Conditions, Expr, Formula, Lowering, Polynomial, Rational, Symbol,
+    Var, element_parts, element_symbol,
 };
-use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Problem, Sign};
+use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Obligation, Sign};
 
 /// Sums over a symbolic number of elements are tried with up to this many.
 const MOST_ELEMENTS: i64 = 4;
 /// The costs that are tried one after another.
 const MOST_COST: u32 = 11;
+/// How far is looked from a point that is nearly right.
+const NEAR_COST: u32 = 3;
+const NEAR_CHOICES: usize = 24;
 
 /// A search for points at which all hypotheses of a claim hold and, if so wanted, its goal does not.
 pub struct Points<'a> {
-    claim: &'a Claim,
+    obligation: &'a Obligation,
     counts: Vec<Symbol>,
     /// One search for each choice of the numbers of elements, the smallest first.
-    sizes: Vec<(Vec<i64>, Slot)>,
+    sizes: Vec<(Vec<i64>, Slot<'a>)>,
     against_goal: bool,
     cost: u32,
     /// How many choices were tried.
@@ -29,33 +35,73 @@ pub struct Points<'a> {
 }
 
 /// A search that is prepared when its turn comes, and dropped when it has nothing left.
-enum Slot {
+enum Slot<'a> {
     Waiting,
-    Ready(Box<Concrete>),
+    Ready(Box<Concrete<'a>>),
     Done,
 }
 
 /// A claim with definite numbers of elements.
-struct Concrete {
-    claim: Claim,
-    unfold: Vec<usize>,
-    problem: Problem,
+struct Concrete<'a> {
+    obligation: Cow<'a, Obligation>,
+    /// The problem's unknowns, and those of what roots are taken of.
+    atoms: Cow<'a, Atoms>,
     target: Target,
 }
 
 impl<'a> Points<'a> {
-    /// Prepares a search.
-    pub fn new(claim: &'a Claim, against_goal: bool) -> Self {
+    /// Prepares a search for points at which the hypotheses hold and the goal does not.
+    pub fn new(obligation: &'a Obligation) -> Self {
+        let claim = obligation.claim();
         let counts = count_symbols(claim);
         let sizes = sizes(&counts, claim).into_iter();
         Points {
-            claim,
+            obligation,
             sizes: sizes.map(|sizes| (sizes, Slot::Waiting)).collect(),
             counts,
-            against_goal,
+            against_goal: true,
             cost: 0,
             tried: 0,
         }
+    }
+
+    /// Prepares a search for points at which the hypotheses hold; the goal is left alone.
+    pub fn of_premises(obligation: &'a Obligation) -> Self {
+        Points {
+            against_goal: false,
+            ..Points::new(obligation)
+        }
+    }
+
+    /// Points that agree with one of the `hints` wherever these give a symbol a value.
+    pub fn near(&self, hints: &'a [Assignment]) -> impl Iterator<Item = Assignment> {
+        let found = hints.iter().map(|hint| {
+            let size = |count: &Symbol| {
+                let value = hint.symbols.get(count)?.to_integer().to_i64()?;
+                (1..=MOST_ELEMENTS).contains(&value).then_some(value)
+            };
+            let sizes: Vec<i64> = self.counts.iter().map(size).collect::<Option<_>>()?;
+            let concrete = Concrete::new(self.at_sizes(&sizes)?, self.against_goal, Some(hint))?;
+            let Tried::Found(values) = concrete.target.up_to(NEAR_COST, &mut { NEAR_CHOICES })
+            else {
+                return None;
+            };
+            let point = concrete.assignment(&values);
+            let claim = self.obligation.claim();
+            restored(claim, self.obligation.unfold(), &self.counts, &sizes, point).pop()
+        });
+        found.flatten()
+    }
+
+    /// The claim with definite numbers of elements.
+    fn at_sizes(&self, sizes: &[i64]) -> Option<Cow<'a, Obligation>> {
+        let claim = self.obligation.claim();
+        if self.counts.is_empty() && claim.sequences.is_empty() {
+            return Some(Cow::Borrowed(self.obligation));
+        }
+        let claim = at_sizes(claim, &self.counts, sizes)?;
+        let unfold = definitions_to_unfold(&claim);
+        Obligation::new(claim, unfold).ok().map(Cow::Owned)
     }
 
     /// The simplest point not yet ruled out, in more than one order of its elements; more of them with each
@@ -66,16 +112,18 @@ impl<'a> Points<'a> {
         let mut left = budget;
         let smallest = self.sizes.first().map_or(0, |s| s.0.iter().sum::<i64>());
         while self.cost <= MOST_COST && left > 0 {
-            for (sizes, slot) in &mut self.sizes {
+            for at in 0..self.sizes.len() {
+                let sizes = &self.sizes[at].0;
                 let more = 2 * u32::try_from(sizes.iter().sum::<i64>() - smallest).unwrap_or(0);
                 let Some(cost) = self.cost.checked_sub(more) else {
                     continue;
                 };
-                if matches!(slot, Slot::Waiting) {
-                    let concrete = at_sizes(self.claim, &self.counts, sizes);
-                    let concrete = concrete.and_then(|c| Concrete::new(c, self.against_goal));
-                    *slot = concrete.map_or(Slot::Done, |c| Slot::Ready(c.into()));
+                if matches!(self.sizes[at].1, Slot::Waiting) {
+                    let concrete = self.at_sizes(sizes);
+                    let concrete = concrete.and_then(|c| Concrete::new(c, self.against_goal, None));
+                    self.sizes[at].1 = concrete.map_or(Slot::Done, |c| Slot::Ready(c.into()));
                 }
+                let (sizes, slot) = &mut self.sizes[at];
                 let Slot::Ready(concrete) = slot else {
                     continue;
                 };
@@ -86,7 +134,9 @@ impl<'a> Points<'a> {
                     Tried::Found(values) => {
                         let point = concrete.assignment(&values);
                         *slot = Slot::Done;
-                        return restored(self.claim, &self.counts, sizes, point);
+                        let claim = self.obligation.claim();
+                        let unfold = self.obligation.unfold();
+                        return restored(claim, unfold, &self.counts, sizes, point);
                     }
                     Tried::Costlier => {}
                     Tried::Exhausted => *slot = Slot::Done,
@@ -152,9 +202,6 @@ fn sizes(counts: &[Symbol], claim: &Claim) -> Vec<Vec<i64>> {
 
 /// The claim with definite numbers of elements, each element a symbol of its own.
 fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
-    if counts.is_empty() && claim.sequences.is_empty() {
-        return Some(claim.clone());
-    }
     let number = |expr: &Expr| {
         let sizes = counts.iter().zip(sizes);
         let at = sizes.fold(expr.clone(), |e, (count, &n)| {
@@ -172,6 +219,7 @@ fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
     for hypothesis in &claim.hypotheses {
         for formula in written_out(&hypothesis.formula.map_terms(number))? {
             let standing = hypothesis.standing;
+            let formula = formula.into();
             hypotheses.push(Hypothesis { formula, standing });
         }
     }
@@ -252,40 +300,80 @@ fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
     )
 }
 
-impl Concrete {
+impl<'a> Concrete<'a> {
     /// `None` where some term cannot be given a value at all.
-    fn new(mut claim: Claim, against_goal: bool) -> Option<Self> {
-        let unfold = definitions_to_unfold(&claim);
-        if !against_goal {
-            claim.goal = Formula::equal(Expr::integer(0), Expr::integer(0));
-        }
-        let mut problem = Problem::new(&claim, &unfold).ok()?;
-        let mut facts = problem.facts.clone();
+    fn new(
+        obligation: Cow<'a, Obligation>,
+        against_goal: bool,
+        hint: Option<&Assignment>,
+    ) -> Option<Self> {
+        let problem = obligation.problem();
+        let known: Vec<Option<Rational>> = match hint {
+            None => Vec::new(),
+            Some(hint) => known_at(hint, &problem.atoms),
+        };
+        let mut facts: Vec<Fact> = Vec::with_capacity(problem.facts.len() + 1);
         if against_goal {
-            facts.insert(0, negation(&problem.goal));
+            facts.push(negation(&problem.goal));
+        }
+        // What is known to be false at the hint rules it out; what is known to be true need not be asked again.
+        let at_hint = |fact: &Fact| {
+            let value = |var: Var| known.get(var.position())?.clone();
+            let value = fact.polynomial.evaluate(value).ok()??;
+            Some(satisfies(&value, fact.sign))
+        };
+        if hint.is_some() && facts.first().and_then(at_hint) == Some(false) {
+            return None;
+        }
+        for fact in &problem.facts {
+            match hint.and_then(|_| at_hint(fact)) {
+                None => facts.push(fact.clone()),
+                Some(true) => {}
+                Some(false) => return None,
+            }
+        }
+        if against_goal {
             facts.extend(problem.conditions.nonzero.iter().map(|p| Fact {
                 polynomial: p.clone(),
                 sign: Sign::NonZero,
             }));
         }
-        facts.extend(roots(&mut problem)?);
-        let integers = claim.domains.iter().filter(|(_, d)| d.integer);
-        let integers = integers.filter_map(|(s, _)| problem.atoms.find(&Atom::Symbol(s.clone())));
-        let target = Target::new(&facts, integers.collect());
+        let mut atoms = match &obligation {
+            Cow::Borrowed(obligation) => Cow::Borrowed(&obligation.problem().atoms),
+            Cow::Owned(obligation) => Cow::Owned(obligation.problem().atoms.clone()),
+        };
+        if atoms
+            .iter()
+            .any(|(_, atom)| matches!(atom, Atom::Opaque(_)))
+        {
+            facts.extend(roots(atoms.to_mut())?);
+        }
+        let integers = obligation.claim().domains.iter();
+        let integers = integers
+            .filter(|(_, d)| d.integer)
+            .filter_map(|(s, _)| atoms.find(&Atom::Symbol(s.clone())))
+            .collect();
+        let target = match hint {
+            None => Target::new(&facts, integers),
+            Some(_) => {
+                let vars = atoms.iter().map(|(var, _)| var);
+                let known = vars.filter_map(|var| Some((var, known.get(var.position())?.clone()?)));
+                Target::near(&facts, integers, known)?
+            }
+        };
         Some(Concrete {
-            claim,
-            unfold,
-            problem,
+            obligation,
+            atoms,
             target,
         })
     }
 
     fn assignment(&self, values: &BTreeMap<Var, Rational>) -> Assignment {
         let mut point = Assignment {
-            unfold: self.unfold.clone(),
+            unfold: self.obligation.unfold().to_vec(),
             ..Assignment::default()
         };
-        for (var, atom) in self.problem.atoms.iter() {
+        for (var, atom) in self.atoms.iter() {
             let Some(value) = values.get(&var) else {
                 continue;
             };
@@ -302,9 +390,31 @@ impl Concrete {
                 _ => {}
             }
         }
-        complete(&self.claim, &self.unfold, &mut point);
+        complete(
+            self.obligation.claim(),
+            self.obligation.unfold(),
+            &mut point,
+        );
         point
     }
+}
+
+/// The values of a problem's unknowns at a point, as far as it gives them one.
+fn known_at(point: &Assignment, atoms: &Atoms) -> Vec<Option<Rational>> {
+    let values = atoms.iter().map(|(_, atom)| match atom {
+        Atom::Symbol(symbol) => value_at(point, symbol),
+        _ => None,
+    });
+    values.collect()
+}
+
+/// The value of a symbol, or of an element by its own name, at a point.
+fn value_at(point: &Assignment, symbol: &Symbol) -> Option<Rational> {
+    let value = point.symbols.get(symbol).or_else(|| {
+        let (sequence, position) = element_parts(symbol)?;
+        point.sequences.get(&sequence)?.get(position as usize - 1)
+    });
+    value.map(Rational::from)
 }
 
 fn negation(goal: &Fact) -> Fact {
@@ -318,10 +428,9 @@ fn negation(goal: &Fact) -> Fact {
 }
 
 /// What roots mean: `s^q = base`, `s ≥ 0`. `None` where a term cannot be given a value at all.
-fn roots(problem: &mut Problem) -> Option<Vec<Fact>> {
+fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
     let mut facts = Vec::new();
-    let opaque: Vec<_> = problem
-        .atoms
+    let opaque: Vec<_> = atoms
         .iter()
         .filter_map(|(var, atom)| match atom {
             Atom::Opaque(expr) => Some((var, expr.clone())),
@@ -338,7 +447,7 @@ fn roots(problem: &mut Problem) -> Option<Vec<Fact>> {
                 };
                 let q: u32 = exponent.denom().try_into().ok()?;
                 let mut lowering = Lowering {
-                    atoms: &mut problem.atoms,
+                    atoms,
                     sequences: &nothing,
                     constants: &nothing,
                     conditions: Conditions::default(),
@@ -370,14 +479,14 @@ fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
         .collect();
     let anything = Domain::default();
     for symbol in claim.free_symbols() {
-        let known = point.symbols.contains_key(&symbol);
-        if known || defined.iter().any(|(s, _)| *s == symbol) {
+        let known = point.symbols.contains_key(symbol);
+        if known || defined.iter().any(|(s, _)| s == symbol) {
             continue;
         }
-        let domain = claim.domains.get(&symbol).unwrap_or(&anything);
+        let domain = claim.domains.get(symbol).unwrap_or(&anything);
         let mut values = candidates().into_iter().map(|(_, v)| v.to_big());
         if let Some(value) = values.find(|v| domain.contains(v)) {
-            point.symbols.insert(symbol, value);
+            point.symbols.insert(symbol.clone(), value);
         }
     }
     for (symbol, term) in defined.iter().rev() {
@@ -403,6 +512,7 @@ fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
 /// The point in the claim's own terms: counts and sequences again. Elements in order along the line come first.
 fn restored(
     claim: &Claim,
+    unfold: &[usize],
     counts: &[Symbol],
     sizes: &[i64],
     mut point: Assignment,
@@ -427,8 +537,9 @@ fn restored(
         point.sequences.insert(sequence.clone(), elements);
     }
     // Hypotheses were renumbered where one was written out as several.
-    point.unfold = definitions_to_unfold(claim)
-        .into_iter()
+    point.unfold = unfold
+        .iter()
+        .copied()
         .filter(|&at| {
             let formula = &claim.hypotheses[at].formula;
             crate::kernel::definition(formula).is_some_and(|(s, _)| !counts.contains(&s))

@@ -8,6 +8,10 @@ use crate::kernel::{Claim, Standing, definition};
 /// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit or summed up
 /// to: what is done to the symbol must be done to the term.
 pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
+    // Most claims have nothing of the kind.
+    if !claim.formulas().any(has_operands) {
+        return Vec::new();
+    }
     let mut formulas: Vec<Formula> = claim.formulas().cloned().collect();
     let goal = formulas.len() - 1;
     let mut chosen = Vec::new();
@@ -41,6 +45,13 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             *formula = formula.map_terms(|t| t.substitute(&symbol, &term));
         }
     }
+}
+
+fn has_operands(formula: &Formula) -> bool {
+    fn within(term: &Expr) -> bool {
+        term.binder().is_some() || term.children().into_iter().any(within)
+    }
+    matches!(formula, Formula::AllEqual { .. }) || formula.terms().into_iter().any(within)
 }
 
 /// The symbols to which something is done.

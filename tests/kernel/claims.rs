@@ -58,7 +58,7 @@ pub fn formula(text: &str) -> Formula {
 /// `hypotheses ⊢ goal`, nothing being said of any symbol.
 pub fn claim(hypotheses: &[&str], goal: &str) -> Claim {
     let assumed = |text: &&str| Hypothesis {
-        formula: formula(text),
+        formula: formula(text).into(),
         standing: Standing::Identity,
     };
     Claim {

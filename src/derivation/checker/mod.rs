@@ -172,11 +172,13 @@ impl Checker {
     /// (`let`) that are not in effect is no premise. `None` where nothing was found, for what is given, and for
     /// a label that does not exist.
     pub fn hunt(&self, label: &str) -> Option<Refuted> {
-        let claims = self.claims(self.position(label)?);
-        claims.iter().find_map(|claim| match search::decide(claim) {
-            Decision::Refuted(refuted) => Some(refuted),
-            _ => None,
-        })
+        let claims = self.claims(self.position(label)?).into_iter();
+        claims
+            .map(|claim| search::decide(claim, &[]))
+            .find_map(|decision| match decision {
+                Decision::Refuted(refuted) => Some(refuted),
+                _ => None,
+            })
     }
 
     /// What an equation claims: each of its relations, from what it cites and what it has shown before.
@@ -188,7 +190,7 @@ impl Checker {
         }
         let cited = self.cited(at);
         let step = |formula: &Formula| Assumed {
-            formula: formula.clone(),
+            formula: formula.clone().into(),
             standing: Standing::AtPoint,
             source: Source::Step,
         };
@@ -247,7 +249,7 @@ impl Checker {
             }
             let asserted = other.statements().iter().flat_map(asserted);
             assumed.extend(asserted.map(|formula| Assumed {
-                formula,
+                formula: formula.into(),
                 standing,
                 source: Source::Equation(premise),
             }));

@@ -148,7 +148,7 @@ pub fn values_at(claim: &Claim, at: &Assignment) -> Values {
     };
     let hypotheses = at.unfold.iter().filter_map(|&h| claim.hypotheses.get(h));
     for hypothesis in hypotheses {
-        let mut formula = hypothesis.formula.clone();
+        let mut formula = Formula::clone(&hypothesis.formula);
         for (symbol, term) in &values.terms {
             formula = formula.map_terms(|t| t.substitute(symbol, term));
         }
