@@ -10,12 +10,15 @@ fn substituted() -> Claim {
 
 #[test]
 fn obligation_says_what_was_read() {
-    let read = Obligation::new(substituted(), vec![1]).expect("a claim that can be read");
-    assert_eq!(read.claim(), &substituted());
-    assert_eq!(read.unfold(), [1]);
-    let problem = Proving::unfolding(substituted(), &[1]).problem;
-    assert_eq!(read.problem().facts, problem.facts);
-    assert_eq!(read.problem().goal, problem.goal);
+    for unfold in [vec![], vec![1]] {
+        let read =
+            Obligation::new(substituted(), unfold.clone()).expect("a claim that can be read");
+        assert_eq!(read.claim(), &substituted());
+        assert_eq!(read.unfold(), unfold);
+        let problem = Proving::unfolding(substituted(), &unfold).problem;
+        assert_eq!(read.problem().facts, problem.facts);
+        assert_eq!(read.problem().goal, problem.goal);
+    }
 }
 
 #[test]
