@@ -282,3 +282,32 @@ hole!(
         point(&[]).unfolding(&[0])
     )
 );
+hole!(element_put_in_outside_of_its_sequence, {
+    let mut c = claim(&["u_1 = -5"], "x = 1");
+    c.sequences.insert(symbol("u"), positive());
+    refuted(&c, point(&[("x", 2)]).unfolding(&[0]))
+});
+hole!(
+    element_of_an_undeclared_sequence,
+    refuted(
+        &claim(&[r"u_1 = u_2 = \dots = u_n = 4", "n = 2"], "u_1 = 4"),
+        point(&[("n", 2), ("u_1", 9)]).list("u", &[4, 4])
+    )
+);
+hole!(bound_index_is_no_count, {
+    let nested = r"\sum_{i=1}^{n} \sum_{j=1}^{i} u_j = 3";
+    let p = Proving::new(claim(&["i = -1", nested], r"0 \geq 1").sequence("u"));
+    let i = p.p("i");
+    let not_negative = |f: &Fact| f.polynomial == i && f.sign == Sign::NonNegative;
+    let at = p.problem.facts.iter().position(not_negative);
+    let t = PositiveTerm {
+        facts: vec![at.unwrap_or(99)],
+        ..one()
+    };
+    p.checked(p.positivity(&[], vec![t], &[(0, "-1")]))
+});
+hole!(slope_of_an_element_that_is_an_integer, {
+    let mut c = claim(&[], r"\frac{du_1}{dx} = 0");
+    c.sequences.insert(symbol("u"), integer());
+    refuted(&c, point(&[("x", 0)]).list("u", &[1]).slope("u_1", "x", 1))
+});

@@ -5,6 +5,10 @@
 mod claims;
 #[path = "kernel/dimensions.rs"]
 mod dimensions;
+#[path = "kernel/knowledge.rs"]
+mod knowledge;
+#[path = "kernel/obligations.rs"]
+mod obligations;
 #[path = "kernel/proofs.rs"]
 mod proofs;
 #[path = "kernel/readings.rs"]

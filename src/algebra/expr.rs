@@ -217,7 +217,7 @@ impl Expr {
 
     /// What a binder binds its symbol in, and what lies outside of its scope: the limits of a sum or integral,
     /// the point of a limit.
-    fn scope(&self) -> Option<(&Symbol, &Expr, Vec<&Expr>)> {
+    pub(crate) fn scope(&self) -> Option<(&Symbol, &Expr, Vec<&Expr>)> {
         match self {
             Expr::Series {
                 index: bound,

@@ -119,11 +119,8 @@ impl Knowledge {
         }
         let (content, rest) = split(polynomial);
         self.nonzero.contains(&polynomial.monic())
-            || self.is_positive(polynomial)
-            || self.is_positive(&polynomial.negated())
             || self.monomial_is_nonzero(&content)
-                && (rest.as_constant().is_some()
-                    || self.nonzero.contains(&rest.monic())
+                && (self.nonzero.contains(&rest.monic())
                     || self.is_positive(&rest)
                     || self.is_positive(&rest.negated()))
     }

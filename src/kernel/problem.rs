@@ -58,8 +58,8 @@ impl Problem {
     /// A hypothesis that cannot be put in, a goal whose relation certificates do not speak of, or a
     /// term that is too large or divides by 0.
     pub fn new(claim: &Claim, unfold: &[usize]) -> Result<Problem, Reject> {
-        let (formulas, goal, values) = unfolded(claim, unfold)?;
-        let sequences: BTreeSet<Symbol> = claim.sequences.keys().cloned().collect();
+        let sequences = sequences(claim);
+        let (formulas, goal, values) = unfolded(claim, unfold, &sequences)?;
         let declared = claim.domains.iter().filter(|(_, d)| d.constant);
         let mut problem = Problem {
             atoms: Atoms::default(),
@@ -420,7 +420,11 @@ fn compared(left: &Fraction, relation: Relation, right: &Fraction) -> Result<Opt
 type Unfolded = (Vec<(Arc<Formula>, Standing)>, Formula, Vec<(Symbol, Expr)>);
 
 /// Puts hypotheses `symbol = term` in everywhere, in order, and says what each symbol became.
-fn unfolded(claim: &Claim, unfold: &[usize]) -> Result<Unfolded, Reject> {
+fn unfolded(
+    claim: &Claim,
+    unfold: &[usize],
+    sequences: &BTreeSet<Symbol>,
+) -> Result<Unfolded, Reject> {
     let hypotheses = claim.hypotheses.iter();
     let mut formulas: Vec<_> = hypotheses
         .map(|h| (h.formula.clone(), h.standing))
@@ -449,15 +453,12 @@ fn unfolded(claim: &Claim, unfold: &[usize]) -> Result<Unfolded, Reject> {
         let all = || formulas.iter().map(|f| &*f.0).chain([&goal]);
         let moving = |f: &Formula| f.terms().iter().any(|t| moves(t, &symbol));
         let captured = |f: &Formula| f.terms().iter().any(|t| captures(t, &term));
-        // An element is named by its sequence too, under a sum.
+        // An element is named by its sequence too, under a sum and in the sequence's domain.
         let element = element_parts(&symbol).map(|parts| parts.0);
-        let names = |f: &Formula| {
-            let sequences = f.sequences();
-            sequences.contains(&symbol) || element.as_ref().is_some_and(|e| sequences.contains(e))
-        };
+        let named = sequences.contains(&symbol) || element.is_some_and(|e| sequences.contains(&e));
         let derived_by = |f: &Formula| f.terms().iter().any(|t| is_variable(t, &symbol));
         let stuck = *standing == Standing::AtPoint && all().any(moving);
-        if stuck || all().any(captured) || all().any(names) || all().any(derived_by) {
+        if stuck || named || all().any(captured) || all().any(derived_by) {
             return Err(Reject::NotUnfoldable(position));
         }
         let pointwise = *standing == Standing::AtPoint;
@@ -518,24 +519,37 @@ pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
     solved(left, right).or_else(|| solved(right, left))
 }
 
-/// The symbols that say how many elements there are.
+/// The symbols that name sequences, declared or not.
+fn sequences(claim: &Claim) -> BTreeSet<Symbol> {
+    let mentioned = claim.formulas().flat_map(Formula::sequences);
+    claim.sequences.keys().cloned().chain(mentioned).collect()
+}
+
+/// The symbols that say how many elements there are. A sum up to the index of another says nothing of the symbol
+/// outside of it.
 fn counts(claim: &Claim) -> BTreeSet<Symbol> {
-    fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {
+    fn collect<'a>(expr: &'a Expr, bound: &mut Vec<&'a Symbol>, found: &mut BTreeSet<Symbol>) {
         if let Expr::Series { to, .. } = expr
             && let Expr::Symbol(count) = &**to
+            && !bound.contains(&count)
         {
             found.insert(count.clone());
         }
-        expr.children()
-            .into_iter()
-            .for_each(|child| collect(child, found));
+        let Some((own, body, outside)) = expr.scope() else {
+            let children = expr.children().into_iter();
+            return children.for_each(|child| collect(child, bound, found));
+        };
+        outside.into_iter().for_each(|e| collect(e, bound, found));
+        bound.push(own);
+        collect(body, bound, found);
+        bound.pop();
     }
     let mut found = BTreeSet::new();
     for formula in claim.formulas() {
         formula
             .terms()
             .into_iter()
-            .for_each(|term| collect(term, &mut found));
+            .for_each(|term| collect(term, &mut Vec::new(), &mut found));
         if let Formula::AllEqual {
             to: Expr::Symbol(count),
             ..

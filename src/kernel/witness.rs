@@ -231,13 +231,10 @@ impl<'a> Point<'a> {
     ) -> Result<Rational, Reject> {
         let goal = &self.problem.goal_formula;
         // An element is named by its sequence too, and a number that cannot move has no slope to choose.
-        let sequence = element_parts(symbol).map(|parts| parts.0);
-        let named = |f: &Formula| sequence.as_ref().is_some_and(|s| f.sequences().contains(s));
+        let element = element_parts(symbol)
+            .is_some_and(|(sequence, _)| self.problem.sequences.contains(&sequence));
         let fixed = |d: &Domain| d.integer || d.lower.is_some() && d.lower == d.upper;
-        let formulas = self.problem.formulas.iter();
-        if formulas.map(|f| &*f.0).chain([goal]).any(named)
-            || self.claim.domains.get(symbol).is_some_and(fixed)
-        {
+        if element || self.claim.domains.get(symbol).is_some_and(fixed) {
             return Err(Reject::NoValue);
         }
         let formulas = self.problem.formulas.iter();

@@ -539,6 +539,15 @@ fn cauchy_schwarz_over_another_number_of_elements_is_rejected() {
 }
 
 #[test]
+fn power_0_of_a_sequence_is_left_out_of_a_sum() {
+    let goal = r"n \sum_{i=1}^{n} u_i^2 \geq (\sum_{i=1}^{n} u_i)^2";
+    let p = Proving::new(claim(&[], goal).sequence("u").sequence("w"));
+    let mut square = spread("n", "u");
+    square.series[0].f.push((symbol("w"), 0));
+    assert_eq!(p.checked(p.positivity(&[], vec![square], &[])), Ok(()));
+}
+
+#[test]
 fn symbol_that_counts_nothing_is_no_count() {
     let p = Proving::new(claim(&[], r"n^2 \geq n^2"));
     let mut square = spread("n", "u");
@@ -562,6 +571,74 @@ fn powers_beyond_all_bounds_are_refused() {
     let p = Proving::new(claim(&["x = 1"], "x = 1"));
     let proof = p.combination(&[], u32::MAX, &[(0, "1")]);
     assert_eq!(p.checked(proof), Err(Reject::TooLarge));
+}
+
+#[test]
+fn unknown_that_the_claim_does_not_have_is_rejected_wherever_it_is() {
+    let goals = ["x = 0", r"x \neq 0", r"x \geq 0"];
+    let [zero, nonzero, nonnegative] = goals.map(|goal| Proving::new(claim(&[], goal)));
+    // The first that is not there.
+    let foreign = Proving::new(claim(&[], "a = b")).p("b");
+    let combination = |multiplier, cofactors| Proof::Combination {
+        multiplier,
+        power: 1,
+        cofactors,
+    };
+    let non_vanishing = |certain, cofactor, cofactors| Proof::NonVanishing {
+        certain,
+        cofactor,
+        cofactors,
+    };
+    let positivity = |multiplier, terms, cofactors| Proof::Positivity {
+        multiplier,
+        terms,
+        cofactors,
+    };
+    let factor = || vec![(foreign.clone(), 1)];
+    let cofactor = || vec![(0, foreign.clone())];
+    let as_factor = || PositiveTerm {
+        factors: factor(),
+        ..one()
+    };
+    let as_square = PositiveTerm {
+        squares: vec![foreign.clone()],
+        ..one()
+    };
+    let foreign_bound = || Box::new(positivity(vec![], vec![as_factor()], vec![]));
+    let own_bound = || Box::new(zero.positivity(&[], vec![], &[]));
+    let bounds = |below, above| Proof::BothBounds { below, above };
+    for (p, proof) in [
+        (&zero, combination(factor(), vec![])),
+        (&zero, combination(vec![], cofactor())),
+        (&zero, bounds(foreign_bound(), own_bound())),
+        (&zero, bounds(own_bound(), foreign_bound())),
+        (&zero, Proof::Square(foreign_bound())),
+        (&nonzero, non_vanishing(factor(), zero.p("1"), vec![])),
+        (&nonzero, non_vanishing(vec![], foreign.clone(), vec![])),
+        (&nonzero, non_vanishing(vec![], zero.p("1"), cofactor())),
+        (&nonnegative, positivity(factor(), vec![], vec![])),
+        (&nonnegative, positivity(vec![], vec![as_factor()], vec![])),
+        (&nonnegative, positivity(vec![], vec![as_square], vec![])),
+        (&nonnegative, positivity(vec![], vec![], cofactor())),
+    ] {
+        let verdict = p.checked(proof.clone());
+        assert_eq!(verdict, Err(Reject::NoSuchUnknown), "{proof:?}");
+        // In a lemma as well.
+        let mut p = p.clone();
+        let fact = p.problem.goal.clone();
+        p.lemmas.push(Lemma { fact, proof });
+        let verdict = p.checked(p.combination(&[], 1, &[]));
+        assert_eq!(verdict, Err(Reject::NoSuchUnknown));
+    }
+    let mut p = zero.clone();
+    p.lemmas.push(Lemma {
+        fact: Fact {
+            polynomial: foreign.clone(),
+            sign: Sign::Zero,
+        },
+        proof: p.combination(&[], 1, &[]),
+    });
+    assert_eq!(p.trivially(), Err(Reject::NoSuchUnknown));
 }
 
 #[test]
@@ -650,6 +727,37 @@ fn lemma_of_another_sign_than_its_proof_is_rejected() {
     assert_eq!(p.checked(proof.clone()), Err(Reject::WrongKind));
     p.lemmas[0].fact.sign = Sign::NonZero;
     assert_eq!(p.checked(proof), Ok(()));
+}
+
+#[test]
+fn each_reason_to_reject_is_told_in_its_own_words() {
+    let x = || term("x");
+    let reasons = [
+        Reject::NotUnfoldable(0),
+        Reject::NoSuchFact(0),
+        Reject::UnsupportedRelation,
+        Reject::WrongKind,
+        Reject::IdentityFails,
+        Reject::MayVanish(x()),
+        Reject::MayBeNegative(x()),
+        Reject::NegativeCoefficient,
+        Reject::NotStrict,
+        Reject::ZeroPower,
+        Reject::MayVary(x()),
+        Reject::MayHaveNoValue(x()),
+        Reject::NoSuchUnknown,
+        Reject::NoSuchSum,
+        Reject::NoValue,
+        Reject::PremiseFalse(0),
+        Reject::OutsideDomain,
+        Reject::GoalNotFalse,
+        Reject::DivisionByZero,
+        Reject::TooLarge,
+    ];
+    let told: std::collections::BTreeSet<String> =
+        reasons.iter().map(|reason| reason.to_string()).collect();
+    assert_eq!(told.len(), reasons.len());
+    assert!(told.iter().all(|words| !words.is_empty()));
 }
 
 proptest! {

@@ -1,6 +1,7 @@
 //! How a claim becomes facts: definitions put in, divisors, domains, derivatives, limits and sums.
 
-use cradle_verify::kernel::{Fact, Lemma, PositiveTerm, Problem, Reject, Sign};
+use cradle_verify::algebra::{Expr, Formula, Relation};
+use cradle_verify::kernel::{Domain, Fact, Lemma, Origin, PositiveTerm, Problem, Reject, Sign};
 
 use super::claims::*;
 
@@ -55,6 +56,25 @@ fn variable_of_a_derivative_is_not_put_in() {
     let claim = claim(&["x = 2"], r"\frac{dy}{dx} = 0");
     let verdict = Problem::new(&claim, &[0]).map(|_| ());
     assert_eq!(verdict, Err(Reject::NotUnfoldable(0)));
+}
+
+#[test]
+fn symbol_of_the_name_of_an_index_is_put_in_outside_of_the_sum() {
+    let goal = r"i + \sum_{i=1}^{n} i u_i = 3 + \sum_{j=1}^{n} j u_j";
+    let claim = claim(&["i = 3"], goal).sequence("u");
+    assert!(Problem::new(&claim, &[0]).is_ok());
+}
+
+#[test]
+fn element_is_not_put_in_where_its_sequence_is_spoken_of() {
+    let declared = claim(&["u_1 = 5"], "u_1 = 5").sequence("u");
+    let summed = claim(&["u_1 = 5"], r"\sum_{i=1}^{n} u_i = 5");
+    for claim in [declared, summed] {
+        let verdict = Problem::new(&claim, &[0]).map(|_| ());
+        assert_eq!(verdict, Err(Reject::NotUnfoldable(0)));
+    }
+    let mere_subscript = claim(&["u_1 = 5"], "u_1 = 5");
+    assert!(Problem::new(&mere_subscript, &[0]).is_ok());
 }
 
 #[test]
@@ -225,12 +245,151 @@ fn symbol_held_in_a_limit_must_be_known_not_to_vary() {
 }
 
 #[test]
+fn law_into_which_a_value_was_put_holds_at_this_point_only() {
+    let goal = r"\lim_{x \to 0} s x = 0";
+    let law = claim(&[r"\frac{ds}{dx} = k", "k = 0"], goal);
+    assert_eq!(Proving::unfolding(law.clone(), &[1]).trivially(), Ok(()));
+    let verdict = Proving::unfolding(law.at_point(1), &[1]).trivially();
+    assert_eq!(verdict, Err(Reject::MayVary(term(r"\frac{ds}{dx}"))));
+    // A law that does not speak of what was put in remains one.
+    let other = claim(&[r"\frac{ds}{dx} = 0", "k = 0"], goal).at_point(1);
+    assert_eq!(Proving::unfolding(other, &[1]).trivially(), Ok(()));
+}
+
+#[test]
 fn limit_in_a_premise_is_no_fact_where_something_was_held() {
     let p = Proving::new(claim(&[r"\lim_{x \to 0} (s + x) = 3"], "s = 3"));
     assert!(p.problem.facts.is_empty());
     let fixed = claim(&[r"\lim_{x \to 0} (s + x) = 3"], "s = 3").domain("s", constant());
     let p = Proving::new(fixed);
     assert_eq!(p.checked(p.combination(&[], 1, &[(0, "1")])), Ok(()));
+}
+
+#[test]
+fn domain_is_said_in_as_few_formulas_as_needed() {
+    let domain = |lower: Option<(i64, bool)>, upper: Option<(i64, bool)>, nonzero| Domain {
+        lower: lower.map(|(bound, strict)| (number(bound), strict)),
+        upper: upper.map(|(bound, strict)| (number(bound), strict)),
+        nonzero,
+        ..Domain::default()
+    };
+    let unequal = (Relation::NotEqual, 0);
+    let (above, from) = (Relation::Greater, Relation::GreaterOrEqual);
+    let (below, up_to) = (Relation::Less, Relation::LessOrEqual);
+    for (domain, said) in [
+        (domain(None, None, false), vec![]),
+        (domain(None, None, true), vec![unequal]),
+        (domain(Some((0, true)), None, false), vec![(above, 0)]),
+        (domain(Some((0, true)), None, true), vec![(above, 0)]),
+        (domain(Some((0, false)), None, false), vec![(from, 0)]),
+        (
+            domain(Some((0, false)), None, true),
+            vec![(from, 0), unequal],
+        ),
+        (domain(Some((1, false)), None, true), vec![(from, 1)]),
+        (
+            domain(Some((-1, true)), None, true),
+            vec![(above, -1), unequal],
+        ),
+        (domain(None, Some((1, true)), false), vec![(below, 1)]),
+        (
+            domain(None, Some((1, false)), true),
+            vec![(up_to, 1), unequal],
+        ),
+        (
+            domain(Some((-1, false)), Some((2, true)), false),
+            vec![(from, -1), (below, 2)],
+        ),
+    ] {
+        let formula = |(relation, bound)| Formula::Relation {
+            left: term("x"),
+            relation,
+            right: Expr::Number(number(bound)),
+        };
+        let said: Vec<Formula> = said.into_iter().map(formula).collect();
+        assert_eq!(domain.formulas(&term("x")), said, "{domain:?}");
+    }
+}
+
+#[test]
+fn domain_of_a_sequence_is_that_of_each_element_spoken_of() {
+    let mut claim = claim(&[], "u_2 > 0").sequence("u");
+    let p = Proving::new(claim.clone());
+    assert!(p.problem.facts.is_empty());
+    claim.sequences.insert(symbol("u"), positive());
+    let p = Proving::new(claim);
+    assert_eq!(p.problem.origins, [Origin::Domain(symbol("u"))]);
+    let fact = PositiveTerm {
+        facts: vec![0],
+        ..one()
+    };
+    assert_eq!(p.checked(p.positivity(&[], vec![fact], &[])), Ok(()));
+}
+
+#[test]
+fn sum_of_even_powers_is_not_negative_and_no_other() {
+    for (sum, accepted) in [
+        (r"\sum_{i=1}^{n} u_i^2", true),
+        (r"\sum_{i=1}^{n} u_i^2 w_i^4", true),
+        (r"\sum_{i=1}^{n} u_i", false),
+        (r"\sum_{i=1}^{n} u_i^3", false),
+        (r"\sum_{i=1}^{n} u_i w_i", false),
+        (r"\sum_{i=1}^{n} u_i^2 w_i", false),
+    ] {
+        let claim = claim(&[], &format!(r"{sum} \geq 0"));
+        let p = Proving::new(claim.sequence("u").sequence("w"));
+        let itself = PositiveTerm {
+            factors: vec![(p.problem.goal.polynomial.clone(), 1)],
+            ..one()
+        };
+        let verdict = p.checked(p.positivity(&[], vec![itself], &[]));
+        match accepted {
+            true => assert_eq!(verdict, Ok(()), "{sum}"),
+            false => assert!(matches!(verdict, Err(Reject::MayBeNegative(_))), "{sum}"),
+        }
+    }
+}
+
+#[test]
+fn sums_of_the_identity_of_lagrange_are_unknowns_of_the_claim() {
+    let goal = r"\sum_{i=1}^{n} u_i^3 = \sum_{i=1}^{n} w_i^3";
+    let p = Proving::new(claim(&[], goal).sequence("u").sequence("w"));
+    for sum in ["u_i", "w_i", "u_i^2", "w_i^2", "u_i w_i"] {
+        p.p(&format!(r"\sum_{{i=1}}^{{n}} {sum}"));
+    }
+    p.p("n");
+}
+
+#[test]
+fn count_is_not_negative() {
+    let p = Proving::new(claim(&[], r"n + 0 \sum_{i=1}^{n} u_i \geq 0").sequence("u"));
+    let count = PositiveTerm {
+        factors: p.factors(&[("n", 1)]),
+        ..one()
+    };
+    assert_eq!(p.checked(p.positivity(&[], vec![count], &[])), Ok(()));
+}
+
+#[test]
+fn index_of_a_sum_that_another_runs_up_to_is_no_count_outside_of_it() {
+    let nested = r"\sum_{i=1}^{n} \sum_{j=1}^{i} u_j = 3";
+    for (hypotheses, counted) in [
+        (vec![nested], false),
+        (vec![nested, r"\sum_{j=1}^{i} u_j = 3"], true),
+        (vec![r"\sum_{i=1}^{i} u_i = 3"], true),
+    ] {
+        let p = Proving::new(claim(&hypotheses, r"i \geq 0").sequence("u"));
+        let count = PositiveTerm {
+            factors: p.factors(&[("i", 1)]),
+            ..one()
+        };
+        let expected = match counted {
+            true => Ok(()),
+            false => Err(Reject::MayBeNegative(term("i"))),
+        };
+        let verdict = p.checked(p.positivity(&[], vec![count], &[]));
+        assert_eq!(verdict, expected, "{hypotheses:?}");
+    }
 }
 
 #[test]

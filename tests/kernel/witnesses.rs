@@ -330,6 +330,101 @@ fn slope_of_a_law_must_satisfy_it() {
 }
 
 #[test]
+fn slope_of_a_law_may_stand_on_either_side() {
+    let claim = claim(&[r"2 k = \frac{ds}{dx}"], r"\frac{ds}{dx} = 1");
+    let at = point(&[("k", 1), ("x", 0)]).slope("s", "x", 2);
+    assert_eq!(refuted(&claim, at), Ok(()));
+}
+
+#[test]
+fn slope_is_not_chosen_by_a_law_that_is_not_solved_for_it() {
+    for law in [
+        r"(\frac{ds}{dx})^2 = 4",
+        r"\frac{ds}{dx} = k \frac{ds}{dx}",
+        r"k \frac{ds}{dx} = \frac{ds}{dx}",
+    ] {
+        let claim = claim(&[law], r"\frac{ds}{dx} = 1");
+        let at = point(&[("k", 1), ("x", 0)]).slope("s", "x", 2);
+        assert_eq!(refuted(&claim, at), Err(Reject::NoValue), "{law}");
+    }
+}
+
+#[test]
+fn slope_is_not_chosen_where_two_laws_speak_of_it() {
+    let laws = [r"\frac{ds}{dx} = 2 k", r"\frac{ds}{dx} = k + 1"];
+    let claim = claim(&laws, r"\frac{ds}{dx} = 1");
+    let at = || point(&[("k", 1), ("x", 0)]).slope("s", "x", 2);
+    assert_eq!(refuted(&claim, at()), Err(Reject::NoValue));
+    // What is so at this point is no law.
+    assert_eq!(refuted(&claim.at_point(1), at()), Ok(()));
+}
+
+#[test]
+fn slope_of_what_is_spoken_of_at_the_point_is_not_chosen() {
+    for hypothesis in ["s = 3", "2 s = 6", r"\frac{dw}{ds} = 1"] {
+        let claim = claim(&[hypothesis], r"\frac{ds}{dx} = 1").at_point(0);
+        let at = point(&[("s", 3), ("w", 0), ("x", 0)]);
+        let verdict = refuted(&claim, at.slope("s", "x", 2).slope("w", "s", 1));
+        assert_eq!(verdict, Err(Reject::NoValue), "{hypothesis}");
+    }
+}
+
+#[test]
+fn slope_of_what_has_a_domain_is_chosen_unless_that_is_a_point() {
+    let goal = || claim(&[], r"\frac{ds}{dx} = 1");
+    let at = || point(&[("s", 1), ("x", 0)]).slope("s", "x", 2);
+    let only = Domain {
+        lower: Some((number(1), false)),
+        upper: Some((number(1), false)),
+        ..Domain::default()
+    };
+    let integer = Domain {
+        integer: true,
+        ..Domain::default()
+    };
+    for (domain, chosen) in [
+        (Domain::default(), true),
+        (positive(), true),
+        (only, false),
+        (integer, false),
+    ] {
+        let elsewhere = goal().domain("s", domain.clone());
+        let verdict = refuted(&elsewhere, at());
+        assert_eq!(verdict.is_ok(), chosen, "{domain:?}: {verdict:?}");
+    }
+}
+
+#[test]
+fn slope_of_what_no_law_moves_is_0() {
+    let still = claim(&[], r"\frac{dk}{dx} = 1");
+    assert_eq!(refuted(&still, point(&[("x", 1)])), Ok(()));
+    let moved = claim(&["x = 2 k"], r"\frac{dk}{dx} = 1");
+    let verdict = refuted(&moved, point(&[("x", 2), ("k", 1)]));
+    assert_eq!(verdict, Err(Reject::NoValue));
+    // A definition that was put in says nothing any more.
+    let defined = claim(&["y = x^2"], r"\frac{dk}{dx} = y");
+    let at = point(&[("x", 1)]).unfolding(&[0]);
+    assert_eq!(refuted(&defined, at), Ok(()));
+}
+
+#[test]
+fn limit_has_its_value_where_what_is_held_in_it_does_not_move() {
+    let claim = claim(&[], r"\lim_{x \to 0} s x = 1");
+    assert_eq!(refuted(&claim, point(&[("s", 1), ("x", 1)])), Ok(()));
+    let at = point(&[("s", 1), ("x", 1)]).slope("s", "x", 1);
+    assert_eq!(refuted(&claim, at), Err(Reject::NoValue));
+}
+
+#[test]
+fn index_of_a_sum_that_another_runs_up_to_needs_no_value() {
+    let nested = r"0 \sum_{i=1}^{n} \sum_{j=1}^{i} u_j = 1";
+    let claim = claim(&[], nested).sequence("u");
+    let verdict = refuted(&claim, point(&[("n", 2)]).list("u", &[1, 1]));
+    // The sum is not known to have a value; that is all that is wrong.
+    assert_eq!(verdict, Err(Reject::GoalNotFalse));
+}
+
+#[test]
 fn divisor_that_is_always_0_is_named() {
     let claim = claim(&[], r"\frac{1}{x - x} = 1");
     let verdict = refuted(&claim, point(&[("x", 1)]));
@@ -345,7 +440,8 @@ fn numbers_beyond_all_bounds_are_refused() {
 #[test]
 fn model_makes_the_premises_true_whatever_the_goal_says() {
     let claim = claim(&["x^2 = 4"], r"\frac{1}{0 y} = 1").domain("x", positive());
-    assert!(check_model(&claim, point(&[("x", 2)])).is_ok());
+    let model = check_model(&claim, point(&[("x", 2)]));
+    assert_eq!(model.map(|m| m.point().clone()), Ok(point(&[("x", 2)])));
     let outside = check_model(&claim, point(&[("x", -2)])).map(|_| ());
     assert_eq!(outside, Err(Reject::OutsideDomain));
     let untrue = check_model(&claim, point(&[("x", 3)])).map(|_| ());
