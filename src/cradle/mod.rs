@@ -16,9 +16,11 @@
 
 pub mod chain;
 pub mod collision;
+pub mod contact;
 pub mod error;
 pub mod laws;
 pub mod number;
+pub mod ode;
 pub mod outcome;
 pub mod scenario;
 
