@@ -55,6 +55,8 @@ pub enum ContactError {
         /// How many velocities.
         velocities: usize,
     },
+    /// A longer line than is integrated.
+    TooManyBalls(usize),
     /// Still unfinished after so many steps.
     TooManySteps(usize),
     /// A ratio of masses beyond what is integrated.
@@ -76,6 +78,11 @@ impl fmt::Display for ContactError {
                 f,
                 "each ball needs a mass and a velocity, but masses are {masses} and velocities {velocities}"
             ),
+            ContactError::TooManyBalls(balls) => write!(
+                f,
+                "a line of {balls} balls is too long: with contact forces at most {} are integrated",
+                super::touching::MOST_BALLS
+            ),
             ContactError::TooManySteps(steps) => write!(
                 f,
                 "the integration was given up after {steps} steps: the balls have not parted"
@@ -83,7 +90,7 @@ impl fmt::Display for ContactError {
             ContactError::MassesTooUnequal(ratio) => write!(
                 f,
                 "the heaviest ball has {ratio:.1e} times the mass of the lightest: with contact forces at most {:.0e} is integrated",
-                1e6
+                super::touching::MOST_UNEQUAL
             ),
             ContactError::NoSuchRestitution(e) => write!(
                 f,
