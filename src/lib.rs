@@ -85,7 +85,8 @@
 //! with the exact arithmetic of [`algebra`] and nothing else. What a verdict is about is in
 //! [`kernel::Claim`]: hypotheses, domains and the goal, which [`notation`] prints back as LaTeX.
 //!
-//! [`cradle`] holds the physics of the cradle as code. It shares nothing with the route from LaTeX to verdicts, so
+//! [`cradle`] holds the physics of the cradle as code: collisions in exact rationals, and, in floating point with errors
+//! stated, contacts that take time. It shares nothing with the route from LaTeX to verdicts, so
 //! that each can be tested against the other.
 #![forbid(unsafe_code)]
 

@@ -216,10 +216,10 @@ mod tests {
             sticky.settle(limits),
             Err(ChainError::TooManyCollisions(50))
         );
-        let few = Limits { bits: 64, ..limits };
+        let few = Limits { bits: 32, ..limits };
         assert!(matches!(
             line("1, 1, 1", "1, 0, 0", "0").settle(few),
-            Err(ChainError::NumbersTooLong { bits: 64, .. })
+            Err(ChainError::NumbersTooLong { bits: 32, .. })
         ));
     }
 
