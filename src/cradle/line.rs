@@ -1,6 +1,6 @@
 //! A line of balls with gaps between them, event by event: which two meet next is worked out from where the balls are.
 //!
-//! [`Chain`](super::Chain) knows velocities only and needs a rule for who meets first. Here the balls have places. At the
+//! [`Chain`] knows velocities only and needs a rule for who meets first. Here the balls have places. At the
 //! start each is one gap from the next, all gaps alike; how large they are decides nothing, for there is no other length that
 //! it could be compared with. So this is also the limit of balls that all but touch, and the pulse runs ahead of what follows
 //! it, as it does in a real cradle with small gaps.

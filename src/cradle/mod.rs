@@ -8,7 +8,7 @@
 //! - [`laws`]: momentum and kinetic energy of a line of balls.
 //! - [`collision`]: two balls, elastic or with a coefficient of restitution.
 //! - [`chain`]: a line of balls, colliding pair by pair until they part.
-//! - [`line`]: the same with gaps between the balls, so that it is known which pair is next.
+//! - [`mod@line`]: the same with gaps between the balls, so that it is known which pair is next.
 //! - [`contact`]: collisions that take time: Hertz's law, damping, touching balls, heat and sound. [`ode`] integrates them.
 //! - [`scenario`]: a proposed outcome, "two balls in, one out at twice the speed", and [`outcome`]: what the laws say to it.
 //! - [`error`]: why masses and velocities make no chain and no scenario.

@@ -159,12 +159,12 @@ impl Impact {
 /// The equation of motion in units of `δ_max` and `δ_max/v` has one parameter, `β = γ δ_max^{3/2}/(μ v)`, so `e` fixes `β`.
 /// It is found by halving, for `e` falls as `β` grows.
 ///
-/// **Units.** None. Relative accuracy about 10⁻⁸ from `e = 0.05` to `0.999`.
+/// **Units.** None. Relative accuracy 10⁻⁷ or better.
 ///
 /// # Errors
-/// [`ContactError::NoSuchRestitution`] unless `0.05 ≤ e < 1`.
+/// [`ContactError::NoSuchRestitution`] unless `0.05 ≤ e ≤ 0.9999`.
 pub fn damping_number(e: f64) -> Result<f64, ContactError> {
-    if !(0.05..1.0).contains(&e) {
+    if !(0.05..=0.9999).contains(&e) {
         return Err(ContactError::NoSuchRestitution(e));
     }
     // Reduced mass, speed and δ_max are 1.

@@ -94,7 +94,7 @@ impl fmt::Display for ContactError {
             ),
             ContactError::NoSuchRestitution(e) => write!(
                 f,
-                "damping is inferred from coefficients of restitution from 0.05 to below 1, and {e} is not one"
+                "damping is inferred from coefficients of restitution from 0.05 to 0.9999, and {e} is not one"
             ),
         }
     }
