@@ -56,7 +56,7 @@ impl Simulation {
             End::Pairwise { after, .. } => after.iter().map(shown).collect(),
             End::Hertz(parting) => {
                 let velocities = parting.velocities.iter();
-                velocities.map(|v| decimal(v.value)).collect()
+                velocities.map(|v| fixed(v.value)).collect()
             }
         }
     }
@@ -188,5 +188,14 @@ fn decimal(value: f64) -> String {
         0.0 => "0.000000".to_owned(),
         1e-4..1e6 => format!("{value:.6}"),
         _ => format!("{value:.5e}"),
+    }
+}
+
+/// Six decimals whatever the size: a velocity of less is not told apart from none.
+fn fixed(value: f64) -> String {
+    let text = format!("{value:.6}");
+    match text.strip_prefix('-') {
+        Some("0.000000") => "0.000000".to_owned(),
+        _ => text,
     }
 }
