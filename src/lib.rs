@@ -88,7 +88,8 @@
 //! [`dimension`] infers what nobody declares, and is not believed either: [`kernel::dimension`] adds up what it hands
 //! over, and alone builds the verdict that an equation compares what cannot be compared.
 //!
-//! [`cradle`] holds the physics of the cradle as code. It shares nothing with the route from LaTeX to verdicts, so
+//! [`cradle`] holds the physics of the cradle as code: collisions in exact rationals, and, in floating point with errors
+//! stated, contacts that take time. It shares nothing with the route from LaTeX to verdicts, so
 //! that each can be tested against the other.
 #![forbid(unsafe_code)]
 

@@ -108,6 +108,87 @@ fn scenarios_of_ones_own() {
 }
 
 #[test]
+fn simulations_say_what_comes_out() {
+    let run = |more: &[&str]| program(&[&["simulate"], more].concat());
+    let text = |more: &[&str]| {
+        let output = run(more);
+        assert_eq!(code(&output), 0, "{more:?}: {}", err(&output));
+        out(&output)
+    };
+    let pairwise = text(&["--balls", "5", "--in", "2"]);
+    assert!(
+        pairwise.contains("velocity after    0   0   0   1   1\n"),
+        "{pairwise}"
+    );
+    assert!(pairwise.contains("6 collisions") && pairwise.contains("exact"));
+    assert!(text(&[]).contains("velocity after    0   0   0   0   1\n"));
+    let damped = text(&["--restitution", "9/10"]);
+    assert!(
+        damped.contains("130321/160000") && damped.contains("heat and sound"),
+        "{damped}"
+    );
+    assert!(text(&["--masses", "1,2,3"]).contains("velocity after    -1/3   -2/15   8/15"));
+    let hertz = text(&["--model", "hertz", "--balls", "3"]);
+    assert!(hertz.contains("-0.070952   0.076403   0.994549"), "{hertz}");
+    assert!(
+        hertz.contains("Numeric") && !hertz.contains("exact"),
+        "{hertz}"
+    );
+}
+
+#[test]
+fn simulations_for_programs() {
+    let json = |more: &[&str]| -> Value {
+        let output = program(&[&["simulate", "--format", "json"], more].concat());
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let pairwise = json(&["--balls", "2", "--restitution", "1/2"]);
+    assert_eq!(pairwise["exact"], true);
+    assert_eq!(pairwise["after"], serde_json::json!(["1/4", "3/4"]));
+    assert_eq!(pairwise["kinetic_energy"]["after"], "5/16");
+    let hertz = json(&["--model", "hertz", "--in", "2"]);
+    assert_eq!(hertz["exact"], false);
+    let (after, errors) = (&hertz["after"], &hertz["errors"]);
+    assert!((after[4].as_f64().unwrap() - 1.1397).abs() < 1e-4);
+    assert!(errors[4].as_f64().unwrap() < 1e-6);
+}
+
+#[test]
+fn simulations_that_mean_nothing_or_never_end() {
+    for (args, said) in [
+        (&["--balls", "0"][..], "1 to 1000 balls"),
+        (&["--balls", "1001"], "1 to 1000 balls"),
+        (&["--balls", "x"], "--balls"),
+        (&["--in", "0"], "1 to 5 can come in"),
+        (&["--in", "6"], "1 to 5 can come in"),
+        (&["--masses", "1,2", "--balls", "3"], "--masses has 2"),
+        (&["--masses", "1,-2"], "ball 2 has the mass -2"),
+        (&["--masses", "1,y"], "`y` is not a number"),
+        (&["--restitution", "11/10"], "between 0 and 1"),
+        (&["--restitution", "-1"], "between 0 and 1"),
+        (&["--restitution", "e"], "`e` is not a number"),
+        (&["--restitution", "0"], "longer than 1000 bits"),
+        (
+            &["--balls", "1000", "--in", "500"],
+            "after 20000 collisions",
+        ),
+        (&["--model", "hertz", "--restitution", "1/2"], "pairwise"),
+        (&["--model", "hertz", "--masses", "1,1e-9"], "1.0e9 times"),
+        (
+            &["--model", "hertz", "--balls", "500"],
+            "500 balls is too long",
+        ),
+        (&["--model", "newton"], "newton"),
+    ] {
+        let output = program(&[&["simulate"], args].concat());
+        assert_eq!(code(&output), 2, "{args:?}");
+        assert!(err(&output).starts_with("error: "), "{}", err(&output));
+        assert!(err(&output).contains(said), "{args:?}: {}", err(&output));
+        assert!(out(&output).is_empty());
+    }
+}
+
+#[test]
 fn a_document_without_faults() {
     let source =
         "<!-- check: given -->\n$$ a = b + c \\tag{1} $$\n\nSo\n\n$$ a - c = b \\tag{2} $$\n";

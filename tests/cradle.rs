@@ -2,8 +2,8 @@
 
 use cradle_verify::cli::scenario::{human, json};
 use cradle_verify::cradle::{
-    Chain, ChainError, Law, Remark, Scenario, efficiency, elastic, energy_loss, kinetic_energy,
-    list_text, momentum, parse_exact, parse_list, with_restitution,
+    Chain, ChainError, Law, Limits, Line, Remark, Scenario, efficiency, elastic, energy_loss,
+    kinetic_energy, list_text, momentum, parse_exact, parse_list, with_restitution,
 };
 use nalgebra::DVector;
 use num_rational::BigRational;
@@ -41,6 +41,16 @@ fn velocity() -> impl Strategy<Value = BigRational> {
 
 fn restitution() -> impl Strategy<Value = BigRational> {
     (1i64..12).prop_flat_map(|d| (0..=d).prop_map(move |n| ratio(n, d)))
+}
+
+/// Long enough for a few balls, and quick.
+const SHORT: Limits = Limits {
+    collisions: 40,
+    bits: 500,
+};
+
+fn line(masses: &DVector<BigRational>, velocities: &DVector<BigRational>, e: &str) -> Line {
+    Line::new(Chain::new(masses.clone(), velocities.clone(), q(e)).unwrap())
 }
 
 /// A few balls of any masses and velocities.
@@ -177,6 +187,37 @@ proptest! {
     }
 
     #[test]
+    fn a_line_with_gaps_conserves_both_and_ends_in_order((masses, before) in balls()) {
+        let mut line = line(&masses, &before, "1");
+        let events = line.settle(SHORT);
+        for law in Law::ALL {
+            prop_assert_eq!(law.quantity(&masses, &before), law.quantity(&masses, line.velocities()));
+        }
+        let Ok(events) = events else { return Ok(()) };
+        prop_assert!(events.is_sorted_by(|a, b| a.time <= b.time));
+        prop_assert!(line.velocities().iter().is_sorted());
+        prop_assert!(events.iter().all(|event| event.time > q("0")));
+    }
+
+    #[test]
+    fn an_inelastic_line_with_gaps_conserves_momentum_and_gains_no_energy((masses, before) in balls(), e in restitution()) {
+        let mut line = Line::new(Chain::new(masses.clone(), before.clone(), e).unwrap());
+        let _ = line.settle(SHORT);
+        prop_assert_eq!(momentum(&masses, &before), momentum(&masses, line.velocities()));
+        prop_assert!(kinetic_energy(&masses, line.velocities()) <= kinetic_energy(&masses, &before));
+    }
+
+    /// Without a third ball there is nothing that gaps could decide.
+    #[test]
+    fn two_balls_need_no_gap(m1 in mass(), m2 in mass(), u1 in velocity(), u2 in velocity(), e in restitution()) {
+        let (masses, before) = (DVector::from_vec(vec![m1, m2]), DVector::from_vec(vec![u1, u2]));
+        let mut chain = Chain::new(masses, before, e).unwrap();
+        let mut line = Line::new(chain.clone());
+        let events = line.settle(SHORT).unwrap();
+        prop_assert_eq!(chain.settle(1).unwrap(), events.into_iter().map(|e| e.encounter).collect::<Vec<_>>());
+    }
+
+    #[test]
     fn the_choice_of_units_decides_nothing(
         (masses, before) in balls(), after in vec(velocity(), 5), m in mass(), v0 in mass(), turned in any::<bool>(),
     ) {
@@ -211,8 +252,58 @@ fn n_in_n_out_for_every_cradle_of_up_to_sixteen_balls() {
                 q(if ball < balls - arriving { "0" } else { "1" })
             });
             assert_eq!(*cradle.velocities(), leaving, "{arriving} into {balls}");
+            let mut apart = line(&equal(balls), &standing(balls, arriving), "1");
+            let events = apart.settle(Limits::USUAL).unwrap();
+            assert_eq!(events.len(), arriving * (balls - arriving));
+            assert_eq!(*apart.velocities(), leaving, "{arriving} into {balls}");
         }
     }
+}
+
+/// With gaps the pulse runs ahead of what follows it, for smaller `e` than where the leftmost pair always goes first.
+#[test]
+fn the_last_ball_of_a_line_with_gaps_leaves_at_the_product_speed() {
+    for (e, most) in [("1/2", 6), ("9/10", 16), ("99/100", 16), ("1", 16)] {
+        for balls in 2..=most {
+            let mut line = line(&equal(balls), &standing(balls, 1), e);
+            let passed = |line: &mut Line| line.collide_next().unwrap().encounter.left + 2 == balls;
+            let collisions = (0..200).take_while(|_| !passed(&mut line)).count();
+            assert!(collisions < 200, "{balls} balls, e = {e}");
+            let product = pow((q("1") + q(e)) / q("2"), balls - 1);
+            assert_eq!(
+                line.velocities()[balls - 1],
+                product,
+                "{balls} balls, e = {e}"
+            );
+        }
+    }
+    // Nothing catches up with it later either, in a cradle of the usual kind.
+    let mut cradle = line(&equal(5), &standing(5, 1), "9/10");
+    assert_eq!(cradle.settle(Limits::USUAL).unwrap().len(), 10);
+    assert_eq!(cradle.velocities()[4], pow(q("19/20"), 4));
+}
+
+#[test]
+fn a_line_that_never_ends_is_given_up_soon() {
+    // Inelastic collapse; and a light ball that rattles between two heavy ones, millions of times.
+    let mut sticky = line(&equal(3), &standing(3, 1), "0");
+    let refusal = sticky.settle(Limits::USUAL).unwrap_err().to_string();
+    assert_eq!(
+        refusal,
+        "after 1000 collisions the exact numbers are longer than 1000 bits, and the balls may still be colliding"
+    );
+    let mut rattling = line(&list("1, 1e-12, 1"), &standing(3, 1), "1");
+    let refusal = rattling.settle(Limits::USUAL);
+    assert!(
+        matches!(refusal, Err(ChainError::NumbersTooLong { .. })),
+        "{refusal:?}"
+    );
+    let mut many = line(&equal(400), &standing(400, 200), "1");
+    let few = Limits {
+        collisions: 500,
+        ..Limits::USUAL
+    };
+    assert_eq!(many.settle(few), Err(ChainError::TooManyCollisions(500)));
 }
 
 /// The speed at which the last of a line of equal balls is first struck away, one ball coming in at speed 1.

@@ -43,6 +43,24 @@ pub enum Command {
         #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
         masses: Option<String>,
     },
+    /// Let balls collide: the first ones come in at speed 1, the others stand. What comes out?
+    Simulate {
+        /// How many balls; without it, as many as there are masses, or five.
+        #[arg(long, value_name = "NUMBER")]
+        balls: Option<usize>,
+        /// How many of them come in.
+        #[arg(long = "in", value_name = "NUMBER", default_value_t = 1)]
+        arriving: usize,
+        /// How they collide.
+        #[arg(long, value_enum, default_value_t = Model::Pairwise)]
+        model: Model,
+        /// The coefficient of restitution, from 0 to 1: `9/10`. Without it, 1. Pairwise only.
+        #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+        restitution: Option<String>,
+        /// The masses, parted by commas; without them, all are 1.
+        #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+        masses: Option<String>,
+    },
     /// Audit Markdown documents of your own, read together as one derivation.
     Check {
         /// Files, directories (every `*.md` in them), or `-` for standard input.
@@ -58,6 +76,15 @@ pub enum Command {
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
     },
+}
+
+/// How balls collide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Model {
+    /// One pair after the other, in an instant, with small gaps between the balls. Exact.
+    Pairwise,
+    /// All at once, by Hertz's contact force, the balls touching from the start. Numeric, with an estimate of the error.
+    Hertz,
 }
 
 /// Whom the output is for.

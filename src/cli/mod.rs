@@ -8,6 +8,8 @@ pub mod input;
 pub mod output;
 mod run;
 pub mod scenario;
+mod simulate;
+mod table;
 
 use std::process::ExitCode;
 

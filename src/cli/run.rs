@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::args::{Args, Command, Format};
-use super::{Failure, input, scenario};
+use super::{Failure, input, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
@@ -41,6 +41,21 @@ pub(super) fn run(args: &Args) -> Done {
             after,
             masses,
         }) => judged(&own(before, after, masses.as_deref())?, args.format),
+        Some(Command::Simulate {
+            balls,
+            arriving,
+            model,
+            restitution,
+            masses,
+        }) => {
+            let balls = simulate::balls(*balls, *arriving, masses.as_deref())?;
+            let simulation = balls.simulate(*model, restitution.as_deref())?;
+            let text = match args.format {
+                Format::Human => simulation.human(),
+                Format::Json => pretty(&simulation.json())?,
+            };
+            Ok((text, false))
+        }
     }
 }
 

@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use nalgebra::DVector;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use serde_json::{Value, json};
 
+use super::table::{signed, strings, table};
 use crate::cradle::{Judgement, Law, Outcome, Remark};
 
 /// The scenario as a student would like to read it: the balls, each law with both its sides, the conclusion, remarks.
@@ -185,38 +185,4 @@ fn change(judgement: &Judgement) -> String {
         () if ratio.is_negative() => format!("turn round and change by the factor {}", -ratio),
         () => format!("change by the factor {ratio}"),
     }
-}
-
-fn strings(values: &DVector<BigRational>) -> Vec<String> {
-    values.iter().map(BigRational::to_string).collect()
-}
-
-fn signed(value: &BigRational) -> String {
-    if value.is_positive() {
-        format!("+{value}")
-    } else {
-        value.to_string()
-    }
-}
-
-/// Rows with their columns aligned, two spaces in, three between.
-fn table(rows: &[Vec<String>]) -> String {
-    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let width = |column: usize| {
-        rows.iter()
-            .map(|row| row[column].chars().count())
-            .max()
-            .unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..columns).map(width).collect();
-    let mut text = String::new();
-    for row in rows {
-        let cells: Vec<String> = row
-            .iter()
-            .zip(&widths)
-            .map(|(cell, &width)| format!("{cell:<width$}"))
-            .collect();
-        let _ = writeln!(text, "  {}", cells.join("   ").trim_end());
-    }
-    text
 }

@@ -3,7 +3,7 @@
 //! Hanging balls that seem to touch are taken to be an infinitesimal distance apart, so that only two ever meet at once.
 //! Where several pairs approach each other the leftmost meets first: a rule, not a law. It cannot matter for equal
 //! elastic balls, which only exchange velocities and so end up sorted by them. For unequal or inelastic balls the real
-//! order depends on gaps that this picture does not know, and so may the outcome.
+//! order depends on gaps that this picture does not know, and so may the outcome: [`Line`](super::Line) knows them.
 
 use nalgebra::DVector;
 use num_rational::BigRational;
@@ -79,6 +79,11 @@ impl Chain {
     /// The velocities now, left to right.
     pub fn velocities(&self) -> &DVector<BigRational> {
         &self.velocities
+    }
+
+    /// The coefficient of restitution.
+    pub fn restitution(&self) -> &BigRational {
+        &self.restitution
     }
 
     /// The next collision, that of the leftmost approaching pair; none if no ball is faster than its right-hand neighbour.

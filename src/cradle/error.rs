@@ -29,6 +29,13 @@ pub enum ChainError {
     RestitutionOutOfRange(BigRational),
     /// Still colliding after so many collisions.
     TooManyCollisions(usize),
+    /// A number has become longer than is computed with.
+    NumbersTooLong {
+        /// How many collisions it took.
+        collisions: usize,
+        /// How many bits its numerator and denominator may have.
+        bits: u64,
+    },
 }
 
 impl fmt::Display for ChainError {
@@ -54,6 +61,12 @@ impl fmt::Display for ChainError {
                 write!(
                     f,
                     "the balls are still colliding after {count} collisions: inelastic ones may never stop"
+                )
+            }
+            ChainError::NumbersTooLong { collisions, bits } => {
+                write!(
+                    f,
+                    "after {collisions} collisions the exact numbers are longer than {bits} bits, and the balls may still be colliding"
                 )
             }
         }

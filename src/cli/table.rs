@@ -1,0 +1,42 @@
+//! Tables of exact numbers, as `scenario` and `simulate` print them.
+
+use std::fmt::Write;
+
+use nalgebra::DVector;
+use num_rational::BigRational;
+use num_traits::Signed;
+
+pub(super) fn strings(values: &DVector<BigRational>) -> Vec<String> {
+    values.iter().map(BigRational::to_string).collect()
+}
+
+/// A difference, with a plus where it is one.
+pub(super) fn signed(value: &BigRational) -> String {
+    if value.is_positive() {
+        format!("+{value}")
+    } else {
+        value.to_string()
+    }
+}
+
+/// Rows with their columns aligned, two spaces in, three between.
+pub(super) fn table(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        rows.iter()
+            .map(|row| row[column].chars().count())
+            .max()
+            .unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let cells: Vec<String> = row
+            .iter()
+            .zip(&widths)
+            .map(|(cell, &width)| format!("{cell:<width$}"))
+            .collect();
+        let _ = writeln!(text, "  {}", cells.join("   ").trim_end());
+    }
+    text
+}
