@@ -724,7 +724,8 @@ pub fn element_symbol(sequence: &Symbol, position: u32) -> Symbol {
     }
 }
 
-fn raised(base: Expr, exponent: u32) -> Expr {
+/// A power, the first one without its exponent.
+pub fn raised(base: Expr, exponent: u32) -> Expr {
     match exponent {
         1 => base,
         _ => Expr::Power(
@@ -734,7 +735,8 @@ fn raised(base: Expr, exponent: u32) -> Expr {
     }
 }
 
-fn product_of(mut factors: Vec<Expr>) -> Expr {
+/// A product; one factor is itself.
+pub fn product_of(mut factors: Vec<Expr>) -> Expr {
     match factors.len() {
         0 => Expr::integer(1),
         1 => factors.remove(0),

@@ -24,7 +24,7 @@ pub use formula::{Formula, Relation};
 pub use fraction::{Fraction, factors, product};
 pub use lower::{
     Conditions, LowerError, Lowering, element_parts, element_symbol, expr_of, expr_of_atom,
-    expr_of_fraction, power_sum,
+    expr_of_fraction, power_sum, product_of, raised,
 };
 pub use monomial::{Monomial, Var};
 pub use num_bigint::BigInt;

@@ -3,7 +3,7 @@ use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::document::Span;
 use crate::kernel::{Model, Proven, Refuted, Scales, ScalesNot};
 use crate::notation::{Mark, SyntaxError};
-use crate::search::{Repair, Stop};
+use crate::search::{Implied, Repair, Stop};
 
 /// The audit of one statement of an equation.
 #[derive(Clone, Debug)]
@@ -28,6 +28,8 @@ pub struct Entry {
     pub notes: Vec<Note>,
     /// For what is given: a point at which all that is given with it holds.
     pub model: Option<Model>,
+    /// For what fails: what its premises give instead.
+    pub implied: Option<Box<Implied>>,
 }
 
 /// What was found of a statement.

@@ -1,7 +1,7 @@
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
 use crate::kernel::{Assignment, Proven, Standing};
-use crate::search::{self, Consistency, Decision, Derived, Effort, Stop};
+use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, Stop};
 
 use super::premise::{Usable, usable};
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
@@ -33,6 +33,8 @@ pub(super) struct Found {
     pub conditions: Vec<Formula>,
     /// The premises that cannot all be true.
     pub contradictory: Vec<Source>,
+    /// What follows in the place of what fails.
+    pub implied: Option<Box<Implied>>,
 }
 
 /// What a step that does not follow from what it cites may be tried with.
@@ -64,6 +66,7 @@ impl Judge<'_> {
             instead: Vec::new(),
             conditions: Vec::new(),
             contradictory: Vec::new(),
+            implied: None,
         };
         if search::is_scaling(&goal.formula) {
             self.scaling(goal, &assumed, premises, &mut found);
@@ -130,6 +133,7 @@ impl Judge<'_> {
                 };
                 if !settled && let Outcome::Refuted(refuted) = &found.judged.outcome {
                     let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+                    found.implied = search::implied(&claim).map(Box::new);
                     if let Some((conditions, _)) =
                         search::missing_conditions(&claim, refuted.witness(), &self.auditor.hints())
                     {

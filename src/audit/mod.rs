@@ -318,6 +318,7 @@ impl Auditor<'_> {
                     .push(Note::InconsistentPremises(found.contradictory));
             }
             instead.extend(found.instead);
+            entry.implied = entry.implied.or(found.implied);
             entry.judged.push(found.judged);
         }
         entry.verdict = verdict(&entry.judged, defines);
@@ -470,6 +471,7 @@ fn blank(equation: usize, part: usize, parts: usize, kind: Kind, verdict: Verdic
         rests_on: Vec::new(),
         notes: Vec::new(),
         model: None,
+        implied: None,
     }
 }
 

@@ -7,6 +7,7 @@ use crate::notation::{latex_statement, plain_formula};
 
 use super::Report;
 use super::evidence::{Point, number};
+use super::implied;
 use super::scaling;
 use super::style::{self, BOLD, DIM, paint};
 use super::words::{self, plain_statement};
@@ -57,6 +58,15 @@ impl Report<'_> {
         }
         for (step, judged) in entry.judged.iter().enumerate() {
             text += &self.explain_step(judged, step, entry.judged.len());
+        }
+        if let Some(implied) = &entry.implied {
+            let instead = implied::instead_plainly(implied);
+            text += &format!("\n  Instead, {instead}.\n");
+            if let Some((judged, _)) = entry.refuted() {
+                for line in self.proof(judged, &implied.proven) {
+                    text += &format!("    {line}\n");
+                }
+            }
         }
         text
     }

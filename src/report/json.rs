@@ -14,6 +14,7 @@ use crate::notation::{latex, latex_statement};
 
 use super::Report;
 use super::dimension::{called, declared};
+use super::implied;
 use super::scaling;
 
 /// The whole audit.
@@ -233,7 +234,10 @@ impl Report<'_> {
                 .unwrap_or_default(),
             repair: match entry.rescaled() {
                 Some((_, refuted, repair)) => repair.map(|r| scaling::repaired(refuted, r)),
-                None => entry.notes.iter().find_map(|note| self.repair(note)),
+                None => match &entry.implied {
+                    Some(implied) => Some(implied::instead(implied)),
+                    None => entry.notes.iter().find_map(|note| self.repair(note)),
+                },
             },
         }
     }

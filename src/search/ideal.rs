@@ -23,6 +23,15 @@ pub struct Ideal {
 impl Ideal {
     /// Eliminates all unknowns that can be.
     pub fn new(facts: &[Fact], knowledge: &Knowledge) -> Result<Self, TooLarge> {
+        Ideal::without(facts, knowledge, |_| true)
+    }
+
+    /// Eliminates some of the unknowns, as far as they can be.
+    pub fn without(
+        facts: &[Fact],
+        knowledge: &Knowledge,
+        unwanted: impl Fn(Var) -> bool,
+    ) -> Result<Self, TooLarge> {
         let divisors = divisors(facts);
         let mut pending: Vec<Tracked> = facts
             .iter()
@@ -34,7 +43,7 @@ impl Ideal {
             .iter_mut()
             .for_each(|e| e.strip(knowledge, &divisors));
         let mut pivots: Vec<Pivot> = Vec::new();
-        while let Some((at, pivot)) = best_pivot(&pending, knowledge) {
+        while let Some((at, pivot)) = best_pivot(&pending, knowledge, &unwanted) {
             pending.remove(at);
             for element in &mut pending {
                 *element = element.eliminate(pivot.var, &pivot)?;
@@ -113,12 +122,16 @@ fn divisors(facts: &[Fact]) -> Vec<Polynomial> {
 }
 
 /// The element and unknown that are the cheapest to eliminate with.
-fn best_pivot(pending: &[Tracked], knowledge: &Knowledge) -> Option<(usize, Pivot)> {
+fn best_pivot(
+    pending: &[Tracked],
+    knowledge: &Knowledge,
+    unwanted: impl Fn(Var) -> bool,
+) -> Option<(usize, Pivot)> {
     type Rank = (usize, usize, std::cmp::Reverse<usize>);
     let mut best: Option<(Rank, usize, Pivot)> = None;
     for (at, element) in pending.iter().enumerate() {
         for var in element.polynomial.vars() {
-            let Some(cost) = cost_of(&element.polynomial, var) else {
+            let Some(cost) = cost_of(&element.polynomial, var).filter(|_| unwanted(var)) else {
                 continue;
             };
             let rank = (

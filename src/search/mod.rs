@@ -4,6 +4,7 @@
 //! Gröbner bases, sums of squares and products of inequalities; a counterexample in larger numbers.
 
 mod ideal;
+mod implied;
 mod point;
 mod positivity;
 mod prove;
@@ -20,6 +21,7 @@ use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Obligation,
     Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
+pub use implied::{Implied, implied};
 pub use prove::Effort;
 use prove::Prover;
 pub use scaling::{

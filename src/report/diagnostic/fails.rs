@@ -9,6 +9,7 @@ use crate::notation::{Mark, plain_formula};
 
 use super::super::Report;
 use super::super::evidence::{Point, number};
+use super::super::implied;
 use super::super::scaling;
 use super::super::words;
 use super::{Finding, replay};
@@ -101,6 +102,8 @@ impl Report<'_> {
             None => lines.push(format!("`{}` is false there", plain_formula(formula))),
         }
         said.push((Level::NOTE.with_name("counterexample"), lines.join("\n")));
+        let instead = entry.implied.iter().map(|i| implied::instead(i));
+        said.extend(instead.map(|text| (Level::HELP, text)));
         said.extend(marks(entry));
         said.extend(replay(self, entry.equation));
         said

@@ -1,0 +1,282 @@
+//! What premises give for a symbol of which something false is said.
+
+use std::collections::BTreeSet;
+
+use num_integer::Integer;
+
+use super::ideal::Ideal;
+use super::tracked::Tracked;
+use super::{Effort, posed, prove_unconditionally};
+use crate::algebra::{
+    Atom, Atoms, BigInt, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial,
+    Rational, Relation, Symbol, Var, expr_of, expr_of_fraction, factors, product_of, raised,
+};
+use crate::kernel::{Claim, Knowledge, Problem, Proven};
+
+/// More terms than this tell a reader nothing.
+const MOST_TERMS: usize = 12;
+
+/// What follows in the place of a failing `symbol = term`.
+#[derive(Clone, Debug)]
+pub struct Implied {
+    /// The kernel's word for `symbol = another term`.
+    pub proven: Proven,
+    /// What the failing term is, divided by what follows; `None` where that is not short.
+    pub ratio: Option<Expr>,
+}
+
+/// What the premises of a failing `symbol = term` give for the symbol, in what the term speaks of if that can
+/// be had.
+pub fn implied(claim: &Claim) -> Option<Implied> {
+    let (symbol, printed) = solved(&claim.goal)?;
+    let obligation = posed(claim.clone()).ok()?;
+    let problem = obligation.problem();
+    let own = problem.atoms.find(&Atom::Symbol(symbol.clone()))?;
+    let mut atoms = problem.atoms.clone();
+    let printed_value = lowered(printed, &mut atoms, claim)?;
+    let mut kept: BTreeSet<Var> = printed_value.numerator().vars().into_iter().collect();
+    for (factor, _) in printed_value.denominator() {
+        kept.extend(factor.vars());
+    }
+    let value = value_of(problem, own, &kept)?;
+    let quotient = match printed_value.is_zero() {
+        true => None,
+        false => value.times(&printed_value.recip().ok()??).ok(),
+    };
+    // Where only a factor is wrong, the author's own words are kept.
+    let factor = quotient.as_ref().and_then(Fraction::as_constant);
+    let mut candidates = Vec::new();
+    candidates.extend(factor.as_ref().map(|factor| scaled(printed, factor)));
+    candidates.push(tidy(&value, &atoms));
+    candidates.push(expr_of_fraction(&value, &atoms));
+    let proven = candidates.into_iter().find_map(|term| {
+        let goal = Formula::equal(Expr::Symbol(symbol.clone()), term);
+        let claim = Claim {
+            goal,
+            ..claim.clone()
+        };
+        let derived = prove_unconditionally(claim.clone(), Effort::Light)
+            .or_else(|| prove_unconditionally(claim, Effort::Full));
+        derived.map(|derived| derived.proven)
+    })?;
+    let ratio = quotient
+        .and_then(|q| q.recip().ok()?)
+        .filter(|r| r.numerator().len() <= 2 && r.denominator().count() <= 2)
+        .map(|ratio| tidy(&ratio, &atoms));
+    Some(Implied { proven, ratio })
+}
+
+/// `symbol = term` or `term = symbol`, the term not mentioning the symbol.
+fn solved(goal: &Formula) -> Option<(&Symbol, &Expr)> {
+    let Formula::Relation {
+        left,
+        relation: Relation::Equal,
+        right,
+    } = goal
+    else {
+        return None;
+    };
+    let lone = |a, b| match a {
+        &Expr::Symbol(ref symbol) if !Expr::mentions(b, symbol) => Some((symbol, b)),
+        _ => None,
+    };
+    lone(left, right).or_else(|| lone(right, left))
+}
+
+fn lowered(term: &Expr, atoms: &mut Atoms, claim: &Claim) -> Option<Fraction> {
+    let sequences = claim.sequences.keys().cloned().collect();
+    let mut lowering = Lowering {
+        atoms,
+        sequences: &sequences,
+        constants: &BTreeSet::new(),
+        conditions: Conditions::default(),
+    };
+    lowering.lower(term).ok()
+}
+
+/// The value that the equations of a problem give to an unknown, in as few others as may be besides the `kept`.
+fn value_of(problem: &Problem, own: Var, kept: &BTreeSet<Var>) -> Option<Fraction> {
+    let knowledge = Knowledge::new(&problem.facts);
+    let outside = |var: Var| var != own && !kept.contains(&var);
+    let ideal = Ideal::without(&problem.facts, &knowledge, outside).ok()?;
+    let strange = |element: &Tracked| {
+        let vars = element.polynomial.vars();
+        vars.into_iter().filter(|&var| outside(var)).count()
+    };
+    // That what is divided by does not vanish is left to the proof.
+    let solvable = |element: &&Tracked| {
+        let polynomial = &element.polynomial;
+        polynomial.degree_in(own) == 1 && polynomial.len() <= MOST_TERMS
+    };
+    let simplest = |elements: &[Tracked]| {
+        let all = elements.iter().filter(solvable);
+        all.min_by_key(|e| (strange(e), e.polynomial.len()))
+            .cloned()
+    };
+    let first = simplest(&ideal.rest);
+    let element = match first.as_ref().is_some_and(|e| strange(e) == 0) {
+        true => first,
+        false => simplest(&ideal.basis(&knowledge)).or(first),
+    }?;
+    let parts = element.polynomial.in_powers_of(own);
+    let (rest, slope) = (parts[0].negated(), Fraction::from(parts[1].clone()));
+    cancelled(&Fraction::from(rest).times(&slope.recip().ok()??).ok()?)
+}
+
+/// The same value with the sum in the numerator divided out of the denominator, where it divides a factor of it.
+fn cancelled(value: &Fraction) -> Option<Fraction> {
+    let numerator = value.numerator();
+    let Some(sum) = factors(numerator).into_keys().find(|f| f.len() > 1) else {
+        return Some(value.clone());
+    };
+    let mut below = Fraction::from(Rational::one());
+    let mut above = Fraction::from(numerator.clone());
+    let mut left = true;
+    for (factor, exponent) in value.denominator() {
+        let (mut factor, mut power) = (Fraction::from(factor.clone()), exponent);
+        let shorter = factor.numerator().divided_by(&sum).filter(|_| left);
+        if let Some(shorter) = shorter {
+            left = false;
+            above = numerator.divided_by(&sum)?.into();
+            below = below.times(&shorter.into()).ok()?;
+            power -= 1;
+        }
+        factor = factor.pow(power).ok()?;
+        below = below.times(&factor).ok()?;
+    }
+    above.times(&below.recip().ok()??).ok()
+}
+
+/// A number as one would write it: `\frac12` rather than 0.5.
+fn number(value: &Rational) -> Expr {
+    let whole = |value: BigInt| Expr::integer(value);
+    if value.is_integer() {
+        return whole(value.numer());
+    }
+    let size = value.abs();
+    let quotient = Expr::Quotient(whole(size.numer()).into(), whole(size.denom()).into());
+    match value.is_negative() {
+        true => Expr::Negate(quotient.into()),
+        false => quotient,
+    }
+}
+
+/// The value of a term that is a number.
+fn own_number(term: &Expr) -> Option<Rational> {
+    match term {
+        Expr::Number(value) => Some(value.into()),
+        Expr::Quotient(above, below) => match (&**above, &**below) {
+            (Expr::Number(above), Expr::Number(below)) => {
+                Some(Rational::from(above) / Rational::from(below))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// A term times a number, the number merged into the term as one would write it.
+fn scaled(term: &Expr, factor: &Rational) -> Expr {
+    if let Some(own) = own_number(term) {
+        return number(&(factor * own));
+    }
+    if factor.is_negative() {
+        return Expr::Negate(scaled(term, &-factor).into());
+    }
+    match term {
+        Expr::Quotient(above, below) => {
+            let whole = |value: BigInt| Rational::from(BigRational::from(value));
+            let (up, down) = (whole(factor.numer()), whole(factor.denom()));
+            let below = match down.is_one() {
+                true => (**below).clone(),
+                false => scaled(below, &down),
+            };
+            let above = match up.is_one() {
+                true => (**above).clone(),
+                false => scaled(above, &up),
+            };
+            Expr::Quotient(above.into(), below.into())
+        }
+        Expr::Product(factors) => {
+            let mut factors = factors.clone();
+            let merged = match factors.first() {
+                Some(own) => match own_number(own) {
+                    Some(own) => {
+                        factors.remove(0);
+                        factor * own
+                    }
+                    None => factor.clone(),
+                },
+                None => factor.clone(),
+            };
+            if !merged.is_one() {
+                factors.insert(0, number(&merged));
+            }
+            match factors.len() {
+                1 => factors.remove(0),
+                _ => Expr::Product(factors),
+            }
+        }
+        _ if factor.is_one() => term.clone(),
+        _ => Expr::Product(vec![number(factor), term.clone()]),
+    }
+}
+
+/// A rational function with what its numerator has in common taken out: `1/2 (1 + e²) E_0`.
+fn tidy(value: &Fraction, atoms: &Atoms) -> Expr {
+    let numerator = value.numerator();
+    if numerator.is_zero() {
+        return Expr::integer(0);
+    }
+    let mut number_before = Rational::one();
+    let (mut powers, mut sums) = (Vec::new(), Vec::new());
+    for (factor, exponent) in factors(numerator) {
+        // A sum is there once: no more than unknowns are taken out of a numerator.
+        match factor.len() {
+            1 => powers.push(raised(expr_of(&factor, atoms), exponent)),
+            _ => {
+                let (content, primitive) = primitive(&factor);
+                number_before *= content;
+                sums.push(expr_of(&primitive, atoms));
+            }
+        }
+    }
+    // The factors are monic: what is left over is a number.
+    if let Some((_, lead)) = numerator.leading() {
+        number_before *= lead.clone();
+    }
+    powers.sort();
+    sums.extend(powers);
+    let mut below: Vec<Expr> = value
+        .denominator()
+        .map(|(factor, exponent)| raised(expr_of(factor, atoms), exponent))
+        .collect();
+    below.sort();
+    let one = Rational::one();
+    let (above, under) = match below.is_empty() {
+        true => (number_before, one),
+        false => (
+            Rational::from(BigRational::from(number_before.numer())),
+            Rational::from(BigRational::from(number_before.denom())),
+        ),
+    };
+    let above = scaled(&product_of(sums), &above);
+    match below.is_empty() {
+        true => above,
+        false => Expr::Quotient(above.into(), scaled(&product_of(below), &under).into()),
+    }
+}
+
+/// A sum as a number times a sum with whole coefficients that have no divisor in common, the lowest positive.
+fn primitive(sum: &Polynomial) -> (Rational, Polynomial) {
+    let (mut divisor, mut multiple) = (BigInt::from(0), BigInt::from(1));
+    for (_, coefficient) in sum.terms() {
+        divisor = divisor.gcd(&coefficient.numer());
+        multiple = multiple.lcm(&coefficient.denom());
+    }
+    let mut content = Rational::from(BigRational::new(divisor, multiple));
+    if sum.terms().next().is_some_and(|(_, c)| c.is_negative()) {
+        content = -content;
+    }
+    (content.clone(), sum.scaled(&content.recip()))
+}
