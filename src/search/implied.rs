@@ -76,11 +76,12 @@ fn solved(goal: &Formula) -> Option<(&Symbol, &Expr)> {
     else {
         return None;
     };
-    let lone = |a, b| match a {
-        &Expr::Symbol(ref symbol) if !Expr::mentions(b, symbol) => Some((symbol, b)),
+    match (left, right) {
+        (Expr::Symbol(symbol), term) | (term, Expr::Symbol(symbol)) => {
+            (!term.mentions(symbol)).then_some((symbol, term))
+        }
         _ => None,
-    };
-    lone(left, right).or_else(|| lone(right, left))
+    }
 }
 
 fn lowered(term: &Expr, atoms: &mut Atoms, claim: &Claim) -> Option<Fraction> {

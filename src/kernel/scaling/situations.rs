@@ -167,7 +167,7 @@ impl Both<'_> {
 
     fn domains(&self, aside: &[Symbol]) -> Result<(), Reject> {
         for symbol in self.claim.free_symbols() {
-            if aside.contains(&symbol) {
+            if aside.contains(symbol) {
                 continue;
             }
             let own = Expr::Symbol(symbol.clone());
