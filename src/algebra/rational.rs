@@ -151,6 +151,14 @@ impl Rational {
                 _ => Rational::one(),
             });
         }
+        // What fits in 64 bits is a power of at most 63 at this point, and far from any bound.
+        if let Form::Small(n, d) = &self.0
+            && bits >= 1 << 12
+            && let (Some(n), Some(d)) = (n.checked_pow(exponent), d.checked_pow(exponent))
+            && n != i64::MIN
+        {
+            return Some(Rational::small(n, d));
+        }
         let big = self.to_big();
         let length = big.numer().bits().max(big.denom().bits());
         if length.saturating_mul(exponent.into()) > bits {

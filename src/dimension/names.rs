@@ -91,7 +91,23 @@ pub fn named(name: &str) -> Option<Dimension> {
 
 /// The names of a dimension, as findings give them: `Energy`, `Torque`.
 pub fn names_of(wanted: &Dimension) -> Vec<&'static str> {
-    let rows = TABLE.iter().filter(|row| dimension(row.2) == *wanted);
+    // The exponents are compared with the rows: making a dimension of each row would take far longer.
+    let exponent = |base: Base| {
+        let mut all = wanted.exponents(base);
+        match (all.next(), all.next()) {
+            (None, _) => Some(0),
+            (Some((None, own)), None) if own.is_integer() => i8::try_from(own.numer()).ok(),
+            _ => None,
+        }
+    };
+    let Some(own) = Base::ALL
+        .map(exponent)
+        .into_iter()
+        .collect::<Option<Vec<i8>>>()
+    else {
+        return Vec::new();
+    };
+    let rows = TABLE.iter().filter(|row| row.2[..] == own[..]);
     rows.map(|row| row.0).collect()
 }
 

@@ -14,8 +14,7 @@ use crate::kernel::{Fact, Sign};
 
 /// What a point must satisfy.
 pub struct Target {
-    /// `None` where some fact is plainly false.
-    start: Option<State>,
+    start: Node,
     /// The unknowns that take integer values only.
     integers: Vec<Var>,
     order: Vec<Var>,
@@ -35,7 +34,7 @@ pub enum Tried {
 
 struct Search<'a> {
     integers: &'a [Var],
-    values: Vec<(u32, Rational)>,
+    values: &'a [(u32, Rational)],
     budget: &'a mut usize,
     order: &'a [Var],
     units: &'a [Var],
@@ -44,13 +43,41 @@ struct Search<'a> {
 }
 
 /// What is left to satisfy. No equation or condition in it is constant.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 struct State {
     /// Shared between states: a choice changes few of them.
     equations: Vec<Rc<Open>>,
     conditions: Vec<Rc<Open>>,
     solved: Vec<(Var, Rc<Polynomial>)>,
 }
+
+/// A state with the choices made from it. It is kept, for every choice up to a cost is made again at the next one.
+enum Node {
+    /// Nothing was chosen yet.
+    New(State),
+    /// One of the rational roots of an equation.
+    Roots(Vec<Node>),
+    /// One of the numbers for an unknown.
+    Numbers(Box<Numbers>),
+    /// No choice leads to a point, whatever it costs; to see that takes so many.
+    Dead(usize),
+}
+
+/// The numbers for an unknown.
+struct Numbers {
+    state: State,
+    var: Var,
+    /// Whether an equation ties the unknown down.
+    tied: bool,
+    /// What speaks of this unknown alone.
+    conditions: Vec<Rc<Open>>,
+    /// How many numbers were looked at.
+    tried: usize,
+    /// Those that were possible, with what they cost.
+    choices: Vec<(u32, Node)>,
+}
+
+type Solution = BTreeMap<Var, Rational>;
 
 /// A fact that is not yet decided.
 struct Open {
@@ -163,16 +190,15 @@ impl Target {
         let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
         order.sort();
         order.dedup();
-        let mut start = State {
-            equations: Vec::new(),
-            conditions: Vec::new(),
-            solved: Vec::new(),
-        };
+        let mut start = State::default();
         let possible = facts
             .iter()
             .all(|f| start.require(Open::new(f.polynomial.clone(), f.sign, &integers)));
         Target {
-            start: possible.then_some(start),
+            start: match possible {
+                true => Node::New(start),
+                false => Node::Dead(0),
+            },
             integers,
             order,
             units: Vec::new(),
@@ -187,16 +213,18 @@ impl Target {
         known: impl Iterator<Item = (Var, Rational)>,
     ) -> Option<Self> {
         let mut target = Target::unordered(facts, integers);
-        let mut start = target.start.take()?;
+        let Node::New(start) = &mut target.start else {
+            return None;
+        };
         for (var, value) in known {
-            start.put(var, Polynomial::constant(value), &target.integers)?;
+            *start = start.with(var, Polynomial::constant(value), &target.integers)?;
         }
-        target.start = Some(start);
         Some(target)
     }
 
-    /// Tries all choices up to a total cost, or until the budget is spent.
-    pub fn up_to(&self, cost: u32, budget: &mut usize) -> Tried {
+    /// Tries all choices up to a total cost, or until the budget is spent. What was tried before is tried, and
+    /// counted, again.
+    pub fn up_to(&mut self, cost: u32, budget: &mut usize) -> Tried {
         let mut search = Search {
             integers: &self.integers,
             values: candidates(),
@@ -205,10 +233,7 @@ impl Target {
             units: &self.units,
             cut: false,
         };
-        let Some(start) = self.start.clone() else {
-            return Tried::Exhausted;
-        };
-        match search.explore(start, cost) {
+        match search.explore(&mut self.start, cost) {
             Some(point) => Tried::Found(point),
             None if search.cut || *search.budget == 0 => Tried::Costlier,
             None => Tried::Exhausted,
@@ -217,15 +242,51 @@ impl Target {
 }
 
 impl Search<'_> {
-    fn explore(&mut self, mut state: State, cost: u32) -> Option<BTreeMap<Var, Rational>> {
-        if *self.budget == 0 {
+    fn explore(&mut self, node: &mut Node, cost: u32) -> Option<Solution> {
+        if let Node::Dead(choices) = node {
+            *self.budget = self.budget.saturating_sub(*choices);
             return None;
         }
-        *self.budget -= 1;
+        *self.budget = self.budget.checked_sub(1)?;
+        if let Node::New(state) = node {
+            *node = match self.opened(std::mem::take(state)) {
+                Ok(node) => node,
+                Err(point) => return Some(point),
+            };
+        }
+        let dead = match node {
+            Node::Roots(roots) => {
+                for root in roots.iter_mut() {
+                    if let Some(point) = self.explore(root, cost) {
+                        return Some(point);
+                    }
+                }
+                dead(roots.iter())
+            }
+            Node::Numbers(numbers) => {
+                if let Some(point) = self.numbers(numbers, cost) {
+                    return Some(point);
+                }
+                let all = numbers.tried == self.values.len();
+                dead(numbers.choices.iter().map(|choice| &choice.1)).filter(|_| all)
+            }
+            Node::New(_) | Node::Dead(_) => None,
+        };
+        if let Some(choices) = dead {
+            *node = Node::Dead(choices);
+        }
+        None
+    }
+
+    /// What there is to choose from in a state; `Err` with the point where nothing is left to choose.
+    fn opened(&self, mut state: State) -> Result<Node, Solution> {
         // Solve what is linear in an unknown with a constant coefficient.
         while let Some((at, var, value)) = linear(&state.equations) {
             state.equations.remove(at);
-            state.put(var, value, self.integers)?;
+            match state.with(var, value, self.integers) {
+                Some(next) => state = next,
+                None => return Ok(Node::Dead(1)),
+            }
         }
         // Branch on the rational roots of an equation in one unknown.
         let single = state
@@ -233,39 +294,53 @@ impl Search<'_> {
             .iter()
             .find_map(|e| Some((e.clone(), e.single()?)));
         if let Some((equation, var)) = single {
-            for root in rational_roots(&equation.polynomial, var)? {
-                if self.integers.contains(&var) && !root.is_integer() {
-                    continue;
-                }
-                let mut next = state.clone();
-                if next
-                    .put(var, Polynomial::constant(root), self.integers)
-                    .is_some()
-                    && let Some(point) = self.explore(next, cost)
-                {
-                    return Some(point);
-                }
-            }
-            return None;
+            let mut roots = rational_roots(&equation.polynomial, var).unwrap_or_default();
+            roots.retain(|root| root.is_integer() || !self.integers.contains(&var));
+            let next = |root| state.with(var, Polynomial::constant(root), self.integers);
+            let states = roots.into_iter().filter_map(next);
+            return Ok(Node::Roots(states.map(Node::New).collect()));
         }
         let Some((var, tied)) = self.next_var(&state) else {
-            return self.finish(state);
+            return self.finish(state).map_or(Ok(Node::Dead(1)), Err);
         };
         // What speaks of this unknown alone is asked before anything is put in.
-        let (own_conditions, rest): (Vec<Rc<Open>>, Vec<Rc<Open>>) =
+        let (conditions, rest): (Vec<Rc<Open>>, Vec<Rc<Open>>) =
             std::mem::take(&mut state.conditions)
                 .into_iter()
                 .partition(|f| f.has(var) && f.single() == Some(var));
         state.conditions = rest;
-        for at in 0..self.values.len() {
-            let (own, value) = &self.values[at];
-            // What no equation ties down costs nothing: the first number that is allowed will do.
-            let own = if tied { *own } else { 0 };
-            let value = value.clone();
-            if own > cost {
+        Ok(Node::Numbers(Box::new(Numbers {
+            state,
+            var,
+            tied,
+            conditions,
+            tried: 0,
+            choices: Vec::new(),
+        })))
+    }
+
+    fn numbers(&mut self, numbers: &mut Numbers, cost: u32) -> Option<Solution> {
+        for (own, choice) in &mut numbers.choices {
+            let Some(left) = cost.checked_sub(*own) else {
                 self.cut = true;
-                break;
+                return None;
+            };
+            if let Some(point) = self.explore(choice, left) {
+                return Some(point);
             }
+        }
+        let var = numbers.var;
+        while let Some((own, value)) = self.values.get(numbers.tried) {
+            if *self.budget == 0 {
+                return None;
+            }
+            // What no equation ties down costs nothing: the first number that is allowed will do.
+            let own = if numbers.tied { *own } else { 0 };
+            let Some(left) = cost.checked_sub(own) else {
+                self.cut = true;
+                return None;
+            };
+            numbers.tried += 1;
             if self.integers.contains(&var) && !value.is_integer() {
                 continue;
             }
@@ -276,16 +351,17 @@ impl Search<'_> {
                 let value = fact.polynomial.evaluate(|_| Some(value.clone()));
                 value.is_ok_and(|v| v.is_some_and(|v| satisfies(&v, fact.sign)))
             };
-            if !own_conditions.iter().all(met) {
+            if !numbers.conditions.iter().all(met) {
                 continue;
             }
-            let mut next = state.clone();
-            if next
-                .put(var, Polynomial::constant(value), self.integers)
-                .is_some()
-                && let Some(point) = self.explore(next, cost - own)
-            {
-                return Some(point);
+            let value = Polynomial::constant(value.clone());
+            if let Some(next) = numbers.state.with(var, value, self.integers) {
+                let mut choice = Node::New(next);
+                let found = self.explore(&mut choice, left);
+                if found.is_some() {
+                    return found;
+                }
+                numbers.choices.push((own, choice));
             }
         }
         None
@@ -336,31 +412,42 @@ impl State {
         true
     }
 
-    /// Puts a value in the place of an unknown. `None` where something becomes false, or too large.
-    fn put(&mut self, var: Var, value: Polynomial, integers: &[Var]) -> Option<()> {
-        for list in [&mut self.equations, &mut self.conditions] {
-            let mut at = 0;
-            while let Some(open) = list.get_mut(at) {
+    /// The same with a value in the place of an unknown. `None` where something becomes false, or too large.
+    fn with(&self, var: Var, value: Polynomial, integers: &[Var]) -> Option<State> {
+        let put = |list: &[Rc<Open>]| {
+            let mut changed = Vec::with_capacity(list.len());
+            for open in list {
                 if !open.has(var) {
-                    at += 1;
+                    changed.push(Rc::clone(open));
                     continue;
                 }
                 let polynomial = open.polynomial.substitute(var, &value).ok()?;
                 match Open::new(polynomial, open.sign, integers) {
-                    Ok(changed) => {
-                        *open = changed.into();
-                        at += 1;
-                    }
-                    Err(true) => {
-                        list.remove(at);
-                    }
+                    Ok(open) => changed.push(open.into()),
+                    Err(true) => {}
                     Err(false) => return None,
                 }
             }
-        }
-        self.solved.push((var, value.into()));
-        Some(())
+            Some(changed)
+        };
+        let (equations, conditions) = (put(&self.equations)?, put(&self.conditions)?);
+        let mut solved = Vec::with_capacity(self.solved.len() + 1);
+        solved.extend_from_slice(&self.solved);
+        solved.push((var, value.into()));
+        Some(State {
+            equations,
+            conditions,
+            solved,
+        })
     }
+}
+
+/// How many choices it takes to see that nothing leads to a point, where every choice was seen not to.
+fn dead<'a>(mut choices: impl Iterator<Item = &'a Node>) -> Option<usize> {
+    choices.try_fold(1_usize, |sum, choice| match choice {
+        Node::Dead(own) => Some(sum + own),
+        _ => None,
+    })
 }
 
 /// The equation to solve, the unknown to solve it for, and what that then is.

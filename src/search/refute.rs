@@ -81,7 +81,8 @@ impl<'a> Points<'a> {
                 (1..=MOST_ELEMENTS).contains(&value).then_some(value)
             };
             let sizes: Vec<i64> = self.counts.iter().map(size).collect::<Option<_>>()?;
-            let concrete = Concrete::new(self.at_sizes(&sizes)?, self.against_goal, Some(hint))?;
+            let mut concrete =
+                Concrete::new(self.at_sizes(&sizes)?, self.against_goal, Some(hint))?;
             let Tried::Found(values) = concrete.target.up_to(NEAR_COST, &mut { NEAR_CHOICES })
             else {
                 return None;
@@ -484,7 +485,7 @@ fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
             continue;
         }
         let domain = claim.domains.get(symbol).unwrap_or(&anything);
-        let mut values = candidates().into_iter().map(|(_, v)| v.to_big());
+        let mut values = candidates().iter().map(|(_, v)| v.to_big());
         if let Some(value) = values.find(|v| domain.contains(v)) {
             point.symbols.insert(symbol.clone(), value);
         }

@@ -1,11 +1,18 @@
 //! The numbers that a person would try first.
 
+use std::sync::LazyLock;
+
 use num_traits::{One, Signed};
 
 use crate::algebra::{BigInt, BigRational, Polynomial, Rational, Var};
 
 /// Numbers to try, with their cost: the simpler the cheaper.
-pub fn candidates() -> Vec<(u32, Rational)> {
+pub fn candidates() -> &'static [(u32, Rational)] {
+    static CANDIDATES: LazyLock<Vec<(u32, Rational)>> = LazyLock::new(listed);
+    &CANDIDATES
+}
+
+fn listed() -> Vec<(u32, Rational)> {
     let ratio = |p: i32, q: i32| Rational::ratio(p, q);
     let by_cost: [(u32, &[(i32, i32)]); 6] = [
         (0, &[(1, 1)]),
