@@ -265,7 +265,12 @@ impl Expr {
             }
         };
         match self {
-            Expr::Symbol(symbol) => add(symbol, bound),
+            // Most terms are one of these four, and bind nothing.
+            Expr::Symbol(symbol) => return add(symbol, bound),
+            Expr::Number(_) => return,
+            Expr::Sum(terms) | Expr::Product(terms) => {
+                return terms.iter().for_each(|e| e.collect_free(bound, free));
+            }
             Expr::Derivative { variable, .. } => add(variable, bound),
             _ => {}
         }

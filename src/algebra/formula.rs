@@ -127,12 +127,20 @@ impl Formula {
     /// The sequences that occur.
     pub fn sequences(&self) -> BTreeSet<Symbol> {
         fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {
-            if let Expr::Element { sequence, .. } = expr {
-                found.insert(sequence.clone());
+            match expr {
+                Expr::Element { sequence, .. } => {
+                    found.insert(sequence.clone());
+                }
+                // Most terms are one of these four.
+                Expr::Symbol(_) | Expr::Number(_) => {}
+                Expr::Sum(terms) | Expr::Product(terms) => {
+                    terms.iter().for_each(|child| collect(child, found));
+                }
+                _ => expr
+                    .children()
+                    .into_iter()
+                    .for_each(|child| collect(child, found)),
             }
-            expr.children()
-                .into_iter()
-                .for_each(|child| collect(child, found));
         }
         let mut found = BTreeSet::new();
         self.terms()

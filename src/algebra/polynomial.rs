@@ -150,6 +150,13 @@ impl Polynomial {
 
     /// `self + factor · other`, by merging.
     fn merged(&self, other: &Self, factor: &Rational) -> Self {
+        // Comparing with 0 is common, and leaves nothing to merge.
+        if other.is_zero() {
+            return self.clone();
+        }
+        if self.is_zero() {
+            return other.scaled(factor);
+        }
         let (a, b) = (&self.terms, &other.terms);
         let mut terms = Terms::with_capacity(a.len() + b.len());
         let (mut i, mut j) = (0, 0);
