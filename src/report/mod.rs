@@ -15,6 +15,7 @@ pub mod human;
 pub mod json;
 pub mod line;
 pub mod near;
+mod numeric;
 pub mod proof;
 mod scaling;
 mod style;
