@@ -100,6 +100,7 @@ pub mod cradle;
 pub mod derivation;
 pub mod dimension;
 pub mod document;
+pub mod interval;
 pub mod kernel;
 pub mod notation;
 pub mod proofs;

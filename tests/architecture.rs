@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 const MAY_USE: &[(&str, &[&str])] = &[
     ("algebra", &[]),
     ("kernel", &["algebra"]),
+    ("interval", &["algebra"]),
     ("document", &["algebra", "notation"]),
     ("notation", &["algebra", "document"]),
     ("dimension", &["algebra", "kernel"]),
@@ -26,6 +27,7 @@ const EXACT: &[&str] = &[
     "derivation",
     "dimension",
     "search",
+    "interval",
     "audit",
 ];
 

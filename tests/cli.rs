@@ -447,6 +447,17 @@ fn valid(value: &Value, schema: &Value, root: &Value, place: &str) {
                     valid(item, rule, root, &format!("{place}[{at}]"));
                 }
             }
+            "minItems" | "maxItems" => {
+                let (length, bound) = (
+                    value.as_array().unwrap().len() as u64,
+                    rule.as_u64().unwrap(),
+                );
+                let right = match key.as_str() {
+                    "minItems" => length >= bound,
+                    _ => length <= bound,
+                };
+                assert!(right, "{place}: {length} items");
+            }
             "properties" | "additionalProperties" => {}
             "anyOf" => {
                 let text = value.is_string();

@@ -74,7 +74,8 @@ impl Answer {
 
     /// The verdicts that are none, and the notes that do not exist.
     fn misspelt(&self) -> Vec<&str> {
-        const NOTES: [&str; 12] = [
+        const NOTES: [&str; 13] = [
+            "numeric-not-supported",
             "rests-on",
             "miscited",
             "uncited",

@@ -5,6 +5,8 @@ use crate::kernel::{Model, Proven, Refuted, Scales, ScalesNot};
 use crate::notation::{Mark, SyntaxError};
 use crate::search::{Implied, Repair, Stop};
 
+use super::Numeric;
+
 /// The audit of one statement of an equation.
 #[derive(Clone, Debug)]
 pub struct Entry {
@@ -26,6 +28,8 @@ pub struct Entry {
     pub rests_on: Vec<usize>,
     /// What else there is to say.
     pub notes: Vec<Note>,
+    /// For a numeric claim: what the figures say. It is no proof, so the verdict stays `undecided`.
+    pub numeric: Option<Box<Numeric>>,
     /// For what is given: a point at which all that is given with it holds.
     pub model: Option<Model>,
     /// For what fails: what its premises give instead.
@@ -143,6 +147,8 @@ pub enum Note {
     Unreadable(SyntaxError),
     /// It is said to follow from an equation that could not be read.
     UnreadablePremise(usize),
+    /// A numeric claim that is false whatever the figures are within their bounds.
+    NumericNotSupported,
     /// The search broke down on it: a defect of this program.
     GivenUp,
 }
@@ -164,6 +170,7 @@ impl Note {
             Note::DuplicateTag(_) => "duplicate-tag",
             Note::Unreadable(_) => "unreadable",
             Note::UnreadablePremise(_) => "unreadable-premise",
+            Note::NumericNotSupported => "numeric-not-supported",
             Note::GivenUp => "given-up",
         }
     }
@@ -193,6 +200,12 @@ impl Entry {
     /// Whether there is something to mend.
     pub fn is_finding(&self) -> bool {
         self.is_wrong() && !self.fails_as_marked() || self.notes.iter().any(Note::is_finding)
+    }
+
+    /// A numeric claim that is true whatever the figures are within their bounds, and of which nothing else is wrong.
+    pub fn is_supported(&self) -> bool {
+        let supported = self.numeric.as_ref().is_some_and(|n| n.is_supported());
+        supported && self.verdict == Verdict::Undecided
     }
 
     /// The first link that is a scaling relation and refuted, if no other link is.

@@ -8,6 +8,7 @@ mod dimensions;
 mod entry;
 mod given;
 mod judge;
+mod numeric;
 mod premise;
 mod scaling;
 mod schedule;
@@ -18,12 +19,13 @@ use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
 
-use crate::derivation::{Derivation, Kind, Source, goals};
+use crate::derivation::{Assumed, Derivation, Kind, Source, goals};
 use crate::kernel::Assignment;
 use crate::notation::{Mark, Statement};
 
 pub use dimensions::Dimensions;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
+pub use numeric::{FAR, Link, Numeric, Weighed};
 use premise::{Offer, usable};
 use schedule::Schedule;
 
@@ -247,7 +249,10 @@ impl Auditor<'_> {
         let mut entries = Vec::new();
         for (part, statement) in statements.iter().enumerate() {
             let defines = equation.defines && part == 0;
-            let mut entry = self.statement(at, statement, &usable, &premises, says_so, defines);
+            let mut entry = match equation.numeric {
+                Some(_) => self.numeric(at, statement, &usable),
+                None => self.statement(at, statement, &usable, &premises, says_so, defines),
+            };
             (entry.part, entry.parts) = (part, parts);
             if part == 0 {
                 entry.notes.extend(
@@ -349,7 +354,8 @@ impl Auditor<'_> {
             entry.notes.extend(missing.map(|&p| Note::OutOfScope(p)));
         }
         // A premise that could not be had may be just what is needed.
-        let missing = !usable.unreadable.is_empty() || !usable.later.is_empty();
+        let missing =
+            !usable.unreadable.is_empty() || !usable.later.is_empty() || !usable.numeric.is_empty();
         if entry.verdict == Verdict::Fails && missing {
             entry.verdict = Verdict::Undecided;
         }
@@ -360,6 +366,10 @@ impl Auditor<'_> {
                     .iter()
                     .map(|&p| Note::UnreadablePremise(p)),
             );
+            if !usable.numeric.is_empty() {
+                let numeric = usable.numeric.clone();
+                entry.notes.push(Note::RestsOnUnproved(numeric));
+            }
         }
         entry.premises = used.iter().copied().collect();
         if entry.verdict == Verdict::Holds {
@@ -374,6 +384,36 @@ impl Auditor<'_> {
             }
         }
         self.mark(statement, &mut entry);
+        entry
+    }
+
+    /// Evaluates a numeric claim. What is wrong or not proved itself is not put in.
+    fn numeric(&self, at: usize, statement: &Statement, usable: &premise::Usable) -> Entry {
+        let mut entry = blank(at, 0, 1, Kind::Derived, Verdict::Undecided);
+        let sound = |premise: usize| {
+            let proved = |e: &Entry| matches!(e.verdict, Verdict::Given | Verdict::Holds);
+            premise >= at
+                || self
+                    .entries_of(premise)
+                    .all(|e| proved(e) && e.rests_on.is_empty())
+        };
+        let assumed: Vec<Assumed> = usable
+            .assumed
+            .iter()
+            .filter(|a| !matches!(a.source, Source::Equation(premise) if !sound(premise)))
+            .cloned()
+            .collect();
+        let numeric = numeric::evaluate(self.derivation, at, statement, &assumed);
+        let used = numeric::used(&numeric);
+        if *numeric.outcome() == Weighed::Contradicted {
+            entry.notes.push(Note::NumericNotSupported);
+        }
+        let open = self.unproved(at, &used);
+        if !open.is_empty() {
+            entry.notes.push(Note::RestsOnUnproved(open));
+        }
+        entry.premises = used.into_iter().collect();
+        entry.numeric = Some(numeric.into());
         entry
     }
 
@@ -470,6 +510,7 @@ fn blank(equation: usize, part: usize, parts: usize, kind: Kind, verdict: Verdic
         premises: Vec::new(),
         rests_on: Vec::new(),
         notes: Vec::new(),
+        numeric: None,
         model: None,
         implied: None,
     }

@@ -80,6 +80,8 @@ pub struct Usable {
     pub out_of_scope: Vec<usize>,
     /// Premises that are derived later.
     pub later: Vec<usize>,
+    /// Numeric claims: supported or not, they prove nothing.
+    pub numeric: Vec<usize>,
     /// Premises that could not be read.
     pub unreadable: Vec<usize>,
 }
@@ -105,6 +107,10 @@ pub fn usable<'a>(
         let equation = &derivation.equations[premise];
         if equation.statements.is_err() {
             usable.unreadable.push(premise);
+            continue;
+        }
+        if equation.numeric.is_some() {
+            usable.numeric.push(premise);
             continue;
         }
         let offer = match offers(premise) {

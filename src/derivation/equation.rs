@@ -1,4 +1,4 @@
-use crate::algebra::{Expr, Formula, Relation};
+use crate::algebra::{BigRational, Expr, Formula, Relation};
 use crate::document::Span;
 use crate::notation::{Clause, Connective, Statement, SyntaxError};
 
@@ -25,6 +25,8 @@ pub struct Equation {
     pub defines: bool,
     /// Whether the page opens with it and nothing is said of where it comes from.
     pub opens: bool,
+    /// It is a numeric claim: how near `≈` is meant, where that is said.
+    pub numeric: Option<Option<BigRational>>,
     /// What it is said to follow from.
     pub premises: Premises,
     /// The hypotheses in effect where it stands, as positions in [`Page::locals`](super::Page::locals).

@@ -19,7 +19,7 @@ use crate::notation::Spanned;
 
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, formulas, goals};
-pub use page::{Local, Page, Premises};
+pub use page::{Datum, Local, Page, Premises};
 
 /// A set of pages that are read together, with their equations in reading order.
 #[derive(Clone, Debug)]

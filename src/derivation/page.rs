@@ -1,7 +1,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::algebra::{Dimension, Formula, Symbol, element_symbol};
+use crate::algebra::{BigRational, Dimension, Formula, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::nearest::nearest;
 use crate::document::{
@@ -24,10 +24,25 @@ pub struct Page {
     pub domains: BTreeMap<Symbol, Domain>,
     /// The declared dimension of each symbol.
     pub dimensions: BTreeMap<Symbol, Dimension>,
+    /// The figures for each symbol that has some.
+    pub data: BTreeMap<Symbol, Datum>,
     /// Everything supposed on the page, by `let` or `assuming`.
     pub locals: Vec<Local>,
     /// What could not be read, besides equations.
     pub problems: Vec<Problem>,
+}
+
+/// Figures for a symbol: between what numbers its value lies, in SI units, and who says so.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Datum {
+    /// The least value.
+    pub low: BigRational,
+    /// The greatest value.
+    pub high: BigRational,
+    /// Where the figures come from.
+    pub source: String,
+    /// The clause.
+    pub span: Span,
 }
 
 /// A hypothesis that is in effect in a part of a page.
@@ -60,6 +75,7 @@ struct Between {
     derived: bool,
     from: Option<Vec<Spanned<Premise>>>,
     name: Option<String>,
+    numeric: Option<Option<BigRational>>,
     cited: Vec<(Spanned<String>, bool)>,
 }
 
@@ -73,11 +89,13 @@ pub(super) fn read_page(
         title: String::new(),
         domains: BTreeMap::new(),
         dimensions: BTreeMap::new(),
+        data: BTreeMap::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),
         document,
     };
     page.declarations();
+    page.figures();
     let items = page.document.items.clone();
     let mut equations: Vec<Equation> = Vec::new();
     let mut active: Vec<usize> = Vec::new();
@@ -118,7 +136,8 @@ pub(super) fn read_page(
                             page.suppose(body, false, level, &mut active, true)
                         }
                         Directive::Let(body) => page.suppose(body, true, level, &mut active, true),
-                        Directive::Symbols { .. } => {}
+                        Directive::Numeric(near) => between.numeric = Some(near),
+                        Directive::Symbols { .. } | Directive::Data { .. } => {}
                     }
                 }
             }
@@ -137,11 +156,12 @@ pub(super) fn read_page(
                 let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
                 let kind = match () {
                     () if said.given => Kind::Given,
+                    () if said.numeric.is_some() => Kind::Derived,
                     () if mark => Kind::Marked,
                     () => Kind::Derived,
                 };
-                let defines =
-                    kind == Kind::Derived && fresh && !said.derived && said.from.is_none();
+                let stated = said.derived || said.numeric.is_some();
+                let defines = kind == Kind::Derived && fresh && !stated && said.from.is_none();
                 for statement in display.statements.iter().flatten() {
                     for formula in formulas(statement) {
                         seen.extend(formula.free_symbols());
@@ -157,7 +177,8 @@ pub(super) fn read_page(
                     statements: display.statements,
                     kind,
                     defines,
-                    opens: alone && kind == Kind::Derived && !said.derived,
+                    opens: alone && kind == Kind::Derived && !stated,
+                    numeric: said.numeric.filter(|_| kind != Kind::Given),
                     premises: match said.from {
                         Some(named) => Premises::Named(named),
                         None => Premises::Cited(said.cited),
@@ -215,20 +236,70 @@ impl Page {
                             self.declare(symbol.clone(), &attributes);
                             self.declare_dimension(symbol, span, dimension.as_ref());
                         }
-                        Err(error) => {
-                            let shifted = Span::new(
-                                span.start + error.span.start,
-                                span.start + error.span.end,
-                            );
-                            self.complain(SyntaxError {
-                                span: shifted,
-                                ..error
-                            });
-                        }
+                        Err(error) => self.complain_at(span, error),
                     }
                 }
             }
         }
+    }
+
+    /// A complaint about a part of a directive that was read by itself.
+    fn complain_at(&mut self, part: Span, error: SyntaxError) {
+        let span = Span::new(part.start + error.span.start, part.start + error.span.end);
+        self.complain(SyntaxError { span, ..error });
+    }
+
+    /// The `data` clauses.
+    fn figures(&mut self) {
+        for item in self.document.items.clone() {
+            let Item::Directives { clauses, .. } = item else {
+                continue;
+            };
+            for clause in clauses {
+                let Directive::Data {
+                    names,
+                    low,
+                    high,
+                    source,
+                } = clause.value
+                else {
+                    continue;
+                };
+                let datum = Datum {
+                    low,
+                    high,
+                    source,
+                    span: clause.span,
+                };
+                for span in names {
+                    match read_symbol(self.document.text(span)) {
+                        Ok(symbol) => self.figure(symbol, span, datum.clone()),
+                        Err(error) => self.complain_at(span, error),
+                    }
+                }
+            }
+        }
+    }
+
+    /// One figure of each symbol counts, and it must lie where the symbol is declared to lie.
+    fn figure(&mut self, symbol: Symbol, span: Span, datum: Datum) {
+        let domain = self.domains.get(&symbol);
+        let within = domain.is_none_or(|d| d.contains(&datum.low) && d.contains(&datum.high));
+        let (message, help) = match (within, self.data.contains_key(&symbol)) {
+            (true, false) => {
+                self.data.insert(symbol, datum);
+                return;
+            }
+            (true, true) => (
+                format!("`{symbol}` has figures already on this page"),
+                "give one of the two another name; until then the first counts",
+            ),
+            (false, _) => (
+                format!("the figures of `{symbol}` leave its declared domain"),
+                "make the declaration wider, or the figures narrower",
+            ),
+        };
+        self.problems.push(Problem::new(span, message, help));
     }
 
     /// The dimension among the attributes of a declaration; a second one is a problem.

@@ -79,7 +79,7 @@ pub(super) fn symbols(
 
 /// The trimmed parts between `separator`s that are in none of the brackets that `nests` opens; `[`
 /// may close with `)`.
-fn split(source: &str, span: Span, separator: u8, nests: &str) -> Vec<Span> {
+pub(super) fn split(source: &str, span: Span, separator: u8, nests: &str) -> Vec<Span> {
     let bytes = source.as_bytes();
     let (mut from, mut at, mut depth) = (span.start, span.start, 0_usize);
     let mut parts = Vec::new();

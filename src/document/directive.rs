@@ -1,13 +1,13 @@
 //! The `check:` comments, clause by clause. What cannot be read is a problem at the very word.
 
-use super::attribute;
 use super::nearest::nearest;
 use super::number::expand_range;
 use super::{Directive, Premise, Problem, Span};
+use super::{attribute, data};
 use crate::notation::Spanned;
 
 /// The words that begin a clause.
-const KEYWORDS: [&str; 12] = [
+const KEYWORDS: [&str; 14] = [
     "given",
     "law",
     "definition",
@@ -20,9 +20,11 @@ const KEYWORDS: [&str; 12] = [
     "symbols",
     "symbol",
     "declare",
+    "data",
+    "numeric",
 ];
-const HELP: &str = "a clause begins with `given`, `derived`, `from`, `claim`, `assuming`, `let` \
-                    or `symbols`; clauses are separated by `;`";
+const HELP: &str = "a clause begins with `given`, `derived`, `from`, `claim`, `assuming`, `let`, \
+                    `symbols`, `data` or `numeric`; clauses are separated by `;`";
 
 /// What a comment is.
 #[derive(Debug)]
@@ -84,6 +86,11 @@ fn split(source: &str, body: Span) -> Vec<Span> {
     let (mut from, mut at, mut braces) = (body.start, body.start, 0_usize);
     while at < body.end {
         let ends = match bytes[at] {
+            // A source is quoted, whatever stands in it.
+            b'"' => {
+                at += source[at + 1..body.end].find('"').map_or(0, |end| end + 1);
+                false
+            }
             b'\\' => {
                 at += 1;
                 false
@@ -140,6 +147,8 @@ fn clause(source: &str, span: Span, problems: &mut Vec<Problem>) -> Result<Direc
         "assuming" => formulas(word, span, body).map(Directive::Assuming),
         "let" => formulas(word, span, body).map(Directive::Let),
         "symbols" | "symbol" | "declare" => attribute::symbols(source, span, body, problems),
+        "data" => data::data(source, span, body),
+        "numeric" => data::numeric(source, body),
         _ => {
             let length = text.find(|c: char| c.is_whitespace() || c == ',');
             let length = word.len().max(if word.is_empty() {

@@ -109,6 +109,19 @@ pub enum Directive {
         /// What they are declared to be; never empty.
         attributes: Vec<Spanned<Attribute>>,
     },
+    /// `data NAMES: VALUE, "SOURCE"`: figures for numeric claims.
+    Data {
+        /// The symbols as raw LaTeX; never empty.
+        names: Vec<Span>,
+        /// The least value.
+        low: BigRational,
+        /// The greatest value, not below the least.
+        high: BigRational,
+        /// Where the figures come from.
+        source: String,
+    },
+    /// `numeric`: the next display is a numeric claim; how near `≈` is meant, as a share of the right side.
+    Numeric(Option<BigRational>),
 }
 
 /// A premise named by `from`.

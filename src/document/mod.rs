@@ -10,6 +10,7 @@
 
 mod attribute;
 mod citation;
+mod data;
 mod directive;
 mod in_order;
 mod item;

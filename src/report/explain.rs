@@ -41,7 +41,12 @@ impl Report<'_> {
             text += &format!("  as LaTeX    {}\n", latex_statement(statement));
         }
         text += &format!("  said to be  {}\n", entry.kind.word());
-        let verdict = format!("{} {}", style::sign(entry.verdict), entry.verdict.word());
+        let numeric = match &entry.numeric {
+            Some(_) if entry.is_supported() => ", supported numerically",
+            _ => "",
+        };
+        let word = entry.verdict.word();
+        let verdict = format!("{} {word}{numeric}", style::sign(entry.verdict));
         let verdict = paint(style::of(entry), &verdict);
         text += &format!("  verdict     {verdict}\n");
         text += &self.dimension_lines(entry);
@@ -56,6 +61,7 @@ impl Report<'_> {
                 text += &format!("    {line}\n");
             }
         }
+        text += &self.numeric_lines(entry);
         for (step, judged) in entry.judged.iter().enumerate() {
             text += &self.explain_step(judged, step, entry.judged.len());
         }

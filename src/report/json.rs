@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::algebra::Expr;
-use crate::audit::{Entry, Verdict};
+use crate::audit::{Entry, Numeric, Verdict, Weighed};
 use crate::derivation::Source;
 use crate::dimension::{Conflict, base_letter};
 use crate::kernel::Assignment;
@@ -15,6 +15,7 @@ use crate::notation::{latex, latex_statement};
 use super::Report;
 use super::dimension::{called, declared};
 use super::implied;
+use super::numeric::{decimal, headline};
 use super::scaling;
 
 /// The whole audit.
@@ -78,9 +79,37 @@ pub struct EquationView {
     /// numbers, written as products of powers.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub situations: BTreeMap<String, Vec<String>>,
+    /// For a numeric claim: what the figures say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub numeric: Option<NumericView>,
     /// What would mend it, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub repair: Option<String>,
+}
+
+/// What figures say of a numeric claim. Ends of intervals are decimals, rounded outwards.
+#[derive(Clone, Debug, Serialize)]
+pub struct NumericView {
+    /// `supported`, `contradicted`, `not-settled` or `not-evaluated`.
+    pub outcome: &'static str,
+    /// In a sentence.
+    pub message: String,
+    /// Left over right, of the link that decides.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ratio: Option<[String; 2]>,
+    /// The figures that were used, by LaTeX name.
+    pub data: BTreeMap<String, DatumView>,
+}
+
+/// Figures for a symbol, exact, in SI units.
+#[derive(Clone, Debug, Serialize)]
+pub struct DatumView {
+    /// The least value.
+    pub low: String,
+    /// The greatest.
+    pub high: String,
+    /// Who says so.
+    pub source: String,
 }
 
 /// Two dimensions that differ and may not.
@@ -232,6 +261,7 @@ impl Report<'_> {
                 .rescaled()
                 .map(|(_, refuted, _)| scaling::values(refuted))
                 .unwrap_or_default(),
+            numeric: entry.numeric.as_deref().map(numeric_view),
             repair: match entry.rescaled() {
                 Some((_, refuted, repair)) => repair.map(|r| scaling::repaired(refuted, r)),
                 None => match &entry.implied {
@@ -292,6 +322,31 @@ impl Report<'_> {
             Some(label) => label.to_owned(),
             None => self.place(at),
         }
+    }
+}
+
+fn numeric_view(numeric: &Numeric) -> NumericView {
+    let outcome = numeric.outcome();
+    let link = numeric.links.iter().find(|link| link.outcome == *outcome);
+    let ratio = link.and_then(|link| link.ratio.as_ref());
+    let data = numeric.data.iter().map(|(symbol, (_, datum))| {
+        let view = DatumView {
+            low: datum.low.to_string(),
+            high: datum.high.to_string(),
+            source: datum.source.clone(),
+        };
+        (symbol.to_string(), view)
+    });
+    NumericView {
+        outcome: match outcome {
+            Weighed::Supported => "supported",
+            Weighed::Contradicted => "contradicted",
+            Weighed::NotSettled => "not-settled",
+            _ => "not-evaluated",
+        },
+        message: headline(numeric),
+        ratio: ratio.map(|r| [decimal(r.low(), false), decimal(r.high(), true)]),
+        data: data.collect(),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::notation::{Mark, latex_statement};
 use super::evidence::{Point, number};
 use super::style::{self, DIM, paint};
 use super::words::{plain_statement, shortened};
-use super::{Report, words};
+use super::{Report, numeric, words};
 
 /// The widest that a name may be.
 const WIDEST_NAME: usize = 26;
@@ -35,8 +35,12 @@ impl Report<'_> {
     /// The line of one entry.
     pub fn line(&self, entry: &Entry, names: usize) -> String {
         let name = shortened(&self.line_name(entry), names);
-        let word = entry.verdict.word();
-        let verdict = format!("{} {word:<9}", style::sign(entry.verdict));
+        let (sign, word) = match &entry.numeric {
+            Some(_) if entry.is_supported() => ("≈", "supported"),
+            Some(_) if unsupported(entry) => ("≉", "not supported"),
+            _ => (style::sign(entry.verdict), entry.verdict.word()),
+        };
+        let verdict = format!("{sign} {word:<9}");
         let room = WIDTH.saturating_sub(names + 7 + word.len().max(9));
         let headline = shortened(&self.headline(entry), room);
         let line = format!(
@@ -65,7 +69,10 @@ impl Report<'_> {
         match entry.verdict {
             Verdict::Given => said.extend(self.statement(entry).map(plain_statement)),
             Verdict::Fails => said.push(self.failure(entry)),
-            Verdict::Undecided => said.extend(undecided(entry)),
+            Verdict::Undecided => said.extend(match &entry.numeric {
+                Some(numeric) => Some(numeric::headline(numeric)),
+                None => undecided(entry),
+            }),
             Verdict::Holds if entry.notes.is_empty() => said.push(self.holds_from(entry)),
             Verdict::IllDimensioned => {
                 said.extend(
@@ -78,7 +85,11 @@ impl Report<'_> {
             }
             Verdict::Holds => {}
         }
-        said.extend(entry.notes.iter().filter_map(|note| self.aside(note)));
+        // The line of a numeric claim says so itself.
+        let apart =
+            |note: &&Note| !(matches!(note, Note::NumericNotSupported) && unsupported(entry));
+        let notes = entry.notes.iter().filter(apart);
+        said.extend(notes.filter_map(|note| self.aside(note)));
         said.join("; ")
     }
 
@@ -181,6 +192,9 @@ impl Report<'_> {
                     ),
                 }
             }
+            Note::NumericNotSupported => {
+                "not supported: false for all figures within their bounds".into()
+            }
             Note::GivenUp => "the search broke down: please report this".into(),
             Note::Uncited(sources) => format!("from {}, uncited", self.sources(sources)),
             Note::UnstatedCondition(conditions) => format!(
@@ -214,6 +228,12 @@ impl Report<'_> {
             }
         })
     }
+}
+
+/// A numeric claim that the figures contradict.
+fn unsupported(entry: &Entry) -> bool {
+    let noted = |note: &Note| matches!(note, Note::NumericNotSupported);
+    entry.verdict == Verdict::Undecided && entry.notes.iter().any(noted)
 }
 
 fn undecided(entry: &Entry) -> Option<String> {

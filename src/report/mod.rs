@@ -16,6 +16,7 @@ pub mod implied;
 mod json;
 pub mod line;
 pub mod near;
+mod numeric;
 pub mod proof;
 mod scaling;
 mod style;

@@ -34,6 +34,7 @@ pub(super) fn of(entry: &Entry) -> Style {
         Verdict::Holds => GOOD,
         _ if entry.fails_as_marked() => DIM,
         Verdict::Fails | Verdict::IllDimensioned => BAD,
+        Verdict::Undecided if entry.is_supported() => Style::new(),
         Verdict::Undecided => WARN,
     }
 }

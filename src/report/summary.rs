@@ -64,6 +64,8 @@ impl Report<'_> {
             entries.iter().filter(wrong).count()
         };
         let total = count(entries.len(), "statement");
+        let supported = entries.iter().filter(|e| e.is_supported()).count();
+        let open = of(Verdict::Undecided) - supported;
         let mut told = Vec::new();
         for (number, word) in [
             (of(Verdict::Given), "given"),
@@ -71,14 +73,14 @@ impl Report<'_> {
             (asserted(Verdict::Fails), "refuted"),
             (crossed, "crossed out by the author and rightly so"),
             (asserted(Verdict::IllDimensioned), "ill-dimensioned"),
-            (of(Verdict::Undecided), "undecided"),
+            (supported, "supported numerically"),
+            (open, "undecided"),
         ] {
             if number > 0 {
                 told.push(format!("{number} {word}"));
             }
         }
         let first = format!("Of {total}, {}.", list(told));
-        let open = of(Verdict::Undecided);
         let second = match (findings, open) {
             (0, 0) => "Nothing is amiss.".to_owned(),
             (0, _) => "Nothing was found amiss, but what is undecided was not checked.".to_owned(),

@@ -50,6 +50,18 @@ const IDENTICAL: &[&str] = &[
     "40",
     "energy-after",
     "loss-is-heat-and-sound",
+    "loss-at-rest",
+    "momentum-centred",
+    "restitution-centred",
+    "energy-centred",
+    "loss-centred",
+    "loss-printed",
+    "half-the-energy",
+    "one-loss",
+    "after-at-rest",
+    "energy-after-centred",
+    "after-centred",
+    "balance-at-rest",
 ];
 /// What is said of the same collisions, and true of perfectly elastic ones alone.
 const ELASTIC_ONLY: &[&str] = &["27", "41", "balance-from-loss"];

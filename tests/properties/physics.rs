@@ -57,7 +57,17 @@ pub fn identical(m: &BigRational, v0: &BigRational, e: &BigRational, heat: &BigR
     let zero = BigRational::zero();
     let (w1, w2) = with_restitution(m, m, v0, &zero, e);
     let loss = energy_loss(m, m, v0, &zero, e);
+    // The same collision seen by an observer who moves along with the centre of mass.
+    let half = v0 / whole(2);
+    let (c1, c2) = (&w1 - &half, &w2 - &half);
+    let centred = energy(m, &half) * whole(2);
+    let left = energy(m, &c1) + energy(m, &c2);
     Point::new()
+        .with_ratio("u'_1", c1)
+        .with_ratio("u'_2", c2)
+        .with_ratio("\\Delta E_{\\text{cm}}", &centred - &left)
+        .with_ratio("E_{\\text{cm}}", centred)
+        .with_ratio("E_{\\text{cm,after}}", left)
         .with_ratio("m", m.clone())
         .with_ratio("v_0", v0.clone())
         .with_ratio("e", e.clone())

@@ -96,6 +96,15 @@ impl Report<'_> {
                     }
                 }
             }
+            Note::NumericNotSupported => {
+                finding.title = format!("{subject} is not supported by its figures");
+                if let Some(numeric) = &entry.numeric {
+                    let text = super::super::numeric::headline(numeric);
+                    finding.said.push((Level::NOTE, text));
+                }
+                let text = "it is false whatever the figures are within their bounds";
+                finding.said.push((Level::NOTE, text.into()));
+            }
             Note::GivenUp => {
                 finding.level = Level::ERROR;
                 finding.title = format!(

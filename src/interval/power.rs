@@ -1,0 +1,56 @@
+//! Powers with rational exponents; roots rounded outwards.
+
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use super::{Interval, PRECISION};
+use crate::algebra::{BigInt, BigRational};
+
+/// Exponents whose numerator or denominator is larger are not evaluated.
+const LARGEST: u32 = 64;
+
+pub(super) fn power(base: &Interval, exponent: &BigRational) -> Option<Interval> {
+    let size = |n: &BigInt| n.abs().to_u32().filter(|&n| n <= LARGEST);
+    let (over, under) = (size(exponent.numer())?, size(exponent.denom())?);
+    if exponent.is_negative() {
+        return power(base, &-exponent)?.recip();
+    }
+    let rooted = match under {
+        1 => base.clone(),
+        _ if base.low().is_negative() => return None,
+        _ => Interval::new(root(base.low(), under).0, root(base.high(), under).1)?,
+    };
+    Some(raised(&rooted, over).trimmed())
+}
+
+fn raised(base: &Interval, exponent: u32) -> Interval {
+    // An even power of what may have either sign is a power of its size.
+    let base = match exponent % 2 {
+        0 => base.abs(),
+        _ => base.clone(),
+    };
+    let exponent = exponent as usize;
+    Interval {
+        low: num_traits::pow(base.low, exponent),
+        high: num_traits::pow(base.high, exponent),
+    }
+}
+
+/// Numbers just below and above a root of what is not negative; both the root itself where it is rational.
+fn root(value: &BigRational, degree: u32) -> (BigRational, BigRational) {
+    if value.is_zero() || value.is_one() {
+        return (value.clone(), value.clone());
+    }
+    let exact = |n: &BigInt| Some(n.nth_root(degree)).filter(|r| r.pow(degree) == *n);
+    if let (Some(over), Some(under)) = (exact(value.numer()), exact(value.denom())) {
+        let root = BigRational::new(over, under);
+        return (root.clone(), root);
+    }
+    // The integer root of the value times `2^(degree · places)` has at least `PRECISION` bits.
+    let missing = value.denom().bits().saturating_sub(value.numer().bits()) / u64::from(degree);
+    let places = PRECISION + missing + 2;
+    let scaled: BigInt = (value.numer() << (places * u64::from(degree))) / value.denom();
+    let below = scaled.nth_root(degree);
+    let unit = BigInt::one() << places;
+    let above = BigRational::new(&below + 1, unit.clone());
+    (BigRational::new(below, unit), above)
+}

@@ -1,0 +1,292 @@
+//! Terms over intervals.
+//!
+//! In plain interval arithmetic `x/x` is not 1, for both places take any value. So a term is first written as a sum of products of powers,
+//! in which equal factors are put together; then each factor takes its values. Sums are not multiplied out: a sum that is a
+//! factor counts as one.
+
+use std::collections::BTreeMap;
+
+use num_traits::{One, Signed, Zero};
+
+use super::Interval;
+use crate::algebra::{BigInt, BigRational, Expr, Function, Symbol};
+
+/// Longer sums are not put together.
+const MOST_TERMS: usize = 256;
+/// Deeper terms are not evaluated.
+const DEEPEST: usize = 64;
+
+/// Why a term has no interval.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoInterval {
+    /// Nothing says what a symbol is.
+    Unknown(Symbol),
+    /// A divisor may be 0, or the base of a root negative.
+    Undefined(Expr),
+    /// A kind of term that is not evaluated.
+    Unsupported(Expr),
+    /// Too long or too deep.
+    TooLarge,
+}
+
+/// What is known of symbols.
+#[derive(Clone, Debug, Default)]
+pub struct Figures(BTreeMap<Symbol, Interval>);
+
+/// Factors with their exponents, which are not 0.
+type Powers = BTreeMap<Expr, BigRational>;
+/// A sum of products of powers, with their coefficients, which are not 0.
+type Terms = BTreeMap<Powers, BigRational>;
+
+impl FromIterator<(Symbol, Interval)> for Figures {
+    fn from_iter<T: IntoIterator<Item = (Symbol, Interval)>>(figures: T) -> Self {
+        Figures(figures.into_iter().collect())
+    }
+}
+
+impl Figures {
+    /// What is known of a symbol; π is known to everybody.
+    pub fn of(&self, symbol: &Symbol) -> Option<Interval> {
+        self.0.get(symbol).cloned().or_else(|| {
+            let digits = BigInt::from(314_159_265_358_979_323_u64);
+            let unit = BigInt::from(100_000_000_000_000_000_u64);
+            let above = BigRational::new(&digits + 1, unit.clone());
+            (symbol.name() == "\\pi").then(|| Interval {
+                low: BigRational::new(digits, unit),
+                high: above,
+            })
+        })
+    }
+
+    /// An interval with all values of a term.
+    ///
+    /// # Errors
+    /// It has no value for some figures, or is of a kind that is not evaluated.
+    pub fn value(&self, term: &Expr) -> Result<Interval, NoInterval> {
+        self.interval(&self.terms(term, 0)?, 0)
+    }
+
+    /// An interval with all values of a quotient, in which what is common to both is cancelled.
+    ///
+    /// # Errors
+    /// As [`Figures::value`]; the divisor may be 0.
+    pub fn quotient(&self, above: &Expr, below: &Expr) -> Result<Interval, NoInterval> {
+        let divisor = self.value(below)?;
+        let undefined = || NoInterval::Undefined(below.clone());
+        let plain = self.value(above)?.over(&divisor).ok_or_else(undefined)?;
+        let mut inverse = self.raised(self.terms(below, 0)?, below, &-BigRational::one(), 0)?;
+        let (Some((powers, factor)), true) = (inverse.pop_first(), inverse.is_empty()) else {
+            return Ok(plain);
+        };
+        let mut sum = Terms::new();
+        for (own, coefficient) in self.terms(above, 0)? {
+            add(&mut sum, multiplied(&own, &powers), coefficient * &factor);
+        }
+        let joint = self.interval(&sum, 0)?;
+        Ok(plain.meet(&joint).unwrap_or(joint))
+    }
+
+    fn interval(&self, terms: &Terms, depth: usize) -> Result<Interval, NoInterval> {
+        let mut sum = Interval::exactly(BigRational::zero());
+        for (powers, coefficient) in terms {
+            let mut product = Interval::exactly(coefficient.clone());
+            for (factor, exponent) in powers {
+                let value = self.factor(factor, depth)?;
+                let undefined = || NoInterval::Undefined(factor.clone());
+                product = &product * &value.power(exponent).ok_or_else(undefined)?;
+            }
+            sum = &sum + &product;
+        }
+        Ok(sum)
+    }
+
+    /// What is not taken apart any further.
+    fn factor(&self, factor: &Expr, depth: usize) -> Result<Interval, NoInterval> {
+        if depth > DEEPEST {
+            return Err(NoInterval::TooLarge);
+        }
+        match factor {
+            Expr::Number(value) => Ok(Interval::exactly(value.clone())),
+            Expr::Symbol(symbol) => self
+                .of(symbol)
+                .ok_or_else(|| NoInterval::Unknown(symbol.clone())),
+            Expr::Call(Function::Abs, inner) => Ok(self
+                .interval(&self.terms(inner, depth + 1)?, depth + 1)?
+                .abs()),
+            Expr::Power(base, exponent) => {
+                let base = self.interval(&self.terms(base, depth + 1)?, depth + 1)?;
+                let exponent =
+                    number(exponent).ok_or_else(|| NoInterval::Unsupported(factor.clone()))?;
+                base.power(&exponent)
+                    .ok_or_else(|| NoInterval::Undefined(factor.clone()))
+            }
+            _ => self.interval(&self.terms(factor, depth + 1)?, depth + 1),
+        }
+    }
+
+    fn terms(&self, term: &Expr, depth: usize) -> Result<Terms, NoInterval> {
+        if depth > DEEPEST {
+            return Err(NoInterval::TooLarge);
+        }
+        let deeper = |inner: &Expr| self.terms(inner, depth + 1);
+        match term {
+            Expr::Number(value) => Ok(constant(value.clone())),
+            Expr::Symbol(_) | Expr::Call(Function::Abs, _) => Ok(single(term, BigRational::one())),
+            Expr::Sum(parts) => {
+                let mut sum = Terms::new();
+                for part in parts {
+                    for (powers, coefficient) in deeper(part)? {
+                        add(&mut sum, powers, coefficient);
+                    }
+                }
+                match sum.len() > MOST_TERMS {
+                    true => Err(NoInterval::TooLarge),
+                    false => Ok(sum),
+                }
+            }
+            Expr::Negate(inner) => {
+                let negated = deeper(inner)?.into_iter();
+                Ok(negated.map(|(powers, c)| (powers, -c)).collect())
+            }
+            Expr::Product(factors) => {
+                let mut product = constant(BigRational::one());
+                for factor in factors {
+                    product = times(product, whole(deeper(factor)?, factor));
+                }
+                Ok(product)
+            }
+            Expr::Quotient(above, below) => {
+                let inverse = self.raised(deeper(below)?, below, &-BigRational::one(), depth)?;
+                Ok(times(whole(deeper(above)?, above), inverse))
+            }
+            Expr::Power(base, exponent) => {
+                let exponent =
+                    number(exponent).ok_or_else(|| NoInterval::Unsupported(term.clone()))?;
+                self.raised(deeper(base)?, base, &exponent, depth)
+            }
+            _ => Err(NoInterval::Unsupported(term.clone())),
+        }
+    }
+
+    /// A power of what `base` was read as.
+    fn raised(
+        &self,
+        terms: Terms,
+        base: &Expr,
+        exponent: &BigRational,
+        depth: usize,
+    ) -> Result<Terms, NoInterval> {
+        if exponent.is_one() {
+            return Ok(terms);
+        }
+        if exponent.is_zero() {
+            return Ok(constant(BigRational::one()));
+        }
+        if terms.is_empty() && exponent.is_negative() {
+            return Err(NoInterval::Undefined(base.clone()));
+        }
+        let mut product = whole(terms, base);
+        let Some((powers, coefficient)) = product.pop_first() else {
+            return Ok(Terms::new());
+        };
+        // `(x²)^(1/2)` is not `x` for all `x`, and `1/x` not `x/x²` where `x` may be 0.
+        for factor in powers.keys() {
+            let value = self.factor(factor, depth + 1)?;
+            let known = match exponent.is_integer() {
+                true => exponent.is_positive() || value.recip().is_some(),
+                false => value.is_positive(),
+            };
+            if !known && exponent.is_integer() {
+                return Err(NoInterval::Undefined(base.clone()));
+            }
+            if !known {
+                let power = Expr::Power(base.clone().into(), Expr::Number(exponent.clone()).into());
+                return Ok(single(&power, BigRational::one()));
+            }
+        }
+        let mut raised: Powers = powers
+            .into_iter()
+            .map(|(factor, own)| (factor, own * exponent))
+            .collect();
+        if exponent.is_integer() {
+            let value = Interval::exactly(coefficient).power(exponent);
+            let value = value.ok_or(NoInterval::TooLarge)?;
+            return Ok(BTreeMap::from([(raised, value.low)]));
+        }
+        if coefficient.is_negative() {
+            return Err(NoInterval::Undefined(base.clone()));
+        }
+        if !coefficient.is_one() {
+            *raised
+                .entry(Expr::Number(coefficient))
+                .or_insert_with(BigRational::zero) += exponent;
+        }
+        raised.retain(|_, exponent| !exponent.is_zero());
+        Ok(BTreeMap::from([(raised, BigRational::one())]))
+    }
+}
+
+/// A rational number, however it is written.
+pub(super) fn number(term: &Expr) -> Option<BigRational> {
+    match term {
+        Expr::Number(value) => Some(value.clone()),
+        Expr::Negate(inner) => Some(-number(inner)?),
+        Expr::Quotient(above, below) => {
+            let below = number(below).filter(|below| !below.is_zero())?;
+            Some(number(above)? / below)
+        }
+        _ => None,
+    }
+}
+
+fn constant(value: BigRational) -> Terms {
+    match value.is_zero() {
+        true => Terms::new(),
+        false => BTreeMap::from([(Powers::new(), value)]),
+    }
+}
+
+fn single(factor: &Expr, exponent: BigRational) -> Terms {
+    BTreeMap::from([(
+        BTreeMap::from([(factor.clone(), exponent)]),
+        BigRational::one(),
+    )])
+}
+
+/// A sum of several terms as a factor of its own.
+fn whole(terms: Terms, term: &Expr) -> Terms {
+    match terms.len() > 1 {
+        true => single(term, BigRational::one()),
+        false => terms,
+    }
+}
+
+/// The product of what has one term each, or none.
+fn times(left: Terms, right: Terms) -> Terms {
+    let mut product = Terms::new();
+    for (own, a) in &left {
+        for (other, b) in &right {
+            add(&mut product, multiplied(own, other), a * b);
+        }
+    }
+    product
+}
+
+fn multiplied(left: &Powers, right: &Powers) -> Powers {
+    let mut product = left.clone();
+    for (factor, exponent) in right {
+        *product
+            .entry(factor.clone())
+            .or_insert_with(BigRational::zero) += exponent;
+    }
+    product.retain(|_, exponent| !exponent.is_zero());
+    product
+}
+
+fn add(sum: &mut Terms, powers: Powers, coefficient: BigRational) {
+    let total = sum.entry(powers.clone()).or_insert_with(BigRational::zero);
+    *total += coefficient;
+    if total.is_zero() {
+        sum.remove(&powers);
+    }
+}
