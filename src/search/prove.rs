@@ -49,15 +49,20 @@ impl Prover {
             basis: None,
             signed: None,
         };
-        prover.take_roots()?;
+        prover.take_roots(problem.takes_powers_apart())?;
         Ok(prover)
     }
 
     /// Adds what equations say of positive unknowns below a common power: `v² = 2 t²` gives `v = √2 t`.
-    fn take_roots(&mut self) -> Result<(), TooLarge> {
+    ///
+    /// Where no root is asked for, only of premises themselves: what two wrong ones say together is not helped.
+    fn take_roots(&mut self, of_all: bool) -> Result<(), TooLarge> {
         for _ in 0..MOST_ROUNDS {
             let mut found = false;
             for element in self.ideal.rest.clone() {
+                if !of_all && element.cofactors.len() > 1 {
+                    continue;
+                }
                 let Some((fact, proof)) = root_of(&element, self)? else {
                     continue;
                 };
