@@ -449,6 +449,7 @@ proptest! {
             atoms: &mut atoms,
             sequences: &sequences,
             constants: &sequences,
+            powers: None,
             conditions: Conditions::default(),
         };
         let expected = naive(&expr, &values);

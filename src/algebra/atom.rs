@@ -26,6 +26,13 @@ pub enum Atom {
         /// Each sequence with its exponent, by name; never empty.
         powers: Vec<(Symbol, u32)>,
     },
+    /// The positive root of a symbol that is positive; the symbol itself is read as its power.
+    Root {
+        /// The symbol.
+        of: Symbol,
+        /// The order of the root.
+        order: u32,
+    },
     /// A term that is not rational in simpler ones: a root, a function, an undetermined derivative.
     /// Its parts are canonical, so that equal terms are one atom.
     Opaque(Expr),

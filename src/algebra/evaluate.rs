@@ -377,6 +377,7 @@ impl Values {
             atoms: &mut atoms,
             sequences: &self.sequences.keys().cloned().collect(),
             constants: &self.constants,
+            powers: None,
             conditions: Conditions::default(),
         }
         .lower(&self.unfolded(term))

@@ -7,8 +7,8 @@ use num_integer::Integer;
 use num_traits::ToPrimitive;
 
 use super::{
-    Atom, Atoms, BigRational, Expr, Fraction, Function, LimitPoint, Monomial, Polynomial, Rational,
-    Symbol, TooLarge, Var,
+    Atom, Atoms, BigRational, Expr, Fraction, Function, LimitPoint, Monomial, Polynomial, Powers,
+    Rational, Symbol, TooLarge, Var,
 };
 
 /// Sums with definite limits are written out up to this many terms.
@@ -80,18 +80,23 @@ pub struct Lowering<'a> {
     pub sequences: &'a BTreeSet<Symbol>,
     /// The symbols that depend on no variable of differentiation.
     pub constants: &'a BTreeSet<Symbol>,
+    /// How powers are taken apart; `None` to read them as they are written.
+    pub powers: Option<&'a Powers>,
     /// What the values found so far depend on.
     pub conditions: Conditions,
 }
 
-type Lowered = Result<Fraction, LowerError>;
+pub(super) type Lowered = Result<Fraction, LowerError>;
 
 impl Lowering<'_> {
     /// The value of a term; [`Lowering::conditions`] grows by what it needs.
     pub fn lower(&mut self, expr: &Expr) -> Lowered {
         match expr {
             Expr::Number(value) => Ok(value.clone().into()),
-            Expr::Symbol(symbol) => Ok(self.atom(self.atom_of_symbol(symbol))),
+            Expr::Symbol(symbol) => {
+                let power = self.symbol_power(symbol, 1);
+                Ok(Polynomial::term(power, Rational::one()).into())
+            }
             Expr::Element { sequence, index } => Ok(self.atom(Atom::Bound {
                 sequence: sequence.clone(),
                 index: index.clone(),
@@ -191,11 +196,27 @@ impl Lowering<'_> {
             }
             _ => return None,
         };
-        let var = self.atoms.var(self.atom_of_symbol(symbol));
-        Some((Monomial::power(var, exponent), Rational::one()))
+        Some((self.symbol_power(symbol, exponent), Rational::one()))
     }
 
-    fn atom(&mut self, atom: Atom) -> Fraction {
+    /// A power of a symbol: of its root, where it is read so.
+    fn symbol_power(&mut self, symbol: &Symbol, exponent: u32) -> Monomial {
+        let atom = self.atom_of_symbol(symbol);
+        let order = match &atom {
+            Atom::Symbol(own) => self.powers.and_then(|p| p.roots.get(own).copied()),
+            _ => None,
+        };
+        match order {
+            None => Monomial::power(self.atoms.var(atom), exponent),
+            Some(order) => {
+                let of = symbol.clone();
+                let root = self.atoms.var(Atom::Root { of, order });
+                Monomial::power(root, exponent * order)
+            }
+        }
+    }
+
+    pub(super) fn atom(&mut self, atom: Atom) -> Fraction {
         Polynomial::var(self.atoms.var(atom)).into()
     }
 
@@ -209,7 +230,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn recip(&mut self, value: &Fraction) -> Lowered {
+    pub(super) fn recip(&mut self, value: &Fraction) -> Lowered {
         let inverse = value.recip()?.ok_or(LowerError::DivisionByZero)?;
         for (factor, _) in inverse.denominator() {
             self.conditions.nonzero.insert(factor.clone());
@@ -221,6 +242,11 @@ impl Lowering<'_> {
         let (base, exponent) = (self.lower(base)?, self.lower(exponent)?);
         if let Some(exponent) = exponent.as_constant() {
             return self.rational_power(&base, &exponent);
+        }
+        if let Some(powers) = self.powers
+            && let Some(value) = self.symbolic_power(&base, &exponent, powers)?
+        {
+            return Ok(value);
         }
         // (-1)^(2·½) and ((-1)^½)² are not the same: a symbolic exponent is not taken apart.
         self.conditions.positive.insert(sign_of_fraction(&base)?);
@@ -239,6 +265,10 @@ impl Lowering<'_> {
         let power = exponent.numer().to_u32().ok_or(LowerError::TooLarge)?;
         if exponent.is_integer() {
             return Ok(base.pow(power)?);
+        }
+        if self.powers.is_some() {
+            let order = exponent.denom().to_u32().ok_or(LowerError::TooLarge)?;
+            return self.root_taken_apart(base, power, order);
         }
         let root = match base.as_constant().and_then(|c| exact_root(&c, exponent)) {
             Some(root) => root.into(),
@@ -357,7 +387,7 @@ impl Lowering<'_> {
     fn depends(&self, var: Var, index: &Symbol) -> bool {
         match self.atoms.atom(var) {
             Atom::Bound { index: own, .. } => own == index,
-            Atom::Symbol(symbol) => symbol == index,
+            Atom::Symbol(symbol) | Atom::Root { of: symbol, .. } => symbol == index,
             Atom::PowerSum { to, .. } => to == index,
             Atom::Opaque(expr) => expr.mentions(index),
             Atom::Element { .. } => false,
@@ -391,7 +421,9 @@ impl Lowering<'_> {
         if !body.has_elements() && body.free_symbols().iter().all(constant) {
             return Ok(Fraction::default());
         }
+        // A root of a symbol would lead back to itself.
         if let Expr::Power(base, exponent) = &body
+            && !matches!(atom, Atom::Root { .. })
             && let Expr::Number(exponent) = &**exponent
         {
             // d(b^r) = r · b^r / b · db
@@ -572,7 +604,7 @@ fn power_of(atom: &Atom, symbol: &Symbol) -> Option<Rational> {
 }
 
 /// A polynomial with the sign of a rational function.
-fn sign_of_fraction(value: &Fraction) -> Result<Polynomial, TooLarge> {
+pub(super) fn sign_of_fraction(value: &Fraction) -> Result<Polynomial, TooLarge> {
     let mut polynomial = value.numerator().clone();
     for (factor, exponent) in value.denominator() {
         if exponent % 2 == 1 {
@@ -695,7 +727,26 @@ pub fn expr_of_atom(atom: &Atom) -> Expr {
                 index: index.clone(),
             }
         }
+        Atom::Root { of, order } => power_of_root(of, *order, 1),
         Atom::Opaque(expr) => expr.clone(),
+    }
+}
+
+/// `r^e`, for the root `r` of a symbol, as a power of the symbol.
+fn power_of_root(of: &Symbol, order: u32, exponent: u32) -> Expr {
+    let exponent = BigRational::new(exponent.into(), order.into());
+    let symbol = Expr::Symbol(of.clone());
+    match exponent == BigRational::from_integer(1.into()) {
+        true => symbol,
+        false => Expr::Power(symbol.into(), Expr::Number(exponent).into()),
+    }
+}
+
+/// A power of an unknown as a term.
+fn expr_of_power(atom: &Atom, exponent: u32) -> Expr {
+    match atom {
+        Atom::Root { of, order } => power_of_root(of, *order, exponent),
+        atom => raised(expr_of_atom(atom), exponent),
     }
 }
 
@@ -751,7 +802,7 @@ pub fn expr_of(polynomial: &Polynomial, atoms: &Atoms) -> Expr {
         .map(|(monomial, coefficient)| {
             let powers = monomial.powers().iter();
             let mut factors: Vec<Expr> = powers
-                .map(|&(var, exponent)| raised(expr_of_atom(atoms.atom(var)), exponent))
+                .map(|&(var, exponent)| expr_of_power(atoms.atom(var), exponent))
                 .collect();
             factors.sort();
             (
@@ -787,7 +838,13 @@ pub fn expr_of_fraction(value: &Fraction, atoms: &Atoms) -> Expr {
     let above = expr_of(value.numerator(), atoms);
     let mut below: Vec<Expr> = value
         .denominator()
-        .map(|(factor, exponent)| raised(expr_of(factor, atoms), exponent))
+        .map(|(factor, exponent)| {
+            let vars = factor.vars();
+            match vars.len() == 1 && *factor == Polynomial::var(vars[0]) {
+                true => expr_of_power(atoms.atom(vars[0]), exponent),
+                false => raised(expr_of(factor, atoms), exponent),
+            }
+        })
         .collect();
     below.sort();
     match below.is_empty() {

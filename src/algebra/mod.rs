@@ -13,6 +13,7 @@ mod fraction;
 mod lower;
 mod monomial;
 mod polynomial;
+mod power;
 mod rational;
 mod symbol;
 
@@ -30,5 +31,6 @@ pub use monomial::{Monomial, Var};
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use polynomial::{Polynomial, TooLarge};
+pub use power::Powers;
 pub use rational::Rational;
 pub use symbol::Symbol;

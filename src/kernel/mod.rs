@@ -23,6 +23,7 @@ mod claim;
 pub mod dimension;
 mod knowledge;
 mod obligation;
+mod powers;
 mod problem;
 mod replay;
 mod scaling;

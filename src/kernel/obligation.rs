@@ -12,6 +12,8 @@ pub struct Obligation {
     claim: Claim,
     unfold: Vec<usize>,
     problem: Problem,
+    /// The same as written, where that is something else.
+    as_written: Option<Problem>,
 }
 
 impl Obligation {
@@ -21,7 +23,10 @@ impl Obligation {
     /// As [`Problem::new`].
     pub fn new(claim: Claim, unfold: Vec<usize>) -> Result<Self, Reject> {
         let problem = Problem::new(&claim, &unfold)?;
+        let apart = problem.takes_powers_apart();
+        let as_written = apart.then(|| Problem::as_written(&claim, &unfold));
         Ok(Obligation {
+            as_written: as_written.transpose()?,
             claim,
             unfold,
             problem,
@@ -47,7 +52,12 @@ impl Obligation {
         &self.unfold
     }
 
-    /// The claim as facts about polynomials.
+    /// The claim as it is evaluated at points: with every power as it is written.
+    pub fn as_written(&self) -> &Problem {
+        self.as_written.as_ref().unwrap_or(&self.problem)
+    }
+
+    /// The claim as facts about polynomials: what certificates speak of.
     pub fn problem(&self) -> &Problem {
         &self.problem
     }
@@ -70,7 +80,7 @@ impl Obligation {
                 }))
             }
             Candidate::Counterexample(witness) => {
-                let mut point = witness::Point::new(&self.claim, &self.problem, &witness);
+                let mut point = witness::Point::new(&self.claim, self.as_written(), &witness);
                 point.premises()?;
                 point.goal_is_false()?;
                 Ok(Checked::Refuted(Refuted {
@@ -89,7 +99,7 @@ impl Obligation {
         if point.unfold != self.unfold {
             return super::check_model(&self.claim, point);
         }
-        witness::Point::new(&self.claim, &self.problem, &point).premises()?;
+        witness::Point::new(&self.claim, self.as_written(), &point).premises()?;
         Ok(Model { point })
     }
 }

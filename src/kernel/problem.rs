@@ -1,10 +1,11 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use super::powers::powers_of;
 use super::{Claim, Domain, Fact, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Rational,
-    Relation, Symbol, element_parts, element_symbol, expr_of, power_sum,
+    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Powers,
+    Rational, Relation, Symbol, element_parts, element_symbol, expr_of, power_sum,
 };
 
 /// A claim as facts about polynomials: what certificates speak of.
@@ -27,6 +28,8 @@ pub struct Problem {
     pub(super) integers: Vec<Fraction>,
     pub(super) sequences: BTreeSet<Symbol>,
     pub(super) constants: BTreeSet<Symbol>,
+    /// How powers are taken apart; `None` where terms are read as they are written.
+    pub(super) powers: Option<Powers>,
     pub(super) formulas: Vec<(Arc<Formula>, Standing)>,
     pub(super) goal_formula: Formula,
 }
@@ -40,6 +43,8 @@ pub enum Origin {
     Domain(Symbol),
     /// The nature of sums: counts and even power sums are not negative.
     Sums,
+    /// The nature of roots and powers: the power of a root is what it is taken of.
+    Powers,
     /// A lemma of the certificate.
     Lemma,
 }
@@ -58,8 +63,34 @@ impl Problem {
     /// A hypothesis that cannot be put in, a goal whose relation certificates do not speak of, or a
     /// term that is too large or divides by 0.
     pub fn new(claim: &Claim, unfold: &[usize]) -> Result<Problem, Reject> {
+        Problem::read_as(claim, unfold, true)
+    }
+
+    /// The same with every power read as it is written: what points are evaluated with.
+    ///
+    /// # Errors
+    /// As [`Problem::new`].
+    pub fn as_written(claim: &Claim, unfold: &[usize]) -> Result<Problem, Reject> {
+        Problem::read_as(claim, unfold, false)
+    }
+
+    /// Whether powers are taken apart in it, so that it is not the same as written.
+    pub fn takes_powers_apart(&self) -> bool {
+        self.powers.is_some()
+    }
+
+    fn read_as(claim: &Claim, unfold: &[usize], apart: bool) -> Result<Problem, Reject> {
         let sequences = sequences(claim);
         let (formulas, goal, values) = unfolded(claim, unfold, &sequences)?;
+        let counts = counts(claim);
+        let powers = apart.then(|| {
+            let all = formulas.iter().map(|f| &*f.0).chain([&goal]);
+            let terms = all
+                .flat_map(Formula::terms)
+                .chain(values.iter().map(|v| &v.1));
+            let put_in = |symbol: &Symbol| values.iter().any(|v| v.0 == *symbol);
+            powers_of(claim, terms, &sequences, &counts, put_in)
+        });
         let declared = claim.domains.iter().filter(|(_, d)| d.constant);
         let mut problem = Problem {
             atoms: Atoms::default(),
@@ -74,6 +105,7 @@ impl Problem {
             integers: Vec::new(),
             sequences,
             constants: declared.map(|(s, _)| s.clone()).collect(),
+            powers: powers.flatten(),
             formulas: Vec::new(),
             goal_formula: Formula::equal(Expr::integer(0), Expr::integer(0)),
         };
@@ -85,7 +117,6 @@ impl Problem {
             problem.assume(formula, Origin::Hypothesis(position))?;
         }
         problem.formulas = formulas;
-        let counts = counts(claim);
         let natural = Domain {
             lower: Some((BigRational::from_integer(0.into()), false)),
             integer: true,
@@ -138,6 +169,13 @@ impl Problem {
             problem.confine(&term, domain, &Origin::Domain(symbol))?;
         }
         problem.add_facts_about_sums(claim)?;
+        let atoms: Vec<_> = problem.atoms.iter().map(|(v, a)| (v, a.clone())).collect();
+        for (var, atom) in atoms {
+            if let Atom::Root { of, .. } = atom {
+                problem.add(Polynomial::var(var), Sign::Positive, Origin::Domain(of));
+            }
+        }
+        problem.add_facts_about_powers()?;
         Ok(problem)
     }
 
@@ -158,11 +196,12 @@ impl Problem {
         })
     }
 
-    fn lowering(&mut self) -> Lowering<'_> {
+    pub(super) fn lowering(&mut self) -> Lowering<'_> {
         Lowering {
             atoms: &mut self.atoms,
             sequences: &self.sequences,
             constants: &self.constants,
+            powers: self.powers.as_ref(),
             conditions: Conditions::default(),
         }
     }
@@ -173,11 +212,12 @@ impl Problem {
             atoms,
             sequences: &self.sequences,
             constants: &self.constants,
+            powers: self.powers.as_ref(),
             conditions: Conditions::default(),
         }
     }
 
-    fn add(&mut self, polynomial: Polynomial, sign: Sign, origin: Origin) {
+    pub(super) fn add(&mut self, polynomial: Polynomial, sign: Sign, origin: Origin) {
         self.facts.push(Fact { polynomial, sign });
         self.origins.push(origin);
     }

@@ -152,7 +152,7 @@ impl<'a> Point<'a> {
                 element.map(Rational::from).ok_or(Reject::NoValue)
             }
             Atom::PowerSum { to, powers } => self.power_sum(&to, &powers),
-            Atom::Bound { .. } => Err(Reject::NoValue),
+            Atom::Bound { .. } | Atom::Root { .. } => Err(Reject::NoValue),
             Atom::Opaque(expr) => self.opaque(&expr),
         }
     }

@@ -72,6 +72,7 @@ impl<'a> Point<'a> {
             atoms: &mut atoms,
             sequences: &self.claim.sequences.keys().cloned().collect(),
             constants: &self.values.constants,
+            powers: None,
             conditions: Conditions::default(),
         }
         .lower(&self.values.unfolded(term))

@@ -84,6 +84,7 @@ impl Report<'_> {
                         format!("declared domain of {}", words::symbol(symbol))
                     }
                     Origin::Sums => "a count or a sum of even powers".into(),
+                    Origin::Powers => "what a root or a power is".into(),
                     Origin::Lemma => "a lemma".into(),
                 };
                 format!(

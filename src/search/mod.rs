@@ -9,6 +9,7 @@ mod point;
 mod positivity;
 mod prove;
 mod refute;
+mod roots;
 mod scaling;
 mod simplex;
 mod tracked;

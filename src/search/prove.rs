@@ -4,12 +4,15 @@ use std::collections::BTreeMap;
 
 use super::ideal::Ideal;
 use super::positivity::{Known, decompose};
+use super::roots::root_of;
 use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
 use crate::algebra::{Atom, Polynomial, Rational, TooLarge};
 use crate::kernel::{Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign};
 
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
 const HIGHEST_POWER: u32 = 3;
+/// How often roots are taken of what came of it.
+const MOST_ROUNDS: usize = 3;
 const REDUCTIONS: usize = 2_000;
 const LIGHT_REDUCTIONS: usize = 60;
 
@@ -24,9 +27,9 @@ pub enum Effort {
 
 /// Proves facts from the facts of a problem, adding lemmas on the way.
 pub struct Prover {
-    facts: Vec<Fact>,
-    knowledge: Knowledge,
-    atoms: crate::algebra::Atoms,
+    pub(super) facts: Vec<Fact>,
+    pub(super) knowledge: Knowledge,
+    pub(super) atoms: crate::algebra::Atoms,
     lemmas: Vec<Lemma>,
     ideal: Ideal,
     basis: Option<Vec<Tracked>>,
@@ -37,7 +40,7 @@ pub struct Prover {
 impl Prover {
     pub fn new(problem: &Problem) -> Result<Self, TooLarge> {
         let knowledge = Knowledge::new(&problem.facts);
-        Ok(Prover {
+        let mut prover = Prover {
             ideal: Ideal::new(&problem.facts, &knowledge)?,
             facts: problem.facts.clone(),
             atoms: problem.atoms.clone(),
@@ -45,7 +48,35 @@ impl Prover {
             lemmas: Vec::new(),
             basis: None,
             signed: None,
-        })
+        };
+        prover.take_roots(problem.takes_powers_apart())?;
+        Ok(prover)
+    }
+
+    /// Adds what equations say of positive unknowns below a common power: `v² = 2 t²` gives `v = √2 t`.
+    ///
+    /// Where no root is asked for, only of premises themselves: what two wrong ones say together is not helped.
+    fn take_roots(&mut self, of_all: bool) -> Result<(), TooLarge> {
+        for _ in 0..MOST_ROUNDS {
+            let mut found = false;
+            for element in self.ideal.rest.clone() {
+                if !of_all && element.cofactors.len() > 1 {
+                    continue;
+                }
+                let Some((fact, proof)) = root_of(&element, self)? else {
+                    continue;
+                };
+                if !self.facts.contains(&fact) {
+                    self.add(fact, proof);
+                    found = true;
+                }
+            }
+            if !found {
+                return Ok(());
+            }
+            self.ideal = Ideal::new(&self.facts, &self.knowledge)?;
+        }
+        Ok(())
     }
 
     pub fn into_lemmas(self) -> Vec<Lemma> {

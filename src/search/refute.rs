@@ -308,7 +308,7 @@ impl<'a> Concrete<'a> {
         against_goal: bool,
         hint: Option<&Assignment>,
     ) -> Option<Self> {
-        let problem = obligation.problem();
+        let problem = obligation.as_written();
         let known: Vec<Option<Rational>> = match hint {
             None => Vec::new(),
             Some(hint) => known_at(hint, &problem.atoms),
@@ -340,8 +340,8 @@ impl<'a> Concrete<'a> {
             }));
         }
         let mut atoms = match &obligation {
-            Cow::Borrowed(obligation) => Cow::Borrowed(&obligation.problem().atoms),
-            Cow::Owned(obligation) => Cow::Owned(obligation.problem().atoms.clone()),
+            Cow::Borrowed(obligation) => Cow::Borrowed(&obligation.as_written().atoms),
+            Cow::Owned(obligation) => Cow::Owned(obligation.as_written().atoms.clone()),
         };
         if atoms
             .iter()
@@ -451,6 +451,7 @@ fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
                     atoms,
                     sequences: &nothing,
                     constants: &nothing,
+                    powers: None,
                     conditions: Conditions::default(),
                 };
                 let base = lowering.lower(base).ok()?;
@@ -497,6 +498,7 @@ fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
             atoms: &mut atoms,
             sequences: &nothing,
             constants: &nothing,
+            powers: None,
             conditions: Conditions::default(),
         };
         let written = point.symbols.iter().fold(term.clone(), |t, (s, v)| {

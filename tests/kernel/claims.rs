@@ -138,6 +138,7 @@ impl Proving {
             atoms: &mut atoms,
             sequences: &self.claim.sequences.keys().cloned().collect(),
             constants: &BTreeSet::new(),
+            powers: None,
             conditions: Default::default(),
         }
         .lower(&term(text))

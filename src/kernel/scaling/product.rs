@@ -84,6 +84,7 @@ impl Reader {
             atoms: &mut self.atoms,
             sequences: &self.sequences,
             constants: &self.constants,
+            powers: None,
             conditions: Conditions::default(),
         };
         let value = lowering.lower(term)?;
@@ -237,6 +238,7 @@ impl Reader {
             atoms: &mut self.atoms,
             sequences: &self.sequences,
             constants: &self.constants,
+            powers: None,
             conditions: Conditions::default(),
         };
         let value = lowering.lower(term)?;

@@ -492,6 +492,7 @@ fn number(term: &Expr, values: &BTreeMap<Expr, Size>) -> Option<Rational> {
         sequences: &none,
         constants: &none,
         conditions: crate::algebra::Conditions::default(),
+        powers: None,
     };
     lowering.lower(&map).ok()?.as_constant().filter(|_| ok)
 }

@@ -1,0 +1,312 @@
+//! Powers taken apart: fractional powers of what is positive, and symbolic exponents.
+//!
+//! Only where [`Powers`] says so. Terms are read as they are written elsewhere, and at points always.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive, Zero};
+
+use super::lower::{LowerError, Lowered, Lowering, sign_of_fraction};
+use super::{
+    Atom, BigInt, BigRational, Expr, Fraction, Monomial, Polynomial, Rational, Symbol, TooLarge,
+    expr_of, expr_of_atom, expr_of_fraction,
+};
+
+/// Prime factors of numbers are looked for up to this.
+const LARGEST_PRIME: u32 = 1_000;
+/// Roots of a higher order, and of longer numbers, are left as they are.
+const HIGHEST_ORDER: u32 = 64;
+const MOST_BITS: u64 = 2_048;
+
+/// What is known of symbols when powers are taken apart. Each entry must be true wherever a term is read with it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Powers {
+    /// Positive symbols that are read as powers of their roots, with the order of the root.
+    pub roots: BTreeMap<Symbol, u32>,
+    /// All positive symbols.
+    pub positive: BTreeSet<Symbol>,
+    /// Natural numbers, and whether each is at least 1.
+    pub naturals: BTreeMap<Symbol, bool>,
+}
+
+impl Lowering<'_> {
+    /// `base^(p/q)`, `p/q` positive and in lowest terms: √(m · rest) = √m · √rest, where m > 0.
+    pub(super) fn root_taken_apart(&mut self, base: &Fraction, p: u32, q: u32) -> Lowered {
+        if base.is_zero() {
+            return Ok(Fraction::default());
+        }
+        let (mut above, mut below) = (Monomial::one(), Monomial::one());
+        let mut inside = Monomial::one();
+        let mut take = |var, whole: u32, up: bool| {
+            let exponent = whole.checked_mul(p).ok_or(TooLarge)?;
+            let own = Monomial::power(var, exponent);
+            match up {
+                true => above = above.times(&own),
+                false => below = below.times(&own),
+            }
+            Ok::<_, TooLarge>(())
+        };
+        let content = base.numerator().content();
+        let mut rest = base.numerator().clone();
+        for &(var, exponent) in content.powers() {
+            if !matches!(self.atoms.atom(var), Atom::Root { .. }) {
+                continue;
+            }
+            let own = Polynomial::term(Monomial::power(var, exponent), Rational::one());
+            rest = rest.divided_by(&own).ok_or(TooLarge)?;
+            take(var, exponent / q, true)?;
+            inside = inside.times(&Monomial::power(var, exponent % q));
+        }
+        let mut divisor = Fraction::from(Rational::one());
+        for (factor, exponent) in base.denominator() {
+            let vars = factor.vars();
+            if vars.len() == 1
+                && *factor == Polynomial::var(vars[0])
+                && matches!(self.atoms.atom(vars[0]), Atom::Root { .. })
+            {
+                // 1/v^e = v^(q−e) / v^q
+                take(vars[0], exponent.div_ceil(q), false)?;
+                let missing = exponent.div_ceil(q) * q - exponent;
+                inside = inside.times(&Monomial::power(vars[0], missing));
+            } else {
+                divisor = divisor.times(&Fraction::from(factor.clone()).pow(exponent)?)?;
+            }
+        }
+        let size = numeric_content(&rest);
+        let number = self.root_of_number(&size, p, q)?;
+        let size = if number.is_some() {
+            size
+        } else {
+            Rational::one()
+        };
+        rest = rest.scaled(&size.recip());
+        let mut value = number.unwrap_or_else(|| Rational::one().into());
+        value = value.times(&Polynomial::term(above, Rational::one()).into())?;
+        let below = Fraction::from(Polynomial::term(below, Rational::one()));
+        // Roots of what is positive do not vanish.
+        value = value.times(&below.recip()?.ok_or(LowerError::DivisionByZero)?)?;
+        let rest = rest.times_term(&inside, &Rational::one());
+        let divisor = divisor.recip()?.ok_or(LowerError::DivisionByZero)?;
+        let rest = Fraction::from(rest).times(&divisor)?;
+        if rest.as_constant().is_some_and(|c| c.is_one()) {
+            return Ok(value);
+        }
+        if q.is_even() {
+            let sign = sign_of_fraction(&rest)?;
+            self.conditions.nonnegative.insert(sign);
+        }
+        let written = expr_of_fraction(&rest, self.atoms);
+        let root = self.atom(root_atom(written, q));
+        Ok(value.times(&root.pow(p)?)?)
+    }
+
+    /// `size^(p/q)` of a positive number by its prime factors; `None` where that would take too long.
+    fn root_of_number(
+        &mut self,
+        size: &Rational,
+        p: u32,
+        q: u32,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let (above, below) = (size.numer(), size.denom());
+        if q > HIGHEST_ORDER || (above.bits() + below.bits()) * u64::from(q) > MOST_BITS {
+            return Ok(None);
+        }
+        // n/d = n d^(q−1) / d^q
+        let whole = above * below.pow(q - 1);
+        let mut value = Fraction::from(Rational::from(BigRational::new(BigInt::one(), below)));
+        for (prime, exponent) in prime_factors(&whole, q) {
+            let prime = Rational::from(BigRational::from_integer(prime));
+            value = value.times(&Fraction::from(prime.clone()).pow(exponent / q)?)?;
+            let left = exponent % q;
+            if left > 0 {
+                let common = left.gcd(&q);
+                let written = Expr::Number(prime.to_big());
+                let root = self.atom(root_atom(written, q / common));
+                value = value.times(&root.pow(left / common)?)?;
+            }
+        }
+        Ok(Some(value.pow(p)?))
+    }
+
+    /// A power with an exponent that is no number, term by term of the exponent: `x^(2n+1) = (x^n)² x`.
+    ///
+    /// `None` where the exponent is no polynomial with integer constant term.
+    pub(super) fn symbolic_power(
+        &mut self,
+        base: &Fraction,
+        exponent: &Fraction,
+        powers: &Powers,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let Some(exponent) = exponent.as_polynomial().filter(|_| !base.is_zero()) else {
+            return Ok(None);
+        };
+        let own = |atom: &Atom| match atom {
+            Atom::Symbol(symbol) => powers.naturals.get(symbol).copied(),
+            _ => None,
+        };
+        let (mut natural, mut at_least_one) = (true, true);
+        for (monomial, coefficient) in exponent.terms() {
+            if monomial.is_one() && !coefficient.is_integer() {
+                return Ok(None);
+            }
+            if monomial.is_one() {
+                continue;
+            }
+            let known = match monomial.powers() {
+                [(var, 1)] if coefficient.is_integer() => own(self.atoms.atom(*var)),
+                _ => None,
+            };
+            natural &= known.is_some();
+            at_least_one &= known == Some(true);
+        }
+        if !natural {
+            self.conditions.positive.insert(sign_of_fraction(base)?);
+        } else if !at_least_one && base.as_constant().is_none() {
+            // 0^0 is left alone.
+            self.conditions.nonzero.insert(base.numerator().clone());
+        }
+        let mut value = Fraction::from(Rational::one());
+        for (monomial, coefficient) in exponent.terms() {
+            let whole = coefficient
+                .numer()
+                .to_i32()
+                .filter(|_| coefficient.is_integer());
+            let factor = match (monomial.is_one(), whole) {
+                (true, Some(whole)) => {
+                    let power = base.pow(whole.unsigned_abs())?;
+                    if whole < 0 {
+                        self.recip(&power)?
+                    } else {
+                        power
+                    }
+                }
+                (true, None) => return Err(LowerError::TooLarge),
+                (false, Some(whole)) => {
+                    let unit = Polynomial::term(monomial.clone(), Rational::one());
+                    let power = self.unit_power(base, &unit, natural, powers)?;
+                    let power = power.pow(whole.unsigned_abs())?;
+                    if whole < 0 {
+                        self.recip(&power)?
+                    } else {
+                        power
+                    }
+                }
+                (false, None) => {
+                    let unit = Polynomial::term(monomial.clone(), coefficient.clone());
+                    self.unit_power(base, &unit, natural, powers)?
+                }
+            };
+            value = value.times(&factor)?;
+        }
+        Ok(Some(value))
+    }
+
+    /// `base^unit`, factor by factor: for a natural exponent every factor, else those that are positive.
+    fn unit_power(
+        &mut self,
+        base: &Fraction,
+        unit: &Polynomial,
+        natural: bool,
+        powers: &Powers,
+    ) -> Lowered {
+        let exponent = expr_of(unit, self.atoms);
+        let positive = |atom: &Atom| match atom {
+            Atom::Root { .. } => true,
+            Atom::Symbol(symbol) => powers.positive.contains(symbol),
+            _ => false,
+        };
+        let mut value = Fraction::from(Rational::one());
+        let mut rest = base.numerator().clone();
+        for &(var, own) in base.numerator().content().powers() {
+            if !natural && !positive(self.atoms.atom(var)) {
+                continue;
+            }
+            let term = Polynomial::term(Monomial::power(var, own), Rational::one());
+            rest = rest.divided_by(&term).ok_or(TooLarge)?;
+            let written = expr_of_atom(self.atoms.atom(var));
+            let factor = self.opaque_power(written, &exponent);
+            value = value.times(&factor.pow(own)?)?;
+        }
+        let mut divisor = Fraction::from(Rational::one());
+        for (factor, own) in base.denominator() {
+            let vars = factor.vars();
+            let single = vars.len() == 1 && *factor == Polynomial::var(vars[0]);
+            if natural || single && positive(self.atoms.atom(vars[0])) {
+                let written = expr_of(factor, self.atoms);
+                let below = self.opaque_power(written, &exponent).pow(own)?;
+                value = value.times(&self.recip(&below)?)?;
+            } else {
+                divisor = divisor.times(&Fraction::from(factor.clone()).pow(own)?)?;
+            }
+        }
+        let size = numeric_content(&rest);
+        if size.numer().bits() + size.denom().bits() <= MOST_BITS {
+            rest = rest.scaled(&size.recip());
+            for (number, up) in [(size.numer(), true), (size.denom(), false)] {
+                for (prime, own) in prime_factors(&number, 1) {
+                    let written = Expr::Number(BigRational::from_integer(prime));
+                    let factor = self.opaque_power(written, &exponent).pow(own)?;
+                    let factor = if up { factor } else { self.recip(&factor)? };
+                    value = value.times(&factor)?;
+                }
+            }
+        }
+        let divisor = divisor.recip()?.ok_or(LowerError::DivisionByZero)?;
+        let rest = Fraction::from(rest).times(&divisor)?;
+        if rest.as_constant().is_some_and(|c| c.is_one()) {
+            return Ok(value);
+        }
+        let written = expr_of_fraction(&rest, self.atoms);
+        Ok(value.times(&self.opaque_power(written, &exponent))?)
+    }
+
+    fn opaque_power(&mut self, base: Expr, exponent: &Expr) -> Fraction {
+        let power = Expr::Power(base.into(), exponent.clone().into());
+        self.atom(Atom::Opaque(power))
+    }
+}
+
+fn root_atom(base: Expr, order: u32) -> Atom {
+    let unit = BigRational::new(BigInt::one(), order.into());
+    Atom::Opaque(Expr::Power(base.into(), Expr::Number(unit).into()))
+}
+
+/// The positive number that leaves coprime integers as coefficients.
+fn numeric_content(polynomial: &Polynomial) -> Rational {
+    let (mut above, mut below) = (BigInt::zero(), BigInt::one());
+    for (_, coefficient) in polynomial.terms() {
+        above = above.gcd(&coefficient.numer());
+        below = below.lcm(&coefficient.denom());
+    }
+    match above.is_zero() {
+        true => Rational::one(),
+        false => BigRational::new(above, below).into(),
+    }
+}
+
+/// Factors of a positive number, prime but for the last, which may be a product of large primes. One that is a
+/// perfect power of order `q` is given as such.
+fn prime_factors(number: &BigInt, q: u32) -> Vec<(BigInt, u32)> {
+    let mut left = number.clone();
+    let mut found = Vec::new();
+    for prime in 2..=LARGEST_PRIME {
+        let mut exponent = 0;
+        while (&left % prime).is_zero() {
+            left /= prime;
+            exponent += 1;
+        }
+        if exponent > 0 {
+            found.push((BigInt::from(prime), exponent));
+        }
+        if left.is_one() {
+            return found;
+        }
+    }
+    let root = left.nth_root(q);
+    match root.pow(q) == left {
+        true => found.push((root, q)),
+        false => found.push((left, 1)),
+    }
+    found
+}
