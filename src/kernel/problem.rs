@@ -207,7 +207,7 @@ impl Problem {
     }
 
     /// Reads further terms in the way of this problem, over a copy of its unknowns.
-    pub(super) fn lowering_over<'a>(&'a self, atoms: &'a mut Atoms) -> Lowering<'a> {
+    pub fn lowering_over<'a>(&'a self, atoms: &'a mut Atoms) -> Lowering<'a> {
         Lowering {
             atoms,
             sequences: &self.sequences,

@@ -8,8 +8,8 @@ use super::ideal::Ideal;
 use super::tracked::Tracked;
 use super::{Effort, posed, prove_unconditionally};
 use crate::algebra::{
-    Atom, Atoms, BigInt, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial,
-    Rational, Relation, Symbol, Var, expr_of, expr_of_fraction, factors, product_of, raised,
+    Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Polynomial, Rational, Relation,
+    Symbol, Var, expr_of, expr_of_fraction, factors, product_of, raised,
 };
 use crate::kernel::{Claim, Knowledge, Problem, Proven};
 
@@ -33,7 +33,7 @@ pub fn implied(claim: &Claim) -> Option<Implied> {
     let problem = obligation.problem();
     let own = problem.atoms.find(&Atom::Symbol(symbol.clone()))?;
     let mut atoms = problem.atoms.clone();
-    let printed_value = lowered(printed, &mut atoms, claim)?;
+    let printed_value = problem.lowering_over(&mut atoms).lower(printed).ok()?;
     let mut kept: BTreeSet<Var> = printed_value.numerator().vars().into_iter().collect();
     for (factor, _) in printed_value.denominator() {
         kept.extend(factor.vars());
@@ -82,17 +82,6 @@ fn solved(goal: &Formula) -> Option<(&Symbol, &Expr)> {
         }
         _ => None,
     }
-}
-
-fn lowered(term: &Expr, atoms: &mut Atoms, claim: &Claim) -> Option<Fraction> {
-    let sequences = claim.sequences.keys().cloned().collect();
-    let mut lowering = Lowering {
-        atoms,
-        sequences: &sequences,
-        constants: &BTreeSet::new(),
-        conditions: Conditions::default(),
-    };
-    lowering.lower(term).ok()
 }
 
 /// The value that the equations of a problem give to an unknown, in as few others as may be besides the `kept`.
