@@ -18,9 +18,9 @@ use crate::algebra::{BigInt, BigRational};
 pub use term::{Figures, NoInterval};
 
 /// Ends are rounded outwards by at most one part in 2 to this power, where they are rounded at all.
-pub const PRECISION: u64 = 96;
+pub const PRECISION: u64 = 40;
 /// Ends that take more bits than this are rounded.
-const LONGEST: u64 = 512;
+const LONGEST: u64 = 128;
 
 /// All real numbers from one rational number to another.
 #[derive(Clone, Debug, PartialEq, Eq)]
