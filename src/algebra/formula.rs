@@ -73,6 +73,18 @@ impl Formula {
         }
     }
 
+    /// Both sides, where this is an equation.
+    pub fn as_equation(&self) -> Option<(&Expr, &Expr)> {
+        match self {
+            Formula::Relation {
+                left,
+                relation: Relation::Equal,
+                right,
+            } => Some((left, right)),
+            _ => None,
+        }
+    }
+
     /// The terms of the formula.
     pub fn terms(&self) -> SmallVec<[&Expr; 2]> {
         match self {

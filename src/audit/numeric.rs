@@ -4,7 +4,7 @@ use num_traits::{One, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Function, Relation, Symbol};
 use crate::derivation::{Assumed, Datum, Derivation, Goal, Source, goals};
-use crate::interval::{Figures, Interval, NoInterval};
+use crate::interval::{Compared, Figures, Interval, NoInterval};
 use crate::notation::Statement;
 
 /// "Much greater" is taken for: at least so many times.
@@ -147,7 +147,12 @@ impl Known<'_> {
             return link;
         }
         let found = self.sides(&left, &right);
-        let (left, right, difference, ratio) = match found {
+        let Compared {
+            left,
+            right,
+            difference,
+            ratio,
+        } = match found {
             Ok(found) => found,
             Err(error) => {
                 link.outcome = Weighed::NoValue(error);
@@ -160,13 +165,7 @@ impl Known<'_> {
         link
     }
 
-    /// Both sides, their difference and their quotient.
-    #[allow(clippy::type_complexity)]
-    fn sides(
-        &mut self,
-        left: &Expr,
-        right: &Expr,
-    ) -> Result<(Interval, Interval, Interval, Option<Interval>), NoInterval> {
+    fn sides(&mut self, left: &Expr, right: &Expr) -> Result<Compared, NoInterval> {
         let left = self.in_data(left, &mut Vec::new())?;
         let right = self.in_data(right, &mut Vec::new())?;
         let figures: Figures = self
@@ -177,15 +176,7 @@ impl Known<'_> {
                 Some((symbol.clone(), interval))
             })
             .collect();
-        let (a, b) = (figures.value(&left)?, figures.value(&right)?);
-        let joint = Expr::Sum(vec![left.clone(), Expr::Negate(right.clone().into())]);
-        let plain = &a - &b;
-        let difference = match figures.value(&joint) {
-            Ok(joint) => plain.meet(&joint).unwrap_or(joint),
-            Err(_) => plain,
-        };
-        let ratio = figures.quotient(&left, &right).ok();
-        Ok((a, b, difference, ratio))
+        figures.compared(&left, &right)
     }
 
     /// A term with definitions put in until only symbols with figures remain.
@@ -271,14 +262,7 @@ impl Known<'_> {
 
     /// What an equation says that a symbol is: plainly, `s = …`, or solved for it.
     fn solved(&self, formula: &Formula, symbol: &Symbol, plain: bool) -> Option<Expr> {
-        let Formula::Relation {
-            left,
-            relation: Relation::Equal,
-            right,
-        } = formula
-        else {
-            return None;
-        };
+        let (left, right) = formula.as_equation()?;
         let is_symbol = |term: &Expr| matches!(term, Expr::Symbol(own) if own == symbol);
         let defines = is_symbol(left) && !right.mentions(symbol);
         if plain || defines {

@@ -12,12 +12,12 @@ pub(crate) fn in_order<T: Sync, R: Send + Sync>(
     let done: Vec<OnceLock<R>> = items.iter().map(|_| OnceLock::new()).collect();
     let next = AtomicUsize::new(0);
     let take = || {
-        while let Some(item) = {
+        loop {
             let at = next.fetch_add(1, Ordering::Relaxed);
-            items.get(at).map(|item| (item, &done[at]))
-        } {
-            let (item, slot) = item;
-            let _ = slot.set(work(item));
+            let Some(item) = items.get(at) else {
+                return;
+            };
+            let _ = done[at].set(work(item));
         }
     };
     let processors = std::thread::available_parallelism().map_or(1, |n| n.get());

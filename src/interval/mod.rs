@@ -15,7 +15,7 @@ use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{BigInt, BigRational};
 
-pub use term::{Figures, NoInterval};
+pub use term::{Compared, Figures, NoInterval};
 
 /// Ends are rounded outwards by at most one part in 2 to this power, where they are rounded at all.
 pub const PRECISION: u64 = 40;

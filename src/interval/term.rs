@@ -38,6 +38,19 @@ type Powers = BTreeMap<Expr, BigRational>;
 /// A sum of products of powers, with their coefficients, which are not 0.
 type Terms = BTreeMap<Powers, BigRational>;
 
+/// What figures give for the two sides of a relation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Compared {
+    /// The left side.
+    pub left: Interval,
+    /// The right side.
+    pub right: Interval,
+    /// Left minus right.
+    pub difference: Interval,
+    /// Left over right; nothing where the right side may be 0.
+    pub ratio: Option<Interval>,
+}
+
 impl FromIterator<(Symbol, Interval)> for Figures {
     fn from_iter<T: IntoIterator<Item = (Symbol, Interval)>>(figures: T) -> Self {
         Figures(figures.into_iter().collect())
@@ -66,21 +79,53 @@ impl Figures {
         self.interval(&self.terms(term, 0)?, 0)
     }
 
-    /// An interval with all values of a quotient, in which what is common to both is cancelled.
+    /// Both sides of a relation, their difference and their quotient, each term read once.
     ///
     /// # Errors
-    /// As [`Figures::value`]; the divisor may be 0.
-    pub fn quotient(&self, above: &Expr, below: &Expr) -> Result<Interval, NoInterval> {
-        let divisor = self.value(below)?;
-        let undefined = || NoInterval::Undefined(below.clone());
-        let plain = self.value(above)?.over(&divisor).ok_or_else(undefined)?;
-        let mut inverse = self.raised(self.terms(below, 0)?, below, &-BigRational::one(), 0)?;
+    /// As [`Figures::value`], for either side.
+    pub fn compared(&self, left: &Expr, right: &Expr) -> Result<Compared, NoInterval> {
+        let (above, below) = (self.terms(left, 0)?, self.terms(right, 0)?);
+        let (a, b) = (self.interval(&above, 0)?, self.interval(&below, 0)?);
+        Ok(Compared {
+            difference: self.difference(&above, &below, &a - &b),
+            ratio: a
+                .over(&b)
+                .and_then(|plain| self.quotient(&above, &below, right, plain).ok()),
+            left: a,
+            right: b,
+        })
+    }
+
+    /// The difference, in which what is common to both is cancelled.
+    fn difference(&self, left: &Terms, right: &Terms, plain: Interval) -> Interval {
+        let mut joint = left.clone();
+        for (powers, coefficient) in right {
+            add(&mut joint, powers.clone(), -coefficient.clone());
+        }
+        if joint.len() > MOST_TERMS {
+            return plain;
+        }
+        match self.interval(&joint, 0) {
+            Ok(joint) => plain.meet(&joint).unwrap_or(joint),
+            Err(_) => plain,
+        }
+    }
+
+    /// The quotient, in which what is common to both is cancelled.
+    fn quotient(
+        &self,
+        above: &Terms,
+        below: &Terms,
+        divisor: &Expr,
+        plain: Interval,
+    ) -> Result<Interval, NoInterval> {
+        let mut inverse = self.raised(below.clone(), divisor, &-BigRational::one(), 0)?;
         let (Some((powers, factor)), true) = (inverse.pop_first(), inverse.is_empty()) else {
             return Ok(plain);
         };
         let mut sum = Terms::new();
-        for (own, coefficient) in self.terms(above, 0)? {
-            add(&mut sum, multiplied(&own, &powers), coefficient * &factor);
+        for (own, coefficient) in above {
+            add(&mut sum, multiplied(own, &powers), coefficient * &factor);
         }
         let joint = self.interval(&sum, 0)?;
         Ok(plain.meet(&joint).unwrap_or(joint))

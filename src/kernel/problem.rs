@@ -524,14 +524,7 @@ fn unfolded(
 
 /// `symbol = term`, the term not mentioning the symbol.
 pub(crate) fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
-    let Formula::Relation {
-        left,
-        relation: Relation::Equal,
-        right,
-    } = formula
-    else {
-        return None;
-    };
+    let (left, right) = formula.as_equation()?;
     let solved = |a: &Expr, b: &Expr| match a {
         Expr::Symbol(symbol) if !b.mentions(symbol) => Some((symbol.clone(), b.clone())),
         _ => None,
@@ -541,14 +534,7 @@ pub(crate) fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
 
 /// `F(x) = term`, the term not mentioning the function and no lone symbol.
 pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
-    let Formula::Relation {
-        left,
-        relation: Relation::Equal,
-        right,
-    } = formula
-    else {
-        return None;
-    };
+    let (left, right) = formula.as_equation()?;
     if definition(formula).is_some() {
         return None;
     }

@@ -288,12 +288,7 @@ fn occurs_outside(term: &Expr, symbol: &Symbol, inside: &Expr) -> bool {
 
 /// `derivative = term`, the term free of that derivative's symbol.
 fn is_solved_for(formula: &Formula, derivative: &Expr) -> bool {
-    let Formula::Relation {
-        left,
-        relation: Relation::Equal,
-        right,
-    } = formula
-    else {
+    let Some((left, right)) = formula.as_equation() else {
         return false;
     };
     let Expr::Derivative { body, .. } = derivative else {

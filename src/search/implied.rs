@@ -8,8 +8,8 @@ use super::ideal::Ideal;
 use super::tracked::Tracked;
 use super::{Effort, posed, prove_unconditionally};
 use crate::algebra::{
-    Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Polynomial, Rational, Relation,
-    Symbol, Var, expr_of, expr_of_fraction, factors, product_of, raised,
+    Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Polynomial, Rational, Symbol, Var,
+    expr_of, expr_of_fraction, factors, product_of, raised,
 };
 use crate::kernel::{Claim, Knowledge, Problem, Proven};
 
@@ -68,14 +68,7 @@ pub fn implied(claim: &Claim) -> Option<Implied> {
 
 /// `symbol = term` or `term = symbol`, the term not mentioning the symbol.
 fn solved(goal: &Formula) -> Option<(&Symbol, &Expr)> {
-    let Formula::Relation {
-        left,
-        relation: Relation::Equal,
-        right,
-    } = goal
-    else {
-        return None;
-    };
+    let (left, right) = goal.as_equation()?;
     match (left, right) {
         (Expr::Symbol(symbol), term) | (term, Expr::Symbol(symbol)) => {
             (!term.mentions(symbol)).then_some((symbol, term))
@@ -139,12 +132,11 @@ fn cancelled(value: &Fraction) -> Option<Fraction> {
 
 /// A number as one would write it: `\frac12` rather than 0.5.
 fn number(value: &Rational) -> Expr {
-    let whole = |value: BigInt| Expr::integer(value);
     if value.is_integer() {
-        return whole(value.numer());
+        return Expr::integer(value.numer());
     }
-    let size = value.abs();
-    let quotient = Expr::Quotient(whole(size.numer()).into(), whole(size.denom()).into());
+    let above = Expr::integer(value.abs().numer());
+    let quotient = Expr::Quotient(above.into(), Expr::integer(value.denom()).into());
     match value.is_negative() {
         true => Expr::Negate(quotient.into()),
         false => quotient,
@@ -175,8 +167,10 @@ fn scaled(term: &Expr, factor: &Rational) -> Expr {
     }
     match term {
         Expr::Quotient(above, below) => {
-            let whole = |value: BigInt| Rational::from(BigRational::from(value));
-            let (up, down) = (whole(factor.numer()), whole(factor.denom()));
+            let (up, down) = (
+                Rational::from(factor.numer()),
+                Rational::from(factor.denom()),
+            );
             let below = match down.is_one() {
                 true => (**below).clone(),
                 false => scaled(below, &down),
@@ -189,14 +183,11 @@ fn scaled(term: &Expr, factor: &Rational) -> Expr {
         }
         Expr::Product(factors) => {
             let mut factors = factors.clone();
-            let merged = match factors.first() {
-                Some(own) => match own_number(own) {
-                    Some(own) => {
-                        factors.remove(0);
-                        factor * own
-                    }
-                    None => factor.clone(),
-                },
+            let merged = match factors.first().and_then(own_number) {
+                Some(own) => {
+                    factors.remove(0);
+                    factor * own
+                }
                 None => factor.clone(),
             };
             if !merged.is_one() {
@@ -246,8 +237,8 @@ fn tidy(value: &Fraction, atoms: &Atoms) -> Expr {
     let (above, under) = match below.is_empty() {
         true => (number_before, one),
         false => (
-            Rational::from(BigRational::from(number_before.numer())),
-            Rational::from(BigRational::from(number_before.denom())),
+            Rational::from(number_before.numer()),
+            Rational::from(number_before.denom()),
         ),
     };
     let above = scaled(&product_of(sums), &above);

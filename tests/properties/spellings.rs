@@ -150,6 +150,16 @@ fn rewritten(pages: std::ops::Range<usize>, how: &[Rewriting]) -> Vec<(&'static 
     sources
 }
 
+/// Pages and the same pages with other names for their symbols are judged alike.
+fn assert_same_verdicts(which: std::ops::Range<usize>, names: &[(&str, &str)]) {
+    let pages = original(which);
+    let other: Vec<_> = pages
+        .iter()
+        .map(|(path, source)| (*path, renamed(source, names)))
+        .collect();
+    assert_eq!(verdicts(&other), verdicts(&pages));
+}
+
 #[test]
 fn a_page_spelt_with_other_letters() {
     let names = [
@@ -162,12 +172,7 @@ fn a_page_spelt_with_other_letters() {
         ("\\eta", "\\varepsilon"),
         ("E'_2", "K"),
     ];
-    let pages = original(UNEQUAL);
-    let other: Vec<_> = pages
-        .iter()
-        .map(|(path, source)| (*path, renamed(source, &names)))
-        .collect();
-    assert_eq!(verdicts(&other), verdicts(&pages));
+    assert_same_verdicts(UNEQUAL, &names);
 }
 
 #[test]
@@ -180,12 +185,7 @@ fn two_symbols_that_change_places() {
         ("\\mu", "\\eta"),
         ("\\eta", "\\mu"),
     ];
-    let pages = original(UNEQUAL);
-    let other: Vec<_> = pages
-        .iter()
-        .map(|(path, source)| (*path, renamed(source, &names)))
-        .collect();
-    assert_eq!(verdicts(&other), verdicts(&pages));
+    assert_same_verdicts(UNEQUAL, &names);
 }
 
 #[test]
@@ -197,12 +197,7 @@ fn identical_balls_spelt_with_other_letters() {
         ("E_{\\text{after}}", "Z"),
         ("\\Delta E", "Q"),
     ];
-    let pages = original(IDENTICAL);
-    let other: Vec<_> = pages
-        .iter()
-        .map(|(path, source)| (*path, renamed(source, &names)))
-        .collect();
-    assert_eq!(verdicts(&other), verdicts(&pages));
+    assert_same_verdicts(IDENTICAL, &names);
 }
 
 proptest! {

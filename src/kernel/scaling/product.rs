@@ -79,14 +79,18 @@ impl Reader {
         }
     }
 
-    fn lowered(&mut self, term: &Expr) -> Result<crate::algebra::Fraction, Reject> {
-        let mut lowering = Lowering {
+    fn lowering(&mut self) -> Lowering<'_> {
+        Lowering {
             atoms: &mut self.atoms,
             sequences: &self.sequences,
             constants: &self.constants,
             powers: None,
             conditions: Conditions::default(),
-        };
+        }
+    }
+
+    fn lowered(&mut self, term: &Expr) -> Result<crate::algebra::Fraction, Reject> {
+        let mut lowering = self.lowering();
         let value = lowering.lower(term)?;
         // Quantities are not 0 here, and roots are of sizes; but a limit or a sum may have no value at all.
         let conditions = lowering.conditions;
@@ -234,13 +238,7 @@ impl Reader {
 
     /// Whether a term has a value wherever all its quantities are positive, and whether it is positive there.
     pub fn is_positive_by_sight(&mut self, term: &Expr) -> Result<(bool, bool), Reject> {
-        let mut lowering = Lowering {
-            atoms: &mut self.atoms,
-            sequences: &self.sequences,
-            constants: &self.constants,
-            powers: None,
-            conditions: Conditions::default(),
-        };
+        let mut lowering = self.lowering();
         let value = lowering.lower(term)?;
         let conditions = lowering.conditions;
         let atoms = &self.atoms;
