@@ -13,7 +13,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::algebra::{Formula, Relation, Symbol};
-use crate::document::{Document, Premise, Span};
+use crate::document::{Document, Premise, Span, in_order};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
 use crate::notation::Spanned;
 
@@ -79,13 +79,12 @@ impl Derivation {
             pages_of: BTreeMap::new(),
             neighbours: Vec::new(),
         };
-        let mut seen = BTreeSet::new();
-        for document in documents {
-            let number = derivation.pages.len();
-            let (page, equations) = page::read_page(document, number, &mut seen);
+        let documents = documents.into_iter().enumerate();
+        for (page, equations) in in_order(documents, |(at, own)| page::read_page(own, at)) {
             derivation.pages.push(page);
             derivation.equations.extend(equations);
         }
+        page::settle_definitions(&mut derivation.equations);
         for (at, equation) in derivation.equations.iter().enumerate() {
             let labels = [
                 tag_key(equation.tag.as_deref()),

@@ -79,12 +79,9 @@ struct Between {
     cited: Vec<(Spanned<String>, bool)>,
 }
 
-/// Reads a page and its equations. `seen` are the symbols that occurred on pages before it.
-pub(super) fn read_page(
-    document: Document,
-    number: usize,
-    seen: &mut BTreeSet<Symbol>,
-) -> (Page, Vec<Equation>) {
+/// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
+/// [`settle_definitions`] says whether it is the first to speak of it.
+pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equation>) {
     let mut page = Page {
         title: String::new(),
         domains: BTreeMap::new(),
@@ -94,54 +91,56 @@ pub(super) fn read_page(
         problems: document.problems.clone(),
         document,
     };
-    page.declarations();
-    page.figures();
-    let items = page.document.items.clone();
+    let items = std::mem::take(&mut page.document.items);
+    page.declarations(&items);
+    page.figures(&items);
     let mut equations: Vec<Equation> = Vec::new();
     let mut active: Vec<usize> = Vec::new();
     let mut between = Between::default();
     let (mut level, mut section) = (0, String::new());
-    for item in items {
+    for item in &items {
         match item {
-            Item::Heading {
-                level: own, title, ..
+            &Item::Heading {
+                level: own,
+                ref title,
+                ..
             } => {
                 if page.title.is_empty() {
                     page.title = title.clone();
                 }
-                (level, section) = (own, title);
+                (level, section) = (own, title.clone());
                 active.retain(|&at| page.locals[at].level < own);
             }
             Item::Prose(prose) => {
-                for citation in prose.citations {
+                for citation in &prose.citations {
                     let tag = Spanned {
-                        value: citation.tag,
+                        value: citation.tag.clone(),
                         span: citation.span,
                     };
                     between.cited.push((tag, citation.explicit));
                 }
-                for supposition in prose.suppositions {
+                for supposition in &prose.suppositions {
                     let is_let = supposition.kind == SuppositionKind::Let;
                     page.suppose(supposition.body, is_let, level, &mut active, false);
                 }
             }
             Item::Directives { clauses, .. } => {
                 for clause in clauses {
-                    match clause.value {
+                    match &clause.value {
                         Directive::Given => between.given = true,
                         Directive::Derived => between.derived = true,
-                        Directive::From(premises) => between.from = Some(premises),
-                        Directive::Claim(name) => between.name = Some(name.value),
+                        Directive::From(premises) => between.from = Some(premises.clone()),
+                        Directive::Claim(name) => between.name = Some(name.value.clone()),
                         Directive::Assuming(body) => {
-                            page.suppose(body, false, level, &mut active, true)
+                            page.suppose(*body, false, level, &mut active, true)
                         }
-                        Directive::Let(body) => page.suppose(body, true, level, &mut active, true),
-                        Directive::Numeric(near) => between.numeric = Some(near),
+                        Directive::Let(body) => page.suppose(*body, true, level, &mut active, true),
+                        Directive::Numeric(near) => between.numeric = Some(near.clone()),
                         Directive::Symbols { .. } | Directive::Data { .. } => {}
                     }
                 }
             }
-            Item::Display { span, body } => {
+            &Item::Display { span, body } => {
                 let said = std::mem::take(&mut between);
                 let display = read_display(&page.document.source, body);
                 let mark = display
@@ -149,10 +148,6 @@ pub(super) fn read_page(
                     .iter()
                     .flatten()
                     .any(|s| s.mark.is_some());
-                let fresh = display
-                    .statements
-                    .as_ref()
-                    .is_ok_and(|s| defines_new_symbol(s, seen));
                 let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
                 let kind = match () {
                     () if said.given => Kind::Given,
@@ -161,13 +156,7 @@ pub(super) fn read_page(
                     () => Kind::Derived,
                 };
                 let stated = said.derived || said.numeric.is_some();
-                let defines = kind == Kind::Derived && fresh && !stated && said.from.is_none();
-                for statement in display.statements.iter().flatten() {
-                    for formula in formulas(statement) {
-                        seen.extend(formula.free_symbols());
-                        seen.extend(formula.sequences());
-                    }
-                }
+                let defines = kind == Kind::Derived && !stated && said.from.is_none();
                 equations.push(Equation {
                     page: number,
                     tag: display.tag.map(|t| t.value),
@@ -190,7 +179,20 @@ pub(super) fn read_page(
         }
     }
     page.problems.sort_by_key(|p| p.span);
+    page.document.items = items;
     (page, equations)
+}
+
+/// Leaves only those as definitions whose symbol occurs nowhere before, in reading order.
+pub(super) fn settle_definitions(equations: &mut [Equation]) {
+    let mut seen = BTreeSet::new();
+    for equation in equations {
+        equation.defines &= defines_new_symbol(equation.statements(), &seen);
+        for formula in equation.statements().iter().flat_map(formulas) {
+            seen.extend(formula.free_symbols());
+            seen.extend(formula.sequences());
+        }
+    }
 }
 
 /// `s = …` where `s` has not occurred before, on this page or an earlier one.
@@ -220,20 +222,20 @@ impl Page {
         });
     }
 
-    fn declarations(&mut self) {
-        for item in self.document.items.clone() {
+    fn declarations(&mut self, items: &[Item]) {
+        for item in items {
             let Item::Directives { clauses, .. } = item else {
                 continue;
             };
             for clause in clauses {
-                let Directive::Symbols { names, attributes } = clause.value else {
+                let Directive::Symbols { names, attributes } = &clause.value else {
                     continue;
                 };
-                let dimension = self.dimension(&attributes);
-                for span in names {
+                let dimension = self.dimension(attributes);
+                for &span in names {
                     match read_symbol(self.document.text(span)) {
                         Ok(symbol) => {
-                            self.declare(symbol.clone(), &attributes);
+                            self.declare(symbol.clone(), attributes);
                             self.declare_dimension(symbol, span, dimension.as_ref());
                         }
                         Err(error) => self.complain_at(span, error),
@@ -250,8 +252,8 @@ impl Page {
     }
 
     /// The `data` clauses.
-    fn figures(&mut self) {
-        for item in self.document.items.clone() {
+    fn figures(&mut self, items: &[Item]) {
+        for item in items {
             let Item::Directives { clauses, .. } = item else {
                 continue;
             };
@@ -261,17 +263,17 @@ impl Page {
                     low,
                     high,
                     source,
-                } = clause.value
+                } = &clause.value
                 else {
                     continue;
                 };
                 let datum = Datum {
-                    low,
-                    high,
-                    source,
+                    low: low.clone(),
+                    high: high.clone(),
+                    source: source.clone(),
                     span: clause.span,
                 };
-                for span in names {
+                for &span in names {
                     match read_symbol(self.document.text(span)) {
                         Ok(symbol) => self.figure(symbol, span, datum.clone()),
                         Err(error) => self.complain_at(span, error),

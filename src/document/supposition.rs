@@ -8,14 +8,73 @@ use super::prose::{Placed, Token};
 use super::{Supposition, SuppositionKind};
 
 /// After these, a sentence no longer supposes.
-const CONCLUDING: &str = " then so hence thus therefore gives give giving yields yield yielding \
-    implies imply implying follows becomes become obtain obtains get have find show shows prove \
-    check verify see whether us we means derive compute determine solve want need because since \
-    derivative gradient logarithm limit difference sum average square equation leads reduces ";
+const CONCLUDING: [&str; 51] = [
+    "then",
+    "so",
+    "hence",
+    "thus",
+    "therefore",
+    "gives",
+    "give",
+    "giving",
+    "yields",
+    "yield",
+    "yielding",
+    "implies",
+    "imply",
+    "implying",
+    "follows",
+    "becomes",
+    "become",
+    "obtain",
+    "obtains",
+    "get",
+    "have",
+    "find",
+    "show",
+    "shows",
+    "prove",
+    "check",
+    "verify",
+    "see",
+    "whether",
+    "us",
+    "we",
+    "means",
+    "derive",
+    "compute",
+    "determine",
+    "solve",
+    "want",
+    "need",
+    "because",
+    "since",
+    "derivative",
+    "gradient",
+    "logarithm",
+    "limit",
+    "difference",
+    "sum",
+    "average",
+    "square",
+    "equation",
+    "leads",
+    "reduces",
+];
 /// With these, a sentence supposes nothing that could be used.
-const DOUBTFUL: &str = " or either if unless contradiction contrary otherwise ";
+const DOUBTFUL: [&str; 7] = [
+    "or",
+    "either",
+    "if",
+    "unless",
+    "contradiction",
+    "contrary",
+    "otherwise",
+];
 /// Before these, an introductory word means its opposite.
-const NEGATING: &str = " not without never cannot nor don can needn ";
+const NEGATING: [&str; 8] = [
+    "not", "without", "never", "cannot", "nor", "don", "can", "needn",
+];
 /// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
 const PATIENCE: usize = 6;
 
@@ -52,11 +111,11 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
             }
             Token::Word(word) => {
                 let word = word.to_lowercase();
-                if is_in(&word, DOUBTFUL) {
+                if DOUBTFUL.contains(&word.as_str()) {
                     found.truncate(sentence);
                     doubtful = true;
                 }
-                if doubtful || active.is_some() && is_in(&word, CONCLUDING) {
+                if doubtful || active.is_some() && CONCLUDING.contains(&word.as_str()) {
                     active = None;
                 } else if let Some(introduced) = introduction(&word, index, tokens, begun) {
                     active = Some(introduced);
@@ -101,19 +160,18 @@ fn introduction(
     let after = |by: usize| tokens.get(index + by).map(|(token, _)| *token);
     let direct = matches!(after(1), Some(Token::Math(_)));
     let that = matches!(after(1), Some(Token::Word("that")));
-    let negated = index.checked_sub(1).and_then(|before| tokens.get(before)).is_some_and(
-        |(token, _)| matches!(token, Token::Word(word) if is_in(&word.to_lowercase(), NEGATING)),
-    );
+    let negated = || {
+        let before = index.checked_sub(1).and_then(|before| tokens.get(before));
+        matches!(before, Some((Token::Word(word), _))
+            if NEGATING.contains(&word.to_lowercase().as_str()))
+    };
     let joined = |short| Reach::Joined {
         patience: PATIENCE,
         comma: false,
         found: false,
         short,
     };
-    if negated {
-        return None;
-    }
-    match word {
+    let introduced = match word {
         "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
         "at" if !begun && direct => Some((SuppositionKind::Let, joined(true))),
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
@@ -123,7 +181,8 @@ fn introduction(
         "provided" if direct || that => Some((SuppositionKind::Assume, joined(false))),
         "given" if that => Some((SuppositionKind::Assume, joined(false))),
         _ => None,
-    }
+    };
+    introduced.filter(|_| !negated())
 }
 
 impl Reach {
@@ -186,10 +245,6 @@ impl Reach {
             }),
         }
     }
-}
-
-fn is_in(word: &str, list: &str) -> bool {
-    list.split_whitespace().any(|listed| listed == word)
 }
 
 /// Whether inline math states a relation, and no inference: a relation sign outside braces.

@@ -11,6 +11,7 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{BigInt, BigRational};
@@ -20,7 +21,7 @@ pub use term::{Compared, Figures, NoInterval};
 /// Ends are rounded outwards by at most one part in 2 to this power, where they are rounded at all.
 pub const PRECISION: u64 = 40;
 /// Ends that take more bits than this are rounded.
-const LONGEST: u64 = 128;
+const LONGEST: u64 = 64;
 
 /// All real numbers from one rational number to another.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -102,38 +103,52 @@ impl Interval {
 
     /// Ends of bounded length: a little wider where they have grown too long.
     fn trimmed(self) -> Interval {
+        let round = |end: BigRational, side| {
+            let (over, under) = end.into_raw();
+            rounded(over, under, side)
+        };
         Interval {
-            low: rounded(self.low, Ordering::Less),
-            high: rounded(self.high, Ordering::Greater),
+            low: round(self.low, Ordering::Less),
+            high: round(self.high, Ordering::Greater),
         }
     }
 }
 
-/// A number of bounded length below or above.
-fn rounded(value: BigRational, side: Ordering) -> BigRational {
-    let (over, under) = (value.numer().bits(), value.denom().bits());
-    if over.max(under) <= LONGEST {
-        return value;
+/// A number of bounded length below or above `over / under`, which need not be in lowest terms; `under` is positive.
+///
+/// What is rounded is a whole number of some power of 2, and is brought to lowest terms by shifting: reducing first what is rounded
+/// anyway would be most of the work.
+fn rounded(over: BigInt, under: BigInt, side: Ordering) -> BigRational {
+    let (above, below) = (over.bits(), under.bits());
+    if above.max(below) <= LONGEST {
+        return BigRational::new(over, under);
     }
     // So many binary places that `PRECISION` bits remain.
-    let places = (PRECISION + 1 + under).saturating_sub(over);
-    let excess = (over.saturating_sub(under)).saturating_sub(PRECISION + 1);
-    let unit = match places {
-        0 => BigRational::from_integer(BigInt::one() << excess),
-        _ => BigRational::new(BigInt::one(), BigInt::one() << places),
+    let places = (PRECISION + 1 + below).saturating_sub(above);
+    let excess = above.saturating_sub(below).saturating_sub(PRECISION + 1);
+    let (over, under) = (over << places, under << excess);
+    let steps = match side {
+        Ordering::Less => over.div_floor(&under),
+        _ => over.div_ceil(&under),
     };
-    let steps = value / &unit;
-    match side {
-        Ordering::Less => steps.floor() * unit,
-        _ => steps.ceil() * unit,
-    }
+    let spare = steps.trailing_zeros().unwrap_or(places).min(places);
+    BigRational::new_raw(
+        (steps >> spare) << excess,
+        BigInt::one() << (places - spare),
+    )
 }
 
 impl Add for &Interval {
     type Output = Interval;
     fn add(self, other: &Interval) -> Interval {
-        let (low, high) = (&self.low + &other.low, &self.high + &other.high);
-        Interval { low, high }.trimmed()
+        let sum = |a: &BigRational, b: &BigRational, side| {
+            let over = a.numer() * b.denom() + b.numer() * a.denom();
+            rounded(over, a.denom() * b.denom(), side)
+        };
+        Interval {
+            low: sum(&self.low, &other.low, Ordering::Less),
+            high: sum(&self.high, &other.high, Ordering::Greater),
+        }
     }
 }
 
@@ -157,20 +172,30 @@ impl Sub for &Interval {
 impl Mul for &Interval {
     type Output = Interval;
     fn mul(self, other: &Interval) -> Interval {
-        let first = &self.low * &other.low;
-        let (mut low, mut high) = (first.clone(), first);
-        for product in [
-            &self.low * &other.high,
-            &self.high * &other.low,
-            &self.high * &other.high,
-        ] {
-            if product < low {
-                low = product;
-            } else if product > high {
-                high = product;
-            }
+        let product = |a: &BigRational, b: &BigRational, side| {
+            rounded(a.numer() * b.numer(), a.denom() * b.denom(), side)
+        };
+        // Rounding keeps the order, so the least and the greatest of the products may be sought after it.
+        let ends = |side| {
+            let all = [
+                (&self.low, &other.low),
+                (&self.low, &other.high),
+                (&self.high, &other.low),
+                (&self.high, &other.high),
+            ];
+            all.map(|(a, b)| product(a, b, side))
+        };
+        if !self.low.is_negative() && !other.low.is_negative() {
+            return Interval {
+                low: product(&self.low, &other.low, Ordering::Less),
+                high: product(&self.high, &other.high, Ordering::Greater),
+            };
         }
-        Interval { low, high }.trimmed()
+        let [a, b, c, d] = ends(Ordering::Less);
+        let low = a.min(b).min(c.min(d));
+        let [a, b, c, d] = ends(Ordering::Greater);
+        let high = a.max(b).max(c.max(d));
+        Interval { low, high }
     }
 }
 

@@ -14,6 +14,9 @@ pub(super) fn power(base: &Interval, exponent: &BigRational) -> Option<Interval>
     if exponent.is_negative() {
         return power(base, &-exponent)?.recip();
     }
+    if (over, under) == (1, 1) {
+        return Some(base.clone());
+    }
     let rooted = match under {
         1 => base.clone(),
         _ if base.low().is_negative() => return None,
@@ -28,10 +31,13 @@ fn raised(base: &Interval, exponent: u32) -> Interval {
         0 => base.abs(),
         _ => base.clone(),
     };
-    let exponent = exponent as usize;
+    // What is in lowest terms stays so.
+    let power = |end: &BigRational| {
+        BigRational::new_raw(end.numer().pow(exponent), end.denom().pow(exponent))
+    };
     Interval {
-        low: num_traits::pow(base.low, exponent),
-        high: num_traits::pow(base.high, exponent),
+        low: power(&base.low),
+        high: power(&base.high),
     }
 }
 
@@ -42,7 +48,7 @@ fn root(value: &BigRational, degree: u32) -> (BigRational, BigRational) {
     }
     let exact = |n: &BigInt| Some(n.nth_root(degree)).filter(|r| r.pow(degree) == *n);
     if let (Some(over), Some(under)) = (exact(value.numer()), exact(value.denom())) {
-        let root = BigRational::new(over, under);
+        let root = BigRational::new_raw(over, under);
         return (root.clone(), root);
     }
     // The integer root of the value times `2^(degree · places)` has at least `PRECISION` bits.

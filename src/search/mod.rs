@@ -17,7 +17,7 @@ mod unfold;
 mod units;
 mod values;
 
-use crate::algebra::{Atom, Expr, Formula, Relation, expr_of, factors};
+use crate::algebra::{Atom, Expr, Formula, Polynomial, Relation, expr_of, factors};
 use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Obligation,
     Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
@@ -174,23 +174,56 @@ pub fn consistency(claim: &Claim, hints: &[Assignment]) -> Consistency {
     if let Some(model) = first(&mut points, QUICK, |p| premises.model(p).ok()) {
         return Consistency::Model(model);
     }
-    let zero = || Expr::integer(0);
-    let impossible = [
-        Formula::equal(Expr::integer(1), zero()),
-        compared(Expr::integer(-1), Relation::GreaterOrEqual),
-        compared(zero(), Relation::Greater),
-    ];
-    for goal in impossible {
-        let claim = Claim {
-            goal,
-            ..claim.clone()
-        };
-        if let Some(derived) = prove_unconditionally(claim, Effort::Full) {
-            return Consistency::Contradictory(derived.proven.into());
-        }
+    if let Some(proven) = contradiction(&premises) {
+        return Consistency::Contradictory(proven.into());
     }
     first(&mut points, EARNEST, |p| premises.model(p).ok())
         .map_or(Consistency::Unknown, Consistency::Model)
+}
+
+/// A proof of something impossible from the premises of a claim.
+fn contradiction(premises: &Obligation) -> Option<Proven> {
+    let zero = || Expr::integer(0);
+    let impossible = [
+        (Expr::integer(1), Relation::Equal),
+        (Expr::integer(-1), Relation::GreaterOrEqual),
+        (zero(), Relation::Greater),
+    ];
+    let problem = premises.problem();
+    let mut prover = Prover::new(problem).ok()?;
+    // No symbol is in these goals, so one reading of the premises will do to find out which can be proved at all.
+    for (left, relation) in impossible {
+        let fact = match relation {
+            Relation::Equal => Fact {
+                polynomial: Polynomial::one(),
+                sign: Sign::Zero,
+            },
+            Relation::GreaterOrEqual => Fact {
+                polynomial: Polynomial::one().negated(),
+                sign: Sign::NonNegative,
+            },
+            _ => Fact {
+                polynomial: Polynomial::zero(),
+                sign: Sign::Positive,
+            },
+        };
+        if prover.prove(&fact, Effort::Full).is_none() {
+            continue;
+        }
+        let goal = Formula::Relation {
+            left,
+            relation,
+            right: zero(),
+        };
+        let claim = Claim {
+            goal,
+            ..premises.claim().clone()
+        };
+        if let Some(derived) = prove_unconditionally(claim, Effort::Full) {
+            return Some(derived.proven);
+        }
+    }
+    None
 }
 
 /// Whether premises like those of a claim hold near one of the `hints` where its goal does not, so that
