@@ -367,14 +367,17 @@ impl Search<'_> {
         None
     }
 
-    /// The next unknown to try numbers for, one of an equation before one of a condition; and whether it is
-    /// one of an equation.
+    /// The next unknown to try numbers for, and whether an equation ties it down: one of the equation with the fewest unknowns,
+    /// for what is wrong with a choice is then soonest seen; without equations, one of a condition.
     fn next_var(&self, state: &State) -> Option<(Var, bool)> {
-        let in_equations = |var: &&Var| state.equations.iter().any(|e| e.has(**var));
+        let unknowns = |equation: &&Rc<Open>| equation.vars.0.count_ones();
+        let first = |open: &Rc<Open>| self.order.iter().copied().find(|&var| open.has(var));
+        if let Some(narrowest) = state.equations.iter().min_by_key(unknowns) {
+            return first(narrowest).map(|var| (var, true));
+        }
         let in_conditions = |var: &&Var| state.conditions.iter().any(|f| f.has(**var));
-        let mut vars = self.order.iter();
-        let tied = vars.clone().find(in_equations).map(|&var| (var, true));
-        tied.or_else(|| vars.find(in_conditions).map(|&var| (var, false)))
+        let free = self.order.iter().find(in_conditions);
+        free.map(|&var| (var, false))
     }
 
     fn finish(&self, state: State) -> Option<BTreeMap<Var, Rational>> {
