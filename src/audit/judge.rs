@@ -1,6 +1,6 @@
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
-use crate::kernel::{Assignment, Proven, Standing};
+use crate::kernel::{Assignment, Obligation, Proven, Standing};
 use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, Stop};
 
 use super::premise::{Usable, usable};
@@ -80,16 +80,20 @@ impl Judge<'_> {
             return found;
         }
         let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-        let decision = search::decide(claim, &self.auditor.hints());
+        let obligation = search::pose(claim);
+        let decision = match &obligation {
+            Ok(posed) => search::decide_posed(posed, &self.auditor.hints()),
+            Err(reject) => search::hopeless(reject.clone()),
+        };
         match decision {
             Decision::Proven {
                 derived,
                 conditions,
-            } if conditions.is_empty() => {
-                let (kept, least) = self.least(assumed.clone(), goal, derived);
-                if kept.iter().any(|a| a.source != Source::Step)
-                    && self.is_contradictory(&assumed, goal)
-                {
+            } if conditions.is_empty()
+                && let Ok(posed) = &obligation =>
+            {
+                let (kept, least) = self.least(assumed.clone(), goal, posed, derived);
+                if kept.iter().any(|a| a.source != Source::Step) && self.contradicts_itself(posed) {
                     found.contradictory = sources(&assumed);
                     found.judged.outcome = Outcome::Open(Stop {
                         reason: "the premises contradict one another, so anything would follow"
@@ -149,7 +153,7 @@ impl Judge<'_> {
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
                         || self.rescue(goal, &attempts, &FARTHER, &mut found)
                 };
-                if !rescued && self.is_contradictory(&assumed, goal) {
+                if !rescued && obligation.is_ok_and(|posed| self.contradicts_itself(&posed)) {
                     found.contradictory = sources(&assumed);
                 }
             }
@@ -157,43 +161,48 @@ impl Judge<'_> {
         found
     }
 
-    /// Leaves out every hypothesis that a proof does without, the last first.
+    /// Leaves out every hypothesis that a proof does without, the last first. `posed` is the claim that was proved.
     fn least(
         &self,
         mut assumed: Vec<Assumed>,
         goal: &Goal,
+        posed: &Obligation,
         derived: Derived,
     ) -> (Vec<Assumed>, Proven) {
-        let again = |assumed: &[Assumed]| {
-            let claim = || self.derivation.claim(self.at, assumed, &goal.formula);
-            search::prove_unconditionally(claim(), Effort::Light)
-                .or_else(|| search::prove_unconditionally(claim(), Effort::Full))
+        let pose = |assumed: &[Assumed]| {
+            search::pose(self.derivation.claim(self.at, assumed, &goal.formula)).ok()
         };
         // What the certificate combines nearly always suffices; what only keeps something from vanishing is not in it.
         let Derived {
             mut proven,
             combined,
         } = derived;
-        let mut few: Vec<Assumed> = Vec::new();
-        for (position, own) in assumed.iter().enumerate() {
-            if combined.contains(&position) {
-                few.push(own.clone());
-            }
-        }
+        let all = assumed.iter().enumerate();
+        let few: Vec<Assumed> = all
+            .filter(|(position, _)| combined.contains(position))
+            .map(|(_, own)| own.clone())
+            .collect();
+        let mut shorter: Option<Obligation> = None;
         if few.len() < assumed.len()
-            && let Some(shorter) = again(&few)
+            && let Some(posed) = pose(&few)
+            && let Some(derived) = search::prove_posed(&posed, Effort::Light)
+                .or_else(|| search::prove_posed(&posed, Effort::Full))
         {
-            (assumed, proven) = (few, shorter.proven);
+            (assumed, proven, shorter) = (few, derived.proven, Some(posed));
         }
         for position in (0..assumed.len()).rev() {
             if assumed.len() < 2 {
                 break;
             }
+            if !search::may_do_without(shorter.as_ref().unwrap_or(posed), position) {
+                continue;
+            }
             let mut fewer = assumed.clone();
             fewer.remove(position);
-            let claim = self.derivation.claim(self.at, &fewer, &goal.formula);
-            if let Some(shorter) = search::prove_unconditionally(claim, Effort::Light) {
-                (assumed, proven) = (fewer, shorter.proven);
+            if let Some(posed) = pose(&fewer)
+                && let Some(derived) = search::prove_posed(&posed, Effort::Light)
+            {
+                (assumed, proven, shorter) = (fewer, derived.proven, Some(posed));
             }
         }
         (assumed, proven)
@@ -205,8 +214,22 @@ impl Judge<'_> {
             return false;
         }
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        // Neighbouring steps share their premises, and so the points at which these hold.
+        // The hints are given back before a new one is remembered.
         let consistency = search::consistency(&claim, &self.auditor.hints());
+        self.cannot_be(consistency)
+    }
+
+    /// The same of the hypotheses of a claim that was read before.
+    fn contradicts_itself(&self, posed: &Obligation) -> bool {
+        if posed.claim().hypotheses.is_empty() {
+            return false;
+        }
+        let consistency = search::consistency_posed(posed, &self.auditor.hints());
+        self.cannot_be(consistency)
+    }
+
+    /// Neighbouring steps share their premises, and so the points at which these hold.
+    fn cannot_be(&self, consistency: Consistency) -> bool {
         match consistency {
             Consistency::Model(model) => {
                 self.auditor.remember(model.point());
@@ -273,14 +296,23 @@ impl Judge<'_> {
         found: &mut Found,
     ) -> bool {
         for Attempt { cited, others } in attempts {
+            let mut last = None;
             for &(most, effort) in stages {
+                // Where there are no more of them, the same would be tried again.
+                let most = most.min(others.len());
+                if last.replace((most, effort)) == Some((most, effort)) {
+                    continue;
+                }
                 let near = others.iter().take(most);
                 let all: Vec<Assumed> = cited.iter().chain(near).cloned().collect();
                 let claim = self.derivation.claim(self.at, &all, &goal.formula);
-                let Some(derived) = search::prove_unconditionally(claim, effort) else {
+                let Ok(posed) = search::pose(claim) else {
                     continue;
                 };
-                let (kept, least) = self.least(all, goal, derived);
+                let Some(derived) = search::prove_posed(&posed, effort) else {
+                    continue;
+                };
+                let (kept, least) = self.least(all, goal, &posed, derived);
                 if self.is_contradictory(&kept, goal) {
                     continue;
                 }

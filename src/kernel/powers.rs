@@ -18,16 +18,17 @@ const HIGHEST_ORDER: u32 = 120;
 /// `elsewhere` are symbols whose domain says nothing of a symbol of that name: those that were put in.
 pub(super) fn powers_of<'a>(
     claim: &Claim,
-    terms: impl Iterator<Item = &'a Expr>,
+    terms: impl Iterator<Item = &'a Expr> + Clone,
     sequences: &BTreeSet<Symbol>,
     counts: &BTreeSet<Symbol>,
     elsewhere: impl Fn(&Symbol) -> bool,
 ) -> Option<Powers> {
-    let mut found = Occurrences::default();
-    terms.for_each(|term| found.collect(term, Some(1), false));
-    if !found.powers {
+    // Most claims have nothing of the kind.
+    if !terms.clone().any(has_powers) {
         return None;
     }
+    let mut found = Occurrences::default();
+    terms.for_each(|term| found.collect(term, Some(1), false));
     let mut powers = Powers::default();
     for (symbol, domain) in &claim.domains {
         let element = element_parts(symbol).is_some_and(|(s, _)| sequences.contains(&s));
@@ -68,11 +69,18 @@ fn natural(domain: &Domain) -> Option<bool> {
     (!bound.is_negative()).then(|| positive(domain))
 }
 
+/// Whether there is a power with another exponent than an integer in a term.
+fn has_powers(term: &Expr) -> bool {
+    let here = match term {
+        Expr::Power(_, exponent) => constant(exponent).is_none_or(|e| !e.is_integer()),
+        _ => false,
+    };
+    here || term.children().into_iter().any(has_powers)
+}
+
 /// Where symbols occur.
 #[derive(Default)]
 struct Occurrences {
-    /// Whether there is a power with another exponent than an integer.
-    powers: bool,
     /// The order of the root below which each symbol occurs as a factor; 0 where it is too high.
     orders: BTreeMap<Symbol, u32>,
     /// Symbols in sums, derivatives, limits and integrals.
@@ -98,8 +106,6 @@ impl Occurrences {
             }
             Expr::Power(base, exponent) => {
                 let constant = constant(exponent);
-                let whole = constant.as_ref().is_some_and(BigRational::is_integer);
-                self.powers |= !whole;
                 let denominator = constant
                     .as_ref()
                     .map_or(BigInt::one(), |c| c.denom().clone());

@@ -6,7 +6,7 @@ use num_integer::Integer;
 
 use super::ideal::Ideal;
 use super::tracked::Tracked;
-use super::{Effort, posed, prove_unconditionally};
+use super::{Effort, pose, prove_unconditionally};
 use crate::algebra::{
     Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Polynomial, Rational, Symbol, Var,
     expr_of, expr_of_fraction, factors, product_of, raised,
@@ -29,7 +29,7 @@ pub struct Implied {
 /// be had.
 pub fn implied(claim: &Claim) -> Option<Implied> {
     let (symbol, printed) = solved(&claim.goal)?;
-    let obligation = posed(claim.clone()).ok()?;
+    let obligation = pose(claim.clone()).ok()?;
     let problem = obligation.problem();
     let own = problem.atoms.find(&Atom::Symbol(symbol.clone()))?;
     let mut atoms = problem.atoms.clone();

@@ -17,7 +17,7 @@ mod unfold;
 mod units;
 mod values;
 
-use crate::algebra::{Atom, Expr, Formula, Polynomial, Relation, expr_of, factors};
+use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Relation, expr_of, factors};
 use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Obligation,
     Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
@@ -86,13 +86,27 @@ pub enum Consistency {
 
 /// Decides a claim, or says why not. `hints` are points at which premises like these are known to hold.
 pub fn decide(claim: Claim, hints: &[Assignment]) -> Decision {
+    pose(claim).map_or_else(hopeless, |obligation| decide_posed(&obligation, hints))
+}
+
+/// What the kernel cannot even read.
+pub fn hopeless(reject: Reject) -> Decision {
+    Decision::Open(Stop {
+        reason: reject.to_string(),
+        tried: 0,
+        hopeless: true,
+    })
+}
+
+/// The same for a claim that was read before.
+pub fn decide_posed(obligation: &Obligation, hints: &[Assignment]) -> Decision {
     let mut stop = Stop {
         reason: "no proof and no counterexample was found".into(),
         ..Stop::default()
     };
     // Elimination decides no inequality: there the proper search comes early.
     let inequality = matches!(
-        claim.goal,
+        obligation.claim().goal,
         Formula::Relation {
             relation: Relation::Less
                 | Relation::LessOrEqual
@@ -102,21 +116,12 @@ pub fn decide(claim: Claim, hints: &[Assignment]) -> Decision {
         }
     );
     let quick = if inequality { QUICK / 8 } else { QUICK };
-    let hopeless = |reject: Reject, mut stop: Stop| {
-        stop.reason = reject.to_string();
-        stop.hopeless = true;
-        Decision::Open(stop)
-    };
-    let obligation = match posed(claim) {
-        Ok(obligation) => obligation,
-        Err(reject) => return hopeless(reject, stop),
-    };
-    let mut points = refute::Points::new(&obligation);
+    let mut points = refute::Points::new(obligation);
     let mut known = None;
     for (effort, budget) in [(Effort::Light, quick), (Effort::Full, EARNEST)] {
         // Where a counterexample is known, only a simpler one is worth looking for.
         if known.is_none() {
-            match prove(&obligation, effort) {
+            match prove(obligation, effort) {
                 Ok(Some((derived, conditions))) => {
                     return Decision::Proven {
                         derived,
@@ -124,13 +129,13 @@ pub fn decide(claim: Claim, hints: &[Assignment]) -> Decision {
                     };
                 }
                 Ok(None) => {}
-                Err(reject) => return hopeless(reject, stop),
+                Err(reject) => return hopeless(reject),
             }
         }
         if effort == Effort::Light {
-            known = points.near(hints).find_map(|p| refuted(&obligation, p));
+            known = points.near(hints).find_map(|p| refuted(obligation, p));
         }
-        if let Some(refuted) = first(&mut points, budget, |point| refuted(&obligation, point)) {
+        if let Some(refuted) = first(&mut points, budget, |point| refuted(obligation, point)) {
             return Decision::Refuted(refuted);
         }
         stop.tried = points.tried;
@@ -138,7 +143,11 @@ pub fn decide(claim: Claim, hints: &[Assignment]) -> Decision {
     known.map_or(Decision::Open(stop), Decision::Refuted)
 }
 
-fn posed(claim: Claim) -> Result<Obligation, Reject> {
+/// Reads a claim, with the definitions put in without which nothing can be computed.
+///
+/// # Errors
+/// As [`Obligation::new`].
+pub fn pose(claim: Claim) -> Result<Obligation, Reject> {
     let unfold = unfold::definitions_to_unfold(&claim);
     Obligation::new(claim, unfold)
 }
@@ -164,17 +173,22 @@ fn first<T>(
 /// A point at which all hypotheses hold, or a proof that there is none. `hints` are points to start from.
 pub fn consistency(claim: &Claim, hints: &[Assignment]) -> Consistency {
     let unfold = unfold::definitions_to_unfold(claim);
-    let Ok(premises) = Obligation::of_premises(claim.clone(), unfold) else {
-        return Consistency::Unknown;
-    };
-    let mut points = refute::Points::of_premises(&premises);
+    match Obligation::of_premises(claim.clone(), unfold) {
+        Ok(premises) => consistency_posed(&premises, hints),
+        Err(_) => Consistency::Unknown,
+    }
+}
+
+/// The same for a claim that was read before; its goal is left alone.
+pub fn consistency_posed(premises: &Obligation, hints: &[Assignment]) -> Consistency {
+    let mut points = refute::Points::of_premises(premises);
     if let Some(model) = points.near(hints).find_map(|p| premises.model(p).ok()) {
         return Consistency::Model(model);
     }
     if let Some(model) = first(&mut points, QUICK, |p| premises.model(p).ok()) {
         return Consistency::Model(model);
     }
-    if let Some(proven) = contradiction(&premises) {
+    if let Some(proven) = contradiction(premises) {
         return Consistency::Contradictory(proven.into());
     }
     first(&mut points, EARNEST, |p| premises.model(p).ok())
@@ -183,53 +197,28 @@ pub fn consistency(claim: &Claim, hints: &[Assignment]) -> Consistency {
 
 /// A proof of something impossible from the premises of a claim.
 fn contradiction(premises: &Obligation) -> Option<Proven> {
-    let zero = || Expr::integer(0);
     let impossible = [
-        (Expr::integer(1), Relation::Equal),
-        (Expr::integer(-1), Relation::GreaterOrEqual),
-        (zero(), Relation::Greater),
+        (1, Relation::Equal, Sign::Zero),
+        (-1, Relation::GreaterOrEqual, Sign::NonNegative),
+        (0, Relation::Greater, Sign::Positive),
     ];
-    let problem = premises.problem();
-    let mut prover = Prover::new(problem).ok()?;
-    // No symbol is in these goals, so one reading of the premises will do to find out which can be proved at all.
-    for (left, relation) in impossible {
-        let fact = match relation {
-            Relation::Equal => Fact {
-                polynomial: Polynomial::one(),
-                sign: Sign::Zero,
-            },
-            Relation::GreaterOrEqual => Fact {
-                polynomial: Polynomial::one().negated(),
-                sign: Sign::NonNegative,
-            },
-            _ => Fact {
-                polynomial: Polynomial::zero(),
-                sign: Sign::Positive,
-            },
-        };
-        if prover.prove(&fact, Effort::Full).is_none() {
-            continue;
-        }
-        let goal = Formula::Relation {
-            left,
-            relation,
-            right: zero(),
-        };
+    // These say nothing of any symbol, so one reading of the premises shows which of them can be proved.
+    let mut prover = Prover::new(premises.problem()).ok()?;
+    impossible.into_iter().find_map(|(number, relation, sign)| {
+        let polynomial = Polynomial::constant(Rational::from(number));
+        prover.prove(&Fact { polynomial, sign }, Effort::Full)?;
         let claim = Claim {
-            goal,
+            goal: compared(Expr::integer(number), relation),
             ..premises.claim().clone()
         };
-        if let Some(derived) = prove_unconditionally(claim, Effort::Full) {
-            return Some(derived.proven);
-        }
-    }
-    None
+        Some(prove_unconditionally(claim, Effort::Full)?.proven)
+    })
 }
 
 /// Whether premises like those of a claim hold near one of the `hints` where its goal does not, so that
 /// no proof need be looked for.
 pub fn is_doomed(claim: Claim, hints: &[Assignment]) -> bool {
-    let Ok(obligation) = posed(claim) else {
+    let Ok(obligation) = pose(claim) else {
         return false;
     };
     let points = refute::Points::new(&obligation);
@@ -244,7 +233,7 @@ pub fn missing_conditions(
     witness: &Assignment,
     hints: &[Assignment],
 ) -> Option<(Vec<Formula>, Proven)> {
-    let obligation = posed(claim.clone()).ok()?;
+    let obligation = pose(claim.clone()).ok()?;
     let problem = obligation.problem();
     let prover = Prover::new(problem).ok()?;
     let mut candidates: Vec<Expr> = Vec::new();
@@ -277,7 +266,7 @@ pub fn missing_conditions(
     }
     let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
-        let obligation = posed(assuming(claim, &formulas)).ok()?;
+        let obligation = pose(assuming(claim, &formulas)).ok()?;
         let (derived, mut conditions) = prove(&obligation, Effort::Light).ok()??;
         conditions.splice(0..0, formulas);
         // What the premises rule out would prove anything.
@@ -370,11 +359,27 @@ enum Attempt {
     Needs(Vec<Formula>),
 }
 
-fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
+/// Whether a claim can still be proved by elimination when one hypothesis says nothing; in doubt, it can.
+pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
     let problem = obligation.problem();
-    let mut prover = Prover::new(problem)?;
+    let silenced = |fact: usize| problem.origins[fact] == Origin::Hypothesis(hypothesis);
+    // What was put in is in every fact.
+    obligation.unfold().contains(&hypothesis)
+        || Prover::without(problem, silenced).is_ok_and(|prover| {
+            let attempt = attempt_with(prover, obligation, Effort::Light);
+            matches!(attempt, Attempt::Proof(_))
+        })
+}
+
+fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
+    let prover = Prover::new(obligation.problem())?;
+    Ok(attempt_with(prover, obligation, effort))
+}
+
+fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> Attempt {
+    let problem = obligation.problem();
     let Some(conclusion) = prover.prove(&problem.goal, effort) else {
-        return Ok(Attempt::Nothing);
+        return Attempt::Nothing;
     };
     let mut needs = Vec::new();
     let conditions = &problem.conditions;
@@ -407,7 +412,7 @@ fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
         }
     }
     if !conditions.doubtful.is_empty() {
-        return Ok(Attempt::Nothing);
+        return Attempt::Nothing;
     }
     for change in &problem.conditions.zero {
         if !problem.vanishes_throughout(change) {
@@ -416,18 +421,23 @@ fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
         }
     }
     if !needs.is_empty() {
-        return Ok(Attempt::Needs(needs));
+        return Attempt::Needs(needs);
     }
-    Ok(Attempt::Proof(Certificate {
+    Attempt::Proof(Certificate {
         unfold: obligation.unfold().to_vec(),
         lemmas: prover.into_lemmas(),
         conclusion,
-    }))
+    })
 }
 
 /// A proof without further conditions, if one is found.
 pub fn prove_unconditionally(claim: Claim, effort: Effort) -> Option<Derived> {
-    match prove(&posed(claim).ok()?, effort) {
+    prove_posed(&pose(claim).ok()?, effort)
+}
+
+/// The same for a claim that was read before.
+pub fn prove_posed(obligation: &Obligation, effort: Effort) -> Option<Derived> {
+    match prove(obligation, effort) {
         Ok(Some((derived, conditions))) => conditions.is_empty().then_some(derived),
         _ => None,
     }
@@ -489,7 +499,7 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
 
 /// A counterexample to `claim` at which the hypotheses of `larger` hold as well.
 pub fn refute_in_context(claim: &Claim, larger: Claim) -> Option<Refuted> {
-    let larger = posed(larger).ok()?;
+    let larger = pose(larger).ok()?;
     let mut points = refute::Points::new(&larger);
     first(&mut points, IN_CONTEXT, |mut point| {
         // The larger claim numbers its hypotheses differently; the same symbols are put in.

@@ -39,10 +39,26 @@ pub struct Prover {
 
 impl Prover {
     pub fn new(problem: &Problem) -> Result<Self, TooLarge> {
-        let knowledge = Knowledge::new(&problem.facts);
+        Prover::without(problem, |_| false)
+    }
+
+    /// The same where some facts say nothing, as if they read `0 = 0`.
+    pub fn without(problem: &Problem, silenced: impl Fn(usize) -> bool) -> Result<Self, TooLarge> {
+        let nothing = || Fact {
+            polynomial: Polynomial::zero(),
+            sign: Sign::Zero,
+        };
+        let facts = problem.facts.iter().enumerate();
+        let facts: Vec<Fact> = facts
+            .map(|(at, fact)| match silenced(at) {
+                true => nothing(),
+                false => fact.clone(),
+            })
+            .collect();
+        let knowledge = Knowledge::new(&facts);
         let mut prover = Prover {
-            ideal: Ideal::new(&problem.facts, &knowledge)?,
-            facts: problem.facts.clone(),
+            ideal: Ideal::new(&facts, &knowledge)?,
+            facts,
             atoms: problem.atoms.clone(),
             knowledge,
             lemmas: Vec::new(),

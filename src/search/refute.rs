@@ -1,7 +1,10 @@
 //! Exact counterexamples, and exact points at which premises hold together.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Deref;
+use std::rc::Rc;
 
 use num_traits::ToPrimitive;
 
@@ -28,6 +31,8 @@ pub struct Points<'a> {
     counts: Vec<Symbol>,
     /// One search for each choice of the numbers of elements, the smallest first.
     sizes: Vec<(Vec<i64>, Slot<'a>)>,
+    /// The claim with definite numbers of elements, where it was read so before; `None` where it cannot be.
+    sized: RefCell<BTreeMap<Vec<i64>, Option<Rc<Obligation>>>>,
     against_goal: bool,
     cost: u32,
     /// How many choices were tried.
@@ -41,9 +46,26 @@ enum Slot<'a> {
     Done,
 }
 
+/// The claim itself, or what it is with definite numbers of elements.
+#[derive(Clone)]
+enum Posed<'a> {
+    Itself(&'a Obligation),
+    Sized(Rc<Obligation>),
+}
+
+impl Deref for Posed<'_> {
+    type Target = Obligation;
+    fn deref(&self) -> &Obligation {
+        match self {
+            Posed::Itself(own) => own,
+            Posed::Sized(sized) => sized,
+        }
+    }
+}
+
 /// A claim with definite numbers of elements.
 struct Concrete<'a> {
-    obligation: Cow<'a, Obligation>,
+    obligation: Posed<'a>,
     /// The problem's unknowns, and those of what roots are taken of.
     atoms: Cow<'a, Atoms>,
     target: Target,
@@ -58,6 +80,7 @@ impl<'a> Points<'a> {
         Points {
             obligation,
             sizes: sizes.map(|sizes| (sizes, Slot::Waiting)).collect(),
+            sized: RefCell::default(),
             counts,
             against_goal: true,
             cost: 0,
@@ -95,14 +118,19 @@ impl<'a> Points<'a> {
     }
 
     /// The claim with definite numbers of elements.
-    fn at_sizes(&self, sizes: &[i64]) -> Option<Cow<'a, Obligation>> {
+    fn at_sizes(&self, sizes: &[i64]) -> Option<Posed<'a>> {
         let claim = self.obligation.claim();
         if self.counts.is_empty() && claim.sequences.is_empty() {
-            return Some(Cow::Borrowed(self.obligation));
+            return Some(Posed::Itself(self.obligation));
         }
-        let claim = at_sizes(claim, &self.counts, sizes)?;
-        let unfold = definitions_to_unfold(&claim);
-        Obligation::new(claim, unfold).ok().map(Cow::Owned)
+        let read = || {
+            let claim = at_sizes(claim, &self.counts, sizes)?;
+            let unfold = definitions_to_unfold(&claim);
+            Obligation::new(claim, unfold).ok().map(Rc::new)
+        };
+        let mut sized = self.sized.borrow_mut();
+        let own = sized.entry(sizes.to_vec()).or_insert_with(read);
+        own.clone().map(Posed::Sized)
     }
 
     /// The simplest point not yet ruled out, in more than one order of its elements; more of them with each
@@ -303,11 +331,7 @@ fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
 
 impl<'a> Concrete<'a> {
     /// `None` where some term cannot be given a value at all.
-    fn new(
-        obligation: Cow<'a, Obligation>,
-        against_goal: bool,
-        hint: Option<&Assignment>,
-    ) -> Option<Self> {
+    fn new(obligation: Posed<'a>, against_goal: bool, hint: Option<&Assignment>) -> Option<Self> {
         let problem = obligation.as_written();
         let known: Vec<Option<Rational>> = match hint {
             None => Vec::new(),
@@ -340,8 +364,8 @@ impl<'a> Concrete<'a> {
             }));
         }
         let mut atoms = match &obligation {
-            Cow::Borrowed(obligation) => Cow::Borrowed(&obligation.as_written().atoms),
-            Cow::Owned(obligation) => Cow::Owned(obligation.as_written().atoms.clone()),
+            Posed::Itself(obligation) => Cow::Borrowed(&obligation.as_written().atoms),
+            Posed::Sized(obligation) => Cow::Owned(obligation.as_written().atoms.clone()),
         };
         if atoms
             .iter()
