@@ -13,6 +13,8 @@ mod obligations;
 mod proofs;
 #[path = "kernel/readings.rs"]
 mod readings;
+#[path = "kernel/roots.rs"]
+mod roots;
 #[path = "kernel/scaling.rs"]
 mod scaling;
 #[path = "kernel/search.rs"]

@@ -9,6 +9,8 @@ mod claims;
 mod pages;
 #[path = "properties/physics.rs"]
 mod physics;
+#[path = "properties/roots.rs"]
+mod roots;
 #[path = "properties/scaling.rs"]
 mod scaling;
 #[path = "properties/spellings.rs"]

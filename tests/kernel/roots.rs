@@ -1,0 +1,155 @@
+//! Roots and fractional powers: what is known of them, and what is not.
+
+use cradle_verify::kernel::{Claim, Domain, Origin, Reject, Sign};
+
+use super::claims::*;
+
+fn nonnegative() -> Domain {
+    Domain {
+        lower: Some((number(0), false)),
+        ..Domain::default()
+    }
+}
+
+fn natural() -> Domain {
+    Domain {
+        integer: true,
+        ..nonnegative()
+    }
+}
+
+/// How many facts say what a root or a power is.
+fn known_of_powers(claim: &Claim) -> usize {
+    let problem = Proving::new(claim.clone()).problem;
+    let own = problem.origins.iter().filter(|o| **o == Origin::Powers);
+    own.count()
+}
+
+#[test]
+fn root_of_a_square_is_the_symbol_only_where_it_is_positive() {
+    for text in [
+        r"\sqrt{z^2} = z",
+        r"(z^2)^{3/2} = z^3",
+        r"(z^6)^{1/2} = z^3",
+    ] {
+        let goal = || claim(&[], text);
+        assert_eq!(
+            Proving::new(goal().domain("z", positive())).trivially(),
+            Ok(())
+        );
+        let anything = Proving::new(goal());
+        assert!(anything.trivially().is_err(), "{text}");
+        // And indeed:
+        assert_eq!(refuted(&goal(), point(&[("z", -2)])), Ok(()), "{text}");
+    }
+}
+
+#[test]
+fn sum_of_a_root_and_its_base_is_not_taken_for_nonzero() {
+    // (√(z²) − z)(√(z²) + z) = 0 is known of every z; dividing by the second factor needs more.
+    let real = Proving::new(claim(&[], r"\sqrt{z^2} = z"));
+    let square = real
+        .problem
+        .origins
+        .iter()
+        .position(|o| *o == Origin::Powers);
+    let square = square.expect("the square of the root");
+    assert_eq!(real.problem.facts[square].sign, Sign::Zero);
+    let forged = cradle_verify::kernel::Proof::Combination {
+        multiplier: real.factors(&[(r"\sqrt{z^2} + z", 1)]),
+        power: 1,
+        cofactors: vec![(square, real.p("1"))],
+    };
+    assert!(matches!(real.checked(forged), Err(Reject::MayVanish(_))));
+}
+
+#[test]
+fn nothing_is_known_of_the_root_of_what_may_be_negative() {
+    let root = || claim(&[], r"\sqrt{z}^2 = z");
+    assert_eq!(known_of_powers(&root()), 0);
+    assert!(known_of_powers(&root().domain("z", nonnegative())) > 0);
+    // A premise that speaks of the root says that there is one.
+    assert!(known_of_powers(&claim(&[r"w = \sqrt{z - 1}"], "w^2 = z - 1")) > 0);
+    let needed = Proving::new(claim(&[], r"\sqrt{z} = \sqrt{z}")).trivially();
+    assert!(needed.is_err(), "√z has no value for a negative z");
+}
+
+#[test]
+fn root_of_a_product_needs_more_than_the_sign_of_the_product() {
+    let goal = || claim(&[], r"\sqrt{y z} = \sqrt{y} \sqrt{z}");
+    let both = goal().domain("y", positive()).domain("z", positive());
+    assert_eq!(Proving::new(both).trivially(), Ok(()));
+    for lone in ["y", "z"] {
+        assert!(
+            Proving::new(goal().domain(lone, positive()))
+                .trivially()
+                .is_err()
+        );
+    }
+}
+
+#[test]
+fn odd_root_of_what_may_be_negative_is_left_alone() {
+    let cubed = || claim(&[], r"(z^3)^{1/3} = z");
+    assert_eq!(
+        Proving::new(cubed().domain("z", positive())).trivially(),
+        Ok(())
+    );
+    assert!(Proving::new(cubed()).trivially().is_err());
+}
+
+#[test]
+fn point_must_give_a_root_a_rational_value() {
+    let goal = claim(&[], r"\sqrt{x} = x").domain("x", positive());
+    assert_eq!(refuted(&goal, point(&[("x", 4)])), Ok(()));
+    assert_eq!(refuted(&goal, point(&[("x", 2)])), Err(Reject::NoValue));
+    assert_eq!(
+        refuted(&goal, point(&[("x", 1)])),
+        Err(Reject::GoalNotFalse)
+    );
+    assert_eq!(
+        refuted(&goal, point(&[("x", -4)])),
+        Err(Reject::OutsideDomain)
+    );
+    // Without the domain a root of something negative has no value, which is no counterexample.
+    let anywhere = claim(&[], r"\sqrt{x} = x");
+    assert!(refuted(&anywhere, point(&[("x", -4)])).is_err());
+}
+
+#[test]
+fn symbolic_power_is_taken_apart_for_naturals_or_a_positive_base() {
+    let doubled = || claim(&[], "b^{2 n} = (b^n)^2");
+    let read = |claim: Claim| Proving::new(claim).trivially();
+    let counting = || Domain {
+        lower: Some((number(1), false)),
+        ..natural()
+    };
+    assert_eq!(read(doubled().domain("n", counting())), Ok(()));
+    // Nobody has said what 0^0 is.
+    let from_zero = read(doubled().domain("n", natural()));
+    assert!(matches!(from_zero, Err(Reject::MayVanish(_))));
+    assert_eq!(read(doubled().domain("b", positive())), Ok(()));
+    assert!(read(doubled()).is_err());
+    // At n = −1 and b = 0 it would be 1 = 0 · b^(−1).
+    let next = || claim(&[], "b^{n + 1} = b^n b");
+    assert_eq!(read(next().domain("n", counting())), Ok(()));
+    assert!(read(next()).is_err());
+    // Broken in one place.
+    let wrong = claim(&[], "b^{n + 2} = b^n b").domain("n", counting());
+    assert!(read(wrong).is_err());
+}
+
+#[test]
+fn symbol_that_is_put_in_is_not_read_as_a_power_of_its_root() {
+    // x is positive by declaration; z, which is put in for it, is not: the domain speaks of z then.
+    let goal = claim(&["x = z"], r"\sqrt{x^2} = z").domain("x", positive());
+    let read = Proving::unfolding(goal.clone(), &[0]);
+    let about_z = read
+        .problem
+        .origins
+        .iter()
+        .any(|o| *o == Origin::Domain(symbol("x")));
+    assert!(about_z, "the domain of x is kept");
+    assert!(read.trivially().is_err());
+    assert!(refuted(&goal, point(&[("x", -1), ("z", -1)])).is_err());
+}
