@@ -5,8 +5,8 @@ use std::io::{ErrorKind, Write};
 use anstream::{AutoStream, ColorChoice};
 use anstyle::AnsiColor;
 
-use super::Failure;
-use super::args::Color;
+use super::args::{Args, Color};
+use super::{Failure, file};
 
 impl From<Color> for ColorChoice {
     fn from(color: Color) -> Self {
@@ -18,11 +18,27 @@ impl From<Color> for ColorChoice {
     }
 }
 
-/// Writes data to standard output.
+/// Writes data where it was asked for; whether anybody reads on.
 ///
 /// # Errors
 /// It cannot be written, for another reason than that nobody reads on.
-pub fn data(text: &str, color: Color) -> Result<(), Failure> {
+pub fn deliver(text: &str, args: &Args) -> Result<bool, Failure> {
+    let Some(path) = &args.output else {
+        return data(text, args.color);
+    };
+    let plain = match args.color {
+        Color::Always => text.to_owned(),
+        _ => anstream::adapter::strip_str(text).to_string(),
+    };
+    file::replace(path, &plain)?;
+    Ok(true)
+}
+
+/// Writes data to standard output; whether anybody reads on.
+///
+/// # Errors
+/// It cannot be written, for another reason than that nobody reads on.
+pub fn data(text: &str, color: Color) -> Result<bool, Failure> {
     let mut stdout = std::io::stdout().lock();
     let color = match color.into() {
         ColorChoice::Auto => AutoStream::choice(&stdout),
@@ -38,7 +54,7 @@ pub fn data(text: &str, color: Color) -> Result<(), Failure> {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::new(format!(
             "standard output could not be written: {error}"
         ))),
-        _ => Ok(()),
+        written => Ok(written.is_ok()),
     }
 }
 
@@ -52,4 +68,10 @@ pub fn talk(failure: &Failure, color: Color) {
     if let Some(help) = &failure.help {
         let _ = writeln!(stream, "{cyan}help{cyan:#}: {help}");
     }
+}
+
+/// Says something on standard error that is no complaint.
+pub fn say(text: &str) {
+    // Where standard error is closed there is nobody to tell.
+    let _ = write!(std::io::stderr().lock(), "{text}");
 }
