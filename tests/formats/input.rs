@@ -126,6 +126,21 @@ fn colours_are_only_for_terminals_or_where_they_are_asked_for() {
 }
 
 #[test]
+fn no_page_commands_a_terminal() {
+    let folder = crate::hostile("hostile-terminal");
+    for args in [&["check", "."][..], &["explain", "2", "page.md"]] {
+        let text = out(&run_in(&folder, &[args, &["--color", "always"]].concat()));
+        for after in text.split('\u{1b}').skip(1) {
+            let rest = after.strip_prefix('[').unwrap_or(after);
+            let rest = rest.trim_start_matches(|c: char| c.is_ascii_digit() || c == ';');
+            assert!(rest.starts_with('m'), "{after:?}");
+        }
+        let other = |c: char| c.is_control() && !['\n', '\u{1b}'].contains(&c);
+        assert_eq!(text.chars().find(|c| other(*c)), None);
+    }
+}
+
+#[test]
 fn the_audit_is_the_same_by_any_number_of_threads() {
     let derivation = proofs::report();
     let seen = |threads: usize| {
