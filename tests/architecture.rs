@@ -39,6 +39,8 @@ const KNOWN_TO: &[(&str, &[&str])] = &[
     ("anstream", &["cli"]),
     ("annotate_snippets", &["report"]),
     ("clap", &["cli"]),
+    ("clap_complete", &["cli"]),
+    ("clap_mangen", &["cli"]),
     ("nalgebra", &["cradle", "cli"]),
     ("pulldown_cmark", &["document"]),
 ];
@@ -236,10 +238,18 @@ fn each_note_has_an_entry_in_the_reference_and_the_other_way_round() {
     let source = std::fs::read_to_string(root.join("src/audit/entry.rs")).unwrap();
     let codes = source.split("fn code(").nth(1).expect("Note::code");
     let codes = codes.split("\n    }\n").next().unwrap();
-    let codes: std::collections::BTreeSet<&str> = codes.split('"').skip(1).step_by(2).collect();
+    let mut codes: std::collections::BTreeSet<&str> = codes.split('"').skip(1).step_by(2).collect();
+    codes.extend(cradle_verify::audit::Verdict::ALL.map(cradle_verify::audit::Verdict::word));
     let page = std::fs::read_to_string(root.join("docs/notes.md")).unwrap();
     let entries = page.lines().filter_map(|line| line.strip_prefix("## `"));
     let entries: std::collections::BTreeSet<&str> =
         entries.map(|line| line.trim_end_matches('`')).collect();
     assert_eq!(codes, entries);
+    let known = cradle_verify::report::codes::CODES.iter();
+    assert_eq!(
+        known
+            .map(|(code, _)| *code)
+            .collect::<std::collections::BTreeSet<_>>(),
+        entries
+    );
 }

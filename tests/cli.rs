@@ -386,6 +386,14 @@ fn json_is_as_the_schema_says() {
     for args in [
         &["--format", "json"][..],
         &["explain", "33", "--format", "json"],
+        &[
+            "check",
+            "tests/pages/lens.md",
+            "--baseline",
+            "proofs/report.baseline.json",
+            "--format",
+            "json",
+        ],
         &["check", unread.to_str().unwrap(), "--format", "json"],
     ] {
         let value: Value = serde_json::from_slice(&program(args).stdout).unwrap();

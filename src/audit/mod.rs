@@ -18,6 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::derivation::{Assumed, Derivation, Kind, Source, goals};
 use crate::kernel::Assignment;
@@ -48,6 +49,12 @@ impl Audit {
     ///
     /// A page waits for what it needs of an earlier one, so the result does not depend on how many work at it.
     pub fn of(derivation: &Derivation) -> Audit {
+        let processors = std::thread::available_parallelism().map_or(1, |n| n.get());
+        Audit::by(derivation, processors, &AtomicUsize::new(0))
+    }
+
+    /// The same by at most so many threads; the number of equations that are done can be read meanwhile.
+    pub fn by(derivation: &Derivation, threads: usize, progress: &AtomicUsize) -> Audit {
         let shared = Shared {
             derivation,
             schedule: Schedule::new(derivation),
@@ -59,6 +66,7 @@ impl Audit {
                 .iter()
                 .map(|_| OnceLock::new())
                 .collect(),
+            progress,
         };
         let is_done = |at: usize| shared.done[at].get().is_some();
         let work = || {
@@ -66,9 +74,8 @@ impl Audit {
                 shared.part(part);
             }
         };
-        let processors = std::thread::available_parallelism().map_or(1, |n| n.get());
         std::thread::scope(|scope| {
-            for _ in 1..processors.min(shared.schedule.len()).min(MOST_THREADS) {
+            for _ in 1..threads.min(shared.schedule.len()).min(MOST_THREADS) {
                 scope.spawn(work);
             }
             // The others begin without them.
@@ -122,6 +129,8 @@ struct Shared<'a> {
     duplicates: BTreeMap<usize, usize>,
     /// Filled in reading order within each part.
     done: Vec<OnceLock<Done>>,
+    /// How many are filled.
+    progress: &'a AtomicUsize,
 }
 
 impl Shared<'_> {
@@ -155,6 +164,7 @@ impl Shared<'_> {
             let result = catch_unwind(AssertUnwindSafe(|| auditor.done(at)));
             let done = result.unwrap_or_else(|_| auditor.given_up(at));
             let _ = self.done[at].set(done);
+            self.progress.fetch_add(1, Ordering::Relaxed);
         }
     }
 }

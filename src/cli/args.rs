@@ -4,10 +4,12 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use crate::report::codes::Level;
+
 /// Audits the equations of a physics derivation: each is proved exactly, refuted in exact numbers, or left undecided.
 ///
 /// Without a command, audits the report on Newton's cradle that ships inside. The exit code is 0 where nothing was
-/// found, 1 where something was, 2 where the job could not be done.
+/// found, 1 where something was (`--fail-on` and `--baseline` say what counts), 2 where the job could not be done.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "cradle-verify", version)]
 pub struct Args {
@@ -26,6 +28,55 @@ pub struct Args {
     /// Print under each line what was understood, as LaTeX.
     #[arg(long, global = true)]
     pub show_understood: bool,
+    /// Write to this file instead of standard output; it is replaced as a whole, or not at all.
+    #[arg(long, global = true, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// What makes the audit of the built-in report fail.
+    #[command(flatten)]
+    pub gate: Gate,
+}
+
+/// What makes an audit fail.
+#[derive(Clone, Debug, Default, PartialEq, Eq, clap::Args)]
+pub struct Gate {
+    /// The least that makes the exit code 1.
+    #[arg(long, value_enum, value_name = "LEVEL", default_value_t)]
+    pub fail_on: FailOn,
+    /// Findings recorded in this file are known and fail nothing; new ones do.
+    #[arg(long, value_name = "FILE")]
+    pub baseline: Option<PathBuf>,
+    /// Write the baseline anew from what is found now.
+    #[arg(long, requires = "baseline", conflicts_with = "strict_baseline")]
+    pub update_baseline: bool,
+    /// Fail on any difference from the baseline, be it for the better.
+    #[arg(long, requires = "baseline")]
+    pub strict_baseline: bool,
+}
+
+/// The least that makes an audit fail.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum FailOn {
+    /// An equation is wrong, or could not be judged for what is written.
+    Error,
+    /// The same, or what is said of an equation is wrong or missing.
+    #[default]
+    Warning,
+    /// The same, or anything that is good to know; an undecided equation is.
+    Note,
+    /// Nothing.
+    Never,
+}
+
+impl FailOn {
+    /// The level, if there is one.
+    pub fn level(self) -> Option<Level> {
+        match self {
+            FailOn::Error => Some(Level::Error),
+            FailOn::Warning => Some(Level::Warning),
+            FailOn::Note => Some(Level::Note),
+            FailOn::Never => None,
+        }
+    }
 }
 
 /// What can be asked for.
@@ -66,15 +117,38 @@ pub enum Command {
         /// Files, directories (every `*.md` in them), or `-` for standard input.
         #[arg(required = true, value_name = "PATH")]
         paths: Vec<PathBuf>,
+        /// What standard input is called in findings.
+        #[arg(long, value_name = "NAME")]
+        stdin_filename: Option<String>,
+        /// Audit again whenever a document changes, until Ctrl-C.
+        #[arg(long)]
+        watch: bool,
+        /// What makes it fail.
+        #[command(flatten)]
+        gate: Gate,
     },
-    /// Write out one equation's evidence in full, so that it can be checked by hand.
+    /// Write out one equation's evidence in full, so that it can be checked by hand; or what a code means.
     Explain {
-        /// The number (`23`) or name of the equation.
-        #[arg(value_name = "EQUATION")]
+        /// The number (`23`) or name of an equation, or the code of a verdict or note (`miscited`).
+        #[arg(value_name = "EQUATION|CODE")]
         label: String,
         /// Where it stands; without it, the built-in report.
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
+        /// What standard input is called in findings.
+        #[arg(long, value_name = "NAME")]
+        stdin_filename: Option<String>,
+    },
+    /// Print a script with which a shell completes the arguments.
+    Completions {
+        /// The shell.
+        #[arg(value_enum)]
+        shell: clap_complete::Shell,
+    },
+    /// Print a manual page, as roff.
+    Man {
+        /// The command that it is about; without it, the program.
+        command: Option<String>,
     },
 }
 
@@ -92,8 +166,30 @@ pub enum Model {
 pub enum Format {
     /// People.
     Human,
+    /// Editors: `file:line:col: level[code]: message`.
+    Short,
     /// Programs; docs/schema.json says how it is laid out.
     Json,
+    /// Code scanning: SARIF 2.1.0.
+    Sarif,
+    /// Annotations of GitHub's checks.
+    Github,
+    /// Test reports: JUnit's XML.
+    Junit,
+}
+
+impl Format {
+    /// The word that asks for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Format::Human => "human",
+            Format::Short => "short",
+            Format::Json => "json",
+            Format::Sarif => "sarif",
+            Format::Github => "github",
+            Format::Junit => "junit",
+        }
+    }
 }
 
 /// Whether to colour.

@@ -8,11 +8,33 @@ use crate::document::{Document, in_order, read_bytes};
 
 use super::Failure;
 
-/// Reads all documents at some paths as one derivation.
+/// What standard input is called where nothing else is said.
+const STANDARD_INPUT: &str = "standard input";
+
+/// Reads all documents at some paths as one derivation; `stdin` is what standard input is called.
 ///
 /// # Errors
 /// A path that is not there, a directory without documents, a file that is not text.
-pub fn derivation(paths: &[PathBuf]) -> Result<Derivation, Failure> {
+pub fn derivation(paths: &[PathBuf], stdin: Option<&str>) -> Result<Derivation, Failure> {
+    if stdin.is_some() && !paths.iter().any(|path| path == Path::new("-")) {
+        return Err(
+            Failure::new("`--stdin-filename` names standard input, which is not read")
+                .help("`-` as a path reads it"),
+        );
+    }
+    let files = files(paths)?;
+    let stdin = stdin.unwrap_or(STANDARD_INPUT);
+    let documents = in_order(&files, |file| read(file, stdin));
+    Ok(Derivation::new(
+        documents.into_iter().collect::<Result<_, _>>()?,
+    ))
+}
+
+/// The files at some paths, each once, in reading order.
+///
+/// # Errors
+/// A path that is not there, a directory without documents.
+pub fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut files: Vec<PathBuf> = Vec::new();
     for path in paths {
         let found = documents(path)?;
@@ -24,10 +46,7 @@ pub fn derivation(paths: &[PathBuf]) -> Result<Derivation, Failure> {
     }
     let mut seen = std::collections::BTreeSet::new();
     files.retain(|file| seen.insert(file.clone()));
-    let documents = in_order(&files, |file| read(file));
-    Ok(Derivation::new(
-        documents.into_iter().collect::<Result<_, _>>()?,
-    ))
+    Ok(files)
 }
 
 /// The Markdown files at a path: itself, or all below a directory, sorted.
@@ -70,7 +89,7 @@ fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
     }
 }
 
-fn read(path: &Path) -> Result<Document, Failure> {
+fn read(path: &Path, stdin: &str) -> Result<Document, Failure> {
     let mut bytes = Vec::new();
     if path == Path::new("-") {
         std::io::stdin()
@@ -81,7 +100,7 @@ fn read(path: &Path) -> Result<Document, Failure> {
         bytes = std::fs::read(path).map_err(|error| unread(path, &error))?;
     }
     let name = match path == Path::new("-") {
-        true => "standard input".to_owned(),
+        true => stdin.to_owned(),
         false => path.display().to_string(),
     };
     read_bytes(name.clone(), &bytes).map_err(|error| {

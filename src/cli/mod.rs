@@ -4,12 +4,17 @@
 //! something was, and 2 where the job could not be done.
 
 pub mod args;
+mod audit;
+mod file;
 pub mod input;
+mod manual;
 pub mod output;
+mod progress;
 mod run;
 pub mod scenario;
 mod simulate;
 mod table;
+mod watch;
 
 use std::process::ExitCode;
 
@@ -44,13 +49,19 @@ impl Failure {
 /// What the program does, from its arguments to its exit code.
 pub fn main() -> ExitCode {
     let args = args::Args::parse();
-    let color = args.color;
-    match run::run(&args) {
-        Ok((text, found)) => match output::data(&text, color) {
-            Ok(()) => ExitCode::from(u8::from(found)),
-            Err(failure) => refuse(&failure, color),
-        },
-        Err(failure) => refuse(&failure, color),
+    if let Some(args::Command::Check {
+        paths, watch: true, ..
+    }) = &args.command
+    {
+        return watch::watch(&args, paths);
+    }
+    let done = run::run(&args).and_then(|(text, found)| {
+        output::deliver(&text, &args)?;
+        Ok(found)
+    });
+    match done {
+        Ok(found) => ExitCode::from(u8::from(found)),
+        Err(failure) => refuse(&failure, args.color),
     }
 }
 

@@ -1,12 +1,13 @@
 //! Where text goes, with or without its colours. A reader who stops reading (`| head`) is no error.
 
+use std::borrow::Cow;
 use std::io::{ErrorKind, Write};
 
 use anstream::{AutoStream, ColorChoice};
 use anstyle::AnsiColor;
 
-use super::Failure;
-use super::args::Color;
+use super::args::{Args, Color};
+use super::{Failure, file};
 
 impl From<Color> for ColorChoice {
     fn from(color: Color) -> Self {
@@ -18,11 +19,55 @@ impl From<Color> for ColorChoice {
     }
 }
 
-/// Writes data to standard output.
+/// Writes data where it was asked for; whether anybody reads on.
 ///
 /// # Errors
 /// It cannot be written, for another reason than that nobody reads on.
-pub fn data(text: &str, color: Color) -> Result<(), Failure> {
+pub fn deliver(text: &str, args: &Args) -> Result<bool, Failure> {
+    let text = tamed(text);
+    let Some(path) = &args.output else {
+        return data(&text, args.color);
+    };
+    let plain = match args.color {
+        Color::Always => text.into_owned(),
+        _ => anstream::adapter::strip_str(&text).to_string(),
+    };
+    file::replace(path, &plain)?;
+    Ok(true)
+}
+
+/// Text in which nothing commands a terminal but colours: a tag or a heading may hold any character, and what clears the
+/// screen or rings the bell shows as `\u{fffd}`.
+fn tamed(text: &str) -> Cow<'_, str> {
+    let wild = |(at, c): (usize, char)| match c {
+        '\n' | '\t' => None,
+        '\u{1b}' if is_color(&text[at..]) => None,
+        c => c.is_control().then_some(at),
+    };
+    if text.char_indices().find_map(wild).is_none() {
+        return Cow::Borrowed(text);
+    }
+    let kept = text.char_indices().map(|(at, c)| match wild((at, c)) {
+        Some(_) => char::REPLACEMENT_CHARACTER,
+        None => c,
+    });
+    Cow::Owned(kept.collect())
+}
+
+/// Whether text starts with a sequence that sets colours: `ESC [ digits and semicolons m`.
+fn is_color(text: &str) -> bool {
+    let Some(rest) = text.strip_prefix("\u{1b}[") else {
+        return false;
+    };
+    let inside = |c: char| c.is_ascii_digit() || c == ';';
+    rest.trim_start_matches(inside).starts_with('m')
+}
+
+/// Writes data to standard output; whether anybody reads on.
+///
+/// # Errors
+/// It cannot be written, for another reason than that nobody reads on.
+pub fn data(text: &str, color: Color) -> Result<bool, Failure> {
     let mut stdout = std::io::stdout().lock();
     let color = match color.into() {
         ColorChoice::Auto => AutoStream::choice(&stdout),
@@ -38,7 +83,7 @@ pub fn data(text: &str, color: Color) -> Result<(), Failure> {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::new(format!(
             "standard output could not be written: {error}"
         ))),
-        _ => Ok(()),
+        written => Ok(written.is_ok()),
     }
 }
 
@@ -51,5 +96,26 @@ pub fn talk(failure: &Failure, color: Color) {
     let _ = writeln!(stream, "{red}error{red:#}: {}", failure.message);
     if let Some(help) = &failure.help {
         let _ = writeln!(stream, "{cyan}help{cyan:#}: {help}");
+    }
+}
+
+/// Says something on standard error that is no complaint.
+pub fn say(text: &str) {
+    // Where standard error is closed there is nobody to tell.
+    let _ = write!(std::io::stderr().lock(), "{text}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tamed;
+
+    #[test]
+    fn colours_stay_and_other_commands_do_not() {
+        let own = "\u{1b}[1;31mfails\u{1b}[0m\n\tδ";
+        assert_eq!(tamed(own), own);
+        assert_eq!(
+            tamed("\u{1b}[2J\u{1b}]0;x\u{7}\r\u{9b}31m\u{1b}"),
+            "\u{fffd}[2J\u{fffd}]0;x\u{fffd}\u{fffd}\u{fffd}31m\u{fffd}"
+        );
     }
 }

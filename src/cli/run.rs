@@ -6,15 +6,15 @@ use nalgebra::DVector;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::args::{Args, Command, Format};
-use super::{Failure, input, scenario, simulate};
+use super::args::{Args, Command, Format, Gate};
+use super::{Failure, audit, input, manual, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
 use crate::proofs;
-use crate::report::Report;
+use crate::report::{Report, codes};
 
-type Done = Result<(String, bool), Failure>;
+pub(super) type Done = Result<(String, bool), Failure>;
 
 /// Does what is asked.
 pub(super) fn run(args: &Args) -> Done {
@@ -24,18 +24,42 @@ pub(super) fn run(args: &Args) -> Done {
                 "for an outcome of your own: `cradle-verify scenario --before … --after …`",
             ));
         }
+        if args.gate != Gate::default() {
+            return Err(Failure::new("`--fail-on` and `--baseline` are for audits")
+                .help("a scenario fails where a law does"));
+        }
         return judged(&built_in(letter)?, args.format);
     }
+    if args.command.is_some() && args.gate != Gate::default() {
+        return Err(Failure::new(
+            "`--fail-on` and `--baseline` stand behind the command that they are for",
+        )
+        .help("`cradle-verify check --fail-on error page.md`"));
+    }
     match &args.command {
-        None => audit(&proofs::report(), args, &[]),
-        Some(Command::Check { paths }) => audit(&input::derivation(paths)?, args, &shown(paths)),
-        Some(Command::Explain { label, paths }) => {
-            let derivation = match paths.is_empty() {
+        None => audit::audit(&proofs::report(), args, &args.gate, &[]),
+        Some(Command::Check {
+            paths,
+            stdin_filename,
+            gate,
+            watch: _,
+        }) => {
+            let derivation = input::derivation(paths, stdin_filename.as_deref())?;
+            audit::audit(&derivation, args, gate, &shown(paths))
+        }
+        Some(Command::Explain {
+            label,
+            paths,
+            stdin_filename,
+        }) => {
+            let derivation = match paths.is_empty() && stdin_filename.is_none() {
                 true => proofs::report(),
-                false => input::derivation(paths)?,
+                false => input::derivation(paths, stdin_filename.as_deref())?,
             };
             explain(&derivation, label, args, &shown(paths))
         }
+        Some(Command::Completions { shell }) => Ok((manual::completions(*shell), false)),
+        Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?, false)),
         Some(Command::Scenario {
             before,
             after,
@@ -53,6 +77,7 @@ pub(super) fn run(args: &Args) -> Done {
             let text = match args.format {
                 Format::Human => simulation.human(),
                 Format::Json => pretty(&simulation.json())?,
+                other => return Err(no_audit(other)),
             };
             Ok((text, false))
         }
@@ -66,27 +91,18 @@ fn shown(paths: &[PathBuf]) -> Vec<String> {
         .collect()
 }
 
-fn audit(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
-    let audit = Audit::of(derivation);
-    let report = Report {
-        derivation,
-        audit: &audit,
-        paths,
-    };
-    let text = match args.format {
-        Format::Human => report.human(args.show_understood),
-        Format::Json => pretty(&report.json())?,
-    };
-    Ok((text, report.findings() > 0))
-}
-
 fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) -> Done {
     let found = derivation.find(label);
     let Some(found) = found else {
-        let failure = Failure::new(format!("there is no equation `{label}`"));
-        let near = crate::report::near::near_misses(derivation, label);
+        if let Some((code, text)) = codes::page(label) {
+            return meaning(code, text, args.format);
+        }
+        let failure = Failure::new(format!("there is no equation and no code `{label}`"));
+        let mut near = crate::report::near::near_misses(derivation, label);
+        near.extend(codes::near(label).map(str::to_owned));
         return Err(match near.is_empty() {
-            true => failure.help("the number as printed, `23`, or the name of a claim"),
+            true => failure
+                .help("the number as printed, `23`, the name of a claim, or the code of a finding"),
             false => failure.help(format!("there is {}", near.join(", "))),
         });
     };
@@ -110,11 +126,40 @@ fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) 
     let text = match args.format {
         Format::Human => all.iter().map(|&at| report.explain(at)).collect(),
         Format::Json => pretty(&report.json_of(&all))?,
+        other => return Err(no_audit(other)),
     };
     Ok((text, entries().any(|entry| entry.is_finding())))
 }
 
-fn pretty(value: &impl serde::Serialize) -> Result<String, Failure> {
+/// What a code means, as docs/notes.md says it.
+fn meaning(code: &str, text: &str, format: Format) -> Done {
+    let level = codes::level(code).map(codes::Level::word);
+    let shown = match format {
+        Format::Human => {
+            let bold = anstyle::Style::new().bold();
+            let level = level.map_or(String::new(), |level| format!("  {level}"));
+            format!("{bold}{code}{bold:#}{level}\n\n{text}\n")
+        }
+        Format::Json => pretty(&serde_json::json!({
+            "code": code,
+            "level": level,
+            "text": text,
+        }))?,
+        other => return Err(no_audit(other)),
+    };
+    Ok((shown, false))
+}
+
+/// A format that lists what an audit finds, asked of what is none.
+fn no_audit(format: Format) -> Failure {
+    let word = format.word();
+    Failure::new(format!(
+        "`--format {word}` lists the findings of an audit, and this is none"
+    ))
+    .help("`--format json` is for programs; `cradle-verify check` has all formats")
+}
+
+pub(super) fn pretty(value: &impl serde::Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(value)
         .map(|text| text + "\n")
         .map_err(|error| Failure::new(format!("the result cannot be written as JSON: {error}")))
@@ -125,6 +170,7 @@ fn judged(asked: &Scenario, format: Format) -> Done {
     let text = match format {
         Format::Human => scenario::human(&outcome),
         Format::Json => pretty(&scenario::json(&outcome))?,
+        other => return Err(no_audit(other)),
     };
     Ok((text, !scenario::holds(&outcome)))
 }

@@ -7,10 +7,11 @@ mod notes;
 
 use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Level, Renderer, Snippet};
 
-use crate::audit::{Note, Verdict};
+use crate::audit::{Entry, Note, Verdict};
 use crate::document::Span;
 
 use super::Report;
+use super::remark::{Known, Subject};
 
 /// One finding, before it is laid out.
 pub(super) struct Finding {
@@ -26,55 +27,80 @@ pub(super) struct Finding {
     pub said: Vec<(Level<'static>, String)>,
 }
 
+impl Finding {
+    /// What is said besides, names and texts, without layout.
+    pub(super) fn said_plainly(&self) -> Vec<(String, String)> {
+        let plain = |(level, text): &(Level<'static>, String)| (name_of(level), text.clone());
+        self.said.iter().map(plain).collect()
+    }
+}
+
 impl Report<'_> {
-    /// All findings, in reading order; those that rest on the same failing equation together.
-    pub fn diagnostics(&self) -> String {
+    /// All findings but those that are known, in reading order; those that rest on the same failing equation together.
+    pub fn diagnostics(&self, known: &Known) -> String {
         let mut text = String::new();
-        for finding in self.all_findings() {
+        for finding in self.all_findings(known) {
             text += &self.lay_out(&finding);
             text += "\n\n";
         }
         text
     }
 
-    fn all_findings(&self) -> Vec<Finding> {
+    fn all_findings(&self, known: &Known) -> Vec<Finding> {
+        let is_new = |subject: Subject, code: &'static str| !known.contains(&(subject, code));
+        let elsewhere = self.elsewhere().into_iter();
+        let elsewhere = elsewhere.filter(|(subject, finding)| is_new(*subject, finding.code));
+        let mut all: Vec<Finding> = elsewhere.map(|(_, finding)| finding).collect();
+        let mut told: Vec<&[usize]> = Vec::new();
+        for (at, entry) in self.audit.entries.iter().enumerate() {
+            let is_new = |code: &'static str| is_new(Subject::Entry(at), code);
+            for note in entry.notes.iter().filter(|note| is_new(note.code())) {
+                if let Note::RestsOn(on) = note
+                    && !told.contains(&on.as_slice())
+                {
+                    told.push(on);
+                    all.push(self.resting(on));
+                }
+            }
+            all.extend(self.of_entry(entry).into_iter().filter(|f| is_new(f.code)));
+        }
+        all.sort_by_key(|finding| (finding.page, finding.primary.0.start));
+        all
+    }
+
+    /// What is found besides equations: what could not be read, and suppositions that differ in dimension.
+    pub(super) fn elsewhere(&self) -> Vec<(Subject, Finding)> {
         let mut all = Vec::new();
         for (number, page) in self.derivation.pages.iter().enumerate() {
             for problem in &page.problems {
-                all.push(unreadable(
-                    number,
-                    problem.span,
-                    problem.message.clone(),
-                    problem.help.clone(),
-                ));
+                let (message, help) = (problem.message.clone(), problem.help.clone());
+                let finding = unreadable(number, problem.span, message, help);
+                all.push((Subject::Page(number, problem.span.start), finding));
             }
         }
         for (&(page, at), conflict) in &self.audit.dimensions.suppositions {
-            all.push(self.ill_supposed(page, at, conflict));
+            let finding = self.ill_supposed(page, at, conflict);
+            all.push((Subject::Page(page, finding.primary.0.start), finding));
         }
-        let mut told: Vec<&[usize]> = Vec::new();
-        for entry in &self.audit.entries {
-            let fails = entry.is_finding() && !entry.fails_as_marked();
-            match entry.verdict {
-                Verdict::Fails if fails => all.extend(self.failing(entry)),
-                Verdict::IllDimensioned if fails => all.extend(self.ill_dimensioned(entry)),
-                _ => {}
-            }
-            let apart = |note: &&Note| {
-                note.is_finding() && !(entry.is_wrong() && fails && super::belongs_to_failing(note))
-            };
-            for note in entry.notes.iter().filter(apart) {
-                match note {
-                    Note::RestsOn(on) if told.contains(&on.as_slice()) => {}
-                    Note::RestsOn(on) => {
-                        told.push(on);
-                        all.push(self.resting(on));
-                    }
-                    note => all.extend(self.noted(entry, note)),
-                }
-            }
+        all
+    }
+
+    /// What is found of an entry, but for what it rests on, which is told together with others.
+    pub(super) fn of_entry(&self, entry: &Entry) -> Vec<Finding> {
+        let mut all = Vec::new();
+        let fails = entry.is_wrong() && !entry.fails_as_marked();
+        match entry.verdict {
+            Verdict::Fails if fails => all.extend(self.failing(entry)),
+            Verdict::IllDimensioned if fails => all.extend(self.ill_dimensioned(entry)),
+            _ => {}
         }
-        all.sort_by_key(|finding| (finding.page, finding.primary.0.start));
+        let apart = |note: &&Note| {
+            let elsewhere = matches!(note, Note::RestsOn(_));
+            note.is_finding() && !elsewhere && !(fails && super::belongs_to_failing(note))
+        };
+        for note in entry.notes.iter().filter(apart) {
+            all.extend(self.noted(entry, note));
+        }
         all
     }
 
@@ -147,6 +173,13 @@ fn within(source: &str, span: Span) -> std::ops::Range<usize> {
         end += 1;
     }
     start..end
+}
+
+/// The name that a level is printed with, which the renderer alone knows.
+fn name_of(level: &Level<'static>) -> String {
+    let group = Group::with_title(level.clone().secondary_title("|"));
+    let shown = Renderer::plain().render(&[group]);
+    shown.trim().trim_end_matches(": |").to_owned()
 }
 
 /// What to type to see one equation's evidence in full.

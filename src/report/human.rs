@@ -1,13 +1,19 @@
 //! The whole page for people: a line for each equation, the findings explained, the summary.
 
 use super::Report;
+use super::remark::Known;
 use super::style::{BOLD, DIM, paint};
 
 impl Report<'_> {
     /// The page, with colours in it. `show_understood` adds to each line what was read.
     pub fn human(&self, show_understood: bool) -> String {
+        self.human_but(show_understood, &Known::new())
+    }
+
+    /// The page without what is known of its findings.
+    pub fn human_but(&self, show_understood: bool, known: &Known) -> String {
         let mut text = self.lines(show_understood);
-        let findings = self.diagnostics();
+        let findings = self.diagnostics(known);
         if !findings.is_empty() {
             text += &paint(BOLD, "Findings");
             text += "\n\n";

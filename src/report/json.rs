@@ -13,6 +13,7 @@ use crate::kernel::dimension::{Form, What};
 use crate::notation::{latex, latex_statement};
 
 use super::Report;
+use super::baseline::Comparison;
 use super::dimension::{called, declared};
 use super::implied;
 use super::numeric::{decimal, headline};
@@ -25,6 +26,9 @@ pub struct AuditView {
     pub documents: Vec<DocumentView>,
     /// How many statements have each verdict; all five are always there.
     pub summary: BTreeMap<&'static str, usize>,
+    /// How the audit differs from a baseline; absent where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub baseline: Option<Comparison>,
 }
 
 /// One document.
@@ -225,10 +229,14 @@ impl Report<'_> {
                 problems: problems.chain(supposed).collect(),
             });
         }
-        AuditView { documents, summary }
+        AuditView {
+            documents,
+            summary,
+            baseline: None,
+        }
     }
 
-    fn equation_view(&self, entry: &Entry) -> EquationView {
+    pub(super) fn equation_view(&self, entry: &Entry) -> EquationView {
         let equation = self.equation(entry.equation);
         let document = &self.derivation.pages[equation.page].document;
         let place = document.position(equation.body.start);

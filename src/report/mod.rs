@@ -5,26 +5,43 @@
 //! `summary`; `explain` writes out one equation's evidence so that it can be checked by hand; `json` is
 //! for programs. `words` has what all of them say alike.
 //!
+//! The views for editors and for continuous integration list a [`remark::Remark`] each: `short`, `github`, `sarif` and
+//! `junit`. `codes` says how grave each is, `baseline` which are known.
+//!
 //! Every view is a `String` with colours in it; whoever prints it leaves them out where they are not wanted.
 
+pub mod baseline;
+pub mod codes;
 pub mod diagnostic;
 mod dimension;
 pub mod evidence;
 pub mod explain;
+mod fingerprint;
+mod fix;
+mod github;
 pub mod human;
 pub mod implied;
 mod json;
+mod junit;
 pub mod line;
 pub mod near;
 mod numeric;
+mod place;
 pub mod proof;
+pub mod remark;
+mod sarif;
 mod scaling;
+mod short;
 mod style;
 pub mod summary;
 mod words;
 
 use crate::audit::{Audit, Entry, Note};
 use crate::derivation::Derivation;
+
+pub use fix::Fix;
+pub use github::github;
+pub use short::short;
 
 /// A derivation with its audit: what every view looks at.
 #[derive(Clone, Copy, Debug)]
@@ -40,10 +57,13 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// How many findings there are, places that could not be read included.
     pub fn findings(&self) -> usize {
-        let unread: usize = (0..self.derivation.pages.len())
-            .map(|page| self.problems(page))
-            .sum();
-        unread + self.audit.entries.iter().map(findings_of).sum::<usize>()
+        self.unread() + self.audit.entries.iter().map(findings_of).sum::<usize>()
+    }
+
+    /// How much there is to mend besides equations, on all pages.
+    pub fn unread(&self) -> usize {
+        let pages = 0..self.derivation.pages.len();
+        pages.map(|page| self.problems(page)).sum()
     }
 
     /// How much there is to mend on a page besides equations: what could not be read, and suppositions that compare

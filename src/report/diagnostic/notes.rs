@@ -27,16 +27,7 @@ impl Report<'_> {
         equations.dedup();
         let first = equations[0];
         let verb = |number: usize| if number == 1 { "rests" } else { "rest" };
-        let ill = |at: &usize| {
-            let mut wrong = self.audit.of_equation(*at).iter().filter(|e| e.is_wrong());
-            wrong.all(|e| e.verdict == Verdict::IllDimensioned)
-        };
-        let fails = match (on.iter().all(ill), on.len()) {
-            (true, 1) => "is ill-dimensioned",
-            (true, _) => "are ill-dimensioned",
-            (false, 1) => "fails",
-            (false, _) => "fail",
-        };
+        let fails = self.how_they_fail(on);
         let mut said = vec![(
             Level::NOTE,
             "each step follows from what it cites; what it comes from is false".to_owned(),
@@ -61,6 +52,20 @@ impl Report<'_> {
             primary: (self.equation(first).body, String::new()),
             context: Vec::new(),
             said,
+        }
+    }
+
+    /// The end of "… rests on …, which …".
+    pub(in super::super) fn how_they_fail(&self, on: &[usize]) -> &'static str {
+        let ill = |at: &usize| {
+            let mut wrong = self.audit.of_equation(*at).iter().filter(|e| e.is_wrong());
+            wrong.all(|e| e.verdict == Verdict::IllDimensioned)
+        };
+        match (on.iter().all(ill), on.len()) {
+            (true, 1) => "is ill-dimensioned",
+            (true, _) => "are ill-dimensioned",
+            (false, 1) => "fails",
+            (false, _) => "fail",
         }
     }
 

@@ -1,0 +1,111 @@
+//! An audit in the format that is asked for, held against a baseline where there is one.
+
+use std::path::Path;
+
+use super::args::{Args, Format, Gate};
+use super::run::{Done, pretty};
+use super::{Failure, file, output, progress};
+use crate::derivation::Derivation;
+use crate::report::baseline::{Baseline, Comparison};
+use crate::report::codes::{self, Level};
+use crate::report::remark::Known;
+use crate::report::{Report, github, short};
+
+/// Audits a derivation; the paths are those that were asked for.
+pub(super) fn audit(derivation: &Derivation, args: &Args, gate: &Gate, paths: &[String]) -> Done {
+    let audit = progress::audited(derivation);
+    let report = Report {
+        derivation,
+        audit: &audit,
+        paths,
+    };
+    let here = std::env::current_dir().unwrap_or_default();
+    let comparison = match &gate.baseline {
+        Some(path) => Some(compared(&report, path, gate.update_baseline, &here)?),
+        None => None,
+    };
+    let text = view(&report, comparison.as_ref(), args, gate, &here)?;
+    Ok((text, fails(&report, comparison.as_ref(), gate)))
+}
+
+/// Reads the baseline, or writes it.
+fn compared(
+    report: &Report<'_>,
+    path: &Path,
+    update: bool,
+    here: &Path,
+) -> Result<Comparison, Failure> {
+    let shown = path.display();
+    if update {
+        let baseline = report.baseline(here);
+        file::replace(path, &baseline.written())?;
+        output::say(&format!("wrote {shown}: {}\n", baseline.size()));
+        return Ok(report.compared(&baseline, here));
+    }
+    let text = std::fs::read_to_string(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::NotFound => Failure::new(format!("there is no baseline `{shown}`"))
+            .help("`--update-baseline` writes one"),
+        _ => Failure::new(format!("`{shown}` cannot be read: {error}")),
+    })?;
+    let baseline = Baseline::read(&text).map_err(|error| {
+        Failure::new(format!("`{shown}` {error}")).help("`--update-baseline` writes it anew")
+    })?;
+    Ok(report.compared(&baseline, here))
+}
+
+fn view(
+    report: &Report<'_>,
+    comparison: Option<&Comparison>,
+    args: &Args,
+    gate: &Gate,
+    here: &Path,
+) -> Result<String, Failure> {
+    let nothing = Known::new();
+    let known = comparison.map_or(&nothing, |comparison| &comparison.remarks);
+    let strict = gate.strict_baseline;
+    if let Some(comparison) = comparison
+        && args.format != Format::Human
+    {
+        let told = comparison.differences.iter();
+        if told.clone().any(|d| strict || d.change.concerns()) {
+            output::say(&format!("baseline:\n{}", comparison.told(strict)));
+        }
+    }
+    let remarks = || report.remarks(here, known);
+    Ok(match args.format {
+        Format::Human => {
+            let mut text = report.human_but(args.show_understood, known);
+            if let Some(comparison) = comparison {
+                let bold = anstyle::Style::new().bold();
+                let told = comparison.told(strict);
+                text += &format!("\n{bold}Baseline{bold:#}\n\n{told}");
+            }
+            text
+        }
+        Format::Json => {
+            let mut view = report.json();
+            view.baseline = comparison.cloned();
+            pretty(&view)?
+        }
+        Format::Short => short(&remarks()),
+        Format::Github => github(&remarks()),
+        Format::Sarif => pretty(&report.sarif(&remarks(), comparison.is_some()))?,
+        Format::Junit => report.junit(&remarks(), gate.fail_on.level(), here),
+    })
+}
+
+/// Whether the exit code is 1.
+fn fails(report: &Report<'_>, comparison: Option<&Comparison>, gate: &Gate) -> bool {
+    let least = gate.fail_on.level();
+    if let Some(comparison) = comparison {
+        let mut differences = comparison.differences.iter();
+        return differences.any(|d| gate.strict_baseline || d.change.fails(least));
+    }
+    let Some(least) = least else {
+        return false;
+    };
+    let grave = |code: &str| codes::level(code) >= Some(least);
+    let mut entries = report.audit.entries.iter();
+    report.unread() > 0 && Level::Error >= least
+        || entries.any(|entry| report.codes(entry).into_iter().any(grave))
+}

@@ -1,0 +1,338 @@
+//! What was found once, written down, and how what is found now differs from it.
+//!
+//! A baseline has a line for each statement with its verdict and the codes of what is remarked on it. Statements are known
+//! by their fingerprints, so that lines may move; the path and the text of a statement are there for who reads a diff.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::Report;
+use super::codes::{self, Level};
+use super::place::relative;
+use super::remark::{Known, Subject};
+use super::words::count;
+
+/// The version of the layout.
+const VERSION: u32 = 1;
+
+/// A baseline.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Baseline {
+    version: u32,
+    statements: Vec<Line>,
+}
+
+/// What is recorded of a statement, or of a place that could not be read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Line {
+    path: String,
+    /// The number or name; empty where there is none.
+    equation: String,
+    /// Absent for what is no equation.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    verdict: Option<String>,
+    codes: Vec<String>,
+    fingerprint: String,
+    statement: String,
+}
+
+/// A statement that is not as it was.
+#[derive(Clone, Debug, Serialize)]
+pub struct Difference {
+    /// The path of its page.
+    pub path: String,
+    /// Its number or name; empty where there is none.
+    pub equation: String,
+    /// What it states.
+    pub statement: String,
+    /// How it differs.
+    #[serde(flatten)]
+    pub change: Change,
+}
+
+/// How a statement differs from what is recorded.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "change", rename_all = "kebab-case")]
+pub enum Change {
+    /// These are remarked now and were not.
+    New {
+        /// Their codes.
+        codes: Vec<String>,
+    },
+    /// These were remarked and are no more.
+    Gone {
+        /// Their codes.
+        codes: Vec<String>,
+    },
+    /// The verdict is another.
+    Verdict {
+        /// What it was.
+        was: String,
+        /// What it is.
+        is: String,
+    },
+    /// The statement was not there.
+    Added,
+    /// The statement is not there any more.
+    Removed,
+}
+
+/// A baseline held against what is found now.
+#[derive(Clone, Debug, Serialize)]
+pub struct Comparison {
+    /// How many findings the baseline knows.
+    pub known: usize,
+    /// What is not as recorded, in the order of the baseline.
+    pub differences: Vec<Difference>,
+    /// Which remarks are known.
+    #[serde(skip)]
+    pub remarks: Known,
+}
+
+impl Report<'_> {
+    /// What there is to record; paths are told from `here`.
+    pub fn baseline(&self, here: &Path) -> Baseline {
+        let mut lines: Vec<Line> = self.lines_now(here).into_iter().map(|(_, l)| l).collect();
+        lines.sort_by_cached_key(Line::order);
+        Baseline {
+            version: VERSION,
+            statements: lines,
+        }
+    }
+
+    fn lines_now(&self, here: &Path) -> Vec<(Vec<(Subject, &'static str)>, Line)> {
+        let mut lines = Vec::new();
+        for remark in self.remarks(here, &Known::new()) {
+            if let Subject::Page(..) = remark.subject {
+                let line = Line {
+                    path: remark.path,
+                    equation: String::new(),
+                    verdict: None,
+                    codes: vec![remark.code.to_owned()],
+                    fingerprint: remark.fingerprint,
+                    statement: remark.title,
+                };
+                lines.push((vec![(remark.subject, remark.code)], line));
+            }
+        }
+        let fingerprints = self.fingerprints().into_iter();
+        for (at, fingerprint) in fingerprints.enumerate() {
+            let entry = &self.audit.entries[at];
+            let page = self.equation(entry.equation).page;
+            let codes = self.codes(entry);
+            let line = Line {
+                path: relative(&self.derivation.pages[page].document.path, here),
+                equation: self.key(at),
+                verdict: Some(entry.verdict.word().to_owned()),
+                codes: codes.iter().map(|code| (*code).to_owned()).collect(),
+                fingerprint,
+                statement: self.content(at),
+            };
+            let subject = Subject::Entry(at);
+            lines.push((codes.into_iter().map(|c| (subject, c)).collect(), line));
+        }
+        lines
+    }
+
+    /// How what is found differs from a baseline.
+    pub fn compared(&self, with: &Baseline, here: &Path) -> Comparison {
+        let recorded = with.statements.iter();
+        let mut recorded: BTreeMap<&str, &Line> =
+            recorded.map(|l| (l.fingerprint.as_str(), l)).collect();
+        let mut comparison = Comparison {
+            known: 0,
+            differences: Vec::new(),
+            remarks: Known::new(),
+        };
+        let mut changed: Vec<(Line, Change)> = Vec::new();
+        for (remarks, now) in self.lines_now(here) {
+            let was = recorded.remove(now.fingerprint.as_str());
+            let before = was.map_or(&[][..], |was| &was.codes);
+            let new = without(&now.codes, before);
+            for &(subject, code) in &remarks {
+                if !new.iter().any(|own| own == code) {
+                    comparison.remarks.insert((subject, code));
+                    comparison.known += usize::from(codes::level(code) > Some(Level::Note));
+                }
+            }
+            let gone = without(before, &now.codes);
+            let verdict = was.map(|was| (&was.verdict, &now.verdict));
+            if let Some((Some(was), Some(is))) = verdict
+                && was != is
+            {
+                let (was, is) = (was.clone(), is.clone());
+                changed.push((now.clone(), Change::Verdict { was, is }));
+            }
+            if !new.is_empty() {
+                changed.push((now.clone(), Change::New { codes: new }));
+            } else if was.is_none() {
+                changed.push((now.clone(), Change::Added));
+            }
+            if !gone.is_empty() {
+                changed.push((now, Change::Gone { codes: gone }));
+            }
+        }
+        for line in recorded.into_values() {
+            let change = match line.codes.is_empty() {
+                true => Change::Removed,
+                false => Change::Gone {
+                    codes: line.codes.clone(),
+                },
+            };
+            changed.push((line.clone(), change));
+        }
+        changed.sort_by_cached_key(|(line, change)| {
+            let (path, before, number, after, fingerprint) = line.order();
+            (path, before, number, after, change.rank(), fingerprint)
+        });
+        let differences = changed.into_iter().map(|(line, change)| Difference {
+            path: line.path,
+            equation: line.equation,
+            statement: line.statement,
+            change,
+        });
+        comparison.differences = differences.collect();
+        comparison
+    }
+}
+
+/// What is in the first list and not in the second; what is there twice must be so in both.
+fn without(all: &[String], known: &[String]) -> Vec<String> {
+    let mut known: Vec<&String> = known.iter().collect();
+    let mut left = all.to_vec();
+    left.retain(|code| match known.iter().position(|own| *own == code) {
+        Some(at) => {
+            known.swap_remove(at);
+            false
+        }
+        None => true,
+    });
+    left
+}
+
+impl Line {
+    /// By page, then by number: (9) before (10).
+    fn order(&self) -> (String, String, u64, String, String) {
+        let digit = |c: char| c.is_ascii_digit();
+        let label = &self.equation;
+        let start = label.find(digit).unwrap_or(label.len());
+        let (before, rest) = label.split_at(start);
+        let end = rest.find(|c| !digit(c)).unwrap_or(rest.len());
+        let (number, after) = rest.split_at(end);
+        (
+            self.path.clone(),
+            before.to_owned(),
+            number.parse().unwrap_or(u64::MAX),
+            after.to_owned(),
+            self.fingerprint.clone(),
+        )
+    }
+}
+
+impl Baseline {
+    /// The file: JSON, a statement on each line.
+    pub fn written(&self) -> String {
+        let lines = self.statements.iter();
+        let lines = lines.filter_map(|line| serde_json::to_string(line).ok());
+        let lines: Vec<String> = lines.map(|line| format!("    {line}")).collect();
+        let version = self.version;
+        match lines.is_empty() {
+            true => format!("{{\n  \"version\": {version},\n  \"statements\": []\n}}\n"),
+            false => format!(
+                "{{\n  \"version\": {version},\n  \"statements\": [\n{}\n  ]\n}}\n",
+                lines.join(",\n")
+            ),
+        }
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// It is no baseline, or one of another version; in a clause.
+    pub fn read(text: &str) -> Result<Baseline, String> {
+        let version = serde_json::from_str::<serde_json::Value>(text)
+            .map_err(|error| format!("is no JSON: {error}"))?;
+        match version.get("version").and_then(serde_json::Value::as_u64) {
+            Some(version) if version == u64::from(VERSION) => {}
+            Some(version) => return Err(format!("has the version {version}, not {VERSION}")),
+            None => return Err("is no baseline: it has no `version`".into()),
+        }
+        serde_json::from_str(text).map_err(|error| format!("is no baseline: {error}"))
+    }
+
+    /// How many statements are recorded, and how many findings.
+    pub fn size(&self) -> String {
+        let codes = self.statements.iter().flat_map(|line| &line.codes);
+        let findings = codes.filter(|code| codes::level(code) > Some(Level::Note));
+        let statements = count(self.statements.len(), "statement");
+        format!("{statements}, {}", count(findings.count(), "finding"))
+    }
+}
+
+impl Change {
+    /// Whether it makes a run fail at a level. What was proved and is not any more is as grave as an error.
+    pub fn fails(&self, fail_on: Option<Level>) -> bool {
+        match (self, fail_on) {
+            (Change::New { codes }, Some(level)) => {
+                codes.iter().any(|code| codes::level(code) >= Some(level))
+            }
+            (Change::Verdict { was, is }, Some(_)) => was == "holds" && is == "undecided",
+            _ => false,
+        }
+    }
+
+    /// What was there is told before what is.
+    fn rank(&self) -> usize {
+        match self {
+            Change::Removed => 0,
+            Change::Gone { .. } => 1,
+            Change::Verdict { .. } => 2,
+            Change::New { .. } => 3,
+            Change::Added => 4,
+        }
+    }
+
+    /// Whether it is told where the comparison is not strict: a statement more or less is then nobody's concern.
+    pub fn concerns(&self) -> bool {
+        !matches!(self, Change::Added | Change::Removed)
+    }
+}
+
+impl Comparison {
+    /// The comparison in words, a line for each difference.
+    pub fn told(&self, strict: bool) -> String {
+        let told = self.differences.iter();
+        let told = told.filter(|difference| strict || difference.change.concerns());
+        let mut text = String::new();
+        for difference in told.clone() {
+            let (word, what) = match &difference.change {
+                Change::New { codes } => ("new", codes.join(", ")),
+                Change::Gone { codes } => ("gone", codes.join(", ")),
+                Change::Verdict { was, is } => ("changed", format!("{was} → {is}")),
+                Change::Added => ("added", String::new()),
+                Change::Removed => ("removed", String::new()),
+            };
+            let subject = match difference.equation.is_empty() {
+                true => super::words::shortened(&difference.statement, 40),
+                false => difference.equation.clone(),
+            };
+            let subject = super::place::one_line(&subject);
+            let path = super::place::one_line(&difference.path);
+            let parts = [subject, what, path];
+            let parts: Vec<String> = parts.into_iter().filter(|p| !p.is_empty()).collect();
+            text += &format!("  {word:<7}  {}", parts.join("  "));
+            text.push('\n');
+        }
+        let known = count(self.known, "known finding");
+        let number = told.count();
+        let closing = match number {
+            0 => "nothing else has changed".to_owned(),
+            _ => count(number, "difference"),
+        };
+        text + &format!("{known}; {closing}.\n")
+    }
+}

@@ -1,0 +1,101 @@
+//! docs/ci.md: each of its commands is run in order, in a folder with one page, and says what the page shows.
+
+use std::path::Path;
+use std::process::Command;
+
+use crate::{folder, root};
+
+/// Commands with what they print; `…` stands for any number of lines.
+fn commands(page: &str) -> Vec<(usize, String, Vec<String>)> {
+    let mut found: Vec<(usize, String, Vec<String>)> = Vec::new();
+    let mut inside = false;
+    for (at, line) in page.lines().enumerate() {
+        match line.strip_prefix("```") {
+            Some("console") => inside = true,
+            Some(_) => inside = false,
+            None if !inside => {}
+            None => match (line.strip_prefix("$ "), found.last_mut()) {
+                (Some(command), _) => found.push((at + 1, command.to_owned(), Vec::new())),
+                (None, Some((.., shown))) => shown.push(line.trim_end().to_owned()),
+                (None, None) => panic!("line {}: output without a command", at + 1),
+            },
+        }
+    }
+    found
+}
+
+/// Whether lines are as shown.
+fn matches(shown: &[String], said: &[&str]) -> bool {
+    match shown.split_first() {
+        None => said.is_empty(),
+        Some((first, rest)) if first == "…" => {
+            (0..=said.len()).any(|skipped| matches(rest, &said[skipped..]))
+        }
+        Some((first, rest)) => said.first() == Some(&first.as_str()) && matches(rest, &said[1..]),
+    }
+}
+
+#[test]
+fn every_command_of_the_guide_says_what_is_shown() {
+    let page = std::fs::read_to_string(root().join("docs/ci.md")).unwrap();
+    let commands = commands(&page);
+    assert!(commands.len() >= 10, "the guide has lost its commands");
+    let folder = folder("guide");
+    std::fs::create_dir(folder.join("report")).unwrap();
+    std::fs::copy(
+        root().join("docs/examples/well.md"),
+        folder.join("report/well.md"),
+    )
+    .unwrap();
+    let program = Path::new(env!("CARGO_BIN_EXE_cradle-verify"))
+        .parent()
+        .unwrap();
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths(
+        [program.to_owned()]
+            .into_iter()
+            .chain(std::env::split_paths(&path)),
+    )
+    .unwrap();
+    let mut last = 0;
+    for (line, command, shown) in commands {
+        let output = Command::new("sh")
+            .args(["-c", &format!("(exit {last}); {command} 2>&1")])
+            .current_dir(&folder)
+            .env("PATH", &path)
+            .output()
+            .unwrap();
+        last = output.status.code().expect("an exit code");
+        let said = String::from_utf8(output.stdout).unwrap();
+        let said: Vec<&str> = said.lines().map(str::trim_end).collect();
+        assert!(
+            matches(&shown, &said),
+            "docs/ci.md:{line}: {command}\nsaid: {said:#?}"
+        );
+    }
+}
+
+#[test]
+fn the_files_of_the_guide_are_those_of_the_repository() {
+    // No YAML reader is worth its weight here: what matters is that nothing of a caller's is put into a script.
+    let action = std::fs::read_to_string(root().join("action.yml")).unwrap();
+    let mut script = false;
+    let mut scripts = 0;
+    for line in action.lines() {
+        let indent = line.len() - line.trim_start().len();
+        if line.trim_start().starts_with("run:") {
+            (script, scripts) = (true, scripts + 1);
+        } else if script && indent <= 6 && !line.trim().is_empty() {
+            script = false;
+        }
+        assert!(
+            !(script && line.contains("${{")),
+            "an input in a script: {line}"
+        );
+    }
+    assert!(scripts >= 2, "the action has lost its scripts");
+    let hooks = std::fs::read_to_string(root().join(".pre-commit-hooks.yaml")).unwrap();
+    assert!(hooks.contains("entry: cradle-verify check"));
+    let workflow = std::fs::read_to_string(root().join(".github/workflows/ci.yml")).unwrap();
+    assert!(workflow.contains("run: .ci/run"));
+}

@@ -1,0 +1,243 @@
+//! Standard input, files that are written, what is generated from the arguments, and the watch.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+use std::sync::atomic::AtomicUsize;
+use std::time::{Duration, Instant};
+
+use cradle_verify::audit::Audit;
+use cradle_verify::proofs;
+use cradle_verify::report::Report;
+
+use crate::{code, err, json, out, piped, run, run_in, well};
+
+const FALSE: &str = "<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$";
+
+#[test]
+fn standard_input_has_the_name_that_it_is_given() {
+    let plain = piped(&["check", "-", "--format", "short"], FALSE);
+    assert!(
+        out(&plain).starts_with("standard input:2:"),
+        "{}",
+        out(&plain)
+    );
+    let args = ["check", "-", "--stdin-filename", "a/b.md", "--format"];
+    let named = piped(&[&args[..], &["short"]].concat(), FALSE);
+    assert_eq!(code(&named), 1);
+    assert!(out(&named).starts_with("a/b.md:2:"), "{}", out(&named));
+    let sarif = json(&piped(&[&args[..], &["sarif"]].concat(), FALSE));
+    let place = &sarif["runs"][0]["results"][0]["locations"][0]["physicalLocation"];
+    assert_eq!(place["artifactLocation"]["uri"], "a/b.md");
+    let explained = piped(&["explain", "1", "-", "--stdin-filename", "a/b.md"], FALSE);
+    assert!(out(&explained).contains("a/b.md:2:"), "{}", out(&explained));
+    let useless = run(&["check", "docs", "--stdin-filename", "x"]);
+    assert_eq!(code(&useless), 2);
+    assert!(
+        err(&useless).contains("which is not read"),
+        "{}",
+        err(&useless)
+    );
+}
+
+#[test]
+fn output_goes_to_a_file_as_a_whole() {
+    let (folder, _) = well("output");
+    let file = folder.join("out.txt");
+    std::fs::write(&file, "old and longer than nothing").unwrap();
+    for format in ["human", "short", "json", "sarif", "github", "junit"] {
+        let args = ["check", "well.md", "--format", format];
+        let direct = run_in(&folder, &args);
+        let output = run_in(&folder, &[&args[..], &["--output", "out.txt"]].concat());
+        assert_eq!(
+            (code(&output), out(&output)),
+            (1, String::new()),
+            "{format}"
+        );
+        assert_eq!(std::fs::read(&file).unwrap(), direct.stdout, "{format}");
+    }
+    let names = std::fs::read_dir(&folder).unwrap();
+    assert_eq!(names.count(), 2, "a temporary file is left");
+    let output = run_in(&folder, &["check", "well.md", "--output", "none/out.txt"]);
+    assert_eq!(code(&output), 2);
+    assert!(
+        err(&output).contains("`none/out.txt` could not be written"),
+        "{}",
+        err(&output)
+    );
+    // What cannot be judged leaves the file alone.
+    let before = std::fs::read(&file).unwrap();
+    assert_eq!(
+        code(&run_in(
+            &folder,
+            &["check", "gone.md", "--output", "out.txt"]
+        )),
+        2
+    );
+    assert_eq!(std::fs::read(&file).unwrap(), before);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_and_the_rights_of_a_file_stay() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let (folder, _) = well("link");
+    let (file, link) = (folder.join("real.txt"), folder.join("link.txt"));
+    std::fs::write(&file, "").unwrap();
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o600)).unwrap();
+    symlink("real.txt", &link).unwrap();
+    run_in(&folder, &["check", "well.md", "--output", "link.txt"]);
+    assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(
+        std::fs::read_to_string(&file)
+            .unwrap()
+            .contains("A stone down a well")
+    );
+    assert_eq!(
+        std::fs::metadata(&file).unwrap().permissions().mode() & 0o777,
+        0o600
+    );
+    let through = run_in(
+        &folder,
+        &[
+            "check",
+            "well.md",
+            "--format",
+            "short",
+            "--output",
+            "/dev/stdout",
+        ],
+    );
+    assert!(
+        out(&through).starts_with("well.md:33:"),
+        "{}",
+        err(&through)
+    );
+}
+
+#[test]
+fn colours_are_only_for_terminals_or_where_they_are_asked_for() {
+    let always = out(&run(&["explain", "fails", "--color", "always"]));
+    assert!(always.contains('\u{1b}'));
+    assert!(!out(&run(&["explain", "fails"])).contains('\u{1b}'));
+    for format in ["short", "json", "sarif", "github", "junit"] {
+        let text = out(&run(&["--format", format, "--color", "always"]));
+        assert!(!text.contains('\u{1b}'), "{format}");
+    }
+}
+
+#[test]
+fn no_page_commands_a_terminal() {
+    let folder = crate::hostile("hostile-terminal");
+    for args in [&["check", "."][..], &["explain", "2", "page.md"]] {
+        let text = out(&run_in(&folder, &[args, &["--color", "always"]].concat()));
+        for after in text.split('\u{1b}').skip(1) {
+            let rest = after.strip_prefix('[').unwrap_or(after);
+            let rest = rest.trim_start_matches(|c: char| c.is_ascii_digit() || c == ';');
+            assert!(rest.starts_with('m'), "{after:?}");
+        }
+        let other = |c: char| c.is_control() && !['\n', '\u{1b}'].contains(&c);
+        assert_eq!(text.chars().find(|c| other(*c)), None);
+    }
+}
+
+#[test]
+fn the_audit_is_the_same_by_any_number_of_threads() {
+    let derivation = proofs::report();
+    let seen = |threads: usize| {
+        let done = AtomicUsize::new(0);
+        let audit = Audit::by(&derivation, threads, &done);
+        assert_eq!(done.into_inner(), derivation.equations.len());
+        let report = Report {
+            derivation: &derivation,
+            audit: &audit,
+            paths: &[],
+        };
+        let remarks = report.remarks(std::path::Path::new(""), &Default::default());
+        (
+            report.human(true),
+            serde_json::to_string(&report.json()).unwrap(),
+            format!("{remarks:?}"),
+        )
+    };
+    let one = seen(1);
+    for threads in [0, 2, 3, 8] {
+        assert!(seen(threads) == one, "{threads} threads");
+    }
+}
+
+#[test]
+fn completions_and_manual_pages_know_the_commands() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let output = run(&["completions", shell]);
+        assert_eq!(code(&output), 0, "{}", err(&output));
+        for word in ["explain", "strict-baseline"] {
+            assert!(out(&output).contains(word), "{shell}: {word}");
+        }
+    }
+    assert_eq!(code(&run(&["completions", "tcsh"])), 2);
+    let page = out(&run(&["man"]));
+    assert!(
+        page.contains(".TH cradle-verify 1") && page.contains("cradle\\-verify\\-check(1)"),
+        "{page}"
+    );
+    let check = out(&run(&["man", "check"]));
+    assert!(
+        check.contains(".TH cradle-verify-check 1") && check.contains("strict\\-baseline"),
+        "{check}"
+    );
+    let unknown = run(&["man", "chekc"]);
+    assert_eq!(code(&unknown), 2);
+    assert!(err(&unknown).contains("check"), "{}", err(&unknown));
+}
+
+#[test]
+fn a_watched_page_is_audited_again_when_it_changes() {
+    let (folder, text) = well("watch");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+        .args(["check", "well.md", "--watch", "--format", "short"])
+        .current_dir(&folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let (lines, heard) = std::sync::mpsc::channel();
+    for pipe in [
+        Box::new(child.stdout.take().unwrap()) as Box<dyn std::io::Read + Send>,
+        Box::new(child.stderr.take().unwrap()),
+    ] {
+        let lines = lines.clone();
+        std::thread::spawn(move || {
+            for line in BufReader::new(pipe).lines().map_while(Result::ok) {
+                let _ = lines.send(line);
+            }
+        });
+    }
+    let end = Instant::now() + Duration::from_secs(60);
+    let wait_for = |part: &str| -> Result<(), String> {
+        let mut said = Vec::new();
+        loop {
+            let left = end.saturating_duration_since(Instant::now());
+            match heard.recv_timeout(left) {
+                Ok(line) if line.contains(part) => return Ok(()),
+                Ok(line) => said.push(line),
+                Err(_) => return Err(format!("not said: {part}; said: {said:?}")),
+            }
+        }
+    };
+    let page = folder.join("well.md");
+    let story = (|| {
+        wait_for("watching 1 document; Ctrl-C ends")?;
+        std::fs::write(&page, text.replace(r"\frac{v^2}{2 g}", r"\frac{v^2}{50 g}")).unwrap();
+        wait_for("well.md:25:8: error[fails]: equation (4)")?;
+        wait_for("watching 1 document")?;
+        std::fs::remove_file(&page).unwrap();
+        wait_for("there is no file or directory")?;
+        std::fs::write(&page, &text).unwrap();
+        wait_for("error[fails]: equation (6)")
+    })();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert_eq!(story, Ok(()));
+    let refused = piped(&["check", "-", "--watch"], FALSE);
+    assert_eq!(code(&refused), 2);
+}
