@@ -17,6 +17,9 @@ pub struct Args {
     /// Judge one of the report's scenarios by its letter: A, B, C or D.
     #[arg(long, value_name = "LETTER")]
     pub scenario: Option<String>,
+    /// Which of the pages that ship inside to audit or explain, where no path is given; without it, the report.
+    #[arg(long, global = true, value_enum)]
+    pub builtin: Option<Builtin>,
     /// For people or for programs.
     #[arg(long, global = true, value_enum, default_value_t = Format::Human)]
     pub format: Format,
@@ -76,6 +79,15 @@ pub enum Command {
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
     },
+}
+
+/// The pages that ship inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Builtin {
+    /// The report on Newton's cradle, with its errors.
+    Report,
+    /// What is true instead of its errors.
+    Corrected,
 }
 
 /// How balls collide.

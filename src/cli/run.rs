@@ -6,7 +6,7 @@ use nalgebra::DVector;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::args::{Args, Command, Format};
+use super::args::{Args, Builtin, Command, Format};
 use super::{Failure, input, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
@@ -25,6 +25,9 @@ pub(super) fn run(args: &Args) -> Done {
             ));
         }
         return judged(&built_in(letter)?, args.format);
+    }
+    if let Some(builtin) = args.builtin {
+        return inside(builtin, args);
     }
     match &args.command {
         None => audit(&proofs::report(), args, &[]),
@@ -56,6 +59,25 @@ pub(super) fn run(args: &Args) -> Done {
             };
             Ok((text, false))
         }
+    }
+}
+
+/// Audits or explains pages that ship inside.
+fn inside(builtin: Builtin, args: &Args) -> Done {
+    let (derivation, shown): (Derivation, &[&str]) = match builtin {
+        Builtin::Report => (proofs::report(), &[]),
+        Builtin::Corrected => (proofs::corrected::corrected(), &["--builtin", "corrected"]),
+    };
+    let shown: Vec<String> = shown.iter().map(|&word| word.to_owned()).collect();
+    match &args.command {
+        None => audit(&derivation, args, &shown),
+        Some(Command::Explain { label, paths }) if paths.is_empty() => {
+            explain(&derivation, label, args, &shown)
+        }
+        Some(_) => Err(Failure::new(
+            "`--builtin` names pages that ship inside, and this reads none of them",
+        )
+        .help("`cradle-verify --builtin corrected`, or `cradle-verify explain P5 --builtin corrected`")),
     }
 }
 

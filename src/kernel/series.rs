@@ -56,7 +56,9 @@ pub(crate) fn bounded_series(
     };
     let g = summand(problem, g, &mut elements)?;
     let both = sum(&f.times(&g)?, &elements)?;
-    Ok(sum(&f, &elements)?.times(&sum(&g, &elements)?)?.minus(&both))
+    Ok(sum(&f, &elements)?
+        .times(&sum(&g, &elements)?)?
+        .minus(&both))
 }
 
 /// A product of factors, none of which is negative, as a polynomial in the elements at one index.
@@ -77,8 +79,12 @@ fn summand(
         let base = match factor.side {
             ElementSide::Own if factor.exponent % 2 == 0 => element,
             ElementSide::Own => return Err(Reject::NoSuchBound(sequence.clone())),
-            ElementSide::AboveLower => element.minus(&bound(domain.and_then(|d| d.lower.as_ref()))?),
-            ElementSide::BelowUpper => bound(domain.and_then(|d| d.upper.as_ref()))?.minus(&element),
+            ElementSide::AboveLower => {
+                element.minus(&bound(domain.and_then(|d| d.lower.as_ref()))?)
+            }
+            ElementSide::BelowUpper => {
+                bound(domain.and_then(|d| d.upper.as_ref()))?.minus(&element)
+            }
         };
         product = product.times(&base.pow(factor.exponent)?)?;
     }

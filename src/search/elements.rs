@@ -76,7 +76,8 @@ fn powers(problem: &Problem, sequence: &Symbol, highest: u32) -> Vec<Vec<Element
         all = all
             .iter()
             .flat_map(|f| {
-                let powers = (1..=highest).map(|exponent| [f.clone(), vec![raised(exponent)]].concat());
+                let powers =
+                    (1..=highest).map(|exponent| [f.clone(), vec![raised(exponent)]].concat());
                 [f.clone()].into_iter().chain(powers)
             })
             .collect();

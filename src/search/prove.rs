@@ -8,7 +8,9 @@ use super::positivity::{Known, decompose};
 use super::roots::root_of;
 use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
 use crate::algebra::{Atom, Monomial, Polynomial, Rational, TooLarge};
-use crate::kernel::{BoundedSeries, Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign};
+use crate::kernel::{
+    BoundedSeries, Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign,
+};
 
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
 const HIGHEST_POWER: u32 = 3;

@@ -145,8 +145,8 @@ impl Parser<'_> {
         }
         let index = fresh_index(&[&last.expr, &value.expr, &to]);
         let bodies = (1..).zip(firsts);
-        let mut bodies = bodies
-            .map(|(number, side)| summand(&side.expr, &last.expr, (number, &high), &index));
+        let mut bodies =
+            bodies.map(|(number, side)| summand(&side.expr, &last.expr, (number, &high), &index));
         let Some(Some(body)) = bodies.next() else {
             return Ok(None);
         };

@@ -6,8 +6,8 @@ use num_traits::Zero;
 
 use crate::algebra::{Polynomial, Symbol, expr_of};
 use crate::kernel::{
-    BoundedSeries, Cofactors, ElementFactor, ElementSide, Fact, Factors, PositiveTerm, Problem, Proof,
-    SeriesSquare, Sign,
+    BoundedSeries, Cofactors, ElementFactor, ElementSide, Fact, Factors, PositiveTerm, Problem,
+    Proof, SeriesSquare, Sign,
 };
 use crate::notation::plain;
 
