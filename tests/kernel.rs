@@ -17,5 +17,7 @@ mod readings;
 mod scaling;
 #[path = "kernel/search.rs"]
 mod search;
+#[path = "kernel/series.rs"]
+mod series;
 #[path = "kernel/witnesses.rs"]
 mod witnesses;

@@ -15,7 +15,7 @@ pub struct Args {
     #[command(subcommand)]
     pub command: Option<Command>,
     /// Judge one of the report's scenarios by its letter: A, B, C or D.
-    #[arg(long, value_name = "LETTER")]
+    #[arg(long, value_name = "LETTER", conflicts_with = "builtin")]
     pub scenario: Option<String>,
     /// Which of the pages that ship inside to audit or explain, where no path is given; without it, the report.
     #[arg(long, global = true, value_enum)]
