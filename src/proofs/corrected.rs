@@ -28,6 +28,7 @@ pub fn corrected() -> Derivation {
 /// use cradle_verify::proofs::corrected;
 ///
 /// // Two of three balls come in and two leave: this is what is left of the three velocities, in units of theirs.
+/// let page = corrected::page_checker("1.4-n-in-n-out-by-speed").unwrap();
 /// let shares = ["0", "1", "1"].map(|share| share.parse().unwrap());
 /// let at = Point::new().with("N", 3).with("n", 2).with_list("x", shares);
 /// assert!(page.sides_at("P5", &at).unwrap()[0].holds);
