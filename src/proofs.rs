@@ -1,18 +1,19 @@
-//! The report that ships inside the program: what the bare command audits.
+//! The report that ships inside the program: what the bare command audits. What is true instead of its errors is in
+//! [`corrected`].
 
 use crate::derivation::{Checker, Derivation};
 use crate::document::Document;
 
-/// The pages, and a handle on each: its file's name, and a line on what it is about.
+/// The pages of a folder, and a handle on each: its file's name, and a line on what it is about.
 macro_rules! pages {
-    ($($handle:ident: $name:literal, $about:literal;)*) => {
+    ($folder:literal; $($handle:ident: $name:literal, $about:literal;)*) => {
         /// The pages in reading order: the path of each, and its text.
         pub const PAGES: &[(&str, &str)] = &[$((
-            concat!("proofs/report/", $name, ".md"),
-            include_str!(concat!("../proofs/report/", $name, ".md")),
+            concat!($folder, "/", $name, ".md"),
+            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $folder, "/", $name, ".md")),
         )),*];
 
-        /// A handle on each page of the report.
+        /// A handle on each page.
         pub mod pages {
             use crate::derivation::Checker;
 
@@ -26,7 +27,10 @@ macro_rules! pages {
     };
 }
 
+pub mod corrected;
+
 pages! {
+    "proofs/report";
     conservation_laws: "1.2-conservation-laws", "momentum and kinetic energy of five equal balls";
     scenarios: "1.3-scenarios", "four outcomes put to both laws";
     n_balls_in_n_balls_out: "1.4-n-balls-in-n-balls-out", "what two conservation laws say about how many balls leave";
@@ -44,8 +48,12 @@ pages! {
 
 /// The whole report, read as one derivation.
 pub fn report() -> Derivation {
+    derivation(PAGES)
+}
+
+fn derivation(pages: &[(&str, &str)]) -> Derivation {
     let read = |&(path, source): &(&str, &str)| Document::markdown(path, source);
-    Derivation::new(crate::document::in_order(PAGES, read))
+    Derivation::new(crate::document::in_order(pages, read))
 }
 
 /// One page's text, by its path.
@@ -73,13 +81,17 @@ pub fn page(path: &str) -> Option<&'static str> {
 /// assert!(page_checker("9.9-nothing").is_none());
 /// ```
 pub fn page_checker(name: &str) -> Option<Checker> {
+    position(PAGES, name).map(|page| Checker::of_page(report(), page))
+}
+
+/// Where the page of a name stands, with or without `.md` and the folder.
+fn position(pages: &[(&str, &str)], name: &str) -> Option<usize> {
     let name = name.strip_suffix(".md").unwrap_or(name);
     let named = |path: &str| {
         let path = path.strip_suffix(".md").unwrap_or(path);
         path == name || path.rsplit('/').next() == Some(name)
     };
-    let page = PAGES.iter().position(|(path, _)| named(path))?;
-    Some(Checker::of_page(report(), page))
+    pages.iter().position(|(path, _)| named(path))
 }
 
 /// A handle on the whole report.
@@ -92,16 +104,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_page_of_the_directory_is_embedded_in_order() {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/report");
-        let mut names: Vec<String> = std::fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .filter(|name| name.ends_with(".md"))
-            .map(|name| format!("proofs/report/{name}"))
-            .collect();
-        names.sort();
-        let embedded: Vec<&str> = PAGES.iter().map(|page| page.0).collect();
-        assert_eq!(embedded, names);
+    fn every_page_of_the_directories_is_embedded_in_order() {
+        for (folder, pages) in [
+            ("proofs/report", PAGES),
+            ("proofs/corrected", corrected::PAGES),
+        ] {
+            let own = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+            let mut names: Vec<String> = std::fs::read_dir(own)
+                .unwrap()
+                .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+                .filter(|name| name.ends_with(".md"))
+                .map(|name| format!("{folder}/{name}"))
+                .collect();
+            names.sort();
+            let embedded: Vec<&str> = pages.iter().map(|page| page.0).collect();
+            assert_eq!(embedded, names);
+        }
     }
 }

@@ -66,6 +66,41 @@ fn the_output_is_always_the_same() {
 }
 
 #[test]
+fn what_is_true_instead_is_built_in_too() {
+    let output = program(&["--builtin", "corrected"]);
+    assert_eq!(code(&output), 0, "{}", out(&output));
+    assert!(
+        out(&output).ends_with("Nothing is amiss.\n"),
+        "{}",
+        out(&output)
+    );
+    let folder = program(&["check", "proofs/corrected"]);
+    assert_eq!((code(&folder), out(&folder)), (0, out(&output)));
+    let one = program(&["explain", "P5", "--builtin", "corrected"]);
+    assert_eq!(code(&one), 0);
+    assert!(
+        out(&one).contains("Σ_{i≤N} x_i² (1 − x_i)²"),
+        "{}",
+        out(&one)
+    );
+    let report = program(&["--builtin", "report"]);
+    assert_eq!((code(&report), out(&report)), (1, out(&program(&[]))));
+    for wrong in [
+        &["--builtin", "wrong"][..],
+        &["check", "proofs", "--builtin", "corrected"],
+        &["explain", "23", "proofs/report", "--builtin", "report"],
+        &["simulate", "--builtin", "corrected"],
+        &["--scenario", "A", "--builtin", "corrected"],
+        &["explain", "23", "--builtin", "corrected"],
+    ] {
+        let output = program(wrong);
+        assert_eq!(code(&output), 2, "{wrong:?}");
+        assert!(out(&output).is_empty());
+        assert!(err(&output).starts_with("error: "), "{}", err(&output));
+    }
+}
+
+#[test]
 fn scenarios_by_letter() {
     for (letter, expected) in [("A", 1), ("B", 0), ("C", 1), ("D", 0), ("c", 1), ("b", 0)] {
         assert_eq!(

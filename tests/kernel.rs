@@ -19,5 +19,7 @@ mod roots;
 mod scaling;
 #[path = "kernel/search.rs"]
 mod search;
+#[path = "kernel/series.rs"]
+mod series;
 #[path = "kernel/witnesses.rs"]
 mod witnesses;

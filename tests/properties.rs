@@ -5,6 +5,8 @@
 mod broken;
 #[path = "properties/claims.rs"]
 mod claims;
+#[path = "properties/corrected.rs"]
+mod corrected;
 #[path = "properties/pages.rs"]
 mod pages;
 #[path = "properties/physics.rs"]

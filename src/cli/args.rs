@@ -17,8 +17,11 @@ pub struct Args {
     #[command(subcommand)]
     pub command: Option<Command>,
     /// Judge one of the report's scenarios by its letter: A, B, C or D.
-    #[arg(long, value_name = "LETTER")]
+    #[arg(long, value_name = "LETTER", conflicts_with = "builtin")]
     pub scenario: Option<String>,
+    /// Which of the pages that ship inside to audit or explain, where no path is given; without it, the report.
+    #[arg(long, global = true, value_enum)]
+    pub builtin: Option<Builtin>,
     /// For people or for programs.
     #[arg(long, global = true, value_enum, default_value_t = Format::Human)]
     pub format: Format,
@@ -150,6 +153,16 @@ pub enum Command {
         /// The command that it is about; without it, the program.
         command: Option<String>,
     },
+}
+
+/// The pages that ship inside.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Builtin {
+    /// The report on Newton's cradle, with its errors.
+    #[default]
+    Report,
+    /// What is true instead of its errors.
+    Corrected,
 }
 
 /// How balls collide.

@@ -6,7 +6,7 @@ use nalgebra::DVector;
 use num_rational::BigRational;
 use num_traits::One;
 
-use super::args::{Args, Command, Format, Gate};
+use super::args::{Args, Builtin, Command, Format, Gate};
 use super::{Failure, audit, input, manual, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
@@ -36,8 +36,17 @@ pub(super) fn run(args: &Args) -> Done {
         )
         .help("`cradle-verify check --fail-on error page.md`"));
     }
+    if args.builtin.is_some() && !speaks_of_what_is_inside(args) {
+        return Err(Failure::new(
+            "`--builtin` names pages that ship inside, and this reads none of them",
+        )
+        .help("`cradle-verify --builtin corrected`, or `cradle-verify explain P5 --builtin corrected`"));
+    }
     match &args.command {
-        None => audit::audit(&proofs::report(), args, &args.gate, &[]),
+        None => {
+            let (derivation, shown) = inside(args);
+            audit::audit(&derivation, args, &args.gate, &shown)
+        }
         Some(Command::Check {
             paths,
             stdin_filename,
@@ -52,11 +61,14 @@ pub(super) fn run(args: &Args) -> Done {
             paths,
             stdin_filename,
         }) => {
-            let derivation = match paths.is_empty() && stdin_filename.is_none() {
-                true => proofs::report(),
-                false => input::derivation(paths, stdin_filename.as_deref())?,
+            let (derivation, shown) = match paths.is_empty() && stdin_filename.is_none() {
+                true => inside(args),
+                false => (
+                    input::derivation(paths, stdin_filename.as_deref())?,
+                    shown(paths),
+                ),
             };
-            explain(&derivation, label, args, &shown(paths))
+            explain(&derivation, label, args, &shown)
         }
         Some(Command::Completions { shell }) => Ok((manual::completions(*shell), false)),
         Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?, false)),
@@ -81,6 +93,29 @@ pub(super) fn run(args: &Args) -> Done {
             };
             Ok((text, false))
         }
+    }
+}
+
+fn speaks_of_what_is_inside(args: &Args) -> bool {
+    match &args.command {
+        None => true,
+        Some(Command::Explain {
+            paths,
+            stdin_filename,
+            ..
+        }) => paths.is_empty() && stdin_filename.is_none(),
+        Some(_) => false,
+    }
+}
+
+/// The pages that ship inside, and how they are asked for.
+fn inside(args: &Args) -> (Derivation, Vec<String>) {
+    match args.builtin.unwrap_or_default() {
+        Builtin::Report => (proofs::report(), Vec::new()),
+        Builtin::Corrected => (
+            proofs::corrected::corrected(),
+            vec!["--builtin".into(), "corrected".into()],
+        ),
     }
 }
 

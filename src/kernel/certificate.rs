@@ -116,7 +116,7 @@ pub enum Proof {
     Square(Box<Proof>),
 }
 
-/// `coefficient · Π factors · Π squares² · Π series · Π facts`: a product that cannot be negative.
+/// `coefficient · Π factors · Π squares² · Π series · Π bounded · Π facts`: a product that cannot be negative.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PositiveTerm {
     /// Not negative.
@@ -127,6 +127,8 @@ pub struct PositiveTerm {
     pub squares: Vec<Polynomial>,
     /// Sums of squares over all elements of a sequence, or all pairs of elements.
     pub series: Vec<SeriesSquare>,
+    /// Sums over all elements of a sequence of what their declared domain keeps from being negative.
+    pub bounded: Vec<BoundedSeries>,
     /// Facts that are known to be non-negative or positive, by position.
     pub facts: Vec<usize>,
 }
@@ -141,6 +143,40 @@ pub struct SeriesSquare {
     pub f: Vec<(Symbol, u32)>,
     /// `g`: each sequence with its exponent.
     pub g: Vec<(Symbol, u32)>,
+}
+
+/// `Σ_i f_i`; or, with a second product, `Σ_{i≠j} f_i g_j = Σ f Σ g − Σ f g`. Each of `f_i`, `g_j` is a product of
+/// factors that are not negative for any element in its declared domain, so neither is the sum.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BoundedSeries {
+    /// The number of elements.
+    pub count: Symbol,
+    /// `f`
+    pub f: Vec<ElementFactor>,
+    /// `g`, for pairs of different elements.
+    pub g: Option<Vec<ElementFactor>>,
+}
+
+/// A power of an element, or of its distance from a bound of its domain.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ElementFactor {
+    /// The sequence.
+    pub sequence: Symbol,
+    /// What of its element is raised.
+    pub side: ElementSide,
+    /// To which power.
+    pub exponent: u32,
+}
+
+/// What of an element is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ElementSide {
+    /// `u_i`; the exponent must be even.
+    Own,
+    /// `u_i − a`, with `a` the lower bound of the domain.
+    AboveLower,
+    /// `b − u_i`, with `b` the upper bound.
+    BelowUpper,
 }
 
 /// Exact values for the symbols of a claim.

@@ -27,12 +27,13 @@ mod powers;
 mod problem;
 mod replay;
 mod scaling;
+mod series;
 mod verdict;
 mod witness;
 
 pub use certificate::{
-    Assignment, Candidate, Certificate, Cofactors, Fact, Factors, Lemma, PositiveTerm, Proof,
-    SeriesSquare, Sign,
+    Assignment, BoundedSeries, Candidate, Certificate, Cofactors, ElementFactor, ElementSide, Fact,
+    Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};
 pub use knowledge::Knowledge;
@@ -43,6 +44,7 @@ pub use scaling::{
     Alike, Combination, Product, Row, Rows, Scales, ScalesNot, ScalingCandidate, ScalingProof,
     ScalingVerdict, Situations, Size, check_scaling,
 };
+pub(crate) use series::bounded_series;
 pub use verdict::{Checked, Model, Proven, Refuted, Reject};
 
 /// Decides whether a candidate is evidence for or against a claim.

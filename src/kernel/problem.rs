@@ -1,4 +1,4 @@
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::powers::powers_of;
@@ -27,6 +27,8 @@ pub struct Problem {
     pub(super) readings: Vec<Reading>,
     pub(super) integers: Vec<Fraction>,
     pub(super) sequences: BTreeSet<Symbol>,
+    /// The declared domains of elements.
+    elements: BTreeMap<Symbol, Domain>,
     pub(super) constants: BTreeSet<Symbol>,
     /// How powers are taken apart; `None` where terms are read as they are written.
     pub(super) powers: Option<Powers>,
@@ -104,6 +106,7 @@ impl Problem {
             readings: Vec::new(),
             integers: Vec::new(),
             sequences,
+            elements: claim.sequences.clone(),
             constants: declared.map(|(s, _)| s.clone()).collect(),
             powers: powers.flatten(),
             formulas: Vec::new(),
@@ -194,6 +197,11 @@ impl Problem {
         facts.any(|(f, origin)| {
             f.sign == Sign::Zero && f.polynomial.monic() == monic && throughout(origin)
         })
+    }
+
+    /// Where the elements of a sequence lie, all of them, as far as it is declared.
+    pub fn element_domain(&self, sequence: &Symbol) -> Option<&Domain> {
+        self.elements.get(sequence)
     }
 
     pub(super) fn lowering(&mut self) -> Lowering<'_> {

@@ -1,8 +1,8 @@
+use super::series::{bounded_series, series_square};
 use super::{
-    Certificate, Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Reject,
-    SeriesSquare, Sign,
+    Certificate, Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Reject, Sign,
 };
-use crate::algebra::{Atom, Polynomial, Symbol, expr_of, power_sum, product};
+use crate::algebra::{Polynomial, expr_of, product};
 
 /// Facts with what they say at a glance; lemmas are added to both.
 pub(super) struct State<'a> {
@@ -184,7 +184,10 @@ impl<'a> State<'a> {
             value = value.times(&square.pow(2)?)?;
         }
         for series in &term.series {
-            value = value.times(&self.series(series)?)?;
+            value = value.times(&series_square(self.problem, series)?)?;
+        }
+        for series in &term.bounded {
+            value = value.times(&bounded_series(self.problem, series)?)?;
         }
         for position in &term.facts {
             let known = |f: &&Fact| matches!(f.sign, Sign::NonNegative | Sign::Positive);
@@ -208,32 +211,7 @@ impl<'a> State<'a> {
                 .all(|(f, _)| self.knowledge.is_nonzero(f))
             && term.squares.iter().all(|s| self.knowledge.is_nonzero(s))
             && term.series.is_empty()
+            && term.bounded.is_empty()
             && term.facts.iter().all(positive)
-    }
-
-    /// `Σ f² Σ g² − (Σ f g)²`, which is `Σ_{i<j} (f_i g_j − f_j g_i)²`.
-    fn series(&self, series: &SeriesSquare) -> Result<Polynomial, Reject> {
-        let sum = |a: &[(Symbol, u32)], b: &[(Symbol, u32)]| {
-            let mut powers: Vec<(Symbol, u32)> = Vec::new();
-            for (sequence, exponent) in a.iter().chain(b) {
-                match powers.iter_mut().find(|p| p.0 == *sequence) {
-                    Some(slot) => slot.1 = slot.1.checked_add(*exponent).ok_or(Reject::TooLarge)?,
-                    None => powers.push((sequence.clone(), *exponent)),
-                }
-            }
-            powers.retain(|p| p.1 > 0);
-            powers.sort();
-            let atom: Atom = power_sum(&series.count, powers);
-            let var = self.problem.atoms.find(&atom).ok_or(Reject::NoSuchSum)?;
-            Ok::<_, Reject>(Polynomial::var(var))
-        };
-        // Without a sum over it the symbol might not be a count at all.
-        let is_count =
-            |atom: &Atom| matches!(atom, Atom::PowerSum { to, .. } if *to == series.count);
-        if !self.problem.atoms.iter().any(|(_, atom)| is_count(atom)) {
-            return Err(Reject::NoSuchSum);
-        }
-        let (f, g) = (&series.f, &series.g);
-        Ok(sum(f, f)?.times(&sum(g, g)?)?.minus(&sum(f, g)?.pow(2)?))
     }
 }

@@ -1,5 +1,5 @@
 use super::{Assignment, Certificate, Claim};
-use crate::algebra::Expr;
+use crate::algebra::{Expr, Symbol};
 use std::fmt;
 
 /// A claim that the kernel has seen proved. Only [`check`](super::check) builds one.
@@ -115,6 +115,8 @@ pub enum Reject {
     NoSuchUnknown,
     /// A power sum that a certificate speaks of does not occur in the claim.
     NoSuchSum,
+    /// Nothing is declared that would keep an element of this sequence from being negative in that way.
+    NoSuchBound(Symbol),
     /// The point gives no value to a term.
     NoValue,
     /// The hypothesis (or domain condition) with this position is false at the point.
@@ -150,6 +152,7 @@ impl fmt::Display for Reject {
             Reject::MayHaveNoValue(_) => "a term may have no value",
             Reject::NoSuchUnknown => "the certificate names an unknown that is not there",
             Reject::NoSuchSum => "the certificate names a sum that is not there",
+            Reject::NoSuchBound(_) => "a factor under a sum may be negative",
             Reject::NoValue => "the point does not give every term a value",
             Reject::PremiseFalse(_) => "a premise is false at the point",
             Reject::OutsideDomain => "a value lies outside of its domain",

@@ -19,6 +19,8 @@ pub struct Known<'a> {
     pub knowledge: &'a Knowledge,
     /// Facts by their position in the certificate.
     pub facts: &'a [(usize, Fact)],
+    /// There are many facts, of which a plain combination is likely to do.
+    pub plain_first: bool,
     /// Equations that are left; those with a multiplier of 1 can be added freely.
     pub equations: &'a [Tracked],
 }
@@ -36,6 +38,7 @@ fn plain(coefficient: Rational) -> PositiveTerm {
         factors: Vec::new(),
         squares: Vec::new(),
         series: Vec::new(),
+        bounded: Vec::new(),
         facts: Vec::new(),
     }
 }
@@ -65,6 +68,11 @@ pub fn decompose(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decom
         && (!strict || terms.iter().any(|t| is_strict(t, known.knowledge)))
     {
         return Some(terms_only(terms));
+    }
+    if known.plain_first
+        && let Some(found) = plain_combination(goal, strict, known)
+    {
+        return Some(found);
     }
     combination(goal, strict, known)
 }
@@ -163,9 +171,34 @@ struct Column {
     strict: bool,
 }
 
+/// A nonnegative combination of what is known, without products.
+fn plain_combination(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decomposition> {
+    let facts = known.facts.iter().map(|(at, fact)| Column {
+        value: fact.polynomial.clone(),
+        term: Some(PositiveTerm {
+            facts: vec![*at],
+            ..plain(Rational::one())
+        }),
+        equation: None,
+        strict: fact.sign == Sign::Positive,
+    });
+    let free = known.equations.iter().enumerate();
+    let free = free.filter(|(_, e)| e.multiplier.is_empty());
+    let equations = free.map(|(at, equation)| Column {
+        value: equation.polynomial.clone(),
+        term: None,
+        equation: Some((at, Polynomial::one())),
+        strict: false,
+    });
+    solved(goal, strict, facts.chain(equations).collect())
+}
+
 /// A nonnegative combination of products of what is known, by linear programming.
 fn combination(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decomposition> {
-    let mut columns = candidates(goal, known)?;
+    solved(goal, strict, candidates(goal, known)?)
+}
+
+fn solved(goal: &Polynomial, strict: bool, mut columns: Vec<Column>) -> Option<Decomposition> {
     prune(&mut columns, goal);
     if columns.len() > MOST_COLUMNS {
         return None;

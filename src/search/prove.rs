@@ -2,12 +2,15 @@
 
 use std::collections::BTreeMap;
 
+use super::elements;
 use super::ideal::Ideal;
 use super::positivity::{Known, decompose};
 use super::roots::root_of;
 use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
-use crate::algebra::{Atom, Polynomial, Rational, TooLarge};
-use crate::kernel::{Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign};
+use crate::algebra::{Atom, Monomial, Polynomial, Rational, TooLarge};
+use crate::kernel::{
+    BoundedSeries, Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign,
+};
 
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
 const HIGHEST_POWER: u32 = 3;
@@ -35,6 +38,10 @@ pub struct Prover {
     basis: Option<Vec<Tracked>>,
     /// The inequalities with the eliminated unknowns removed, by position.
     signed: Option<Vec<(usize, Fact)>>,
+    /// What the domains of elements say of sums, until it is asked for.
+    bounded: Vec<(Polynomial, BoundedSeries)>,
+    /// Whether it has been asked for, so that there are many facts.
+    has_bounded: bool,
 }
 
 impl Prover {
@@ -64,6 +71,8 @@ impl Prover {
             lemmas: Vec::new(),
             basis: None,
             signed: None,
+            bounded: elements::bounded(problem),
+            has_bounded: false,
         };
         prover.take_roots(problem.takes_powers_apart())?;
         Ok(prover)
@@ -244,6 +253,14 @@ impl Prover {
     }
 
     fn sign(&mut self, fact: &Fact) -> Option<Proof> {
+        let found = self.sign_by_what_is_known(fact);
+        match found.is_none() && self.add_bounded() {
+            true => self.sign_by_what_is_known(fact),
+            false => found,
+        }
+    }
+
+    fn sign_by_what_is_known(&mut self, fact: &Fact) -> Option<Proof> {
         let strict = fact.sign == Sign::Positive;
         let mut reduced = self.ideal.reduce(&fact.polynomial, true).ok()?;
         self.make_positive(&mut reduced).ok()?;
@@ -252,11 +269,12 @@ impl Prover {
             atoms: &self.atoms,
             knowledge: &self.knowledge,
             facts: &signed,
+            plain_first: self.has_bounded,
             equations: &self.ideal.rest,
         };
         // What is positive in every term only hides the rest.
-        let content = reduced.polynomial.content();
-        if !content.is_one() && self.knowledge.monomial_is_positive(&content) {
+        let content = self.positive_content(&reduced.polynomial);
+        if !content.is_one() {
             let content = Polynomial::term(content, Rational::one());
             reduced.polynomial = reduced.polynomial.divided_by(&content)?;
             *reduced.outer.entry(content).or_insert(0) += 1;
@@ -306,6 +324,7 @@ impl Prover {
                 factors: listed(&reduced.outer),
                 squares: Vec::new(),
                 series: Vec::new(),
+                bounded: Vec::new(),
                 facts: vec![position],
             }],
             cofactors: cofactors(&reduced.cofactors),
@@ -337,9 +356,21 @@ impl Prover {
         Ok(())
     }
 
+    /// The unknowns that divide every term and are known to be positive.
+    fn positive_content(&self, polynomial: &Polynomial) -> Monomial {
+        let content = polynomial.content();
+        let powers = content.powers().iter();
+        let powers = powers.map(|&(var, exponent)| Monomial::power(var, exponent));
+        powers
+            .filter(|power| self.knowledge.monomial_is_positive(power))
+            .fold(Monomial::one(), |all, power| all.times(&power))
+    }
+
     /// Whether every unknown occurs in some fact: one that occurs in none can have any value.
     fn is_tied_down(&self, polynomial: &Polynomial) -> bool {
-        let occurs = |var| self.facts.iter().any(|f| f.polynomial.degree_in(var) > 0);
+        let facts = || self.facts.iter().map(|f| &f.polynomial);
+        let sums = || self.bounded.iter().map(|b| &b.0);
+        let occurs = |var| facts().chain(sums()).any(|p| p.degree_in(var) > 0);
         polynomial.vars().into_iter().all(occurs)
     }
 
@@ -348,6 +379,7 @@ impl Prover {
         self.facts
             .iter()
             .any(|f| signed(f) && f.polynomial.as_constant().is_none())
+            || !self.bounded.is_empty()
     }
 
     fn basis(&mut self) -> &[Tracked] {
@@ -378,13 +410,47 @@ impl Prover {
         known
     }
 
+    /// Adds what the domains of elements say of sums to the inequalities. Whether there was anything.
+    fn add_bounded(&mut self) -> bool {
+        let series = std::mem::take(&mut self.bounded);
+        let mut known = self.signed_facts();
+        let any = !series.is_empty();
+        for (polynomial, series) in series {
+            let fact = Fact {
+                polynomial,
+                sign: Sign::NonNegative,
+            };
+            let term = PositiveTerm {
+                coefficient: Rational::one(),
+                factors: Vec::new(),
+                squares: Vec::new(),
+                series: Vec::new(),
+                bounded: vec![series],
+                facts: Vec::new(),
+            };
+            let proof = Proof::Positivity {
+                multiplier: Vec::new(),
+                terms: vec![term],
+                cofactors: Vec::new(),
+            };
+            let at = self.add(fact.clone(), proof);
+            known.push(match self.simplified(at, &fact) {
+                Ok(Some((lemma, proof))) => (self.add(lemma.clone(), proof), lemma),
+                _ => (at, fact),
+            });
+        }
+        self.signed = Some(known);
+        self.has_bounded |= any;
+        any
+    }
+
     fn simplified(&self, position: usize, fact: &Fact) -> Result<Option<(Fact, Proof)>, TooLarge> {
         let mut reduced = self.ideal.reduce(&fact.polynomial, true)?;
         self.make_positive(&mut reduced)?;
-        let content = reduced.polynomial.content();
+        let content = self.positive_content(&reduced.polynomial);
         let mut multiplier = listed(&reduced.outer);
         let mut polynomial = reduced.polynomial.clone();
-        if !content.is_one() && self.knowledge.monomial_is_positive(&content) {
+        if !content.is_one() {
             let content = Polynomial::term(content, Rational::one());
             polynomial = polynomial.divided_by(&content).unwrap_or_default();
             multiplier.push((content, 1));
@@ -402,6 +468,7 @@ impl Prover {
                 factors: listed(&reduced.multiplier),
                 squares: Vec::new(),
                 series: Vec::new(),
+                bounded: Vec::new(),
                 facts: vec![position],
             }],
             cofactors: negated(&reduced.cofactors),

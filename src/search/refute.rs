@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::rc::Rc;
 
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 
 use super::point::{Target, Tried, satisfies};
 use super::unfold::definitions_to_unfold;
@@ -183,16 +183,28 @@ impl<'a> Points<'a> {
     }
 }
 
-/// The symbols that say how many elements there are.
+/// The symbols that say how many elements there are, and the whole numbers in exponents: with a definite number in
+/// its place a power is a polynomial.
 fn count_symbols(claim: &Claim) -> Vec<Symbol> {
-    fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {
-        if let Expr::Series { to, .. } = expr {
-            found.extend(to.free_symbols());
+    let whole = |symbol: &Symbol| {
+        let domain = claim.domains.get(symbol);
+        domain.is_some_and(|d| {
+            d.integer && d.lower.as_ref().is_some_and(|lower| !lower.0.is_negative())
+        })
+    };
+    let collect = |expr: &Expr, found: &mut BTreeSet<Symbol>| {
+        let mut open = vec![expr];
+        while let Some(expr) = open.pop() {
+            match expr {
+                Expr::Series { to, .. } => found.extend(to.free_symbols()),
+                Expr::Power(_, exponent) => {
+                    found.extend(exponent.free_symbols().into_iter().filter(&whole));
+                }
+                _ => {}
+            }
+            open.extend(expr.children());
         }
-        expr.children()
-            .into_iter()
-            .for_each(|child| collect(child, found));
-    }
+    };
     let mut found = BTreeSet::new();
     for formula in claim.formulas() {
         formula

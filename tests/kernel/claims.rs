@@ -232,6 +232,7 @@ pub fn one() -> PositiveTerm {
         factors: Vec::new(),
         squares: Vec::new(),
         series: Vec::new(),
+        bounded: Vec::new(),
         facts: Vec::new(),
     }
 }

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use cradle_verify::algebra::{BigRational, EvaluateError, Relation};
 use cradle_verify::audit::Verdict;
-use cradle_verify::cradle::{Law, Scenario, efficiency};
+use cradle_verify::cradle::{Law, Scenario, efficiency, with_restitution};
 use cradle_verify::derivation::{Checker, Point};
 use cradle_verify::proofs;
 use num_traits::{One, Signed, Zero};
@@ -65,6 +65,8 @@ const IDENTICAL: &[&str] = &[
 ];
 /// What is said of the same collisions, and true of perfectly elastic ones alone.
 const ELASTIC_ONLY: &[&str] = &["27", "41", "balance-from-loss"];
+/// What page 4.2 makes of that: true of two balls that meet again and again only if nothing is lost.
+const DECAY: &[&str] = &["energy-decay"];
 /// What page 1.4 concludes from the two laws: true of every list that they allow.
 pub const TOTALS: &[&str] = &["17", "18", "19", "20", "21", "22"];
 /// What it goes on to say: true of real cradles.
@@ -109,6 +111,7 @@ fn every_equation_that_holds_is_held_against_the_physics() {
         UNEQUAL,
         IDENTICAL,
         ELASTIC_ONLY,
+        DECAY,
         TOTALS,
         REAL,
         FIVE,
@@ -205,6 +208,23 @@ proptest! {
         }
         for label in ELASTIC_ONLY {
             prop_assert_eq!(holds(report, label, &at), e.is_one(), "({})", label);
+        }
+    }
+
+    #[test]
+    fn two_balls_that_meet_again(m in positive(), v0 in nonzero(), e in restitution(), n in 1usize..5) {
+        let (mut one, mut two) = with_restitution(&m, &m, &v0, &BigRational::zero(), &e);
+        for _ in 1..n {
+            (one, two) = with_restitution(&m, &m, &-one, &-two, &e);
+        }
+        let energy = |v: &BigRational| &m * v * v / whole(2);
+        let at = Point::new()
+            .with("n", n)
+            .with_ratio("e", e.clone())
+            .with_ratio("E_0", energy(&v0))
+            .with_ratio("E_n", energy(&one) + energy(&two));
+        for label in DECAY {
+            prop_assert_eq!(holds(report(), label, &at), e.is_one(), "({})", label);
         }
     }
 

@@ -6,9 +6,9 @@
 
 use super::name::{split_subscript, with_subscript};
 use super::{Kind, Parser, Read, Term, refuse, refuse_with};
-use crate::algebra::{BigRational, Expr, Symbol};
+use crate::algebra::{BigRational, Expr, Relation, Symbol};
 use crate::document::Span;
-use crate::notation::SyntaxError;
+use crate::notation::{Clause, Link, Side, SyntaxError};
 
 impl Parser<'_> {
     /// `\sum_{i=1}^{k} body`.
@@ -86,17 +86,7 @@ impl Parser<'_> {
                 ),
             }
         };
-        let mut hole = None;
-        let found = merge(&first.expr, &last.expr, &mut |a, b| {
-            let (low, high) = hole_of(a, b)?;
-            match &hole {
-                None => hole = Some((low.to_owned(), high.to_owned())),
-                Some((l, h)) if l == low && h == high => {}
-                Some(_) => return None,
-            }
-            Some(Expr::Symbol(a.clone()))
-        });
-        let (Some(_), Some((low, high))) = (found, hole) else {
+        let Some((low, high)) = hole(&first.expr, &last.expr) else {
             return Err(mismatch(dots));
         };
         let first_span = first.span;
@@ -110,17 +100,8 @@ impl Parser<'_> {
             return Err(mismatch(last.span));
         }
         let index = fresh_index(&[&last.expr, &to]);
-        let body_of = |expr: &Expr, number: usize| {
-            let number = number.to_string();
-            merge(expr, &last.expr, &mut |a, b| {
-                let (low, upper) = hole_of(a, b)?;
-                let (stem, _) = split_subscript(a.name())?;
-                (low == number && upper == high).then(|| Expr::Element {
-                    sequence: Symbol::new(stem),
-                    index: index.clone(),
-                })
-            })
-        };
+        let body_of =
+            |expr: &Expr, number: usize| summand(expr, &last.expr, (number, &high), &index);
         let Some(body) = body_of(&first.expr, count) else {
             return Err(mismatch(first_span));
         };
@@ -145,6 +126,59 @@ impl Parser<'_> {
         Ok(Term { expr, span, ..last })
     }
 
+    /// `f_1 = f_2 = \dots = f_n = w`, with terms `f_i` of one pattern: `\sum_{i=1}^{n} (f_i - w)^2 = 0`, which says
+    /// the same. `None` where the terms follow no pattern, or count from elsewhere than 1.
+    pub(super) fn all_equal_terms(
+        &self,
+        firsts: &[Side],
+        last: &Side,
+        value: &Side,
+        sign: Span,
+    ) -> Read<Option<Clause>> {
+        let Some((low, high)) = firsts.first().and_then(|f| hole(&f.expr, &last.expr)) else {
+            return Ok(None);
+        };
+        let to = self.end_of_range(&high, last.span)?;
+        let counted = BigRational::from_integer(firsts.len().into());
+        if low != "1" || matches!(&to, Expr::Number(n) if *n <= counted) {
+            return Ok(None);
+        }
+        let index = fresh_index(&[&last.expr, &value.expr, &to]);
+        let bodies = (1..).zip(firsts);
+        let mut bodies =
+            bodies.map(|(number, side)| summand(&side.expr, &last.expr, (number, &high), &index));
+        let Some(Some(body)) = bodies.next() else {
+            return Ok(None);
+        };
+        if bodies.any(|other| other.as_ref() != Some(&body)) {
+            return Ok(None);
+        }
+        let body = match &value.expr {
+            zero if *zero == Expr::integer(0) => body,
+            value => Expr::Sum(vec![body, Expr::Negate(value.clone().into())]),
+        };
+        let span = firsts[0].span.to(last.span);
+        let sum = Expr::Series {
+            index,
+            from: Expr::integer(1).into(),
+            to: to.into(),
+            body: Expr::Power(body.into(), Expr::integer(2).into()).into(),
+        };
+        let side = |expr, span| Side {
+            expr,
+            span,
+            terms: vec![span],
+        };
+        Ok(Some(Clause::Chain {
+            sides: vec![side(sum, span), side(Expr::integer(0), value.span)],
+            links: vec![Link {
+                relation: Relation::Equal,
+                questioned: false,
+                span: sign,
+            }],
+        }))
+    }
+
     /// The last index of a sequence, `k` or `5` or `n-1`, as a term.
     pub(super) fn end_of_range(&self, text: &str, span: Span) -> Read<Expr> {
         match crate::notation::read_expr(text, Span::new(0, text.len())) {
@@ -162,6 +196,34 @@ pub(super) fn hole_of<'a>(a: &'a Symbol, b: &'a Symbol) -> Option<(&'a str, &'a 
     let (stem, low) = split_subscript(a.name())?;
     let (other, high) = split_subscript(b.name())?;
     (stem == other).then_some((low, high))
+}
+
+/// The one pair of subscripts in which two terms of the same form differ.
+fn hole(first: &Expr, last: &Expr) -> Option<(String, String)> {
+    let mut hole = None;
+    merge(first, last, &mut |a, b| {
+        let (low, high) = hole_of(a, b)?;
+        match &hole {
+            None => hole = Some((low.to_owned(), high.to_owned())),
+            Some((l, h)) if l == low && h == high => {}
+            Some(_) => return None,
+        }
+        Some(Expr::Symbol(a.clone()))
+    })?;
+    hole
+}
+
+/// The term with the subscript `number` where the last one has `high`, at an index instead.
+fn summand(expr: &Expr, last: &Expr, at: (usize, &str), index: &Symbol) -> Option<Expr> {
+    let (number, high) = (at.0.to_string(), at.1);
+    merge(expr, last, &mut |a, b| {
+        let (low, upper) = hole_of(a, b)?;
+        let (stem, _) = split_subscript(a.name())?;
+        (low == number && upper == high).then(|| Expr::Element {
+            sequence: Symbol::new(stem),
+            index: index.clone(),
+        })
+    })
 }
 
 /// Walks over two terms of the same form at once. Where a symbol differs, `differ` says what stands there.

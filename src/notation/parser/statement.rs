@@ -282,7 +282,8 @@ impl<'s> Parser<'s> {
         }
     }
 
-    /// `u_1 = u_2 = \dots = u_n`: the first elements in order, the dots, the last element, perhaps one value.
+    /// `u_1 = u_2 = \dots = u_n`: the first elements in order, the dots, the last element, perhaps one value. Longer
+    /// terms than elements need one.
     fn all_equal(
         &self,
         sides: Vec<Side>,
@@ -314,7 +315,18 @@ impl<'s> Parser<'s> {
             return mismatch(dots);
         };
         let Expr::Symbol(last_symbol) = &last.expr else {
-            return mismatch(last.span);
+            let sign = links.last().map_or(span, |link| link.span);
+            let Some(value) = &value else {
+                return refuse_with(
+                    span,
+                    "this chain of terms does not say what they are equal to",
+                    "write `u_1 w_1 = u_2 w_2 = \\dots = u_n w_n = c`",
+                );
+            };
+            return match self.all_equal_terms(&firsts, &last, value, sign)? {
+                Some(clause) => Ok(clause),
+                None => mismatch(dots),
+            };
         };
         let mut end = None;
         for (number, side) in (1usize..).zip(&firsts) {

@@ -2,8 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use num_traits::Zero;
+
 use crate::algebra::{Polynomial, Symbol, expr_of};
-use crate::kernel::{Cofactors, Fact, Factors, PositiveTerm, Problem, Proof, SeriesSquare, Sign};
+use crate::kernel::{
+    BoundedSeries, Cofactors, ElementFactor, ElementSide, Fact, Factors, PositiveTerm, Problem,
+    Proof, SeriesSquare, Sign,
+};
 use crate::notation::plain;
 
 use super::words;
@@ -143,6 +148,19 @@ impl<'a> Written<'a> {
         }
     }
 
+    /// `Σ_i x_i (1 − x_i)²`.
+    fn bounded(&self, series: &BoundedSeries) -> String {
+        let count = words::symbol(&series.count);
+        let f = element_product(self.problem, &series.f, "i");
+        match &series.g {
+            None => format!("Σ_{{i≤{count}}} {f}"),
+            Some(g) => {
+                let g = element_product(self.problem, g, "j");
+                format!("Σ_{{i≠j≤{count}}} {f} {g}")
+            }
+        }
+    }
+
     fn positive(&mut self, term: &PositiveTerm) -> String {
         let mut shown = Vec::new();
         if !term.coefficient.is_one() {
@@ -155,6 +173,7 @@ impl<'a> Written<'a> {
             shown.push(format!("({})²", self.polynomial(square)));
         }
         shown.extend(term.series.iter().map(series));
+        shown.extend(term.bounded.iter().map(|b| self.bounded(b)));
         for &position in &term.facts {
             self.used.insert(position);
             shown.push(format!("[{}]", position + 1));
@@ -164,6 +183,29 @@ impl<'a> Written<'a> {
             false => shown.join(" · "),
         }
     }
+}
+
+/// `x_i² (1 − x_i)`.
+fn element_product(problem: &Problem, factors: &[ElementFactor], index: &str) -> String {
+    let shown: Vec<String> = factors
+        .iter()
+        .filter(|factor| factor.exponent > 0)
+        .map(|factor| {
+            let element = format!("{}_{index}", words::symbol(&factor.sequence));
+            let domain = problem.element_domain(&factor.sequence);
+            let lower = domain.and_then(|d| d.lower.as_ref()).map(|b| &b.0);
+            let upper = domain.and_then(|d| d.upper.as_ref()).map(|b| &b.0);
+            let base = match (factor.side, lower, upper) {
+                (ElementSide::AboveLower, Some(lower), _) if !lower.is_zero() => {
+                    format!("({element} − ({lower}))")
+                }
+                (ElementSide::BelowUpper, _, Some(upper)) => format!("({upper} − {element})"),
+                _ => element,
+            };
+            raised(&base, factor.exponent)
+        })
+        .collect();
+    shown.join(" ")
 }
 
 fn raised(name: &str, power: u32) -> String {
