@@ -413,7 +413,39 @@ fn json_is_as_the_schema_says() {
     assert!(unnumbered.get("tag").is_none() && unnumbered["part"] == 1);
 }
 
-/// The part of JSON Schema that docs/schema.json uses.
+#[test]
+fn the_graph_is_given_in_every_format() {
+    let schema: Value = serde_json::from_str(include_str!("../docs/graph.schema.json")).unwrap();
+    let json = program(&["graph", "--format", "json"]);
+    assert_eq!(code(&json), 1);
+    let value: Value = serde_json::from_slice(&json.stdout).unwrap();
+    valid(&value, &schema, &schema, "$");
+    let nodes = value["nodes"].as_array().unwrap();
+    let wrong = nodes.iter().find(|n| n["tag"] == "23").unwrap();
+    assert_eq!(wrong["falls_with"], serde_json::json!(["24", "25", "26"]));
+    for (format, begins) in [
+        ("dot", "digraph "),
+        ("svg", "<svg "),
+        ("human", "115 statements"),
+    ] {
+        let once = out(&program(&["graph", "--format", format]));
+        assert!(once.starts_with(begins), "{once}");
+        assert_eq!(
+            once,
+            out(&program(&["--format", format, "graph"])),
+            "{format}"
+        );
+    }
+    let own = page("graph", b"$$ a = 1 \\tag{1} $$\n");
+    let none = program(&["graph", own.to_str().unwrap()]);
+    assert_eq!(code(&none), 0);
+    assert!(out(&none).contains("Nothing fails, so nothing falls."));
+    let elsewhere = program(&["--format", "dot"]);
+    assert_eq!(code(&elsewhere), 2);
+    assert!(err(&elsewhere).contains("only `graph` can be drawn"));
+}
+
+/// The part of JSON Schema that the schemas in docs/ use.
 fn valid(value: &Value, schema: &Value, root: &Value, place: &str) {
     let keys = schema.as_object().unwrap();
     for (key, rule) in keys {

@@ -37,8 +37,21 @@ pub(super) struct Found {
     pub implied: Option<Box<Implied>>,
 }
 
+impl Found {
+    /// Nothing yet but the goal.
+    pub fn open(judged: Judged) -> Found {
+        Found {
+            judged,
+            instead: Vec::new(),
+            conditions: Vec::new(),
+            contradictory: Vec::new(),
+            implied: None,
+        }
+    }
+}
+
 /// What a step that does not follow from what it cites may be tried with.
-struct Attempt {
+pub(super) struct Attempt {
     cited: Vec<Assumed>,
     /// The likeliest first.
     others: Vec<Assumed>,
@@ -57,17 +70,11 @@ impl Judge<'_> {
         if goal.suppositions.is_empty() {
             assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
         }
-        let mut found = Found {
-            judged: Judged {
-                goal: goal.clone(),
-                assumed: assumed.clone(),
-                outcome: Outcome::Open(Stop::default()),
-            },
-            instead: Vec::new(),
-            conditions: Vec::new(),
-            contradictory: Vec::new(),
-            implied: None,
-        };
+        let mut found = Found::open(Judged {
+            goal: goal.clone(),
+            assumed: assumed.clone(),
+            outcome: Outcome::Open(Stop::default()),
+        });
         if search::is_scaling(&goal.formula) {
             self.scaling(goal, &assumed, premises, &mut found);
             return found;
@@ -158,7 +165,7 @@ impl Judge<'_> {
     }
 
     /// Leaves out every hypothesis that a proof does without, the last first.
-    fn least(
+    pub(super) fn least(
         &self,
         mut assumed: Vec<Assumed>,
         goal: &Goal,
@@ -219,7 +226,7 @@ impl Judge<'_> {
 
     /// What a step that does not follow may be tried with: what is cited, and what is not but stands before.
     /// The witness against it may stand against all of these too.
-    fn attempts(
+    pub(super) fn attempts(
         &mut self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -265,7 +272,7 @@ impl Judge<'_> {
     }
 
     /// Tries again with what stands before, cited or not.
-    fn rescue(
+    pub(super) fn rescue(
         &mut self,
         goal: &Goal,
         attempts: &[Attempt],

@@ -10,6 +10,7 @@ mod given;
 mod judge;
 mod numeric;
 mod premise;
+mod review;
 mod scaling;
 mod schedule;
 
@@ -27,6 +28,7 @@ pub use dimensions::Dimensions;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
 pub use numeric::{FAR, Link, Numeric, Weighed};
 use premise::{Offer, usable};
+pub use review::{Fallen, Review};
 use schedule::Schedule;
 
 /// More threads than this would mostly wait for one another.

@@ -67,6 +67,12 @@ pub enum Command {
         #[arg(required = true, value_name = "PATH")]
         paths: Vec<PathBuf>,
     },
+    /// Show what rests on what, and what falls with each equation that fails: in words, or as `--format dot`, `json` or `svg`.
+    Graph {
+        /// Files, directories or `-`; without any, the built-in report.
+        #[arg(value_name = "PATH")]
+        paths: Vec<PathBuf>,
+    },
     /// Write out one equation's evidence in full, so that it can be checked by hand.
     Explain {
         /// The number (`23`) or name of the equation.
@@ -94,6 +100,10 @@ pub enum Format {
     Human,
     /// Programs; docs/schema.json says how it is laid out.
     Json,
+    /// `graph` only: for Graphviz.
+    Dot,
+    /// `graph` only: a drawing.
+    Svg,
 }
 
 /// Whether to colour.

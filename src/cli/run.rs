@@ -13,11 +13,18 @@ use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
 use crate::proofs;
 use crate::report::Report;
+use crate::report::graph::Graph;
 
 type Done = Result<(String, bool), Failure>;
 
 /// Does what is asked.
 pub(super) fn run(args: &Args) -> Done {
+    let drawn = matches!(args.format, Format::Dot | Format::Svg);
+    if drawn && !matches!(args.command, Some(Command::Graph { .. })) {
+        return Err(Failure::new("only `graph` can be drawn").help(
+            "`cradle-verify graph --format svg`; elsewhere the format is `human` or `json`",
+        ));
+    }
     if let Some(letter) = &args.scenario {
         if args.command.is_some() {
             return Err(Failure::new("`--scenario` stands without a command").help(
@@ -29,6 +36,13 @@ pub(super) fn run(args: &Args) -> Done {
     match &args.command {
         None => audit(&proofs::report(), args, &[]),
         Some(Command::Check { paths }) => audit(&input::derivation(paths)?, args, &shown(paths)),
+        Some(Command::Graph { paths }) => {
+            let derivation = match paths.is_empty() {
+                true => proofs::report(),
+                false => input::derivation(paths)?,
+            };
+            graph(&derivation, args, &shown(paths))
+        }
         Some(Command::Explain { label, paths }) => {
             let derivation = match paths.is_empty() {
                 true => proofs::report(),
@@ -51,8 +65,8 @@ pub(super) fn run(args: &Args) -> Done {
             let balls = simulate::balls(*balls, *arriving, masses.as_deref())?;
             let simulation = balls.simulate(*model, restitution.as_deref())?;
             let text = match args.format {
-                Format::Human => simulation.human(),
                 Format::Json => pretty(&simulation.json())?,
+                _ => simulation.human(),
             };
             Ok((text, false))
         }
@@ -74,8 +88,25 @@ fn audit(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
         paths,
     };
     let text = match args.format {
-        Format::Human => report.human(args.show_understood),
         Format::Json => pretty(&report.json())?,
+        _ => report.human(args.show_understood),
+    };
+    Ok((text, report.findings() > 0))
+}
+
+fn graph(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
+    let audit = Audit::of(derivation);
+    let report = Report {
+        derivation,
+        audit: &audit,
+        paths,
+    };
+    let graph = Graph::of(&report);
+    let text = match args.format {
+        Format::Human => graph.text(&report),
+        Format::Json => pretty(&graph.json(&report))?,
+        Format::Dot => graph.dot(),
+        Format::Svg => graph.svg(),
     };
     Ok((text, report.findings() > 0))
 }
@@ -108,8 +139,8 @@ fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) 
     };
     let entries = || all.iter().flat_map(|&at| audit.of_equation(at));
     let text = match args.format {
-        Format::Human => all.iter().map(|&at| report.explain(at)).collect(),
         Format::Json => pretty(&report.json_of(&all))?,
+        _ => all.iter().map(|&at| report.explain(at)).collect(),
     };
     Ok((text, entries().any(|entry| entry.is_finding())))
 }
@@ -123,8 +154,8 @@ fn pretty(value: &impl serde::Serialize) -> Result<String, Failure> {
 fn judged(asked: &Scenario, format: Format) -> Done {
     let outcome = asked.judge();
     let text = match format {
-        Format::Human => scenario::human(&outcome),
         Format::Json => pretty(&scenario::json(&outcome))?,
+        _ => scenario::human(&outcome),
     };
     Ok((text, !scenario::holds(&outcome)))
 }

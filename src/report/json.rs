@@ -317,7 +317,7 @@ impl Report<'_> {
         }
     }
 
-    fn label(&self, at: usize) -> String {
+    pub(super) fn label(&self, at: usize) -> String {
         match self.equation(at).label() {
             Some(label) => label.to_owned(),
             None => self.place(at),

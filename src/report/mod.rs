@@ -11,6 +11,7 @@ pub mod diagnostic;
 mod dimension;
 pub mod evidence;
 pub mod explain;
+pub mod graph;
 pub mod human;
 pub mod implied;
 mod json;
