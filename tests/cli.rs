@@ -445,6 +445,31 @@ fn the_graph_is_given_in_every_format() {
     assert!(err(&elsewhere).contains("only `graph` can be drawn"));
 }
 
+#[test]
+fn what_each_premise_is_needed_for_is_shown_on_request() {
+    let text = out(&program(&["explain", "24"]));
+    assert!(text.contains("What each premise is needed for"), "{text}");
+    assert!(text.contains("without (22): left "), "{text}");
+    assert!(text.contains("without (23): left "), "{text}");
+    assert!(!out(&program(&[])).contains("needed for"));
+    let own = page(
+        "unused",
+        b"<!-- check: symbols m: positive -->\n<!-- check: law -->\n$$ F = m a \\tag{1} $$\n\n<!-- check: law -->\n$$ p = m v \\tag{2} $$\n\n\
+By (1) and (2):\n$$ a = F/m \\tag{3} $$\n",
+    );
+    let own = own.to_str().unwrap();
+    let (short, full) = (program(&["check", own]), program(&["explain", "3", own]));
+    assert_eq!((code(&short), code(&full)), (0, 0));
+    assert!(!out(&short).contains("to no use"));
+    assert!(
+        out(&full).contains("note        cites (2) to no use"),
+        "{}",
+        out(&full)
+    );
+    let json = out(&program(&["check", own, "--format", "json"]));
+    assert!(json.contains("\"unused-premise\""), "{json}");
+}
+
 /// The part of JSON Schema that the schemas in docs/ use.
 fn valid(value: &Value, schema: &Value, root: &Value, place: &str) {
     let keys = schema.as_object().unwrap();

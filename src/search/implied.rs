@@ -179,6 +179,16 @@ pub(super) fn own_number(term: &Expr) -> Option<Rational> {
     }
 }
 
+/// The size of the number that a term begins with, 1 if with none.
+fn coefficient(term: &Expr) -> Rational {
+    let own = match term {
+        Expr::Product(factors) => factors.first().and_then(own_number),
+        term => own_number(term),
+    };
+    let own = own.map(|own| own.abs()).filter(|own| !own.is_zero());
+    own.unwrap_or_else(Rational::one)
+}
+
 /// A term times a number, the number merged into the term as one would write it.
 pub(super) fn scaled(term: &Expr, factor: &Rational) -> Expr {
     if let Some(own) = own_number(term) {
@@ -189,19 +199,20 @@ pub(super) fn scaled(term: &Expr, factor: &Rational) -> Expr {
     }
     match term {
         Expr::Quotient(above, below) => {
-            let (up, down) = (
-                Rational::from(factor.numer()),
-                Rational::from(factor.denom()),
-            );
-            let below = match down.is_one() {
-                true => (**below).clone(),
-                false => scaled(below, &down),
+            // In lowest terms with the numbers that stand there already.
+            let (own, under) = (coefficient(above), coefficient(below));
+            let total = factor * &own / &under;
+            let up = Rational::from(total.numer()) / own;
+            let down = Rational::from(total.denom()) / under;
+            let side = |term: &Expr, by: &Rational| match by.is_one() {
+                true => term.clone(),
+                false => scaled(term, by),
             };
-            let above = match up.is_one() {
-                true => (**above).clone(),
-                false => scaled(above, &up),
-            };
-            Expr::Quotient(above.into(), below.into())
+            let (above, below) = (side(above, &up), side(below, &down));
+            match below.is_one() {
+                true => above,
+                false => Expr::Quotient(above.into(), below.into()),
+            }
         }
         Expr::Product(factors) => {
             let mut factors = factors.clone();

@@ -10,7 +10,7 @@ use crate::kernel::{Assignment, Claim, Proven};
 /// Symbols of which a sign or an order is supposed.
 const MOST_SYMBOLS: usize = 6;
 /// How many suppositions are looked at in earnest, one by one and two by two.
-const MOST_SINGLE: usize = 8;
+const MOST_SINGLE: usize = 16;
 const MOST_PAIRS: usize = 6;
 /// How many choices a search for a further counterexample may try.
 const CHOICES: usize = 60;
@@ -105,12 +105,7 @@ impl<F: Fn(&Claim, &Assignment) -> Values> Met<'_, F> {
             self.points.push((self.evaluate)(&with, &point));
             return None;
         }
-        // Against an inequality no counterexample was met: that is worth more than a first look.
-        let effort = match with.goal.as_equation() {
-            Some(_) => Effort::Light,
-            None => Effort::Full,
-        };
-        let derived = prove_unconditionally(with.clone(), effort)?;
+        let derived = prove_unconditionally(with.clone(), effort_for(&with))?;
         let possible = consistency(&with, hints);
         matches!(possible, Consistency::Model(_)).then(|| (supposed.to_vec(), derived.proven))
     }
@@ -161,9 +156,18 @@ fn proves_alone(claim: &Claim, supposed: &[Formula]) -> bool {
     };
     let named = claim.goal.free_symbols();
     let speaks = |f: &Formula| f.free_symbols().iter().any(|s| named.contains(s));
+    let effort = effort_for(claim);
     // What shares no symbol with the goal says nothing of it.
     supposed.iter().any(speaks)
-        && prove_unconditionally(assuming(&bare, supposed), Effort::Light).is_some()
+        && prove_unconditionally(assuming(&bare, supposed), effort).is_some()
+}
+
+/// Inequalities are rarely seen at first sight.
+fn effort_for(claim: &Claim) -> Effort {
+    match claim.goal.as_equation() {
+        Some(_) => Effort::Light,
+        None => Effort::Full,
+    }
 }
 
 fn counterexample(claim: &Claim) -> Option<Assignment> {

@@ -106,6 +106,16 @@ impl Graph {
                 path += &format!("H{x}");
             }
             path + &across(x, y, end.x, middle(&end))
+        } else if beside {
+            // From below, or above, to the left side: so it is seen where it arrives.
+            let down = end.y >= start.y;
+            let (x, y) = (
+                start.x + start.width / 2,
+                start.y + if down { start.height } else { 0 },
+            );
+            let bend = if down { 90 } else { -90 };
+            let (to_x, to_y) = (end.x, middle(&end));
+            format!("M{x} {y}C{x} {},{} {to_y},{to_x} {to_y}", y + bend, to_x - 60)
         } else {
             let down = end.y >= start.y;
             let (x, to_x) = (start.x + start.width / 2, end.x + end.width / 2);
