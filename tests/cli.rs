@@ -456,7 +456,64 @@ fn json_is_as_the_schema_says() {
     assert!(unnumbered.get("tag").is_none() && unnumbered["part"] == 1);
 }
 
-/// The part of JSON Schema that docs/schema.json uses.
+#[test]
+fn the_graph_is_given_in_every_format() {
+    let schema: Value = serde_json::from_str(include_str!("../docs/graph.schema.json")).unwrap();
+    let json = program(&["graph", "--format", "json"]);
+    assert_eq!(code(&json), 1);
+    let value: Value = serde_json::from_slice(&json.stdout).unwrap();
+    valid(&value, &schema, &schema, "$");
+    let nodes = value["nodes"].as_array().unwrap();
+    let wrong = nodes.iter().find(|n| n["tag"] == "23").unwrap();
+    assert_eq!(wrong["falls_with"], serde_json::json!(["24", "25", "26"]));
+    for (format, begins) in [
+        ("dot", "digraph "),
+        ("svg", "<svg "),
+        ("human", "115 statements"),
+    ] {
+        let once = out(&program(&["graph", "--format", format]));
+        assert!(once.starts_with(begins), "{once}");
+        assert_eq!(
+            once,
+            out(&program(&["--format", format, "graph"])),
+            "{format}"
+        );
+    }
+    let own = page("graph", b"$$ a = 1 \\tag{1} $$\n");
+    let none = program(&["graph", own.to_str().unwrap()]);
+    assert_eq!(code(&none), 0);
+    assert!(out(&none).contains("Nothing fails, so nothing falls."));
+    let elsewhere = program(&["--format", "dot"]);
+    assert_eq!(code(&elsewhere), 2);
+    assert!(err(&elsewhere).contains("only `graph` can be drawn"));
+}
+
+#[test]
+fn what_each_premise_is_needed_for_is_shown_on_request() {
+    let text = out(&program(&["explain", "24"]));
+    assert!(text.contains("What each premise is needed for"), "{text}");
+    assert!(text.contains("without (22): left "), "{text}");
+    assert!(text.contains("without (23): left "), "{text}");
+    assert!(!out(&program(&[])).contains("needed for"));
+    let own = page(
+        "unused",
+        b"<!-- check: symbols m: positive -->\n<!-- check: law -->\n$$ F = m a \\tag{1} $$\n\n<!-- check: law -->\n$$ p = m v \\tag{2} $$\n\n\
+By (1) and (2):\n$$ a = F/m \\tag{3} $$\n",
+    );
+    let own = own.to_str().unwrap();
+    let (short, full) = (program(&["check", own]), program(&["explain", "3", own]));
+    assert_eq!((code(&short), code(&full)), (0, 0));
+    assert!(!out(&short).contains("to no use"));
+    assert!(
+        out(&full).contains("note        cites (2) to no use"),
+        "{}",
+        out(&full)
+    );
+    let json = out(&program(&["check", own, "--format", "json"]));
+    assert!(json.contains("\"unused-premise\""), "{json}");
+}
+
+/// The part of JSON Schema that the schemas in docs/ use.
 fn valid(value: &Value, schema: &Value, root: &Value, place: &str) {
     let keys = schema.as_object().unwrap();
     for (key, rule) in keys {

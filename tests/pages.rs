@@ -74,7 +74,9 @@ impl Answer {
 
     /// The verdicts that are none, and the notes that do not exist.
     fn misspelt(&self) -> Vec<&str> {
-        const NOTES: [&str; 13] = [
+        const NOTES: [&str; 15] = [
+            "citations-shifted",
+            "unused-premise",
             "numeric-not-supported",
             "rests-on",
             "miscited",

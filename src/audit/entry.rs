@@ -3,7 +3,7 @@ use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::document::Span;
 use crate::kernel::{Model, Proven, Refuted, Scales, ScalesNot};
 use crate::notation::{Mark, SyntaxError};
-use crate::search::{Implied, Repair, Stop};
+use crate::search::{Implied, Mended, Repair, Stop};
 
 use super::Numeric;
 
@@ -34,6 +34,10 @@ pub struct Entry {
     pub model: Option<Model>,
     /// For what fails: what its premises give instead.
     pub implied: Option<Box<Implied>>,
+    /// For what fails: what is one small edit away, and follows.
+    pub mended: Option<Box<Mended>>,
+    /// For what fails: what would have to be supposed besides for it to follow.
+    pub missing: Vec<Formula>,
 }
 
 /// What was found of a statement.
@@ -127,6 +131,20 @@ pub enum Note {
         /// What it follows from.
         instead: Vec<Source>,
     },
+    /// The same, and so do the other miscited steps of its page: each follows once one number is added to all that
+    /// they cite.
+    CitationsShifted {
+        /// What is to be added.
+        by: i64,
+        /// What it cites.
+        cited: Vec<usize>,
+        /// What it follows from.
+        instead: Vec<Source>,
+        /// All such steps, told with the first of them; with the others nothing.
+        steps: Vec<usize>,
+    },
+    /// It follows without these, which it cites.
+    UnusedPremise(Vec<usize>),
     /// It cites nothing and does not follow from the equation before it; it does from what is named.
     Uncited(Vec<Source>),
     /// It follows only where these hold, and nothing says that they do.
@@ -160,6 +178,8 @@ impl Note {
             Note::RestsOn(_) => "rests-on",
             Note::RestsOnUnproved(_) => "rests-on-unproved",
             Note::Miscited { .. } => "miscited",
+            Note::CitationsShifted { .. } => "citations-shifted",
+            Note::UnusedPremise(_) => "unused-premise",
             Note::Uncited(_) => "uncited",
             Note::UnstatedCondition(_) => "unstated-condition",
             Note::InconsistentPremises(_) => "inconsistent-premises",
@@ -177,10 +197,14 @@ impl Note {
 
     /// Whether it is something to mend, rather than to know.
     pub fn is_finding(&self) -> bool {
-        !matches!(
-            self,
-            Note::Uncited(_) | Note::OutOfScope(_) | Note::RestsOnUnproved(_)
-        )
+        match self {
+            Note::Uncited(_)
+            | Note::OutOfScope(_)
+            | Note::RestsOnUnproved(_)
+            | Note::UnusedPremise(_) => false,
+            Note::CitationsShifted { steps, .. } => !steps.is_empty(),
+            _ => true,
+        }
     }
 }
 

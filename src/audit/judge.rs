@@ -1,13 +1,15 @@
 use crate::algebra::{Formula, Symbol};
-use crate::derivation::{Assumed, Derivation, Goal, Kind, Source};
+use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, formulas, values_at};
 use crate::kernel::{Assignment, Obligation, Proven, Standing};
-use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, Stop};
+use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, Mended, Stop};
 
 use super::premise::{Usable, usable};
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
 const MOST_RELATIVES: usize = 12;
+/// How many formulas that are given only later are tried with what does not follow.
+const MOST_LATER: usize = 4;
 /// How many uncited hypotheses are added, and how hard is tried: most stale citations mean an equation a few
 /// lines up.
 const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
@@ -35,10 +37,29 @@ pub(super) struct Found {
     pub contradictory: Vec<Source>,
     /// What follows in the place of what fails.
     pub implied: Option<Box<Implied>>,
+    /// What is one small edit away from what fails, and follows.
+    pub mended: Option<Box<Mended>>,
+    /// What would have to be supposed for it to follow.
+    pub missing: Vec<Formula>,
+}
+
+impl Found {
+    /// Nothing yet but the goal.
+    pub fn open(judged: Judged) -> Found {
+        Found {
+            judged,
+            instead: Vec::new(),
+            conditions: Vec::new(),
+            contradictory: Vec::new(),
+            implied: None,
+            mended: None,
+            missing: Vec::new(),
+        }
+    }
 }
 
 /// What a step that does not follow from what it cites may be tried with.
-struct Attempt {
+pub(super) struct Attempt {
     cited: Vec<Assumed>,
     /// The likeliest first.
     others: Vec<Assumed>,
@@ -57,17 +78,11 @@ impl Judge<'_> {
         if goal.suppositions.is_empty() {
             assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
         }
-        let mut found = Found {
-            judged: Judged {
-                goal: goal.clone(),
-                assumed: assumed.clone(),
-                outcome: Outcome::Open(Stop::default()),
-            },
-            instead: Vec::new(),
-            conditions: Vec::new(),
-            contradictory: Vec::new(),
-            implied: None,
-        };
+        let mut found = Found::open(Judged {
+            goal: goal.clone(),
+            assumed: assumed.clone(),
+            outcome: Outcome::Open(Stop::default()),
+        });
         if search::is_scaling(&goal.formula) {
             self.scaling(goal, &assumed, premises, &mut found);
             return found;
@@ -138,10 +153,34 @@ impl Judge<'_> {
                 if !settled && let Outcome::Refuted(refuted) = &found.judged.outcome {
                     let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
                     found.implied = search::implied(&claim).map(Box::new);
+                    // Where only a factor is wrong, the author's own words are kept already.
+                    if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {
+                        let witness = refuted.witness();
+                        let mended = search::mended(&claim, witness, values_at);
+                        found.mended = mended.map(Box::new);
+                    }
                     if let Some((conditions, _)) =
                         search::missing_conditions(&claim, refuted.witness(), &self.auditor.hints())
                     {
                         found.conditions = conditions;
+                    } else if found.mended.is_none()
+                        && found
+                            .implied
+                            .as_ref()
+                            .is_none_or(|i| i.restates() && !i.is_multiple())
+                    {
+                        let elsewhere = self.later(premises);
+                        let hints = self.auditor.hints();
+                        let missing = search::missing_suppositions(
+                            &claim,
+                            refuted.witness(),
+                            &elsewhere,
+                            &hints,
+                            values_at,
+                        );
+                        if let Some((all, _)) = missing {
+                            (found.missing, found.implied) = (all, None);
+                        }
                     }
                 }
             }
@@ -162,7 +201,7 @@ impl Judge<'_> {
     }
 
     /// Leaves out every hypothesis that a proof does without, the last first. `posed` is the claim that was proved.
-    fn least(
+    pub(super) fn least(
         &self,
         mut assumed: Vec<Assumed>,
         goal: &Goal,
@@ -242,7 +281,7 @@ impl Judge<'_> {
 
     /// What a step that does not follow may be tried with: what is cited, and what is not but stands before.
     /// The witness against it may stand against all of these too.
-    fn attempts(
+    pub(super) fn attempts(
         &mut self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -288,7 +327,7 @@ impl Judge<'_> {
     }
 
     /// Tries again with what stands before, cited or not.
-    fn rescue(
+    pub(super) fn rescue(
         &mut self,
         goal: &Goal,
         attempts: &[Attempt],
@@ -375,6 +414,17 @@ impl Judge<'_> {
         };
         self.others = Some(others.clone());
         others
+    }
+
+    /// What is given further on in the page and not cited: an author may have used it too soon.
+    fn later(&self, premises: &[usize]) -> Vec<Formula> {
+        let equations = &self.derivation.equations;
+        let own = self.derivation.equations_of(equations[self.at].page);
+        let given = (self.at + 1..own.end)
+            .take(MOST_RELATIVES)
+            .filter(|at| equations[*at].kind == Kind::Given && !premises.contains(at));
+        let statements = given.flat_map(|at| equations[at].statements());
+        statements.flat_map(formulas).take(MOST_LATER).collect()
     }
 
     /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that

@@ -10,8 +10,11 @@ mod given;
 mod judge;
 mod numeric;
 mod premise;
+mod review;
 mod scaling;
 mod schedule;
+mod shifted;
+mod without;
 
 use std::cell::{Ref, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,7 +31,9 @@ pub use dimensions::Dimensions;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
 pub use numeric::{FAR, Link, Numeric, Weighed};
 use premise::{Offer, usable};
+pub use review::{Fallen, Review};
 use schedule::Schedule;
+pub use without::{Without, without_each};
 
 /// More threads than this would mostly wait for one another.
 const MOST_THREADS: usize = 8;
@@ -83,9 +88,16 @@ impl Audit {
             let _ = shared.dimensions.set(dimensions.unwrap_or_default());
             work();
         });
+        let shifted = shifted::gather(&shared);
         let done = shared.done.into_iter().filter_map(OnceLock::into_inner);
+        let mut entries: Vec<Entry> = done.flat_map(|done| done.entries).collect();
+        for (at, note) in shifted {
+            let notes = &mut entries[at].notes;
+            notes.retain(|n| !matches!(n, Note::Miscited { .. }));
+            notes.push(note);
+        }
         Audit {
-            entries: done.flat_map(|done| done.entries).collect(),
+            entries,
             dimensions: shared.dimensions.into_inner().unwrap_or_default(),
         }
     }
@@ -276,6 +288,14 @@ impl Auditor<'_> {
             }
             entries.push(entry);
         }
+        if says_so && entries.iter().all(|e| e.verdict == Verdict::Holds) {
+            let unused = unused(&entries, &premises);
+            if let Some(first) = entries.first_mut()
+                && !unused.is_empty()
+            {
+                first.notes.push(Note::UnusedPremise(unused));
+            }
+        }
         let opens = equation.opens && entries.iter().all(|e| e.verdict != Verdict::Holds);
         if opens {
             // A page must begin somewhere: what nothing precedes is given.
@@ -333,7 +353,10 @@ impl Auditor<'_> {
                     .push(Note::InconsistentPremises(found.contradictory));
             }
             instead.extend(found.instead);
-            entry.implied = entry.implied.or(found.implied);
+            if entry.implied.is_none() && entry.mended.is_none() {
+                (entry.implied, entry.mended) = (found.implied, found.mended);
+                entry.missing = found.missing;
+            }
             entry.judged.push(found.judged);
         }
         entry.verdict = verdict(&entry.judged, defines);
@@ -523,7 +546,24 @@ fn blank(equation: usize, part: usize, parts: usize, kind: Kind, verdict: Verdic
         numeric: None,
         model: None,
         implied: None,
+        mended: None,
+        missing: Vec::new(),
     }
+}
+
+/// What is cited and not needed. What is cited wrongly is told already.
+fn unused(entries: &[Entry], premises: &[usize]) -> Vec<usize> {
+    let told = |n: &Note| {
+        matches!(
+            n,
+            Note::Miscited { .. } | Note::OutOfScope(_) | Note::CitesLater(_)
+        )
+    };
+    if entries.iter().any(|e| e.notes.iter().any(told)) {
+        return Vec::new();
+    }
+    let needed = |premise: &&usize| entries.iter().any(|e| e.premises.contains(premise));
+    premises.iter().filter(|p| !needed(p)).copied().collect()
 }
 
 /// What the links together say of the statement.

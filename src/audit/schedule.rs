@@ -59,6 +59,18 @@ impl Schedule {
         }
     }
 
+    /// With nothing left to take.
+    pub fn finished() -> Self {
+        let left = Left {
+            taken: Vec::new(),
+            first: 0,
+        };
+        Schedule {
+            parts: Vec::new(),
+            left: left.into(),
+        }
+    }
+
     pub fn len(&self) -> usize {
         self.parts.len()
     }

@@ -130,6 +130,15 @@ pub enum Command {
         #[command(flatten)]
         gate: Gate,
     },
+    /// Show what rests on what, and what falls with each equation that fails: in words, or as `--format dot`, `json` or `svg`.
+    Graph {
+        /// Files, directories or `-`; without any, the built-in report.
+        #[arg(value_name = "PATH")]
+        paths: Vec<PathBuf>,
+        /// What standard input is called in findings.
+        #[arg(long, value_name = "NAME")]
+        stdin_filename: Option<String>,
+    },
     /// Write out one equation's evidence in full, so that it can be checked by hand; or what a code means.
     Explain {
         /// The number (`23`) or name of an equation, or the code of a verdict or note (`miscited`).
@@ -189,6 +198,10 @@ pub enum Format {
     Github,
     /// Test reports: JUnit's XML.
     Junit,
+    /// `graph` only: for Graphviz.
+    Dot,
+    /// `graph` only: a drawing.
+    Svg,
 }
 
 impl Format {
@@ -201,6 +214,8 @@ impl Format {
             Format::Sarif => "sarif",
             Format::Github => "github",
             Format::Junit => "junit",
+            Format::Dot => "dot",
+            Format::Svg => "svg",
         }
     }
 }

@@ -91,6 +91,13 @@ fn view(
         Format::Github => github(&remarks()),
         Format::Sarif => pretty(&report.sarif(&remarks(), comparison.is_some()))?,
         Format::Junit => report.junit(&remarks(), gate.fail_on.level(), here),
+        Format::Dot | Format::Svg => {
+            let word = args.format.word();
+            return Err(
+                Failure::new(format!("`--format {word}` shows what rests on what"))
+                    .help("`cradle-verify graph` draws it"),
+            );
+        }
     })
 }
 

@@ -12,12 +12,19 @@ use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
 use crate::proofs;
+use crate::report::graph::Graph;
 use crate::report::{Report, codes};
 
 pub(super) type Done = Result<(String, bool), Failure>;
 
 /// Does what is asked.
 pub(super) fn run(args: &Args) -> Done {
+    let drawn = matches!(args.format, Format::Dot | Format::Svg);
+    if drawn && !matches!(args.command, Some(Command::Graph { .. })) {
+        return Err(Failure::new("only `graph` can be drawn").help(
+            "`cradle-verify graph --format svg`; elsewhere the format is `human` or `json`",
+        ));
+    }
     if let Some(letter) = &args.scenario {
         if args.command.is_some() {
             return Err(Failure::new("`--scenario` stands without a command").help(
@@ -61,14 +68,15 @@ pub(super) fn run(args: &Args) -> Done {
             paths,
             stdin_filename,
         }) => {
-            let (derivation, shown) = match paths.is_empty() && stdin_filename.is_none() {
-                true => inside(args),
-                false => (
-                    input::derivation(paths, stdin_filename.as_deref())?,
-                    shown(paths),
-                ),
-            };
+            let (derivation, shown) = asked_for(args, paths, stdin_filename.as_deref())?;
             explain(&derivation, label, args, &shown)
+        }
+        Some(Command::Graph {
+            paths,
+            stdin_filename,
+        }) => {
+            let (derivation, shown) = asked_for(args, paths, stdin_filename.as_deref())?;
+            graph(&derivation, args, &shown)
         }
         Some(Command::Completions { shell }) => Ok((manual::completions(*shell), false)),
         Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?, false)),
@@ -99,11 +107,17 @@ pub(super) fn run(args: &Args) -> Done {
 fn speaks_of_what_is_inside(args: &Args) -> bool {
     match &args.command {
         None => true,
-        Some(Command::Explain {
-            paths,
-            stdin_filename,
-            ..
-        }) => paths.is_empty() && stdin_filename.is_none(),
+        Some(
+            Command::Explain {
+                paths,
+                stdin_filename,
+                ..
+            }
+            | Command::Graph {
+                paths,
+                stdin_filename,
+            },
+        ) => paths.is_empty() && stdin_filename.is_none(),
         Some(_) => false,
     }
 }
@@ -117,6 +131,37 @@ fn inside(args: &Args) -> (Derivation, Vec<String>) {
             vec!["--builtin".into(), "corrected".into()],
         ),
     }
+}
+
+/// The documents that are named, or what ships inside where there are none.
+fn asked_for(
+    args: &Args,
+    paths: &[PathBuf],
+    stdin_filename: Option<&str>,
+) -> Result<(Derivation, Vec<String>), Failure> {
+    Ok(match paths.is_empty() && stdin_filename.is_none() {
+        true => inside(args),
+        false => (input::derivation(paths, stdin_filename)?, shown(paths)),
+    })
+}
+
+/// What rests on what.
+fn graph(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
+    let audit = Audit::of(derivation);
+    let report = Report {
+        derivation,
+        audit: &audit,
+        paths,
+    };
+    let graph = Graph::of(&report);
+    let text = match args.format {
+        Format::Human => graph.text(&report),
+        Format::Json => pretty(&graph.json(&report))?,
+        Format::Dot => graph.dot(),
+        Format::Svg => graph.svg(),
+        other => return Err(no_audit(other)),
+    };
+    Ok((text, report.findings() > 0))
 }
 
 fn shown(paths: &[PathBuf]) -> Vec<String> {

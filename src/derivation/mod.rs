@@ -150,6 +150,18 @@ impl Derivation {
         near.or_else(|| all.first()).copied()
     }
 
+    /// The number of an equation, where that is a whole number in plain figures.
+    pub fn number(&self, at: usize) -> Option<i64> {
+        let tag = self.equations[at].tag.as_deref()?;
+        let figures = tag.len() <= 9 && tag.bytes().all(|b| b.is_ascii_digit());
+        figures.then(|| tag.parse().ok()).flatten()
+    }
+
+    /// The equation that a number cited on a page means.
+    pub fn numbered(&self, number: i64, page: usize) -> Option<usize> {
+        self.resolve(&format!("({number})"), page)
+    }
+
     /// The equations that an equation is said to follow from, whether it says so itself, and the
     /// citations that lead nowhere.
     ///

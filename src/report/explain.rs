@@ -1,6 +1,6 @@
 //! One equation in full: what was understood, what it was judged from, and the evidence to check by hand.
 
-use crate::audit::{Entry, Judged, Outcome};
+use crate::audit::{Entry, Judged, Outcome, Without, without_each};
 use crate::derivation::Source;
 use crate::kernel::{Claim, Refuted};
 use crate::notation::{latex_statement, plain_formula};
@@ -64,17 +64,37 @@ impl Report<'_> {
         text += &self.numeric_lines(entry);
         for (step, judged) in entry.judged.iter().enumerate() {
             text += &self.explain_step(judged, step, entry.judged.len());
+            text += &self.without(entry, judged);
         }
-        if let Some(implied) = &entry.implied {
-            let instead = implied::instead_plainly(implied);
+        if !entry.missing.is_empty() {
+            text += &format!("\n  It {}.\n", implied::supposing(&entry.missing));
+        }
+        if let Some((instead, proven)) = implied::instead_plainly(entry) {
             text += &format!("\n  Instead, {instead}.\n");
             if let Some((judged, _)) = entry.refuted() {
-                for line in self.proof(judged, &implied.proven) {
+                for line in self.proof(judged, proven) {
                     text += &format!("    {line}\n");
                 }
             }
         }
         text
+    }
+
+    /// What goes wrong without each premise.
+    fn without(&self, entry: &Entry, judged: &Judged) -> String {
+        let mut text = String::new();
+        for (source, outcome) in without_each(self.derivation, entry.equation, judged) {
+            let told = match &outcome {
+                Without::Fails(refuted) => self.in_numbers(judged, refuted),
+                Without::Follows => "it follows from the rest all the same".into(),
+                Without::Open => "neither a proof nor a counterexample was found".into(),
+            };
+            text += &format!("    without {}: {told}\n", self.source(&source));
+        }
+        match text.is_empty() {
+            true => text,
+            false => format!("\n  What each premise is needed for\n{text}"),
+        }
     }
 
     /// The dimension of both sides, or why they have none in common.

@@ -25,20 +25,22 @@ impl Report<'_> {
     /// It is offered only where it mends the equation: the side that is replaced ends its chain, so that no other link
     /// speaks of it, and no other link fails.
     pub(super) fn fix(&self, entry: &Entry) -> Option<Fix> {
-        let implied = entry.implied.as_deref()?;
+        let (message, proven) = implied::instead_plainly(entry)?;
         let (judged, _) = entry.refuted()?;
         let wrong = entry.judged.iter().filter(|j| !j.outcome.is_proven());
         let others = wrong.filter(|j| !matches!(j.outcome, crate::audit::Outcome::Defined));
         if others.count() != 1 {
             return None;
         }
-        let (symbol, term) = equated(&implied.proven.claim().goal)?;
+        let (first, second) = equated(&proven.claim().goal)?;
         let (left, right) = equated(&judged.goal.formula)?;
         let (before, after) = judged.goal.sides;
-        let span = match (left == symbol, right == symbol) {
-            (true, false) => after,
-            (false, true) => before,
-            _ => return None,
+        // One side stays as it is printed.
+        let (span, term) = match () {
+            () if left == first && right != second => (after, second),
+            () if right == second && left != first => (before, first),
+            () if right == first && left != second => (before, second),
+            () => return None,
         };
         let statement = self.statement(entry)?;
         let clause = statement.clauses.get(judged.goal.clause)?;
@@ -60,7 +62,7 @@ impl Report<'_> {
             ""
         };
         Some(Fix {
-            message: implied::instead_plainly(implied),
+            message,
             span,
             text: format!("{space}{}", latex(term)),
         })

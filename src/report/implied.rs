@@ -1,19 +1,74 @@
-//! What follows in the place of a failing equation, and how far what is printed is from it.
+//! What follows in the place of a failing equation: the slip of the pen undone, or what its premises give, and how
+//! far what is printed is from it.
 
-use crate::algebra::{BigRational, Expr};
+use crate::algebra::{BigRational, Expr, Formula};
+use crate::audit::Entry;
+use crate::kernel::Proven;
 use crate::notation::{latex_formula, plain, plain_formula};
-use crate::search::Implied;
+use crate::search::{Change, Implied};
 
-/// As LaTeX, to be put in the place of what is printed.
-pub(super) fn instead(implied: &Implied) -> String {
-    let written = latex_formula(&implied.proven.claim().goal);
-    format!("what follows is `{written}`{}", comparison(implied))
+use super::words;
+
+/// What should be read, proved, and how what is printed differs.
+struct Instead<'a> {
+    proven: &'a Proven,
+    difference: String,
 }
 
-/// In one line.
-pub(super) fn instead_plainly(implied: &Implied) -> String {
-    let written = plain_formula(&implied.proven.claim().goal);
-    format!("what follows is {written}{}", comparison(implied))
+/// The nearest that follows: one edit away, if there is such a thing.
+fn nearest(entry: &Entry) -> Option<Instead<'_>> {
+    if let Some(mended) = &entry.mended {
+        return Some(Instead {
+            proven: &mended.proven,
+            difference: format!("; {}", slip(&mended.change)),
+        });
+    }
+    entry.implied.as_ref().map(|implied| Instead {
+        proven: &implied.proven,
+        difference: comparison(implied),
+    })
+}
+
+/// As LaTeX, to be put in the place of what is printed.
+pub(super) fn instead(entry: &Entry) -> Option<String> {
+    nearest(entry).map(|instead| {
+        let written = latex_formula(&instead.proven.claim().goal);
+        format!("what follows is `{written}`{}", instead.difference)
+    })
+}
+
+/// In one line, with its proof.
+pub(super) fn instead_plainly(entry: &Entry) -> Option<(String, &Proven)> {
+    nearest(entry).map(|instead| {
+        let written = plain_formula(&instead.proven.claim().goal);
+        let text = format!("what follows is {written}{}", instead.difference);
+        (text, instead.proven)
+    })
+}
+
+/// What would have to be supposed besides.
+pub(super) fn supposing(conditions: &[Formula]) -> String {
+    let conditions = conditions
+        .iter()
+        .map(|c| format!("`{}`", latex_formula(c)))
+        .collect();
+    format!("follows if also {}", words::list(conditions))
+}
+
+/// What the pen slipped on.
+fn slip(change: &Change) -> String {
+    match change {
+        Change::Sign => "only a sign differs".into(),
+        Change::Coefficient => "only a coefficient differs".into(),
+        Change::Exponent => "only an exponent differs".into(),
+        Change::Inverted => "only a fraction is upside down".into(),
+        Change::Relation => "only the relation is turned round".into(),
+        Change::Symbol { printed, meant } => format!(
+            "only {} stands for {}",
+            words::symbol(printed),
+            words::symbol(meant)
+        ),
+    }
 }
 
 fn comparison(implied: &Implied) -> String {

@@ -272,10 +272,12 @@ impl Report<'_> {
             numeric: entry.numeric.as_deref().map(numeric_view),
             repair: match entry.rescaled() {
                 Some((_, refuted, repair)) => repair.map(|r| scaling::repaired(refuted, r)),
-                None => match &entry.implied {
-                    Some(implied) => Some(implied::instead(implied)),
-                    None => entry.notes.iter().find_map(|note| self.repair(note)),
-                },
+                None => implied::instead(entry)
+                    .or_else(|| {
+                        let missing = Some(&entry.missing).filter(|all| !all.is_empty());
+                        missing.map(|all| implied::supposing(all))
+                    })
+                    .or_else(|| entry.notes.iter().find_map(|note| self.repair(note))),
             },
         }
     }
@@ -325,7 +327,7 @@ impl Report<'_> {
         }
     }
 
-    fn label(&self, at: usize) -> String {
+    pub(super) fn label(&self, at: usize) -> String {
         match self.equation(at).label() {
             Some(label) => label.to_owned(),
             None => self.place(at),

@@ -73,7 +73,9 @@ impl Report<'_> {
                 Some(numeric) => Some(numeric::headline(numeric)),
                 None => undecided(entry),
             }),
-            Verdict::Holds if entry.notes.is_empty() => said.push(self.holds_from(entry)),
+            Verdict::Holds if entry.notes.iter().all(is_quiet) => {
+                said.push(self.holds_from(entry));
+            }
             Verdict::IllDimensioned => {
                 said.extend(
                     self.conflict(entry)
@@ -86,8 +88,9 @@ impl Report<'_> {
             Verdict::Holds => {}
         }
         // The line of a numeric claim says so itself.
-        let apart =
-            |note: &&Note| !(matches!(note, Note::NumericNotSupported) && unsupported(entry));
+        let apart = |note: &&Note| {
+            !is_quiet(note) && !(matches!(note, Note::NumericNotSupported) && unsupported(entry))
+        };
         let notes = entry.notes.iter().filter(apart);
         said.extend(notes.filter_map(|note| self.aside(note)));
         said.join("; ")
@@ -192,6 +195,21 @@ impl Report<'_> {
                     ),
                 }
             }
+            Note::CitationsShifted {
+                by, cited, instead, ..
+            } => {
+                let (added, dropped) = exchange(cited, instead);
+                format!(
+                    "cites numbers {} too {}: follows from {}, not {}",
+                    by.abs(),
+                    if *by > 0 { "small" } else { "large" },
+                    self.sources(&added),
+                    self.references(&dropped)
+                )
+            }
+            Note::UnusedPremise(unused) => {
+                format!("cites {} to no use", self.references(unused))
+            }
             Note::NumericNotSupported => {
                 "not supported: false for all figures within their bounds".into()
             }
@@ -228,6 +246,11 @@ impl Report<'_> {
             }
         })
     }
+}
+
+/// What is told in full views only.
+fn is_quiet(note: &Note) -> bool {
+    matches!(note, Note::UnusedPremise(_))
 }
 
 /// A numeric claim that the figures contradict.

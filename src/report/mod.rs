@@ -19,6 +19,7 @@ pub mod explain;
 mod fingerprint;
 mod fix;
 mod github;
+pub mod graph;
 pub mod human;
 pub mod implied;
 mod json;

@@ -25,6 +25,28 @@ pub struct Implied {
     pub ratio: Option<Expr>,
 }
 
+impl Implied {
+    /// Whether it only says what a premise says.
+    pub fn restates(&self) -> bool {
+        let claim = self.proven.claim();
+        let Some((left, right)) = claim.goal.as_equation() else {
+            return false;
+        };
+        let turned = Formula::equal(right.clone(), left.clone());
+        let said = |f: &Formula| *f == claim.goal || *f == turned;
+        claim.hypotheses.iter().any(|h| said(&h.formula))
+    }
+
+    /// Whether what is printed differs in a number alone.
+    pub fn is_multiple(&self) -> bool {
+        let number = |ratio: &Expr| match ratio {
+            Expr::Negate(inner) => own_number(inner).is_some(),
+            ratio => own_number(ratio).is_some(),
+        };
+        self.ratio.as_ref().is_some_and(number)
+    }
+}
+
 /// What the premises of a failing `symbol = term` give for the symbol, in what the term speaks of if that can
 /// be had.
 pub fn implied(claim: &Claim) -> Option<Implied> {
@@ -131,7 +153,7 @@ fn cancelled(value: &Fraction) -> Option<Fraction> {
 }
 
 /// A number as one would write it: `\frac12` rather than 0.5.
-fn number(value: &Rational) -> Expr {
+pub(super) fn number(value: &Rational) -> Expr {
     if value.is_integer() {
         return Expr::integer(value.numer());
     }
@@ -144,7 +166,7 @@ fn number(value: &Rational) -> Expr {
 }
 
 /// The value of a term that is a number.
-fn own_number(term: &Expr) -> Option<Rational> {
+pub(super) fn own_number(term: &Expr) -> Option<Rational> {
     match term {
         Expr::Number(value) => Some(value.into()),
         Expr::Quotient(above, below) => match (&**above, &**below) {
@@ -157,8 +179,18 @@ fn own_number(term: &Expr) -> Option<Rational> {
     }
 }
 
+/// The size of the number that a term begins with, 1 if with none.
+fn coefficient(term: &Expr) -> Rational {
+    let own = match term {
+        Expr::Product(factors) => factors.first().and_then(own_number),
+        term => own_number(term),
+    };
+    let own = own.map(|own| own.abs()).filter(|own| !own.is_zero());
+    own.unwrap_or_else(Rational::one)
+}
+
 /// A term times a number, the number merged into the term as one would write it.
-fn scaled(term: &Expr, factor: &Rational) -> Expr {
+pub(super) fn scaled(term: &Expr, factor: &Rational) -> Expr {
     if let Some(own) = own_number(term) {
         return number(&(factor * own));
     }
@@ -167,19 +199,20 @@ fn scaled(term: &Expr, factor: &Rational) -> Expr {
     }
     match term {
         Expr::Quotient(above, below) => {
-            let (up, down) = (
-                Rational::from(factor.numer()),
-                Rational::from(factor.denom()),
-            );
-            let below = match down.is_one() {
-                true => (**below).clone(),
-                false => scaled(below, &down),
+            // In lowest terms with the numbers that stand there already.
+            let (own, under) = (coefficient(above), coefficient(below));
+            let total = factor * &own / &under;
+            let up = Rational::from(total.numer()) / own;
+            let down = Rational::from(total.denom()) / under;
+            let side = |term: &Expr, by: &Rational| match by.is_one() {
+                true => term.clone(),
+                false => scaled(term, by),
             };
-            let above = match up.is_one() {
-                true => (**above).clone(),
-                false => scaled(above, &up),
-            };
-            Expr::Quotient(above.into(), below.into())
+            let (above, below) = (side(above, &up), side(below, &down));
+            match below.is_one() {
+                true => above,
+                false => Expr::Quotient(above.into(), below.into()),
+            }
         }
         Expr::Product(factors) => {
             let mut factors = factors.clone();

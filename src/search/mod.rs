@@ -6,6 +6,8 @@
 mod elements;
 mod ideal;
 mod implied;
+mod mend;
+mod missing;
 mod point;
 mod positivity;
 mod prove;
@@ -24,6 +26,8 @@ use crate::kernel::{
     Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
 pub use implied::{Implied, implied};
+pub use mend::{Change, Mended, mended};
+pub use missing::missing_suppositions;
 pub use prove::Effort;
 use prove::Prover;
 pub use scaling::{

@@ -12,6 +12,7 @@ use crate::notation::plain_formula;
 
 use super::super::Report;
 use super::super::dimension::{called, change_of_units, columns, missing_factor};
+use super::super::implied;
 use super::super::scaling;
 use super::super::words::{list, symbol};
 use super::differing::{Thing, compared, in_order, place, things};
@@ -44,6 +45,9 @@ impl Report<'_> {
                 Level::NOTE.with_name("as numbers"),
                 format!("it does not follow either: {text}"),
             ));
+            let instead = implied::instead(entry);
+            let instead = instead.map(|text| (Level::HELP, text));
+            finding.said.extend(instead);
         }
         if let Some((judged, refuted, repair)) = entry.rescaled() {
             let text = self.in_situations(judged, refuted);

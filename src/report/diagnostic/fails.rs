@@ -102,8 +102,11 @@ impl Report<'_> {
             None => lines.push(format!("`{}` is false there", plain_formula(formula))),
         }
         said.push((Level::NOTE.with_name("counterexample"), lines.join("\n")));
-        let instead = entry.implied.iter().map(|i| implied::instead(i));
+        let instead = implied::instead(entry);
         said.extend(instead.map(|text| (Level::HELP, text)));
+        if !entry.missing.is_empty() {
+            said.push((Level::HELP, implied::supposing(&entry.missing)));
+        }
         said.extend(marks(entry));
         said.extend(replay(self, entry.equation));
         said
@@ -133,7 +136,7 @@ fn marks(entry: &Entry) -> Vec<(Level<'static>, String)> {
     for note in &entry.notes {
         match note {
             Note::UnstatedCondition(conditions) => {
-                said.push((Level::HELP, conditional(conditions)));
+                said.push((Level::HELP, implied::supposing(conditions)));
             }
             Note::WrongMark(Mark::Tick) => said.push((
                 Level::NOTE,

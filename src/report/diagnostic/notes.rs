@@ -101,6 +101,12 @@ impl Report<'_> {
                     }
                 }
             }
+            Note::CitationsShifted { by, steps, .. } => {
+                if steps.is_empty() {
+                    return None;
+                }
+                self.shifted(&mut finding, *by, steps);
+            }
             Note::NumericNotSupported => {
                 finding.title = format!("{subject} is not supported by its figures");
                 if let Some(numeric) = &entry.numeric {
@@ -194,7 +200,10 @@ impl Report<'_> {
                 let text = format!("{} is at {}", self.reference(*at), self.place(*at));
                 finding.said.push((Level::NOTE, text));
             }
-            Note::Uncited(_) | Note::OutOfScope(_) | Note::RestsOnUnproved(_) => return None,
+            Note::Uncited(_)
+            | Note::OutOfScope(_)
+            | Note::RestsOnUnproved(_)
+            | Note::UnusedPremise(_) => return None,
         }
         if !matches!(note, Note::DuplicateTag(_) | Note::UnknownCitation(..)) {
             finding.said.extend(replay(self, entry.equation));
@@ -202,11 +211,37 @@ impl Report<'_> {
         Some(finding)
     }
 
+    /// One finding for steps whose citations are all off by the same number.
+    fn shifted(&self, finding: &mut Finding, by: i64, steps: &[usize]) {
+        let (off, mend) = match by > 0 {
+            true => ("small", "add"),
+            false => ("large", "subtract"),
+        };
+        let (by, preposition) = (by.abs(), if by > 0 { "to" } else { "from" });
+        finding.title = format!(
+            "the numbers cited by {} are all {by} too {off}",
+            self.references(steps)
+        );
+        let help = format!("{mend} {by} {preposition} each number that they cite");
+        finding.said.push((Level::HELP, help));
+        for &at in steps {
+            let (cited, ..) = self.derivation.premises(at);
+            let pairs = cited.iter().filter_map(|&cited| {
+                let number = self.derivation.number(cited)?;
+                let signed = if off == "small" { by } else { -by };
+                Some(format!("({number}) stands for ({})", number + signed))
+            });
+            let text = format!("in {}, {}", self.reference(at), list(pairs.collect()));
+            finding.said.push((Level::NOTE, text));
+        }
+        finding.primary.1 = "the first of them".into();
+    }
+
     /// What would mend it, where that is known.
     pub fn repair(&self, note: &Note) -> Option<String> {
         match note {
             Note::UnstatedCondition(conditions) => Some(conditional(conditions)),
-            Note::Miscited { cited, instead } => {
+            Note::Miscited { cited, instead } | Note::CitationsShifted { cited, instead, .. } => {
                 let (added, dropped) = exchange(cited, instead);
                 match (added.is_empty(), dropped.is_empty()) {
                     (true, _) => None,

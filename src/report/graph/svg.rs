@@ -1,0 +1,281 @@
+//! The graph as a drawing that needs nothing else: no fonts, no styles, no scripts.
+//!
+//! Colours are custom properties, so that a page that takes the drawing in can set them; by itself it follows the
+//! reader's choice of light or dark. What fails and what falls is told apart by shape and sign too.
+
+use super::layout::{Frame, Layout, drawn_name};
+use super::{Graph, Node, Status};
+
+const MARGIN: i64 = 20;
+const HEAD: i64 = 74;
+
+/// `:where` weighs nothing: a page's own rule for `.cv-graph` prevails.
+const STYLE: &str = "\
+:where(.cv-graph){--cv-paper:#ffffff;--cv-card:#f6f8fa;--cv-rim:#d0d7de;--cv-ink:#1f2328;--cv-soft:#57606a;\
+--cv-line:#8c959f;--cv-good:#1a7f37;--cv-bad:#cf222e;--cv-bad-fill:#ffebe9;--cv-warn:#9a6700}\
+@media (prefers-color-scheme:dark){:where(.cv-graph){--cv-paper:#0d1117;--cv-card:#161b22;--cv-rim:#30363d;\
+--cv-ink:#e6edf3;--cv-soft:#9198a1;--cv-line:#6e7681;--cv-good:#3fb950;--cv-bad:#ff7b72;--cv-bad-fill:#3c1618;\
+--cv-warn:#d29922}}\
+.cv-graph text{font-family:system-ui,sans-serif;fill:var(--cv-ink)}\
+.cv-graph .cv-page{fill:var(--cv-paper)}\
+.cv-graph .cv-card{fill:var(--cv-card);stroke:var(--cv-rim)}\
+.cv-graph .cv-soft{fill:var(--cv-soft)}\
+.cv-graph .cv-edge{fill:none;stroke:var(--cv-line);stroke-width:1.2}\
+.cv-graph .cv-far{stroke-opacity:.45;stroke-dasharray:1 3;stroke-linecap:round}\
+.cv-graph .cv-broken{stroke:var(--cv-bad);stroke-width:2;stroke-dasharray:6 3;stroke-opacity:1}\
+.cv-graph .cv-node .cv-box{fill:var(--cv-paper);stroke:var(--cv-soft);stroke-width:1.3}\
+.cv-graph .cv-node .cv-sign{fill:none;stroke:var(--cv-soft);stroke-width:1.8;stroke-linecap:round}\
+.cv-graph .cv-holds .cv-box{stroke:var(--cv-good)}\
+.cv-graph .cv-holds .cv-sign{stroke:var(--cv-good)}\
+.cv-graph .cv-fails .cv-box{fill:var(--cv-bad-fill);stroke:var(--cv-bad);stroke-width:2.4}\
+.cv-graph .cv-fails .cv-sign{stroke:var(--cv-bad);stroke-width:2.2}\
+.cv-graph .cv-fails text{font-weight:600}\
+.cv-graph .cv-falls .cv-box{stroke:var(--cv-bad);stroke-dasharray:5 3}\
+.cv-graph .cv-falls .cv-sign{stroke:var(--cv-bad)}\
+.cv-graph .cv-stands .cv-box{stroke:var(--cv-warn);stroke-dasharray:5 3}\
+.cv-graph .cv-stands .cv-sign{stroke:var(--cv-warn)}\
+.cv-graph .cv-undecided .cv-box{stroke:var(--cv-warn);stroke-dasharray:1 3;stroke-linecap:round}\
+.cv-graph .cv-undecided .cv-sign{stroke:var(--cv-warn)}";
+
+impl Graph {
+    /// An `<svg>` element, with its size and its own colours, light and dark.
+    pub fn svg(&self) -> String {
+        let layout = Layout::of(self);
+        let (width, height) = (layout.width + 2 * MARGIN, layout.height + HEAD + 2 * MARGIN);
+        let failing = self.nodes.iter().filter(|n| n.status.is_failing()).count();
+        let fallen = self.nodes.iter().filter(|n| n.status.is_fallen()).count();
+        let told = format!(
+            "{} statements, {failing} failing, {fallen} falling with them",
+            self.nodes.len()
+        );
+        let mut text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"cv-graph\" role=\"img\" width=\"{width}\" \
+             height=\"{height}\" viewBox=\"0 0 {width} {height}\" font-size=\"13\">\n\
+             <title>What rests on what</title>\n<desc>{told}</desc>\n<style>{STYLE}</style>\n\
+             <rect class=\"cv-page\" width=\"{width}\" height=\"{height}\"/>\n"
+        );
+        text += &format!(
+            "<text x=\"{MARGIN}\" y=\"{}\" font-size=\"20\" font-weight=\"600\">What rests on what</text>\n\
+             <text class=\"cv-soft\" x=\"{}\" y=\"{}\">{told}</text>\n",
+            MARGIN + 16,
+            MARGIN + 230,
+            MARGIN + 16
+        );
+        text += &legend(self);
+        text += &format!("<g transform=\"translate({MARGIN} {})\">\n", MARGIN + HEAD);
+        for (document, frame) in &layout.cards {
+            let (title, path) = &self.documents[*document];
+            let title = if title.is_empty() { path } else { title };
+            let room = usize::try_from(frame.width / 7).unwrap_or(0);
+            text += &format!(
+                "<rect class=\"cv-card\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"8\"/>\n\
+                 <text class=\"cv-soft\" x=\"{}\" y=\"{}\" font-weight=\"600\">{}</text>\n",
+                frame.x,
+                frame.y,
+                frame.width,
+                frame.height,
+                frame.x + 14,
+                frame.y + 21,
+                escaped(&super::shortened(title, room))
+            );
+        }
+        // What is broken is drawn last, over the rest.
+        let broken = |edge: &usize| self.is_broken(self.edges[*edge]);
+        let (red, grey): (Vec<usize>, Vec<usize>) = (0..self.edges.len()).partition(broken);
+        for edge in grey.into_iter().chain(red) {
+            text += &self.edge(&layout, edge);
+        }
+        for (node, frame) in self.nodes.iter().zip(&layout.nodes) {
+            text += &self.drawn(node, *frame);
+        }
+        text + "</g>\n</svg>\n"
+    }
+
+    fn edge(&self, layout: &Layout, edge: usize) -> String {
+        let (from, to) = self.edges[edge];
+        let far = self.nodes[from].document != self.nodes[to].document;
+        let (start, end) = (layout.nodes[from], layout.nodes[to]);
+        let middle = |frame: &Frame| frame.y + frame.height / 2;
+        let beside = end.x >= start.x + start.width;
+        let path = if beside && (!far || (end.y - start.y).abs() < 160) {
+            let (mut x, mut y) = (start.x + start.width, middle(&start));
+            let mut path = format!("M{x} {y}");
+            for via in &layout.vias[edge] {
+                path += &across(x, y, via.x, middle(via));
+                (x, y) = (via.x + via.width, middle(via));
+                path += &format!("H{x}");
+            }
+            path + &across(x, y, end.x, middle(&end))
+        } else if beside {
+            // From below, or above, to the left side: so it is seen where it arrives.
+            let down = end.y >= start.y;
+            let (x, y) = (
+                start.x + start.width / 2,
+                start.y + if down { start.height } else { 0 },
+            );
+            let bend = if down { 90 } else { -90 };
+            let (to_x, to_y) = (end.x, middle(&end));
+            format!(
+                "M{x} {y}C{x} {},{} {to_y},{to_x} {to_y}",
+                y + bend,
+                to_x - 60
+            )
+        } else {
+            let down = end.y >= start.y;
+            let (x, to_x) = (start.x + start.width / 2, end.x + end.width / 2);
+            let (y, to_y) = match down {
+                true => (start.y + start.height, end.y),
+                false => (start.y, end.y + end.height),
+            };
+            let bend = ((to_y - y) / 2).abs().clamp(20, 120) * if down { 1 } else { -1 };
+            format!(
+                "M{x} {y}C{x} {},{to_x} {},{to_x} {to_y}",
+                y + bend,
+                to_y - bend
+            )
+        };
+        let mut class = String::from("cv-edge");
+        if far {
+            class += " cv-far";
+        }
+        if self.is_broken((from, to)) {
+            class += " cv-broken";
+        }
+        format!("<path class=\"{class}\" d=\"{path}\"/>\n")
+    }
+
+    fn drawn(&self, node: &Node, frame: Frame) -> String {
+        let mut told = format!("{}: {}, {}", node.name, node.status.words(), node.statement);
+        if !node.rests_on.is_empty() {
+            let names = node
+                .rests_on
+                .iter()
+                .take(8)
+                .map(|&at| self.nodes[at].name.clone());
+            told += &format!("; rests on {}", names.collect::<Vec<_>>().join(", "));
+        }
+        format!(
+            "<g class=\"cv-node {}\"><title>{}</title>{}{}<text x=\"{}\" y=\"{}\">{}</text></g>\n",
+            class(node.status),
+            escaped(&told),
+            shape(node.status, frame),
+            sign(node.status, frame.x + 14, frame.y + frame.height / 2),
+            frame.x + 25,
+            frame.y + 17,
+            escaped(&drawn_name(&node.name))
+        )
+    }
+}
+
+/// From one side to another, leaving and arriving level.
+fn across(x: i64, y: i64, to_x: i64, to_y: i64) -> String {
+    let bend = (to_x - x) / 2;
+    format!("C{} {y},{} {to_y},{to_x} {to_y}", x + bend, to_x - bend)
+}
+
+fn class(status: Status) -> &'static str {
+    match status {
+        Status::Given => "cv-given",
+        Status::Holds => "cv-holds",
+        Status::Falls => "cv-falls",
+        Status::Stands => "cv-stands",
+        Status::Fails | Status::IllDimensioned => "cv-fails",
+        Status::CrossedOut => "cv-crossed",
+        Status::Undecided => "cv-undecided",
+    }
+}
+
+fn shape(status: Status, frame: Frame) -> String {
+    let Frame {
+        x,
+        y,
+        width,
+        height,
+    } = frame;
+    match status {
+        Status::Fails | Status::IllDimensioned | Status::CrossedOut => {
+            let cut = 8;
+            format!(
+                "<path class=\"cv-box\" d=\"M{} {y}H{}L{} {}V{}L{} {}H{}L{x} {}V{}Z\"/>",
+                x + cut,
+                x + width - cut,
+                x + width,
+                y + cut,
+                y + height - cut,
+                x + width - cut,
+                y + height,
+                x + cut,
+                y + height - cut,
+                y + cut
+            )
+        }
+        _ => {
+            let round = match status {
+                Status::Given => height / 2,
+                _ => 4,
+            };
+            format!(
+                "<rect class=\"cv-box\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"{round}\"/>"
+            )
+        }
+    }
+}
+
+/// A small sign, drawn rather than written, around a point.
+fn sign(status: Status, x: i64, y: i64) -> String {
+    let path = match status {
+        Status::Given => format!("M{} {y}h.01", x),
+        Status::Holds => format!("M{} {}l3 3l5 -7", x - 4, y + 1),
+        Status::Falls => format!("M{x} {}v8m-3 -3l3 3l3 -3", y - 4),
+        Status::Stands => format!("M{x} {}v7m-3 -3l3 3l3 -3M{} {}h8", y - 5, x - 4, y + 5),
+        Status::Fails | Status::CrossedOut => format!("M{} {}l7 7m0 -7l-7 7", x - 4, y - 4),
+        Status::IllDimensioned => format!("M{x} {}v6m0 4v.01", y - 5),
+        Status::Undecided => format!("M{} {}c0 -5 6 -5 6 -1c0 3 -3 2 -3 4m0 3v.01", x - 3, y - 1),
+    };
+    format!("<path class=\"cv-sign\" d=\"{path}\"/>")
+}
+
+/// A sample of each kind that occurs.
+fn legend(graph: &Graph) -> String {
+    let mut text = String::new();
+    let mut x = MARGIN;
+    for status in Status::ALL {
+        if !graph.nodes.iter().any(|n| n.status == status) {
+            continue;
+        }
+        let frame = Frame {
+            x,
+            y: MARGIN + 34,
+            width: 28,
+            height: 22,
+        };
+        text += &format!(
+            "<g class=\"cv-node {}\">{}{}</g><text class=\"cv-soft\" x=\"{}\" y=\"{}\">{}</text>\n",
+            class(status),
+            shape(status, frame),
+            sign(status, x + 14, frame.y + 11),
+            x + 36,
+            frame.y + 15,
+            status.words()
+        );
+        x += 60 + 8 * status.words().chars().count() as i64;
+    }
+    text
+}
+
+/// Text between tags. What may not stand in XML at all is left out.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped += "&amp;",
+            '<' => escaped += "&lt;",
+            '>' => escaped += "&gt;",
+            '"' => escaped += "&quot;",
+            '\n' | '\t' | '\r' => escaped.push(' '),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}

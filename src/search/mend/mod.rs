@@ -1,0 +1,230 @@
+//! The nearest true formula to a false one: a slip of the pen undone.
+//!
+//! Of the formulas that are one small edit away ([`edits`]) most are false at the known counterexample, or at another
+//! point on the premises; the few that are left go to the kernel.
+
+mod edits;
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
+use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
+
+use super::{Effort, prove_unconditionally, refute, unfold};
+pub use edits::Change;
+use edits::{Edit, edits};
+
+/// How many edits that are true at every point are handed to the prover.
+const MOST_TRIED: usize = 6;
+/// How many of these are tried in earnest.
+const IN_EARNEST: usize = 2;
+/// How many choices a search for a further point may try.
+const CHOICES: usize = 120;
+/// Symbols that one may have been mistaken for.
+const MOST_NAMES: usize = 16;
+
+/// A formula one edit away from what is printed, that follows.
+#[derive(Clone, Debug)]
+pub struct Mended {
+    /// The kernel's word for it.
+    pub proven: Proven,
+    /// What was changed.
+    pub change: Change,
+}
+
+/// The likeliest slip of the pen in a refuted goal: one edit with which it follows from the claim's hypotheses.
+///
+/// `evaluate` gives the values that a point has under a claim. Nothing where no edit is good: what would follow from
+/// no premises at all is none, unless what is printed is a piece of algebra.
+pub fn mended(
+    claim: &Claim,
+    witness: &Assignment,
+    evaluate: impl Fn(&Claim, &Assignment) -> Values,
+) -> Option<Mended> {
+    let names: Vec<Symbol> = claim.free_symbols().into_iter().cloned().collect();
+    let names = &names[..names.len().min(MOST_NAMES)];
+    let mut left = edits(&claim.goal, names);
+    if left.is_empty() {
+        return None;
+    }
+    let mut weigh = |values: &Values| {
+        let printed = Printed::new(&claim.goal, values);
+        left.retain(|edit| !printed.is_false(edit, values));
+        left.is_empty()
+    };
+    if weigh(&evaluate(claim, witness)) {
+        return None;
+    }
+    for shift in 0..2 {
+        if let Some((pinned, point)) = generic(claim, shift)
+            && weigh(&evaluate(&pinned, &point))
+        {
+            return None;
+        }
+    }
+    left.truncate(MOST_TRIED);
+    let with = |goal: &Formula| Claim {
+        goal: goal.clone(),
+        ..claim.clone()
+    };
+    // Sums with a symbolic number of terms are proved at first sight or after a long search.
+    let in_earnest = if claim.sequences.is_empty() {
+        IN_EARNEST
+    } else {
+        0
+    };
+    for (effort, most) in [(Effort::Light, MOST_TRIED), (Effort::Full, in_earnest)] {
+        for edit in left.iter().take(most) {
+            let Some(derived) = prove_unconditionally(with(&edit.formula), effort) else {
+                continue;
+            };
+            if is_vacuous(claim, &edit.change, &edit.formula) {
+                continue;
+            }
+            return Some(Mended {
+                proven: derived.proven,
+                change: edit.change.clone(),
+            });
+        }
+    }
+    None
+}
+
+/// The sides of a printed goal at a point, if they have values there.
+struct Printed {
+    left: Option<BigRational>,
+    right: Option<BigRational>,
+}
+
+impl Printed {
+    fn new(goal: &Formula, values: &Values) -> Printed {
+        let (left, right) = match goal {
+            Formula::Relation { left, right, .. } => (values.value(left), values.value(right)),
+            Formula::AllEqual { .. } => {
+                return Printed {
+                    left: None,
+                    right: None,
+                };
+            }
+        };
+        Printed {
+            left: left.ok(),
+            right: right.ok(),
+        }
+    }
+
+    /// Whether an edited formula is false at the point. The side that is as printed is not worked out again.
+    fn is_false(&self, edit: &Edit, values: &Values) -> bool {
+        let Formula::Relation {
+            left,
+            relation,
+            right,
+        } = &edit.formula
+        else {
+            return true;
+        };
+        let value = |own: &Option<BigRational>, kept: bool, side: &Expr| match kept {
+            true => own.clone(),
+            false => values.value(side).ok(),
+        };
+        let (Some(left), Some(right)) = (
+            value(&self.left, edit.left_kept, left),
+            value(&self.right, edit.right_kept, right),
+        ) else {
+            return false;
+        };
+        let there = Formula::Relation {
+            left: Expr::Number(left),
+            relation: *relation,
+            right: Expr::Number(right),
+        };
+        values.holds(&there) == Ok(false)
+    }
+}
+
+/// Whether an edit only makes the formula say nothing, or nothing new: `v = v`, `x > -1`, a premise.
+fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
+    let Formula::Relation {
+        left,
+        relation,
+        right,
+    } = formula
+    else {
+        return true;
+    };
+    let turned = Formula::Relation {
+        left: right.clone(),
+        relation: *relation,
+        right: left.clone(),
+    };
+    let says = |h: &Hypothesis| *h.formula == *formula || *h.formula == turned;
+    if claim.hypotheses.iter().any(says) {
+        return true;
+    }
+    let bare = Claim {
+        hypotheses: Vec::new(),
+        goal: formula.clone(),
+        ..claim.clone()
+    };
+    // Bounds are rarely seen at first sight.
+    let effort = match relation {
+        Relation::Equal => Effort::Light,
+        _ => Effort::Full,
+    };
+    if prove_unconditionally(bare, effort).is_none() {
+        return false;
+    }
+    // Algebra is put right by algebra; a statement about symbols is not.
+    let algebra = *relation == Relation::Equal
+        && !matches!(change, Change::Symbol { .. })
+        && ![left, right]
+            .iter()
+            .any(|side| matches!(side, Expr::Symbol(_) | Expr::Number(_)));
+    !algebra
+}
+
+/// A point on the premises at which nothing is true by chance: the symbols on the right of the goal are different
+/// primes, or their reciprocals, as far as the premises leave them free.
+fn generic(claim: &Claim, shift: usize) -> Option<(Claim, Assignment)> {
+    const PRIMES: [i64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    let (left, right) = match &claim.goal {
+        Formula::Relation { left, right, .. } => (left, right),
+        Formula::AllEqual { .. } => return None,
+    };
+    let mut symbols: BTreeSet<Symbol> = right.free_symbols();
+    if symbols.is_empty() {
+        symbols = left.free_symbols();
+    }
+    let mut pinned = claim.clone();
+    for (at, symbol) in symbols.into_iter().enumerate().take(PRIMES.len()) {
+        let prime = PRIMES[(at * (shift + 1) + shift) % PRIMES.len()];
+        let whole = BigRational::from_integer(prime.into());
+        let domain = claim.domains.get(&symbol);
+        let fits = |value: &BigRational| domain.is_none_or(|d: &Domain| d.contains(value));
+        let value = [whole.clone(), whole.recip(), -whole]
+            .into_iter()
+            .find(fits);
+        let Some(value) = value else { continue };
+        pinned.hypotheses.push(Hypothesis {
+            formula: Formula::equal(Expr::Symbol(symbol), Expr::Number(value)).into(),
+            standing: Standing::AtPoint,
+        });
+        // What the premises tie together cannot be chosen freely.
+        if model(&pinned).is_none() {
+            pinned.hypotheses.pop();
+        }
+    }
+    let point = model(&pinned)?;
+    Some((pinned, point))
+}
+
+fn model(claim: &Claim) -> Option<Assignment> {
+    let unfold = unfold::definitions_to_unfold(claim);
+    let premises = Obligation::of_premises(claim.clone(), unfold).ok()?;
+    let mut points = refute::Points::of_premises(&premises);
+    let found = points.next(CHOICES).into_iter();
+    found
+        .map(|point| premises.model(point))
+        .find_map(Result::ok)
+        .map(|m| m.point().clone())
+}

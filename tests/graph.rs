@@ -1,0 +1,177 @@
+//! What rests on what, and what falls with what fails.
+
+use std::time::{Duration, Instant};
+
+use cradle_verify::audit::Audit;
+use cradle_verify::derivation::Derivation;
+use cradle_verify::proofs;
+use cradle_verify::report::Report;
+use cradle_verify::report::graph::{Graph, Node, Status};
+
+/// Looks at the graph of a page.
+fn graph<T>(source: &str, look: impl FnOnce(&Graph, &Report<'_>) -> T) -> T {
+    of(&Derivation::from_markdown("page.md", source), look)
+}
+
+fn of<T>(derivation: &Derivation, look: impl FnOnce(&Graph, &Report<'_>) -> T) -> T {
+    let audit = Audit::of(derivation);
+    let report = Report {
+        derivation,
+        audit: &audit,
+        paths: &[],
+    };
+    look(&Graph::of(&report), &report)
+}
+
+fn node<'a>(graph: &'a Graph, id: &str) -> &'a Node {
+    graph.nodes.iter().find(|n| n.id == id).expect(id)
+}
+
+fn ids(graph: &Graph, nodes: &[usize]) -> Vec<String> {
+    nodes.iter().map(|&at| graph.nodes[at].id.clone()).collect()
+}
+
+/// (2) is false; (3), (4) and (5) come from it, and (1) gives (3), and so (4), all the same.
+const BOUNDS: &str = r"
+<!-- check: symbols x: positive -->
+<!-- check: law -->
+$$ x \leq 3 \tag{1} $$
+<!-- check: from (1) -->
+$$ x \leq 1 \tag{2} $$
+<!-- check: from (2) -->
+$$ x \leq 4 \tag{3} $$
+<!-- check: from (3) -->
+$$ x \leq 5 \tag{4} $$
+<!-- check: from (2) -->
+$$ x \leq 2 \tag{5} $$
+";
+
+#[test]
+fn what_falls_may_stand_on_its_own() {
+    graph(BOUNDS, |graph, report| {
+        assert_eq!(ids(graph, &node(graph, "2").falls), ["3", "4", "5"]);
+        let status = |id| node(graph, id).status;
+        assert_eq!(status("3"), Status::Stands);
+        assert_eq!(status("4"), Status::Stands);
+        assert_eq!(status("5"), Status::Falls);
+        let text = anstream::adapter::strip_str(&graph.text(report)).to_string();
+        assert!(
+            text.contains("(2) fails; with it fall (3), (4) and (5)"),
+            "{text}"
+        );
+        assert!(
+            text.contains("(3)  stands on its own: it follows from (1)\n"),
+            "{text}"
+        );
+        assert!(text.contains("(5)  no other way to it was found"), "{text}");
+        let view = serde_json::to_value(graph.json(report)).unwrap();
+        assert_eq!(
+            view["nodes"][1]["falls_with"],
+            serde_json::json!(["3", "4", "5"])
+        );
+        assert_eq!(view["nodes"][2]["rederived_from"], serde_json::json!(["1"]));
+        assert!(view["nodes"][4].get("rederived_from").is_none());
+    });
+}
+
+#[test]
+fn what_the_author_crosses_out_takes_nothing_with_it() {
+    let page = "$$ a = 1 \\tag{1} $$\n\nCompare (1):\n\n$$ a = 2 \\times \\tag{2} $$\n";
+    graph(page, |graph, _| {
+        assert_eq!(node(graph, "2").status, Status::CrossedOut);
+        assert!(graph.nodes.iter().all(|n| n.falls.is_empty()));
+    });
+}
+
+#[test]
+fn the_graph_of_the_report() {
+    of(&proofs::report(), |graph, report| {
+        assert_eq!(ids(graph, &node(graph, "23").falls), ["24", "25", "26"]);
+        // What falls is what the audit says rests on something.
+        for (node, entry) in graph.nodes.iter().zip(&report.audit.entries) {
+            assert_eq!(
+                node.rests_on.is_empty(),
+                entry.rests_on.is_empty(),
+                "{}",
+                node.id
+            );
+        }
+        insta::assert_snapshot!(
+            "report",
+            anstream::adapter::strip_str(&graph.text(report)).to_string()
+        );
+    });
+}
+
+/// What holds a drawing together: no box lies on another, and none out of the picture.
+#[test]
+fn a_drawing_is_legible() {
+    of(&proofs::report(), |graph, _| {
+        let svg = graph.svg();
+        let number = |text: &str, key: &str| -> i64 {
+            let rest = &text[text.find(key).expect(key) + key.len()..];
+            rest[..rest.find('"').unwrap()].parse().unwrap()
+        };
+        let (width, height) = (number(&svg, " width=\""), number(&svg, " height=\""));
+        let boxes: Vec<[i64; 4]> = svg
+            .split("<rect class=\"cv-box\"")
+            .skip(1)
+            .map(|r| [" x=\"", " y=\"", " width=\"", " height=\""].map(|key| number(r, key)))
+            .collect();
+        assert!(boxes.len() > 90, "{}", boxes.len());
+        for (at, a) in boxes.iter().enumerate() {
+            assert!(
+                a[0] >= 0 && a[0] + a[2] <= width && a[1] + a[3] <= height,
+                "{a:?}"
+            );
+            for b in boxes[..at].iter().filter(|b| b[3] == 26 && a[3] == 26) {
+                let apart = |i: usize| a[i] + a[i + 2] <= b[i] || b[i] + b[i + 2] <= a[i];
+                assert!(apart(0) || apart(1), "{a:?} on {b:?}");
+            }
+        }
+    });
+}
+
+#[test]
+fn names_cannot_break_out_of_a_drawing() {
+    let page =
+        "# <script>\"&\\\n\n$$ x = \"1 \\tag{<b>\"\\&} $$\n\n$$ y = 2 \\tag{]]>-->\"];} $$\n";
+    graph(page, |graph, _| {
+        let svg = graph.svg();
+        assert!(!svg.contains("<script>") && !svg.contains("<b>"), "{svg}");
+        for line in graph.dot().lines() {
+            let quotes = line.replace("\\\\", "").replace("\\\"", "");
+            assert_eq!(quotes.matches('"').count() % 2, 0, "{line}");
+        }
+    });
+}
+
+#[test]
+fn two_thousand_equations_are_drawn_in_time() {
+    let mut page = String::from(
+        "<!-- check: symbols x: positive -->\n<!-- check: law -->\n$$ x \\leq 3 \\tag{1} $$\n",
+    );
+    page += "<!-- check: from (1) -->\n$$ x \\leq 1 \\tag{2} $$\n";
+    for at in 3..=2000 {
+        page += &format!(
+            "<!-- check: from ({}) -->\n$$ x \\leq {at} \\tag{{{at}}} $$\n",
+            at - 1
+        );
+    }
+    let derivation = Derivation::from_markdown("page.md", &page);
+    let audit = Audit::of(&derivation);
+    let report = Report {
+        derivation: &derivation,
+        audit: &audit,
+        paths: &[],
+    };
+    let start = Instant::now();
+    let graph = Graph::of(&report);
+    assert_eq!(node(&graph, "2").falls.len(), 1998);
+    assert!(graph.svg().len() + graph.dot().len() + graph.text(&report).len() > 100_000);
+    assert!(
+        start.elapsed() < Duration::from_secs(20),
+        "{:?}",
+        start.elapsed()
+    );
+}
