@@ -29,6 +29,8 @@ pub struct Problem {
     pub(super) sequences: BTreeSet<Symbol>,
     /// The declared domains of elements.
     elements: BTreeMap<Symbol, Domain>,
+    /// The symbols that are known to be natural numbers, for sums go up to them.
+    counts: BTreeSet<Symbol>,
     pub(super) constants: BTreeSet<Symbol>,
     /// How powers are taken apart; `None` where terms are read as they are written.
     pub(super) powers: Option<Powers>,
@@ -107,6 +109,7 @@ impl Problem {
             integers: Vec::new(),
             sequences,
             elements: claim.sequences.clone(),
+            counts: counts.clone(),
             constants: declared.map(|(s, _)| s.clone()).collect(),
             powers: powers.flatten(),
             formulas: Vec::new(),
@@ -197,6 +200,11 @@ impl Problem {
         facts.any(|(f, origin)| {
             f.sign == Sign::Zero && f.polynomial.monic() == monic && throughout(origin)
         })
+    }
+
+    /// Whether a sum goes up to a symbol, outside of any sum that binds it as an index.
+    pub(super) fn is_count(&self, symbol: &Symbol) -> bool {
+        self.counts.contains(symbol)
     }
 
     /// Where the elements of a sequence lie, all of them, as far as it is declared.

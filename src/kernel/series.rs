@@ -34,6 +34,10 @@ pub(crate) fn bounded_series(
     series: &BoundedSeries,
 ) -> Result<Polynomial, Reject> {
     be_count(problem, &series.count)?;
+    // Of the index of another sum nothing is known outside of it.
+    if !problem.is_count(&series.count) {
+        return Err(Reject::NoSuchSum);
+    }
     // The elements at one index; where a sum is taken, no two indices meet.
     let mut elements = Atoms::default();
     let f = summand(problem, &series.f, &mut elements)?;

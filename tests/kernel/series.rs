@@ -198,6 +198,33 @@ fn sum_that_does_not_occur_is_rejected() {
 }
 
 #[test]
+fn index_of_another_sum_counts_nothing_outside_of_it() {
+    // The symbol i of the goal may be anything.
+    let mut nested = claim(&[r"\sum_{i=1}^{n} \sum_{j=1}^{i} x_j = 3"], r"i \geq 0");
+    let (lower, upper) = (bound(0, false), bound(1, false));
+    let domain = Domain {
+        lower,
+        upper,
+        ..Domain::default()
+    };
+    nested.sequences.insert(symbol("x"), domain);
+    let p = Proving::new(nested);
+    let terms = sum("i", &[], None);
+    assert_eq!(
+        p.checked(p.positivity(&[], terms, &[])),
+        Err(Reject::NoSuchSum)
+    );
+    let both = [
+        sum("i", &[(AboveLower, 1)], None),
+        sum("i", &[(BelowUpper, 1)], None),
+    ];
+    assert_eq!(
+        p.checked(p.positivity(&[], both.concat(), &[])),
+        Err(Reject::NoSuchSum)
+    );
+}
+
+#[test]
 fn powers_of_bounds_beyond_all_bounds_are_refused() {
     let p = within(Some(0), Some(1), SHARES);
     let terms = sum("n", &[(BelowUpper, u32::MAX)], None);
