@@ -115,7 +115,11 @@ impl Graph {
             );
             let bend = if down { 90 } else { -90 };
             let (to_x, to_y) = (end.x, middle(&end));
-            format!("M{x} {y}C{x} {},{} {to_y},{to_x} {to_y}", y + bend, to_x - 60)
+            format!(
+                "M{x} {y}C{x} {},{} {to_y},{to_x} {to_y}",
+                y + bend,
+                to_x - 60
+            )
         } else {
             let down = end.y >= start.y;
             let (x, to_x) = (start.x + start.width / 2, end.x + end.width / 2);
