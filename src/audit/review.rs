@@ -120,7 +120,7 @@ impl<'a> Review<'a> {
                     && (standing.contains(&premise) || own().all(|e| e.rests_on.is_empty()))
             }
         };
-        if entry.premises.iter().all(|premise| is_sound(premise)) {
+        if entry.premises.iter().all(is_sound) {
             let used = entry.judged.iter().flat_map(|j| sources(&j.assumed));
             let used: BTreeSet<Source> = used.collect();
             return Some(used.into_iter().collect());

@@ -89,7 +89,8 @@ impl Report<'_> {
         }
         // The line of a numeric claim says so itself.
         let apart = |note: &&Note| {
-            !is_quiet(note) && !(matches!(note, Note::NumericNotSupported) && unsupported(entry))
+            let told = matches!(note, Note::NumericNotSupported) && unsupported(entry);
+            !(is_quiet(note) || told)
         };
         let notes = entry.notes.iter().filter(apart);
         said.extend(notes.filter_map(|note| self.aside(note)));
