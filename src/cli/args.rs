@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use super::plot::{Materials, Plot};
+
 /// Audits the equations of a physics derivation: each is proved exactly, refuted in exact numbers, or left undecided.
 ///
 /// Without a command, audits the report on Newton's cradle that ships inside. The exit code is 0 where nothing was
@@ -17,7 +19,7 @@ pub struct Args {
     /// Judge one of the report's scenarios by its letter: A, B, C or D.
     #[arg(long, value_name = "LETTER")]
     pub scenario: Option<String>,
-    /// For people or for programs.
+    /// For people or for programs; `csv` and `markdown` are for tables.
     #[arg(long, global = true, value_enum, default_value_t = Format::Human)]
     pub format: Format,
     /// Whether to colour the output; `auto` does on a terminal, unless NO_COLOR is set.
@@ -61,6 +63,15 @@ pub enum Command {
         #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
         masses: Option<String>,
     },
+    /// Draw a figure from the audited equations: SVG, PNG or PDF.
+    #[command(subcommand)]
+    Plot(Plot),
+    /// Tell after how many collisions no more than half of the energy is left, by (41) and by restitution.
+    Table {
+        /// The materials.
+        #[command(flatten)]
+        materials: Materials,
+    },
     /// Audit Markdown documents of your own, read together as one derivation.
     Check {
         /// Files, directories (every `*.md` in them), or `-` for standard input.
@@ -92,8 +103,12 @@ pub enum Model {
 pub enum Format {
     /// People.
     Human,
-    /// Programs; docs/schema.json says how it is laid out.
+    /// Programs; docs/schema.json says how an audit is laid out.
     Json,
+    /// Spreadsheets: comma-separated values. `table` and `plot` only.
+    Csv,
+    /// A table in Markdown. `table` only.
+    Markdown,
 }
 
 /// Whether to colour.

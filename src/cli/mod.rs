@@ -4,8 +4,12 @@
 //! something was, and 2 where the job could not be done.
 
 pub mod args;
+mod csv;
+mod file;
+mod halves;
 pub mod input;
 pub mod output;
+pub mod plot;
 mod run;
 pub mod scenario;
 mod simulate;

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::args::{Args, Command, Format};
-use super::{Failure, input, scenario, simulate};
+use super::{Failure, halves, input, plot, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
@@ -18,6 +18,13 @@ type Done = Result<(String, bool), Failure>;
 
 /// Does what is asked.
 pub(super) fn run(args: &Args) -> Done {
+    let tabular = matches!(args.command, Some(Command::Table { .. } | Command::Plot(_)));
+    if let (Format::Csv | Format::Markdown, false) = (args.format, tabular) {
+        return Err(Failure::new(
+            "`--format csv` and `--format markdown` are for tables of numbers",
+        )
+        .help("`table` has both, `plot` has csv; here there are human and json"));
+    }
     if let Some(letter) = &args.scenario {
         if args.command.is_some() {
             return Err(Failure::new("`--scenario` stands without a command").help(
@@ -51,10 +58,16 @@ pub(super) fn run(args: &Args) -> Done {
             let balls = simulate::balls(*balls, *arriving, masses.as_deref())?;
             let simulation = balls.simulate(*model, restitution.as_deref())?;
             let text = match args.format {
-                Format::Human => simulation.human(),
                 Format::Json => pretty(&simulation.json())?,
+                _ => simulation.human(),
             };
             Ok((text, false))
+        }
+        Some(Command::Plot(figure)) => Ok((plot::plot(figure, args.format)?, false)),
+        Some(Command::Table { materials }) => {
+            let materials = materials.read()?;
+            let table = halves::halves(&proofs::checker(), &materials, args.format)?;
+            Ok((table, false))
         }
     }
 }
@@ -74,8 +87,8 @@ fn audit(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
         paths,
     };
     let text = match args.format {
-        Format::Human => report.human(args.show_understood),
         Format::Json => pretty(&report.json())?,
+        _ => report.human(args.show_understood),
     };
     Ok((text, report.findings() > 0))
 }
@@ -108,13 +121,13 @@ fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) 
     };
     let entries = || all.iter().flat_map(|&at| audit.of_equation(at));
     let text = match args.format {
-        Format::Human => all.iter().map(|&at| report.explain(at)).collect(),
         Format::Json => pretty(&report.json_of(&all))?,
+        _ => all.iter().map(|&at| report.explain(at)).collect(),
     };
     Ok((text, entries().any(|entry| entry.is_finding())))
 }
 
-fn pretty(value: &impl serde::Serialize) -> Result<String, Failure> {
+pub(super) fn pretty(value: &impl serde::Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(value)
         .map(|text| text + "\n")
         .map_err(|error| Failure::new(format!("the result cannot be written as JSON: {error}")))
@@ -123,8 +136,8 @@ fn pretty(value: &impl serde::Serialize) -> Result<String, Failure> {
 fn judged(asked: &Scenario, format: Format) -> Done {
     let outcome = asked.judge();
     let text = match format {
-        Format::Human => scenario::human(&outcome),
         Format::Json => pretty(&scenario::json(&outcome))?,
+        _ => scenario::human(&outcome),
     };
     Ok((text, !scenario::holds(&outcome)))
 }
