@@ -14,7 +14,12 @@ use super::plot::failed;
 use super::table::table;
 use crate::audit::Verdict;
 use crate::derivation::Checker;
-use crate::figures::{Decay, FigureError, Law, Material, exact, share};
+use crate::figures::{Decay, FigureError, Law, Material, exact, rounded, share};
+
+/// Longer numbers are rounded where people read.
+const LONGEST: usize = 12;
+/// To so many decimals.
+const ROUNDED: usize = 6;
 
 /// A material with what each law says of it, the printed one first.
 struct Row<'a> {
@@ -115,10 +120,16 @@ fn cells(decay: &Decay, rows: &[Row], format: Format) -> Vec<Vec<String>> {
     all
 }
 
-/// A share in per cent, exactly.
+/// A share in per cent, exactly where that is short.
 fn percent(share: &BigRational) -> String {
-    let hundred = BigRational::from_integer(100.into());
-    format!("{} %", exact(&(share * hundred)))
+    let percent = share * BigRational::from_integer(100.into());
+    let written = exact(&percent);
+    let is_short = written.chars().count() <= LONGEST && !written.contains('/');
+    match (is_short, rounded(&percent, ROUNDED).as_str()) {
+        (true, _) => format!("{written} %"),
+        (false, "0") => format!("< 0.{:0>ROUNDED$} %", 1),
+        (false, near) => format!("≈ {near} %"),
+    }
 }
 
 fn human(decay: &Decay, rows: &[Row]) -> String {

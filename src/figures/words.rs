@@ -4,8 +4,10 @@ use num_traits::{Signed, Zero};
 
 use crate::algebra::{BigInt, BigRational};
 
-/// More decimals than this are not written: a fraction is shorter.
-const MOST_DECIMALS: usize = 12;
+/// So many decimals are written even where a fraction is shorter.
+const FEW_DECIMALS: usize = 12;
+/// No more than these are tried.
+const MOST_DECIMALS: usize = 100;
 
 /// `a`, `a and b`, `a, b and c`.
 pub(super) fn list(items: &[String]) -> String {
@@ -17,17 +19,26 @@ pub(super) fn list(items: &[String]) -> String {
 }
 
 /// An exact number as one would write it: `0.98`, `−1/3`, with a true minus sign.
+///
+/// ```
+/// use cradle_verify::{cradle::parse_exact, figures::exact};
+/// let written = |text| exact(&parse_exact(text).unwrap());
+/// assert_eq!((written("98/100"), written("-1/3")), ("0.98".into(), "−1/3".into()));
+/// assert_eq!(written("0.99999999999999999999"), "0.99999999999999999999");
+/// assert_eq!(written("1/1073741824"), "1/1073741824");
+/// ```
 pub fn exact(value: &BigRational) -> String {
     let sign = if value.is_negative() { "−" } else { "" };
     let value = value.abs();
-    let mut scaled = value.clone();
-    for decimals in 0..=MOST_DECIMALS {
+    let fraction = value.to_string();
+    let mut scaled = value;
+    for decimals in 0..=MOST_DECIMALS.min(fraction.len().max(FEW_DECIMALS)) {
         if scaled.is_integer() {
             return format!("{sign}{}", decimal(scaled.numer(), decimals));
         }
         scaled *= BigInt::from(10);
     }
-    format!("{sign}{value}")
+    format!("{sign}{fraction}")
 }
 
 /// A number rounded to so many decimals, half away from 0, by exact arithmetic; with a hyphen for a minus.

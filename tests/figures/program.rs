@@ -161,6 +161,27 @@ fn the_ends_of_the_range_are_spoken_of() {
 }
 
 #[test]
+fn long_numbers_are_rounded_for_people_alone() {
+    let given = [
+        "--material",
+        "third=1/3",
+        "--material",
+        "fine=0.999999999999999",
+    ];
+    let text = says(&[&["table"][..], &given].concat());
+    assert!(
+        text.contains("≈ 88.888889 %") && text.contains("< 0.000001 %"),
+        "{text}"
+    );
+    let csv = says(&[&["table", "--format", "csv"][..], &given].concat());
+    assert!(csv.contains("third,1/3,8/9,1,4/9,2\n"), "{csv}");
+    assert!(
+        csv.contains("fine,0.999999999999999,0.000000000000001999999999999999,"),
+        "{csv}"
+    );
+}
+
+#[test]
 fn the_table_is_there_in_every_format() {
     insta::assert_snapshot!("table", says(&["table"]));
     insta::assert_snapshot!("table_markdown", says(&["table", "--format", "markdown"]));
