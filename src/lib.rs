@@ -91,6 +91,8 @@
 //! [`cradle`] holds the physics of the cradle as code: collisions in exact rationals, and, in floating point with errors
 //! stated, contacts that take time. It shares nothing with the route from LaTeX to verdicts, so
 //! that each can be tested against the other.
+//!
+//! [`figures`] draws what audited equations say, in exact numbers until a place on paper is needed.
 #![forbid(unsafe_code)]
 
 pub mod algebra;
@@ -100,6 +102,7 @@ pub mod cradle;
 pub mod derivation;
 pub mod dimension;
 pub mod document;
+pub mod figures;
 pub mod interval;
 pub mod kernel;
 pub mod notation;

@@ -16,6 +16,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     ("search", &["algebra", "kernel"]),
     ("cradle", &[]),
+    ("figures", &["algebra", "audit", "derivation", "notation"]),
 ];
 
 /// The modules that are exact.
@@ -43,6 +44,9 @@ const KNOWN_TO: &[(&str, &[&str])] = &[
     ("clap_mangen", &["cli"]),
     ("nalgebra", &["cradle", "cli"]),
     ("pulldown_cmark", &["document"]),
+    ("tiny_skia", &["figures"]),
+    ("ttf_parser", &["figures"]),
+    ("miniz_oxide", &["figures"]),
 ];
 
 /// A line of code, without its comment.

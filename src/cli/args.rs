@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use super::plot::{Materials, Plot};
 use crate::report::codes::Level;
 
 /// Audits the equations of a physics derivation: each is proved exactly, refuted in exact numbers, or left undecided.
@@ -22,7 +23,7 @@ pub struct Args {
     /// Which of the pages that ship inside to audit or explain, where no path is given; without it, the report.
     #[arg(long, global = true, value_enum)]
     pub builtin: Option<Builtin>,
-    /// For people or for programs.
+    /// For people or for programs; `csv` and `markdown` are for tables.
     #[arg(long, global = true, value_enum, default_value_t = Format::Human)]
     pub format: Format,
     /// Whether to colour the output; `auto` does on a terminal, unless NO_COLOR is set.
@@ -115,6 +116,15 @@ pub enum Command {
         #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
         masses: Option<String>,
     },
+    /// Draw a figure from the audited equations: SVG, PNG or PDF.
+    #[command(subcommand)]
+    Plot(Plot),
+    /// Tell after how many collisions no more than half of the energy is left, by (41) and by restitution.
+    Table {
+        /// The materials.
+        #[command(flatten)]
+        materials: Materials,
+    },
     /// Audit Markdown documents of your own, read together as one derivation.
     Check {
         /// Files, directories (every `*.md` in them), or `-` for standard input.
@@ -190,7 +200,7 @@ pub enum Format {
     Human,
     /// Editors: `file:line:col: level[code]: message`.
     Short,
-    /// Programs; docs/schema.json says how it is laid out.
+    /// Programs; docs/schema.json says how an audit is laid out.
     Json,
     /// Code scanning: SARIF 2.1.0.
     Sarif,
@@ -202,6 +212,10 @@ pub enum Format {
     Dot,
     /// `graph` only: a drawing.
     Svg,
+    /// Spreadsheets: comma-separated values. `table` and `plot` only.
+    Csv,
+    /// A table in Markdown. `table` only.
+    Markdown,
 }
 
 impl Format {
@@ -216,6 +230,8 @@ impl Format {
             Format::Junit => "junit",
             Format::Dot => "dot",
             Format::Svg => "svg",
+            Format::Csv => "csv",
+            Format::Markdown => "markdown",
         }
     }
 }

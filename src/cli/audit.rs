@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::args::{Args, Format, Gate};
-use super::run::{Done, pretty};
+use super::run::{Done, no_audit, pretty};
 use super::{Failure, file, output, progress};
 use crate::derivation::Derivation;
 use crate::report::baseline::{Baseline, Comparison};
@@ -91,13 +91,7 @@ fn view(
         Format::Github => github(&remarks()),
         Format::Sarif => pretty(&report.sarif(&remarks(), comparison.is_some()))?,
         Format::Junit => report.junit(&remarks(), gate.fail_on.level(), here),
-        Format::Dot | Format::Svg => {
-            let word = args.format.word();
-            return Err(
-                Failure::new(format!("`--format {word}` shows what rests on what"))
-                    .help("`cradle-verify graph` draws it"),
-            );
-        }
+        other => return Err(no_audit(other)),
     })
 }
 

@@ -9,7 +9,7 @@ use super::Failure;
 ///
 /// # Errors
 /// It cannot be written; then what was there is still there.
-pub fn replace(path: &Path, text: &str) -> Result<(), Failure> {
+pub fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
     let failed = |error: &std::io::Error| {
         Failure::new(format!(
             "`{}` could not be written: {error}",
@@ -20,7 +20,7 @@ pub fn replace(path: &Path, text: &str) -> Result<(), Failure> {
     let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let about = std::fs::metadata(&target).ok();
     if about.as_ref().is_some_and(|about| !about.is_file()) {
-        return std::fs::write(&target, text).map_err(|error| failed(&error));
+        return std::fs::write(&target, content.as_ref()).map_err(|error| failed(&error));
     }
     let Some(name) = target.file_name() else {
         return Err(Failure::new(format!("`{}` is no file", path.display())));
@@ -31,7 +31,7 @@ pub fn replace(path: &Path, text: &str) -> Result<(), Failure> {
     let new = target.with_file_name(own);
     let written = (|| {
         let mut file = std::fs::File::create(&new)?;
-        file.write_all(text.as_bytes())?;
+        file.write_all(content.as_ref())?;
         if let Some(about) = about {
             file.set_permissions(about.permissions())?;
         }

@@ -5,10 +5,13 @@
 
 pub mod args;
 mod audit;
+mod csv;
 mod file;
+mod halves;
 pub mod input;
 mod manual;
 pub mod output;
+pub mod plot;
 mod progress;
 mod run;
 pub mod scenario;

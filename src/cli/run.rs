@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::args::{Args, Builtin, Command, Format, Gate};
-use super::{Failure, audit, input, manual, scenario, simulate};
+use super::{Failure, audit, halves, input, manual, plot, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
@@ -20,10 +20,17 @@ pub(super) type Done = Result<(String, bool), Failure>;
 /// Does what is asked.
 pub(super) fn run(args: &Args) -> Done {
     let drawn = matches!(args.format, Format::Dot | Format::Svg);
-    if drawn && !matches!(args.command, Some(Command::Graph { .. })) {
-        return Err(Failure::new("only `graph` can be drawn").help(
+    if drawn && !matches!(args.command, Some(Command::Graph { .. } | Command::Plot(_))) {
+        return Err(Failure::new("only `graph` and `plot` draw").help(
             "`cradle-verify graph --format svg`; elsewhere the format is `human` or `json`",
         ));
+    }
+    let tabular = matches!(args.command, Some(Command::Table { .. } | Command::Plot(_)));
+    if let (Format::Csv | Format::Markdown, false) = (args.format, tabular) {
+        return Err(Failure::new(
+            "`--format csv` and `--format markdown` are for tables of numbers",
+        )
+        .help("`table` has both, `plot` has csv; here there are human and json"));
     }
     if let Some(letter) = &args.scenario {
         if args.command.is_some() {
@@ -100,6 +107,12 @@ pub(super) fn run(args: &Args) -> Done {
                 other => return Err(no_audit(other)),
             };
             Ok((text, false))
+        }
+        Some(Command::Plot(figure)) => Ok((plot::plot(figure, args.format)?, false)),
+        Some(Command::Table { materials }) => {
+            let materials = materials.read()?;
+            let table = halves::halves(&proofs::checker(), &materials, args.format)?;
+            Ok((table, false))
         }
     }
 }
@@ -231,7 +244,7 @@ fn meaning(code: &str, text: &str, format: Format) -> Done {
 }
 
 /// A format that lists what an audit finds, asked of what is none.
-fn no_audit(format: Format) -> Failure {
+pub(super) fn no_audit(format: Format) -> Failure {
     let word = format.word();
     Failure::new(format!(
         "`--format {word}` lists the findings of an audit, and this is none"

@@ -1,0 +1,39 @@
+//! Tables for other programs: comma-separated values, and Markdown.
+
+/// Rows as comma-separated values (RFC 4180, but with bare line feeds).
+pub(super) fn csv(rows: &[Vec<String>]) -> String {
+    let cell = |text: &String| match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.clone(),
+    };
+    let line = |row: &Vec<String>| row.iter().map(cell).collect::<Vec<_>>().join(",") + "\n";
+    rows.iter().map(line).collect()
+}
+
+/// Rows as a Markdown table, the first one being its head. What could be markup is escaped.
+pub(super) fn markdown(rows: &[Vec<String>]) -> String {
+    let line = |row: &Vec<String>| {
+        let cells: Vec<String> = row.iter().map(|text| escaped(text)).collect();
+        format!("| {} |\n", cells.join(" | "))
+    };
+    let mut lines = rows.iter().map(line);
+    let mut text = lines.next().unwrap_or_default();
+    let columns = rows.first().map_or(0, Vec::len);
+    text.push_str(&format!("|{}\n", " --- |".repeat(columns)));
+    text.extend(lines);
+    text
+}
+
+pub(super) fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for character in text.chars() {
+        if matches!(
+            character,
+            '\\' | '|' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '&' | '$' | '~' | '#' | '!'
+        ) {
+            escaped.push('\\');
+        }
+        escaped.push(character);
+    }
+    escaped
+}

@@ -1,0 +1,218 @@
+//! `table`: after how many collisions no more than half of the energy is left.
+
+use std::fmt::Write;
+
+use num_bigint::BigUint;
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+use serde_json::{Value, json};
+
+use super::Failure;
+use super::args::Format;
+use super::csv;
+use super::plot::failed;
+use super::table::table;
+use crate::audit::Verdict;
+use crate::derivation::Checker;
+use crate::figures::{Decay, FigureError, Law, Material, exact, rounded, share};
+
+/// Longer numbers are rounded where people read.
+const LONGEST: usize = 12;
+/// To so many decimals.
+const ROUNDED: usize = 6;
+
+/// A material with what each law says of it, the printed one first.
+struct Row<'a> {
+    material: &'a Material,
+    laws: Vec<Said>,
+}
+
+/// What a law says of a material.
+struct Said {
+    /// The share of the energy that a collision costs.
+    loss: BigRational,
+    /// The first number of collisions that leave no more than half.
+    halving: Option<BigUint>,
+}
+
+/// The table in the format that is asked for.
+pub(super) fn halves(
+    checker: &Checker,
+    materials: &[Material],
+    format: Format,
+) -> Result<String, Failure> {
+    let decay = Decay::of(checker).map_err(failed)?;
+    let rows: Result<Vec<Row>, FigureError> = materials.iter().map(|m| row(&decay, m)).collect();
+    let rows = rows.map_err(failed)?;
+    match format {
+        Format::Human => Ok(human(&decay, &rows)),
+        Format::Json => super::run::pretty(&json(&decay, &rows)),
+        Format::Csv => Ok(csv::csv(&cells(&decay, &rows, Format::Csv))),
+        Format::Markdown => {
+            let table = csv::markdown(&cells(&decay, &rows, Format::Markdown));
+            let notes = notes(&decay, &rows).join("\n");
+            Ok(format!("{table}\n{}\n", csv::escaped(&notes)))
+        }
+        other => Err(super::run::no_audit(other)),
+    }
+}
+
+fn row<'a>(decay: &Decay, material: &'a Material) -> Result<Row<'a>, FigureError> {
+    let said = |law: &Law| {
+        Ok(Said {
+            loss: BigRational::one() - share(law, material)?,
+            halving: Decay::halving(law, material)?,
+        })
+    };
+    Ok(Row {
+        material,
+        laws: decay.laws().map(said).collect::<Result<_, FigureError>>()?,
+    })
+}
+
+/// The head and the rows, every number as text.
+fn cells(decay: &Decay, rows: &[Row], format: Format) -> Vec<Vec<String>> {
+    let laws = decay.laws().count();
+    let head: &[&str] = match format {
+        Format::Csv => &[
+            "material",
+            "e",
+            "loss_printed",
+            "half_printed",
+            "loss_restitution",
+            "half_restitution",
+        ],
+        _ => &[
+            "material",
+            "e",
+            "loss, (41)",
+            "half after, (41)",
+            "loss, restitution",
+            "half after, restitution",
+        ],
+    };
+    let mut all = vec![
+        head[..2 + 2 * laws]
+            .iter()
+            .map(|&text| text.to_owned())
+            .collect(),
+    ];
+    for row in rows {
+        let number = |value: &BigRational| match format {
+            Format::Csv => exact(value).replace('−', "-"),
+            _ => exact(value),
+        };
+        let mut line = vec![
+            row.material.name().to_owned(),
+            number(row.material.restitution()),
+        ];
+        for said in &row.laws {
+            line.push(match format {
+                Format::Csv => number(&said.loss),
+                _ => percent(&said.loss),
+            });
+            line.push(match &said.halving {
+                Some(count) => count.to_string(),
+                None => "never".to_owned(),
+            });
+        }
+        all.push(line);
+    }
+    all
+}
+
+/// A share in per cent, exactly where that is short.
+fn percent(share: &BigRational) -> String {
+    let percent = share * BigRational::from_integer(100.into());
+    let written = exact(&percent);
+    let is_short = written.chars().count() <= LONGEST && !written.contains('/');
+    match (is_short, rounded(&percent, ROUNDED).as_str()) {
+        (true, _) => format!("{written} %"),
+        (false, "0") => format!("< 0.{:0>ROUNDED$} %", 1),
+        (false, near) => format!("≈ {near} %"),
+    }
+}
+
+fn human(decay: &Decay, rows: &[Row]) -> String {
+    let mut text = String::from(
+        "Energy lost in one collision, and collisions until no more than half is left\n\n",
+    );
+    text += &table(&cells(decay, rows, Format::Human));
+    text.push('\n');
+    for note in notes(decay, rows) {
+        let _ = writeln!(text, "{note}");
+    }
+    text
+}
+
+/// What the columns are, what the audit says of them, and the ends of the range of e.
+fn notes(decay: &Decay, rows: &[Row]) -> Vec<String> {
+    let printed = &decay.printed;
+    let mut notes = vec![format!(
+        "{} as printed, {}, {}.",
+        printed.standing.label,
+        printed.plain(),
+        printed.standing.words()
+    )];
+    if let Some(corrected) = &decay.corrected {
+        notes.push(format!(
+            "Restitution gives {} in its place, as the audit has proved.",
+            corrected.plain()
+        ));
+    } else if printed.standing.verdict != Verdict::Holds {
+        notes.push("The audit has nothing in its place.".to_owned());
+    }
+    let has = |end: fn(&BigRational) -> bool| rows.iter().any(|r| end(r.material.restitution()));
+    if has(One::is_one) {
+        notes.push("At e = 1 nothing is lost, and the energy never halves.".to_owned());
+    }
+    if has(Zero::is_zero) {
+        let at_zero = rows.iter().find(|r| r.material.restitution().is_zero());
+        let left: Vec<String> = at_zero
+            .into_iter()
+            .flat_map(|row| &row.laws)
+            .zip(["as printed", "by restitution"])
+            .map(|(said, law)| {
+                let left = BigRational::one() - &said.loss;
+                match left.is_zero() {
+                    true => format!("{law} nothing"),
+                    false => format!("{law} {}", percent(&left)),
+                }
+            })
+            .collect();
+        notes.push(format!(
+            "At e = 0 the balls stay together: one collision leaves {}.",
+            left.join(", ")
+        ));
+    }
+    notes
+}
+
+fn json(decay: &Decay, rows: &[Row]) -> Value {
+    let law = |law: &Law| {
+        json!({
+            "equation": law.standing.label,
+            "latex": law.latex(),
+            "verdict": law.standing.verdict.word(),
+        })
+    };
+    let said = |said: &Said| {
+        json!({
+            "loss": said.loss.to_string(),
+            "half_after": said.halving.as_ref().map(ToString::to_string),
+        })
+    };
+    let row = |row: &Row| {
+        json!({
+            "material": row.material.name(),
+            "e": row.material.restitution().to_string(),
+            "printed": row.laws.first().map(said),
+            "restitution": row.laws.get(1).map(said),
+        })
+    };
+    json!({
+        "printed": law(&decay.printed),
+        "restitution": decay.corrected.as_ref().map(law),
+        "rows": rows.iter().map(row).collect::<Vec<_>>(),
+    })
+}

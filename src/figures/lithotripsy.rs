@@ -1,0 +1,128 @@
+use super::FigureError;
+use super::collision::{float, points};
+use super::figure::{Figure, Source, caption, verdicts};
+use super::law::{Law, Standing};
+use super::numbers::Numbers;
+use super::panel::{LARGE, Marker, Panel, Range};
+use super::rich::Rich;
+use super::scene::{Anchor, Ink, Scene, Stroke};
+use super::words::exact;
+use crate::algebra::{BigInt, BigRational};
+use crate::derivation::{Checker, Point};
+
+/// So many powers of ten to either side of equal masses.
+const DECADES: i32 = 3;
+/// Points to a power of ten.
+const FINE: i32 = 40;
+
+/// The share of the energy that a struck ball takes, over six powers of ten of the mass ratio.
+///
+/// It belongs to the report's comparison of a cradle with a shock wave that reaches a kidney stone: equal balls at the
+/// top of the curve, a target that is as good as immovable at its far end. The term is that of (64); what is said of
+/// maximum and limit is what the audit finds of the claims about them.
+///
+/// # Errors
+/// The derivation has not these equations.
+pub fn lithotripsy(checker: &Checker) -> Result<Figure, FigureError> {
+    let law = Law::of(checker, "64", r"\eta")?;
+    let eta = |mu: &BigRational| law.value(&Point::new().with_ratio(r"\mu", mu.clone()));
+    let mut numbers = Numbers::new(&["mu", "eta"]);
+    for step in -DECADES * FINE..=DECADES * FINE {
+        // The exponent only chooses a rational number; a ratio and its reciprocal are both there.
+        let size = 10_f64.powf(f64::from(step.abs()) / f64::from(FINE));
+        let ten_thousandths = (size * 10_000.0).round() as i64;
+        let above = BigRational::new(BigInt::from(ten_thousandths), BigInt::from(10_000));
+        let mu = if step < 0 { above.recip() } else { above };
+        let share = eta(&mu)?;
+        numbers.rows.push(vec![mu, share]);
+    }
+    let mut marks = Vec::new();
+    for mu in [1, 10] {
+        let mu = BigRational::from_integer(BigInt::from(mu));
+        let share = eta(&mu)?;
+        marks.push((mu, share));
+    }
+    let mut sources = vec![Source::from(&law)];
+    for claim in ["maximum", "maximum-only-at-one", "heavy-target"] {
+        sources.push(Standing::of(checker, &format!("claim {claim}"))?.into());
+    }
+    let scene = draw(&numbers, &marks, &sources);
+    Ok(Figure {
+        scene,
+        numbers,
+        sources,
+    })
+}
+
+fn draw(numbers: &Numbers, marks: &[(BigRational, BigRational)], sources: &[Source]) -> Scene {
+    let mut scene = Scene::new("lithotripsy", 720.0, 0.0);
+    scene.title = "How much of the energy gets across, over six powers of ten".into();
+    scene.description = "One curve, symmetric like a bell on the logarithmic axis: the efficiency η against the mass \
+        ratio μ from 1/1000 to 1000, with its maximum at μ = 1."
+        .into();
+    let panel = Panel {
+        left: 66.0,
+        top: 48.0,
+        right: 694.0,
+        bottom: 340.0,
+        x: Range::logarithmic(1e-3, 1e3),
+        y: Range::linear(0.0, 1.15),
+    };
+    let x_ticks = [
+        (1e-3, "10⁻³"),
+        (1e-2, "10⁻²"),
+        (1e-1, "10⁻¹"),
+        (1.0, "1"),
+        (1e1, "10"),
+        (1e2, "10²"),
+        (1e3, "10³"),
+    ];
+    let y_ticks = [
+        (0.0, "0.0"),
+        (0.2, "0.2"),
+        (0.4, "0.4"),
+        (0.6, "0.6"),
+        (0.8, "0.8"),
+        (1.0, "1.0"),
+    ];
+    let title =
+        Rich::words("From the cradle to the kidney stone: how much of the energy gets across");
+    scene.text((panel.left, 26.0), Anchor::Start, LARGE, title);
+    panel.grid(&mut scene, &x_ticks, &y_ticks);
+    let limit = Stroke {
+        dash: &[3.0, 3.0],
+        ..Stroke::solid(Ink::Faint, 1.2)
+    };
+    panel.across(&mut scene, 1.0, limit);
+    panel.upright(&mut scene, 1.0, limit);
+    let ratio = Rich::words("Mass of the target in units of the striker’s, ").math("μ = m₂/m₁");
+    let digits = (-DECADES..DECADES).flat_map(|decade| (2..10).map(move |n| (decade, n)));
+    let between: Vec<f64> = digits
+        .map(|(decade, n)| f64::from(n) * 10_f64.powi(decade))
+        .collect();
+    panel.below(&mut scene, &x_ticks, &between, ratio);
+    let share = Rich::words("Energy transfer efficiency ").math("η");
+    panel.at_left(&mut scene, &y_ticks, Ink::Text, share);
+    let ink = Ink::Series(1);
+    panel.curve(&mut scene, &points(numbers, 0, 1), Stroke::solid(ink, 2.4));
+    for (mu, share) in marks {
+        let place = panel.at((float(mu), float(share)));
+        Marker::Diamond.draw(&mut scene, place, 4.0, ink, false);
+        let label = Rich::formula(&format!("μ = {mu}, η = {}", exact(share)));
+        let beside = (place.0 + 10.0, place.1 - 7.0);
+        scene.inked(beside, Anchor::Start, 12.0, ink, label);
+    }
+    let upper = (panel.left + 8.0, panel.y_at(1.0) - 6.0);
+    let bound = Rich::formula("η ≤ 1").and(", reached by equal masses alone");
+    scene.inked(upper, Anchor::Start, 11.5, Ink::Faint, bound);
+    let lower = (panel.right - 8.0, panel.y_at(0.06));
+    let far = Rich::formula("η → 0").and(" as ").math("μ → ∞");
+    scene.inked(lower, Anchor::End, 11.5, Ink::Faint, far);
+    let words = Rich::words(
+        "The cradle’s equal balls stand at the top. A shock wave that reaches a kidney stone, or a marble that hits an \
+         anvil, belongs far to the right, where most of the energy comes back. The curve is (64), evaluated in exact \
+         numbers. ",
+    );
+    caption(&mut scene, 406.0, 24.0, &words.and(&verdicts(sources)));
+    scene
+}

@@ -1,0 +1,249 @@
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn program(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+        .args(args)
+        .output()
+        .unwrap()
+}
+
+/// What it says, where it does the job.
+fn says(args: &[&str]) -> String {
+    let output = program(args);
+    assert_eq!(output.status.code(), Some(0), "{args:?}: {output:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// What it complains of, where it does not; nothing is on standard output.
+fn complains(args: &[&str]) -> String {
+    let output = program(args);
+    assert_eq!(output.status.code(), Some(2), "{args:?}: {output:?}");
+    assert!(output.stdout.is_empty(), "{args:?}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("figures-{test}"));
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn files(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn without_a_file_the_picture_is_on_standard_output() {
+    for figure in ["collision", "energy", "lithotripsy", "outcomes"] {
+        assert!(says(&["plot", figure]).starts_with("<svg "), "{figure}");
+    }
+}
+
+#[test]
+fn the_ending_says_what_is_written_and_what_was_there_is_replaced() {
+    let folder = folder("endings");
+    let begins: [(&str, &[u8]); 5] = [
+        ("a.svg", b"<svg "),
+        ("b.PNG", b"\x89PNG"),
+        ("c.pdf", b"%PDF-"),
+        ("d.json", b"{"),
+        ("e.csv", b"mu,"),
+    ];
+    for (name, beginning) in begins {
+        let path = folder.join(name);
+        std::fs::write(&path, "what was there").unwrap();
+        assert_eq!(
+            says(&["plot", "collision", "-o", path.to_str().unwrap()]),
+            ""
+        );
+        assert!(
+            std::fs::read(&path).unwrap().starts_with(beginning),
+            "{name}"
+        );
+    }
+    assert_eq!(
+        files(&folder),
+        ["a.svg", "b.PNG", "c.pdf", "d.json", "e.csv"]
+    );
+}
+
+#[test]
+fn what_cannot_be_written_is_an_error_and_leaves_nothing() {
+    let folder = folder("errors");
+    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    std::fs::create_dir(folder.join("taken.svg")).unwrap();
+    assert!(complains(&["plot", "collision", "-o", &path("a.gif")]).contains("`.gif`"));
+    assert!(complains(&["plot", "collision", "-o", &path("none")]).contains("no ending"));
+    assert!(
+        complains(&["plot", "energy", "-o", &path("no/such/a.svg")])
+            .contains("could not be written")
+    );
+    assert!(complains(&["plot", "energy", "-o", &path("taken.svg")]).contains("no file"));
+    let both = complains(&["plot", "energy", "-o", &path("a.svg"), "--format", "csv"]);
+    assert!(both.contains("two things"), "{both}");
+    let foreign = complains(&[
+        "plot",
+        "energy",
+        "--material",
+        "鋼=1/2",
+        "-o",
+        &path("a.png"),
+    ]);
+    assert!(
+        foreign.contains('鋼') && foreign.contains("SVG"),
+        "{foreign}"
+    );
+    assert_eq!(files(&folder), ["taken.svg"]);
+}
+
+#[test]
+fn the_numbers_come_as_json_and_csv() {
+    let json: Value = serde_json::from_str(&says(&["plot", "energy", "--format", "json"])).unwrap();
+    assert_eq!(json["columns"][1], "steel printed");
+    assert_eq!(json["rows"][1][1], "2401/2500");
+    assert_eq!(json["rows"][1][2], "4901/5000");
+    assert_eq!(json["sources"][0]["equation"], "(41)");
+    assert_eq!(json["sources"][0]["verdict"], "fails");
+    let csv = says(&["plot", "collision", "--format", "csv"]);
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("mu,v1/v0,v2/v0,eta"));
+    assert!(lines.any(|line| line == "3,-0.5,0.5,0.75"), "{csv}");
+}
+
+#[test]
+fn materials_replace_the_list() {
+    let csv = says(&[
+        "table",
+        "--format",
+        "csv",
+        "--material",
+        "cork=3/5",
+        "--material",
+        "a=b=0.5",
+    ]);
+    assert_eq!(
+        csv,
+        "material,e,loss_printed,half_printed,loss_restitution,half_restitution\n\
+         cork,0.6,0.64,1,0.32,2\n\
+         a=b,0.5,0.75,1,0.375,2\n"
+    );
+}
+
+#[test]
+fn the_ends_of_the_range_are_spoken_of() {
+    let text = says(&["table", "--material", "ideal=1", "--material", "putty=0"]);
+    assert!(
+        text.contains("At e = 1 nothing is lost, and the energy never halves."),
+        "{text}"
+    );
+    assert!(text.contains("At e = 0 the balls stay together"), "{text}");
+    assert!(text.contains("by restitution 50 %"), "{text}");
+    let csv = says(&["table", "--format=csv", "--material", "ideal=1"]);
+    assert!(csv.ends_with("ideal,1,0,never,0,never\n"), "{csv}");
+    let json: Value = serde_json::from_str(&says(&[
+        "table",
+        "--format",
+        "json",
+        "--material",
+        "ideal=1",
+    ]))
+    .unwrap();
+    assert_eq!(json["rows"][0]["printed"]["half_after"], Value::Null);
+}
+
+#[test]
+fn long_numbers_are_rounded_for_people_alone() {
+    let given = [
+        "--material",
+        "third=1/3",
+        "--material",
+        "fine=0.999999999999999",
+    ];
+    let text = says(&[&["table"][..], &given].concat());
+    assert!(
+        text.contains("≈ 88.888889 %") && text.contains("< 0.000001 %"),
+        "{text}"
+    );
+    let csv = says(&[&["table", "--format", "csv"][..], &given].concat());
+    assert!(csv.contains("third,1/3,8/9,1,4/9,2\n"), "{csv}");
+    assert!(
+        csv.contains("fine,0.999999999999999,0.000000000000001999999999999999,"),
+        "{csv}"
+    );
+}
+
+#[test]
+fn the_table_is_there_in_every_format() {
+    insta::assert_snapshot!("table", says(&["table"]));
+    insta::assert_snapshot!("table_markdown", says(&["table", "--format", "markdown"]));
+    let csv = says(&["table", "--format", "csv"]);
+    let json: Value = serde_json::from_str(&says(&["table", "--format", "json"])).unwrap();
+    for (line, row) in csv.lines().skip(1).zip(json["rows"].as_array().unwrap()) {
+        let cells: Vec<&str> = line.split(',').collect();
+        assert_eq!(cells[0], row["material"]);
+        assert_eq!(cells[3], row["printed"]["half_after"]);
+        assert_eq!(cells[5], row["restitution"]["half_after"]);
+    }
+}
+
+#[test]
+fn a_name_with_markup_stays_a_name() {
+    let name = "a|b,\"c\"*<i>";
+    let given = format!("{name}=1/2");
+    let csv = says(&["table", "--format", "csv", "--material", &given]);
+    assert!(csv.contains("\n\"a|b,\"\"c\"\"*<i>\",0.5,"), "{csv}");
+    let markdown = says(&["table", "--format", "markdown", "--material", &given]);
+    assert!(
+        markdown.contains(r#"| a\|b,"c"\*\<i\> | 0.5 |"#),
+        "{markdown}"
+    );
+}
+
+#[test]
+fn materials_that_are_none_are_refused() {
+    let many: Vec<String> = (0..9).map(|at| format!("--material=m{at}=0.5")).collect();
+    let many: Vec<&str> = ["table"]
+        .into_iter()
+        .chain(many.iter().map(String::as_str))
+        .collect();
+    assert!(complains(&many).contains("9 materials are too many"));
+    let long = "x".repeat(25) + "=0.5";
+    let precise = format!("x=0.{}1", "9".repeat(40));
+    for (text, why) in [
+        ("steel", "no `=`"),
+        ("=0.5", "no name"),
+        ("steel=", "a number is missing"),
+        ("steel=1.01", "from 0 to 1"),
+        ("steel=-0.1", "from 0 to 1"),
+        ("steel=1/0", "divides by zero"),
+        ("steel=nan", "not a number"),
+        (&long, "25 characters"),
+        (&precise, "too many digits"),
+        ("a\u{202e}b=0.5", "U+202E"),
+        ("a\nb=0.5", "U+000A"),
+    ] {
+        let said = complains(&["table", "--material", text]);
+        assert!(said.contains(why), "{text}: {said}");
+        assert!(!said.contains('\u{202e}'), "{said}");
+    }
+    let twice = complains(&["plot", "energy", "--material", "a=0", "--material", "a=1"]);
+    assert!(twice.contains("two materials `a`"), "{twice}");
+}
+
+#[test]
+fn formats_that_a_command_has_not_are_refused() {
+    assert!(complains(&["--format", "csv"]).contains("tables"));
+    assert!(complains(&["explain", "41", "--format", "markdown"]).contains("tables"));
+    assert!(complains(&["plot", "energy", "--format", "markdown"]).contains("Markdown"));
+    assert!(complains(&["plot", "outcomes", "--balls", "4"]).contains("4 balls"));
+    assert!(says(&["plot", "outcomes", "--balls", "3"]).starts_with("<svg"));
+}
