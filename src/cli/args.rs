@@ -26,6 +26,9 @@ pub struct Args {
     /// Print under each line what was understood, as LaTeX.
     #[arg(long, global = true)]
     pub show_understood: bool,
+    /// The name of what comes on standard input (`-`); its ending says what it is written in.
+    #[arg(long, global = true, value_name = "NAME")]
+    pub stdin_filename: Option<String>,
 }
 
 /// What can be asked for.
@@ -61,9 +64,9 @@ pub enum Command {
         #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
         masses: Option<String>,
     },
-    /// Audit Markdown documents of your own, read together as one derivation.
+    /// Audit Markdown or LaTeX documents and Jupyter notebooks of your own, read together as one derivation.
     Check {
-        /// Files, directories (every `*.md` in them), or `-` for standard input.
+        /// Files, directories (every `.md`, `.markdown`, `.tex` and `.ipynb` in them), or `-` for standard input.
         #[arg(required = true, value_name = "PATH")]
         paths: Vec<PathBuf>,
     },

@@ -28,11 +28,14 @@ pub(super) fn run(args: &Args) -> Done {
     }
     match &args.command {
         None => audit(&proofs::report(), args, &[]),
-        Some(Command::Check { paths }) => audit(&input::derivation(paths)?, args, &shown(paths)),
+        Some(Command::Check { paths }) => {
+            let derivation = input::derivation(paths, args.stdin_filename.as_deref())?;
+            audit(&derivation, args, &shown(paths))
+        }
         Some(Command::Explain { label, paths }) => {
             let derivation = match paths.is_empty() {
                 true => proofs::report(),
-                false => input::derivation(paths)?,
+                false => input::derivation(paths, args.stdin_filename.as_deref())?,
             };
             explain(&derivation, label, args, &shown(paths))
         }

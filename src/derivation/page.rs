@@ -5,13 +5,13 @@ use crate::algebra::{BigRational, Dimension, Formula, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::nearest::nearest;
 use crate::document::{
-    Attribute, Bound, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
+    Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
 };
 use crate::kernel::Domain;
-use crate::notation::{Clause, Spanned, SyntaxError, read_display, read_formulas, read_symbol};
+use crate::notation::{Clause, Spanned, SyntaxError, read_formulas, read_symbol};
 
 use super::equation::formulas;
-use super::{Equation, Kind};
+use super::{Equation, Kind, rows};
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -64,8 +64,8 @@ pub struct Local {
 pub enum Premises {
     /// A directive names them.
     Named(Vec<Spanned<Premise>>),
-    /// The prose cites them: the tag, its place, and whether it must exist.
-    Cited(Vec<(Spanned<String>, bool)>),
+    /// The prose cites them.
+    Cited(Vec<Citation>),
 }
 
 /// What is said between one display and the next.
@@ -76,7 +76,7 @@ struct Between {
     from: Option<Vec<Spanned<Premise>>>,
     name: Option<String>,
     numeric: Option<Option<BigRational>>,
-    cited: Vec<(Spanned<String>, bool)>,
+    cited: Vec<Citation>,
 }
 
 /// Reads a page and its equations. `seen` are the symbols that occurred on pages before it.
@@ -94,9 +94,15 @@ pub(super) fn read_page(
         problems: document.problems.clone(),
         document,
     };
-    page.declarations();
-    page.figures();
+    // What a preamble declares was told of where it stands.
+    let inherited = std::mem::take(&mut page.document.inherited);
+    page.declarations(&inherited);
+    page.figures(&inherited);
+    page.problems.clone_from(&page.document.problems);
+    page.document.inherited = inherited;
     let items = page.document.items.clone();
+    page.declarations(&items);
+    page.figures(&items);
     let mut equations: Vec<Equation> = Vec::new();
     let mut active: Vec<usize> = Vec::new();
     let mut between = Between::default();
@@ -113,13 +119,7 @@ pub(super) fn read_page(
                 active.retain(|&at| page.locals[at].level < own);
             }
             Item::Prose(prose) => {
-                for citation in prose.citations {
-                    let tag = Spanned {
-                        value: citation.tag,
-                        span: citation.span,
-                    };
-                    between.cited.push((tag, citation.explicit));
-                }
+                between.cited.extend(prose.citations);
                 for supposition in prose.suppositions {
                     let is_let = supposition.kind == SuppositionKind::Let;
                     page.suppose(supposition.body, is_let, level, &mut active, false);
@@ -141,51 +141,61 @@ pub(super) fn read_page(
                     }
                 }
             }
-            Item::Display { span, body } => {
+            Item::Display { span, body, layout } => {
                 let said = std::mem::take(&mut between);
-                let display = read_display(&page.document.source, body);
-                let mark = display
-                    .statements
-                    .iter()
-                    .flatten()
-                    .any(|s| s.mark.is_some());
-                let fresh = display
-                    .statements
-                    .as_ref()
-                    .is_ok_and(|s| defines_new_symbol(s, seen));
+                let source = &page.document.source;
+                let read = rows::read(source, body, layout.as_deref());
                 let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
-                let kind = match () {
-                    () if said.given => Kind::Given,
-                    () if said.numeric.is_some() => Kind::Derived,
-                    () if mark => Kind::Marked,
-                    () => Kind::Derived,
-                };
-                let stated = said.derived || said.numeric.is_some();
-                let defines = kind == Kind::Derived && fresh && !stated && said.from.is_none();
-                for statement in display.statements.iter().flatten() {
-                    for formula in formulas(statement) {
-                        seen.extend(formula.free_symbols());
-                        seen.extend(formula.sequences());
+                let of_display = read.len();
+                let mut name = said.name;
+                for (row, part) in read.into_iter().enumerate() {
+                    let statements = || part.statements.iter().flatten();
+                    let mark = statements().any(|s| s.mark.is_some());
+                    let fresh = part
+                        .statements
+                        .as_ref()
+                        .is_ok_and(|s| defines_new_symbol(s, seen));
+                    let kind = match () {
+                        () if said.given => Kind::Given,
+                        () if said.numeric.is_some() => Kind::Derived,
+                        () if mark => Kind::Marked,
+                        () => Kind::Derived,
+                    };
+                    let stated = said.derived || said.numeric.is_some();
+                    let defines = kind == Kind::Derived && fresh && !stated && said.from.is_none();
+                    for statement in statements() {
+                        for formula in formulas(statement) {
+                            seen.extend(formula.free_symbols());
+                            seen.extend(formula.sequences());
+                        }
                     }
+                    equations.push(Equation {
+                        page: number,
+                        tag: part.tag,
+                        keys: part.keys,
+                        group: part.group,
+                        // A claim is one display; where that has several numbers the name is that of the last.
+                        name: match row + 1 == of_display {
+                            true => name.take(),
+                            false => None,
+                        },
+                        span: if of_display == 1 { span } else { part.body },
+                        body: part.body,
+                        statements: part.statements,
+                        kind,
+                        defines,
+                        opens: alone && kind == Kind::Derived && !stated,
+                        numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
+                        premises: match &said.from {
+                            Some(named) => Premises::Named(named.clone()),
+                            None => Premises::Cited(said.cited.clone()),
+                        },
+                        row,
+                        continues: part.continues,
+                        locals: active.clone(),
+                        section: section.clone(),
+                    });
                 }
-                equations.push(Equation {
-                    page: number,
-                    tag: display.tag.map(|t| t.value),
-                    name: said.name,
-                    span,
-                    body,
-                    statements: display.statements,
-                    kind,
-                    defines,
-                    opens: alone && kind == Kind::Derived && !stated,
-                    numeric: said.numeric.filter(|_| kind != Kind::Given),
-                    premises: match said.from {
-                        Some(named) => Premises::Named(named),
-                        None => Premises::Cited(said.cited),
-                    },
-                    locals: active.clone(),
-                    section: section.clone(),
-                });
             }
         }
     }
@@ -220,20 +230,20 @@ impl Page {
         });
     }
 
-    fn declarations(&mut self) {
-        for item in self.document.items.clone() {
+    fn declarations(&mut self, items: &[Item]) {
+        for item in items {
             let Item::Directives { clauses, .. } = item else {
                 continue;
             };
             for clause in clauses {
-                let Directive::Symbols { names, attributes } = clause.value else {
+                let Directive::Symbols { names, attributes } = &clause.value else {
                     continue;
                 };
-                let dimension = self.dimension(&attributes);
-                for span in names {
+                let dimension = self.dimension(attributes);
+                for &span in names {
                     match read_symbol(self.document.text(span)) {
                         Ok(symbol) => {
-                            self.declare(symbol.clone(), &attributes);
+                            self.declare(symbol.clone(), attributes);
                             self.declare_dimension(symbol, span, dimension.as_ref());
                         }
                         Err(error) => self.complain_at(span, error),
@@ -250,8 +260,8 @@ impl Page {
     }
 
     /// The `data` clauses.
-    fn figures(&mut self) {
-        for item in self.document.items.clone() {
+    fn figures(&mut self, items: &[Item]) {
+        for item in items {
             let Item::Directives { clauses, .. } = item else {
                 continue;
             };
@@ -261,17 +271,17 @@ impl Page {
                     low,
                     high,
                     source,
-                } = clause.value
+                } = &clause.value
                 else {
                     continue;
                 };
                 let datum = Datum {
-                    low,
-                    high,
-                    source,
+                    low: low.clone(),
+                    high: high.clone(),
+                    source: source.clone(),
                     span: clause.span,
                 };
-                for span in names {
+                for &span in names {
                     match read_symbol(self.document.text(span)) {
                         Ok(symbol) => self.figure(symbol, span, datum.clone()),
                         Err(error) => self.complain_at(span, error),

@@ -21,6 +21,8 @@ pub(super) enum Token<'a> {
     Tag(&'a str),
     /// The keys of `\ref{…}`, `\eqref{…}`.
     Keys(&'a str),
+    /// The two keys of `\crefrange{…}{…}`.
+    KeyRange(&'a str, &'a str),
     /// The inside of inline math.
     Math(Span),
     /// `-`, `–`, `—`, `--`
@@ -42,7 +44,18 @@ const ABBREVIATED: [&str; 14] = [
     "approx",
 ];
 /// Commands that cite.
-const CITING: [&str; 5] = ["\\eqref{", "\\ref{", "\\cref{", "\\Cref{", "\\autoref{"];
+const CITING: [&str; 8] = [
+    "\\eqref{",
+    "\\ref{",
+    "\\cref{",
+    "\\Cref{",
+    "\\autoref{",
+    "\\cref*{",
+    "\\vref{",
+    "\\labelcref{",
+];
+/// Commands that cite two equations and all between them.
+const CITING_RANGE: [&str; 2] = ["\\crefrange{", "\\Crefrange{"];
 /// Longer parentheses hold a remark, not a tag.
 const LONGEST_TAG: usize = 48;
 
@@ -138,6 +151,22 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
                 {
                     return (Some(Token::Keys(&inside[..end])), command.len() + end + 1);
                 }
+            }
+            for command in CITING_RANGE {
+                if let Some(inside) = rest.strip_prefix(command)
+                    && let Some((first, after)) = inside.split_once('}')
+                    && let Some((last, _)) = after.strip_prefix('{').and_then(|a| a.split_once('}'))
+                    && !first.contains(['\n', '{'])
+                    && !last.contains(['\n', '{'])
+                {
+                    let length = command.len() + first.len() + last.len() + 3;
+                    return (Some(Token::KeyRange(first, last)), length);
+                }
+            }
+            // Any other command sets words, and is none.
+            let name = run(&rest[1..], |c| c.is_ascii_alphabetic());
+            if name > 0 {
+                return (None, 1 + name);
             }
             let spaced = rest[1..].starts_with(|c: char| c.is_whitespace() || c == ',');
             let escaped = rest[1..].chars().next().map_or(0, char::len_utf8);

@@ -133,7 +133,11 @@ impl Scanner<'_> {
                 "leave a blank line between it and the line of `=` or `-`",
             );
         } else {
-            self.items.push(Item::Display { span, body });
+            self.items.push(Item::Display {
+                span,
+                body,
+                layout: None,
+            });
         }
         self.at = span.end;
         self.forget_passed();
@@ -215,7 +219,11 @@ impl Scanner<'_> {
         } else if quoted && self.source[body.range()].contains(['\n', '\r']) {
             self.quoted_lines(span);
         } else {
-            self.items.push(Item::Display { span, body });
+            self.items.push(Item::Display {
+                span,
+                body,
+                layout: None,
+            });
         }
         self.at = span.end.max(self.at + 1);
         self.prose_from = self.at;

@@ -21,6 +21,47 @@ const ENVIRONMENTS: &[&str] = &[
     "equation*",
 ];
 
+/// Words between statements that say no more than that both are made. "If", "or" and "unless" say something else, and
+/// are refused.
+const BETWEEN: &[&str] = &[
+    "",
+    "and",
+    "where",
+    "with",
+    "so",
+    "so that",
+    "hence",
+    "thus",
+    "therefore",
+    "then",
+    "but",
+    "also",
+    "while",
+    "whence",
+    "which gives",
+    "giving",
+    "i.e.",
+    "that is",
+    "or equivalently",
+    "as well as",
+    "together with",
+    "and hence",
+    "and thus",
+    "and so",
+    "and therefore",
+    "and then",
+    "and also",
+    "we have",
+    "we get",
+    "we find",
+];
+
+/// Whether words, with the punctuation around them, stand between two statements.
+fn separates(words: &str) -> bool {
+    let words = words.trim().trim_matches([',', ';', ':']).trim();
+    BETWEEN.contains(&words)
+}
+
 /// A place in a chain: a term, or the dots of `u_1 = \dots = u_n`.
 enum Place {
     Side(Side),
@@ -102,9 +143,7 @@ impl<'s> Parser<'s> {
         }
         separated |= self.skip_wide();
         match self.peek() {
-            Kind::Text(words)
-                if matches!(words.trim(), "and" | "," | ";" | ", and" | "; and" | ",and") =>
-            {
+            Kind::Text(words) if separates(words) => {
                 self.advance();
                 separated = true;
             }
