@@ -94,7 +94,9 @@ fn a_page_is_read_in_order() {
             clauses,
             span: comment,
         },
-        Item::Display { body, span: fenced },
+        Item::Display {
+            body, span: fenced, ..
+        },
         Item::Prose(last),
     ] = &document.items[..]
     else {

@@ -20,16 +20,43 @@ pub(super) struct Part {
 /// Reads a display.
 pub(super) fn read(source: &str, body: Span, layout: Option<&Layout>) -> Vec<Part> {
     let Some(layout) = layout else {
-        let display = read_display(source, body);
-        return vec![Part {
-            tag: display.tag.map(|tag| tag.value),
-            keys: display.label.into_iter().map(|key| key.value).collect(),
-            group: Vec::new(),
-            body,
-            statements: display.statements,
-            continues: 0,
-        }];
+        return vec![plain(source, body)];
     };
+    let mut parts = of_layout(source, body, layout);
+    if let Some((number, keys)) = &layout.group {
+        let keys = keys.iter().map(|key| format!("{{{key}}}"));
+        let number = (!number.is_empty()).then(|| format!("({number})"));
+        let group: Vec<String> = keys.chain(number).collect();
+        for part in &mut parts {
+            part.group.extend(group.iter().cloned());
+        }
+    }
+    parts
+}
+
+/// A display whose mathematics says itself what its number is.
+fn plain(source: &str, body: Span) -> Part {
+    let display = read_display(source, body);
+    Part {
+        tag: display.tag.map(|tag| tag.value),
+        keys: display.label.into_iter().map(|key| key.value).collect(),
+        group: Vec::new(),
+        body,
+        statements: display.statements,
+        continues: 0,
+    }
+}
+
+fn of_layout(source: &str, body: Span, layout: &Layout) -> Vec<Part> {
+    if let ([row], None) = (&layout.rows[..], &layout.obstacle)
+        && row.pieces == [body]
+        && !layout.columns
+    {
+        let mut part = plain(source, body);
+        part.tag = row.number.clone().or(part.tag);
+        part.keys.extend(row.keys.iter().cloned());
+        return vec![part];
+    }
     let pieces: Vec<Vec<Span>> = layout.rows.iter().map(|row| row.pieces.clone()).collect();
     let numbers = layout
         .rows
@@ -52,14 +79,6 @@ pub(super) fn read(source: &str, body: Span, layout: Option<&Layout>) -> Vec<Par
     } else {
         for unit in units {
             parts.extend(of_unit(unit, &layout.rows));
-        }
-    }
-    if let Some((number, keys)) = &layout.group {
-        let keys = keys.iter().map(|key| format!("{{{key}}}"));
-        let number = (!number.is_empty()).then(|| format!("({number})"));
-        let group: Vec<String> = keys.chain(number).collect();
-        for part in &mut parts {
-            part.group.extend(group.iter().cloned());
         }
     }
     parts

@@ -79,7 +79,13 @@ fn tokens<'a>(source: &'a str, span: Span, inline: &[Inline], hidden: &[Span]) -
             continue;
         }
         if let Some(hidden) = hidden.next_if(|hidden| hidden.start <= at) {
-            tokens.push((Token::Hidden, *hidden));
+            let mut token = Token::Hidden;
+            if let Some(keys) = role(source, *hidden) {
+                // The role's name, with its braces.
+                tokens.truncate(tokens.len().saturating_sub(3));
+                token = Token::Keys(keys);
+            }
+            tokens.push((token, *hidden));
             at = hidden.end;
             continue;
         }
@@ -102,6 +108,15 @@ fn tokens<'a>(source: &'a str, span: Span, inline: &[Inline], hidden: &[Span]) -
     tokens
 }
 
+/// The key in MyST's role ``{eq}`mom` ``.
+fn role(source: &str, code: Span) -> Option<&str> {
+    let before = source.get(..code.start)?;
+    let written = source.get(code.range())?;
+    let key = written.strip_prefix('`')?.strip_suffix('`')?.trim();
+    let named = before.ends_with("{eq}") && !key.is_empty() && !key.contains('`');
+    named.then_some(key)
+}
+
 /// The token at the start of `rest`, if any, and its length; a word stops before nothing but its
 /// own end, so code or math glued to it begins the next token.
 fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Token<'a>>, usize) {
@@ -122,6 +137,12 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
             });
             let length = rest[..length].trim_end_matches('.').len();
             (Some(Token::Number(&rest[..length])), length)
+        }
+        // `@eq-mom`, as Quarto cites.
+        '@' if rest.starts_with("@eq-") => {
+            let length = 1 + run(&rest[1..], |c| c.is_alphanumeric() || "-_.:".contains(c));
+            let key = rest[1..length].trim_end_matches(['.', ':', '-']);
+            (Some(Token::Keys(key)), 1 + key.len())
         }
         '(' => match parenthesis(rest) {
             Some(inside) if !glued(last, at) => (Some(Token::Tag(inside)), inside.len() + 2),

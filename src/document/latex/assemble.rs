@@ -278,6 +278,13 @@ impl Assembler<'_> {
     }
 
     pub(super) fn put_back(&mut self, token: Token) {
+        if let Some(Frame::File { file, at, .. }) = self.frames.last_mut()
+            && token == Token::written(token.text)
+            && (token.text.file, token.text.span.end) == (*file, *at)
+        {
+            *at = token.text.span.start;
+            return;
+        }
         self.frames.push(Frame::Tokens {
             tokens: vec![token],
             at: 0,
@@ -455,7 +462,7 @@ impl Assembler<'_> {
                 self.problem(token.origin, message, "write what it stands for");
             }
             "newif" => self.new_switch(),
-            "else" if self.open_conditions > 0 => self.leave_branch(),
+            "else" if self.open_conditions > 0 => self.leave_branch(token),
             "fi" if self.open_conditions > 0 => self.open_conditions -= 1,
             _ if self.is_condition(name) => self.condition(token, name),
             _ if self.switch(name) => {}
@@ -551,20 +558,30 @@ impl Assembler<'_> {
 
     /// `\verb|…|` and its like: text that is not TeX.
     fn raw(&mut self, token: Token, name: &str) {
-        if name == "lstinline" || name == "mintinline" {
-            self.optional();
-        }
-        if name == "mintinline" {
-            self.argument();
-        }
         let Some(Frame::File { file, at, .. }) = self.frames.last() else {
             // In the argument of a command TeX does not read it either.
             return self.emit(token);
         };
         let (file, mut from) = (*file, *at);
         let source = self.source(file);
-        if name == "verb" && source[from..].starts_with('*') {
-            from += 1;
+        let mut skip = |open: char, close: char| {
+            if source[from..].starts_with(open) {
+                let line = source[from..]
+                    .find(['\n', '\r'])
+                    .unwrap_or(source.len() - from);
+                from += source[from..from + line]
+                    .find(close)
+                    .map_or(0, |length| length + 1);
+            }
+        };
+        match name {
+            "lstinline" => skip('[', ']'),
+            "mintinline" => {
+                skip('[', ']');
+                skip('{', '}');
+            }
+            "verb" if source[from..].starts_with('*') => from += 1,
+            _ => {}
         }
         let mut rest = source[from..].chars();
         let closing = match rest.next() {

@@ -52,7 +52,7 @@ impl Assembler<'_> {
         match value {
             Some(true) => self.open_conditions += 1,
             Some(false) => {
-                if self.skip_branch(true) {
+                if self.skip_branch(token, true) {
                     self.open_conditions += 1;
                 }
             }
@@ -62,31 +62,34 @@ impl Assembler<'_> {
                     let help = "neither branch is read: write what is to be read without it";
                     self.problem(token.origin, message, help);
                 }
-                self.skip_branch(false);
+                self.skip_branch(token, false);
             }
         }
     }
 
     /// At the `\else` of a branch that was read.
-    pub(super) fn leave_branch(&mut self) {
+    pub(super) fn leave_branch(&mut self, token: Token) {
         self.open_conditions -= 1;
-        self.skip_branch(false);
+        self.skip_branch(token, false);
     }
 
     /// Leaves out what stands up to the `\fi`, or up to the `\else` where there is a branch to read; whether it was one.
-    fn skip_branch(&mut self, stops_at_else: bool) -> bool {
+    fn skip_branch(&mut self, begin: Token, stops_at_else: bool) -> bool {
         let outer = std::mem::replace(&mut self.skipping, true);
         let mut depth = 0_usize;
-        let mut reached = false;
+        let (mut reached, mut ended) = (false, false);
         while let Some(token) = self.next_token() {
             let Some(name) = self.text(token).strip_prefix('\\').map(str::to_owned) else {
                 continue;
             };
             match name.as_str() {
-                "fi" if depth == 0 => break,
+                "fi" if depth == 0 => {
+                    ended = true;
+                    break;
+                }
                 "fi" => depth -= 1,
                 "else" if depth == 0 && stops_at_else => {
-                    reached = true;
+                    (reached, ended) = (true, true);
                     break;
                 }
                 "newcommand" | "renewcommand" | "providecommand" | "def" | "gdef" | "let"
@@ -108,6 +111,11 @@ impl Assembler<'_> {
             }
         }
         self.skipping = outer;
+        if !ended {
+            let message =
+                "this branch of a condition is never ended: it hides all that follows in its file";
+            self.problem(begin.origin, message, "end it with `\\fi`");
+        }
         reached
     }
 }

@@ -84,12 +84,10 @@ impl Scanner<'_> {
             format!("the environment `{name}` is not read here"),
             "write the equation in `equation`, `align`, `gather` or `multline`",
         );
-        let end = format!("\\end{{{name}}}");
-        if let Ok((_, after)) = environment_end(self.text, self.at, name) {
-            self.at = after;
-        } else if let Some(length) = self.rest().find(&end) {
-            self.at += length + end.len();
-        }
+        self.at = match environment_end(self.text, self.at, name) {
+            Ok((_, after)) => after,
+            Err(stop) => stop.max(self.at),
+        };
     }
 
     /// Something is wrong with where a display ends: what follows up to `stop` is covered by the message.
@@ -107,7 +105,7 @@ impl Scanner<'_> {
     fn display(&mut self, span: Span, body: Span, rows: Rows, numbered: bool) {
         self.hand_over_prose(span.start);
         self.prose_again();
-        let found = self.rows(body, rows);
+        let found = self::rows(self.text, body, rows);
         let empty = found.iter().all(|row| row.pieces.is_empty());
         let obstacle = self.obstacle(span);
         let group = self.subs.last().map(|sub| {
@@ -209,118 +207,136 @@ impl Scanner<'_> {
         self.problems.extend(rest);
         inside.pop()
     }
+}
 
-    /// The rows of a display.
-    fn rows(&self, body: Span, kind: Rows) -> Vec<Found> {
-        let mut rows = vec![Found::default()];
-        let (mut at, mut from, mut depth) = (body.start, body.start, 0_usize);
-        let mut environments = 0_usize;
-        // Ends a piece of the last row.
-        fn cut(text: &str, rows: &mut [Found], from: usize, to: usize) {
-            let piece = trim(text, Span::new(from, to.max(from)));
-            if let (true, Some(row)) = (piece.start < piece.end, rows.last_mut()) {
-                row.pieces.push(piece);
-            }
+/// The rows of a display.
+fn rows(text: &str, body: Span, kind: Rows) -> Vec<Found> {
+    let mut rows = vec![Found::default()];
+    let (mut at, mut from, mut depth) = (body.start, body.start, 0_usize);
+    let mut environments = 0_usize;
+    // Ends a piece of the last row.
+    fn cut(text: &str, rows: &mut [Found], from: usize, to: usize) {
+        let piece = trim(text, Span::new(from, to.max(from)));
+        if let (true, Some(row)) = (piece.start < piece.end, rows.last_mut()) {
+            row.pieces.push(piece);
         }
-        while at < body.end {
-            let rest = &self.text[at..body.end];
-            let first = rest.as_bytes()[0];
-            if first == b'%' {
-                cut(self.text, &mut rows, from, at);
-                if let Some(row) = rows.last_mut() {
-                    row.before.push(Before::Directive(at));
-                }
-                at += rest.find('\n').map_or(rest.len(), |length| length + 1);
-                from = at;
-                continue;
+    }
+    while at < body.end {
+        let rest = &text[at..body.end];
+        let first = rest.as_bytes()[0];
+        if first == b'%' {
+            cut(text, &mut rows, from, at);
+            if let Some(row) = rows.last_mut() {
+                row.before.push(Before::Directive(at));
             }
-            if first != b'\\' {
-                depth = match first {
-                    b'{' => depth + 1,
-                    b'}' => depth.saturating_sub(1),
-                    _ => depth,
-                };
-                at += rest.chars().next().map_or(1, char::len_utf8);
-                continue;
-            }
-            let command = &rest[1..];
-            let letters = command
-                .find(|c: char| !c.is_ascii_alphabetic())
-                .unwrap_or(command.len());
-            let name = &command[..letters];
-            let after = at + 1 + letters.max(command.chars().next().map_or(0, char::len_utf8));
-            let argument = |at: usize| {
-                let rest = &self.text[at..body.end];
-                let blank = rest.len() - rest.trim_start().len();
-                let length = bracketed(&rest[blank..], '{', '}')?;
-                let start = at + blank;
-                Some((Span::new(start + 1, start + length - 1), start + length))
+            at += rest.find('\n').map_or(rest.len(), |length| length + 1);
+            from = at;
+            continue;
+        }
+        if first != b'\\' {
+            depth = match first {
+                b'{' => depth + 1,
+                b'}' => depth.saturating_sub(1),
+                _ => depth,
             };
-            match name {
-                "" if command.starts_with('\\')
-                    && depth == 0
-                    && environments == 0
-                    && kind != Rows::One =>
-                {
-                    cut(self.text, &mut rows, from, at);
-                    at = row_end(&self.text[..body.end], after);
-                    from = at;
-                    if kind != Rows::Broken {
-                        rows.push(Found::default());
-                    }
-                }
-                "begin" => {
-                    environments += 1;
-                    at = after;
-                }
-                "end" => {
-                    environments = environments.saturating_sub(1);
-                    at = after;
-                }
-                "label" | "tag" => {
-                    let starred = self.text[after..].starts_with('*');
-                    let Some((inside, end)) = argument(after + usize::from(starred)) else {
-                        // The notation says what is wrong with it.
-                        at = after;
-                        continue;
-                    };
-                    cut(self.text, &mut rows, from, at);
-                    let text = self.text[inside.range()].trim();
-                    if let Some(row) = rows.last_mut() {
-                        match name {
-                            "label" => row.keys.push(text.to_owned()),
-                            _ => row.tag = Some(bare(text).to_owned()),
-                        }
-                    }
-                    (at, from) = (end, end);
-                }
-                "notag" | "nonumber" | "displaybreak" | "allowdisplaybreaks" => {
-                    cut(self.text, &mut rows, from, at);
-                    if let (Some(row), true) = (rows.last_mut(), name.starts_with("no")) {
-                        row.unnumbered = true;
-                    }
-                    (at, from) = (after, after);
-                    if !name.starts_with("no") {
-                        at = row_end(&self.text[..body.end], after);
-                        from = at;
-                    }
-                }
-                "intertext" | "shortintertext" => {
-                    let Some((inside, end)) = argument(after) else {
-                        at = after;
-                        continue;
-                    };
-                    cut(self.text, &mut rows, from, at);
-                    if let Some(row) = rows.last_mut() {
-                        row.before.push(Before::Words(inside));
-                    }
-                    (at, from) = (end, end);
-                }
-                _ => at = after,
-            }
+            at += rest.chars().next().map_or(1, char::len_utf8);
+            continue;
         }
-        cut(self.text, &mut rows, from, body.end);
-        rows
+        let command = &rest[1..];
+        let letters = command
+            .find(|c: char| !c.is_ascii_alphabetic())
+            .unwrap_or(command.len());
+        let name = &command[..letters];
+        let after = at + 1 + letters.max(command.chars().next().map_or(0, char::len_utf8));
+        let argument = |at: usize| {
+            let rest = &text[at..body.end];
+            let blank = rest.len() - rest.trim_start().len();
+            let length = bracketed(&rest[blank..], '{', '}')?;
+            let start = at + blank;
+            Some((Span::new(start + 1, start + length - 1), start + length))
+        };
+        match name {
+            "" if command.starts_with('\\')
+                && depth == 0
+                && environments == 0
+                && kind != Rows::One =>
+            {
+                cut(text, &mut rows, from, at);
+                at = row_end(&text[..body.end], after);
+                from = at;
+                if kind != Rows::Broken {
+                    rows.push(Found::default());
+                }
+            }
+            "begin" => {
+                environments += 1;
+                at = after;
+            }
+            "end" => {
+                environments = environments.saturating_sub(1);
+                at = after;
+            }
+            "label" | "tag" => {
+                let starred = text[after..].starts_with('*');
+                let Some((inside, end)) = argument(after + usize::from(starred)) else {
+                    // The notation says what is wrong with it.
+                    at = after;
+                    continue;
+                };
+                cut(text, &mut rows, from, at);
+                let inside = text[inside.range()].trim();
+                if let Some(row) = rows.last_mut() {
+                    match name {
+                        "label" => row.keys.push(inside.to_owned()),
+                        _ => row.tag = Some(bare(inside).to_owned()),
+                    }
+                }
+                (at, from) = (end, end);
+            }
+            "notag" | "nonumber" | "displaybreak" | "allowdisplaybreaks" => {
+                cut(text, &mut rows, from, at);
+                if let (Some(row), true) = (rows.last_mut(), name.starts_with("no")) {
+                    row.unnumbered = true;
+                }
+                (at, from) = (after, after);
+                if !name.starts_with("no") {
+                    at = row_end(&text[..body.end], after);
+                    from = at;
+                }
+            }
+            "intertext" | "shortintertext" => {
+                let Some((inside, end)) = argument(after) else {
+                    at = after;
+                    continue;
+                };
+                cut(text, &mut rows, from, at);
+                if let Some(row) = rows.last_mut() {
+                    row.before.push(Before::Words(inside));
+                }
+                (at, from) = (end, end);
+            }
+            _ => at = after,
+        }
+    }
+    cut(text, &mut rows, from, body.end);
+    rows
+}
+
+/// The rows of an environment that stands in Markdown, where nothing is counted.
+pub(in crate::document) fn uncounted(text: &str, body: Span, kind: Rows) -> Layout {
+    let rows = rows(text, body, kind).into_iter();
+    let rows = rows.filter(|row| !row.pieces.is_empty());
+    Layout {
+        rows: rows
+            .map(|row| Row {
+                pieces: row.pieces,
+                number: row.tag,
+                keys: row.keys,
+            })
+            .collect(),
+        columns: kind == Rows::Columns,
+        group: None,
+        obstacle: None,
     }
 }
 
@@ -348,7 +364,7 @@ fn row_end(text: &str, mut at: usize) -> usize {
 }
 
 /// Whether text begins with what cannot stand in a display.
-fn stops(text: &str) -> bool {
+pub(super) fn stops(text: &str) -> bool {
     if let Some(rest) = text.strip_prefix("\\begin{") {
         let name = rest.split('}').next().unwrap_or_default();
         return names::display(name.trim_end_matches('*')).is_some() || name == "document";
@@ -407,7 +423,7 @@ fn bracket_end(bytes: &[u8], from: usize) -> Result<usize, usize> {
 }
 
 /// Enough of the text at some bytes to know a command: they begin with one, so on the bound of a character.
-fn as_text(tail: &[u8]) -> &str {
+pub(super) fn as_text(tail: &[u8]) -> &str {
     let tail = &tail[..tail.len().min(40)];
     match std::str::from_utf8(tail) {
         Ok(text) => text,
@@ -416,7 +432,11 @@ fn as_text(tail: &[u8]) -> &str {
 }
 
 /// The `\end` of an environment, and the place behind it; or where the search ends.
-fn environment_end(text: &str, from: usize, name: &str) -> Result<(usize, usize), usize> {
+pub(in crate::document) fn environment_end(
+    text: &str,
+    from: usize,
+    name: &str,
+) -> Result<(usize, usize), usize> {
     let bytes = text.as_bytes();
     let mut open: Vec<&str> = Vec::new();
     let mut at = from;

@@ -22,7 +22,9 @@ mod numbering;
 mod scan;
 mod token;
 
+pub(super) use display::{environment_end, uncounted};
 pub use files::Library;
+pub(super) use names::display as displaying;
 
 use std::sync::Arc;
 

@@ -19,7 +19,7 @@ pub(super) const VERBATIM: &[&str] = &[
 
 /// How an environment sets its rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Rows {
+pub(in crate::document) enum Rows {
     /// One equation with one number: `equation`.
     One,
     /// One equation over several lines, with one number: `multline`.
@@ -31,7 +31,7 @@ pub(super) enum Rows {
 }
 
 /// The environments that display mathematics, without their star.
-pub(super) fn display(name: &str) -> Option<Rows> {
+pub(in crate::document) fn display(name: &str) -> Option<Rows> {
     Some(match name {
         "equation" | "displaymath" => Rows::One,
         "multline" => Rows::Broken,

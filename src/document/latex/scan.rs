@@ -7,6 +7,7 @@ use super::super::directive::{self, Comment};
 use super::super::prose::{self, Inline};
 use super::super::{Directive, Document, Item, Problem, Span};
 use super::assemble::Assembled;
+use super::display::{as_text, stops};
 use super::names::{self, UNREAD};
 use super::numbering::Numbering;
 
@@ -416,8 +417,13 @@ impl<'a> Scanner<'a> {
         if !starred {
             self.numbering.step(counter);
         }
-        if let Some(title) = self.group() {
-            self.heading_item(level, Span::new(open, self.at), title);
+        match self.group() {
+            Some(title) => self.heading_item(level, Span::new(open, self.at), title),
+            None => self.problem(
+                Span::new(open, self.at),
+                "the title of this heading is missing or never closed",
+                "give it in braces",
+            ),
         }
         self.prose_from = self.at;
     }
@@ -610,6 +616,8 @@ fn inline_end(bytes: &[u8], from: usize, closes: &[u8]) -> Option<usize> {
             [] => return None,
             [b'\n', ..] if ends_paragraph(tail) => return None,
             [b'\\', b'[' | b'(', ..] => return None,
+            [b'$', ..] if depth == 0 => return None,
+            [b'\\', ..] if stops(as_text(tail)) => return None,
             [b'\\', ..] => at += 2,
             [b'{', ..] => (depth, at) = (depth + 1, at + 1),
             [b'}', ..] => (depth, at) = (depth.checked_sub(1)?, at + 1),
