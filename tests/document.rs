@@ -182,7 +182,7 @@ fn what_is_not_read_is_named() {
     for (page, guilty) in [
         ("text $$ a = b", "$$"),
         ("\\[ a = b", "\\["),
-        ("\\begin{align*} a \\end{align*}", "\\begin{align*}"),
+        ("\\begin{align*} a \\end{align}", "\\begin{align*}"),
         ("```math\na", "```"),
         ("> $$\n> a\n> $$", "$$\n> a\n> $$"),
         ("# Title $$x$$", "$$x$$"),

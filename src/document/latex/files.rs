@@ -136,10 +136,13 @@ fn folder(path: &str) -> &str {
 /// The same path without `.` and, where it can be told, `..` in it.
 fn normal(path: &str) -> String {
     let mut parts: Vec<&str> = Vec::new();
-    for part in path.split('/') {
+    for (at, part) in path.split('/').enumerate() {
         match part {
-            "." => {}
-            ".." if parts.last().is_some_and(|last| !matches!(*last, ".." | "")) => {
+            "." if at > 0 => {}
+            ".." if parts
+                .last()
+                .is_some_and(|last| !matches!(*last, ".." | "." | "")) =>
+            {
                 parts.pop();
             }
             part => parts.push(part),

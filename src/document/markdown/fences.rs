@@ -14,6 +14,9 @@ const UNREAD: [&str; 6] = [
     "numcases",
 ];
 
+/// The most characters of a line behind a display that may be its key.
+const LONGEST_KEY: usize = 128;
+
 /// Finds the next place that matches. The answer is kept: asking again from further on costs
 /// nothing until that place is passed, so a scan that asks everywhere still takes linear time.
 pub(super) struct Finder {
@@ -114,7 +117,16 @@ impl Scanner<'_> {
     /// The key after a display: `(mom)` as MyST writes it, `{#eq-mom}` as Quarto does; and where it ends.
     fn key_after(&self, from: usize) -> (Option<String>, usize) {
         let rest = self.source.get(from..).unwrap_or_default();
-        let line = rest.split(['\n', '\r']).next().unwrap_or_default();
+        // A line that goes on for longer holds no key.
+        let length = rest
+            .char_indices()
+            .take(LONGEST_KEY)
+            .find(|(_, c)| matches!(c, '\n' | '\r'));
+        let short = || (rest.len() < LONGEST_KEY).then_some(rest.len());
+        let Some(length) = length.map(|(at, _)| at).or_else(short) else {
+            return (None, from);
+        };
+        let line = &rest[..length];
         let text = line.trim();
         let inside = match text.strip_prefix("{#") {
             Some(rest) => rest.split_once('}').and_then(|(inside, after)| {
