@@ -74,7 +74,7 @@ impl Answer {
 
     /// The verdicts that are none, and the notes that do not exist.
     fn misspelt(&self) -> Vec<&str> {
-        const NOTES: [&str; 13] = [
+        const NOTES: [&str; 14] = [
             "numeric-not-supported",
             "rests-on",
             "miscited",
@@ -88,6 +88,7 @@ impl Answer {
             "duplicate-tag",
             "unreadable",
             "unreadable-premise",
+            "other-reading",
         ];
         let verdict = |word: &str| Verdict::ALL.iter().any(|v| v.word() == word);
         let mut wrong = Vec::new();

@@ -240,6 +240,7 @@ fn taken_apart(statement: Statement, group_of: &impl Fn(Span) -> usize) -> Vec<(
                         }],
                         connectives: Vec::new(),
                         mark: None,
+                        other: None,
                         span: pair[0].span.to(pair[1].span),
                     },
                 )),

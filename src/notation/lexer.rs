@@ -25,6 +25,8 @@ pub(super) enum Kind<'s> {
     Text(&'s str),
     /// `\mathrm{…}`, `\operatorname{…}`: an upright name.
     Upright(&'s str),
+    /// `\operatorname{…}` of a function that is not known: an upright name that must not be taken as a factor.
+    Operator(&'s str),
     /// Any other character.
     Char(char),
     /// `{`
@@ -403,7 +405,11 @@ impl<'s> Lexer<'s> {
         if name == "operatorname" && super::commands::function(text).is_some() {
             self.push(start, Kind::Command(text));
         } else if !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric()) {
-            self.push(start, Kind::Upright(text));
+            let kind = match name {
+                "operatorname" => Kind::Operator(text),
+                _ => Kind::Upright(text),
+            };
+            self.push(start, kind);
         } else {
             let span = Span::new(start, self.at);
             self.bad(

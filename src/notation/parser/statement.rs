@@ -69,8 +69,34 @@ enum Place {
 }
 
 impl<'s> Parser<'s> {
-    /// All statements, to the end.
+    /// All statements, to the end; with what they would be if what follows a stroke stood below it.
     pub(in crate::notation) fn statements(mut self) -> Read<Vec<Statement>> {
+        let mut statements = self.all_statements()?;
+        let strokes = std::mem::take(&mut self.strokes);
+        if strokes.is_empty() {
+            return Ok(statements);
+        }
+        let (tokens, errors) = (
+            std::mem::take(&mut self.tokens),
+            std::mem::take(&mut self.errors),
+        );
+        let mut again = Parser::new(tokens, errors, self.body, self.words);
+        again.below = true;
+        let others = again.all_statements().unwrap_or_default();
+        if others.len() == statements.len() {
+            for (statement, other) in statements.iter_mut().zip(others) {
+                let whole = statement.span;
+                let within = |s: &&Span| whole.start <= s.start && s.end <= whole.end;
+                statement.other = strokes
+                    .iter()
+                    .find(within)
+                    .map(|&span| Box::new(Spanned { value: other, span }));
+            }
+        }
+        Ok(statements)
+    }
+
+    fn all_statements(&mut self) -> Read<Vec<Statement>> {
         let mut statements = Vec::new();
         let mut environments: Vec<(&'s str, Span)> = Vec::new();
         loop {
@@ -200,6 +226,7 @@ impl<'s> Parser<'s> {
             connectives,
             mark,
             span: self.since(start),
+            other: None,
         })
     }
 

@@ -189,7 +189,10 @@ impl Report<'_> {
                 let text = format!("{} is at {}", self.reference(*at), self.place(*at));
                 finding.said.push((Level::NOTE, text));
             }
-            Note::Uncited(_) | Note::OutOfScope(_) | Note::RestsOnUnproved(_) => return None,
+            Note::Uncited(_)
+            | Note::OutOfScope(_)
+            | Note::RestsOnUnproved(_)
+            | Note::OtherReading(..) => return None,
         }
         if !matches!(note, Note::DuplicateTag(_) | Note::UnknownCitation(..)) {
             finding.said.extend(replay(self, entry.equation));
