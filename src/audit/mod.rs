@@ -261,7 +261,7 @@ impl Auditor<'_> {
                     .verdict
                     == Verdict::Holds
             {
-                entry.notes.push(Note::OtherReading(at, other.span));
+                entry.notes.push(Note::OtherReading(other.span));
             }
             (entry.part, entry.parts) = (part, parts);
             if part == 0 {

@@ -195,14 +195,7 @@ impl Report<'_> {
             Note::NumericNotSupported => {
                 "not supported: false for all figures within their bounds".into()
             }
-            Note::OtherReading(at, span) => {
-                let document = &self.derivation.pages[self.equation(*at).page].document;
-                let (_, place) = document.place(*span);
-                format!(
-                    "holds if what follows `/` at {}:{} stands below it",
-                    place.line, place.column
-                )
-            }
+            Note::OtherReading(..) => "would hold with `a/bc` as `a/(bc)`".into(),
             Note::GivenUp => "the search broke down: please report this".into(),
             Note::Uncited(sources) => format!("from {}, uncited", self.sources(sources)),
             Note::UnstatedCondition(conditions) => format!(

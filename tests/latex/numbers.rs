@@ -170,3 +170,20 @@ fn directives_in_comments_are_about_the_display_or_the_row_they_stand_before() {
     assert_eq!(declared, ["m", "v_0"]);
     assert_eq!(problems(&derivation), Vec::<String>::new());
 }
+
+#[test]
+fn after_equations_that_are_not_read_no_number_is_made_up_until_the_count_begins_anew() {
+    let source = r"\documentclass{article}\numberwithin{equation}{section}
+\begin{document}\section{A}
+\begin{equation} a = 1 \end{equation}
+\begin{IEEEeqnarray}{l} b = 1 \end{IEEEeqnarray}
+\begin{equation} c = 1 \end{equation}
+\section{B}
+\begin{equation} d = 1 \end{equation}
+\input{gone}
+\begin{equation} e = 1 \label{e} \end{equation}
+\begin{equation} f = 1 \tag{F} \end{equation}
+\end{document}";
+    assert_eq!(numbers(source), "1.1 - 2.1 - F");
+    assert_eq!(problems(&read(source)).len(), 2);
+}

@@ -26,6 +26,8 @@ pub(super) struct Assembled {
     pub obstacles: Vec<Problem>,
     /// Where another file's page begins, and which file's.
     pub pages: Vec<(usize, usize)>,
+    /// Where something is missing that may have had equations in it: what is counted on from here is not known.
+    pub lost: Vec<usize>,
 }
 
 /// Where tokens come from.
@@ -68,6 +70,7 @@ pub(super) struct Assembler<'l> {
     problems: Vec<Problem>,
     obstacles: Vec<Problem>,
     pages: Vec<(usize, usize)>,
+    lost: Vec<usize>,
     /// Whether a letter put next would become part of the command put last.
     after_command: bool,
 }
@@ -95,6 +98,7 @@ pub(super) fn assemble(path: String, source: Arc<str>, library: &dyn Library) ->
         problems: Vec::new(),
         obstacles: Vec::new(),
         pages: Vec::new(),
+        lost: Vec::new(),
         after_command: false,
     };
     assembler.open_file(path, source, false, false);
@@ -110,6 +114,7 @@ pub(super) fn assemble(path: String, source: Arc<str>, library: &dyn Library) ->
         problems: assembler.problems,
         obstacles: assembler.obstacles,
         pages: assembler.pages,
+        lost: assembler.lost,
     }
 }
 
@@ -326,6 +331,12 @@ impl Assembler<'_> {
     pub(super) fn problem(&mut self, place: Place, message: impl Into<String>, help: &str) {
         let span = self.mark(place);
         self.problems.push(Problem::new(span, message, help));
+    }
+
+    /// The same, where text is left out that may have had equations in it.
+    pub(super) fn missing(&mut self, place: Place, message: impl Into<String>, help: &str) {
+        self.lost.push(self.text.len());
+        self.problem(place, message, help);
     }
 
     /// Something at a place that would be misread in a display.
@@ -550,7 +561,7 @@ impl Assembler<'_> {
             }
             None => {
                 let message = format!("this `{name}` is never ended: it hides all that follows");
-                self.problem(token.origin, message, &format!("end it with `{end}`"));
+                self.missing(token.origin, message, &format!("end it with `{end}`"));
                 self.go_to(source.len());
             }
         }

@@ -60,7 +60,7 @@ impl Assembler<'_> {
                 if !self.preamble {
                     let message = format!("what `\\{command}` decides is not known here");
                     let help = "neither branch is read: write what is to be read without it";
-                    self.problem(token.origin, message, help);
+                    self.missing(token.origin, message, help);
                 }
                 self.skip_branch(token, false);
             }

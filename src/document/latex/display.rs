@@ -84,6 +84,17 @@ impl Scanner<'_> {
             format!("the environment `{name}` is not read here"),
             "write the equation in `equation`, `align`, `gather` or `multline`",
         );
+        let inner = [
+            "aligned",
+            "alignedat",
+            "gathered",
+            "split",
+            "cases",
+            "multlined",
+        ];
+        if !name.ends_with('*') && !inner.contains(&name) && !name.ends_with("matrix") {
+            self.numbering.lose();
+        }
         self.at = match environment_end(self.text, self.at, name) {
             Ok((_, after)) => after,
             Err(stop) => stop.max(self.at),
@@ -93,6 +104,9 @@ impl Scanner<'_> {
     /// Something is wrong with where a display ends: what follows up to `stop` is covered by the message.
     fn unended(&mut self, begin: Span, stop: usize, what: &str, close: &str) {
         self.hand_over_prose(begin.start);
+        if !what.starts_with("`$") && !what.starts_with("`\\[") && !what.ends_with("*`") {
+            self.numbering.lose();
+        }
         self.problem(
             begin,
             format!("this {what} is never closed"),
@@ -103,6 +117,7 @@ impl Scanner<'_> {
     }
 
     fn display(&mut self, span: Span, body: Span, rows: Rows, numbered: bool) {
+        self.catch_up(span.start);
         self.hand_over_prose(span.start);
         self.prose_again();
         let found = self::rows(self.text, body, rows);

@@ -100,7 +100,7 @@ impl Assembler<'_> {
                 self.frames.pop();
             }
             let message = format!("`\\{name}` comes to too much: it may call itself");
-            return self.problem(token.origin, message, "write out what it should stand for");
+            return self.missing(token.origin, message, "write out what it should stand for");
         }
         while let Some(Frame::Tokens { tokens, at }) = self.frames.last()
             && *at >= tokens.len()

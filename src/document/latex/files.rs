@@ -68,13 +68,13 @@ impl Assembler<'_> {
         let Some((path, bytes)) = found.next() else {
             if how != How::Package {
                 let help = "paths are relative to the file that names them, or to the main file";
-                self.problem(command.origin, format!("there is no file `{name}`"), help);
+                self.missing(command.origin, format!("there is no file `{name}`"), help);
             }
             return;
         };
         if let Some((other, _)) = found.next().filter(|(_, other)| *other != bytes) {
             let message = format!("`{name}` may be `{path}` or `{other}`");
-            self.problem(command.origin, message, "rename one of them");
+            self.missing(command.origin, message, "rename one of them");
             return;
         }
         let open = self.open_files();
@@ -83,12 +83,12 @@ impl Assembler<'_> {
             .any(|&file| self.origin.files[file].path == path)
         {
             let message = format!("`{path}` takes in itself");
-            return self.problem(command.origin, message, "leave this out");
+            return self.missing(command.origin, message, "leave this out");
         }
         self.bytes += bytes.len();
         if open.len() >= DEPTH || self.origin.files.len() >= FILES || self.bytes > BYTES {
             let message = "the document takes in more files than are read";
-            return self.problem(command.origin, message, "check it in parts");
+            return self.missing(command.origin, message, "check it in parts");
         }
         match super::super::decode(&bytes) {
             Ok(text) => {
@@ -97,7 +97,7 @@ impl Assembler<'_> {
             }
             Err(error) => {
                 let message = format!("`{path}` is {error}");
-                self.problem(command.origin, message, "save it as UTF-8 and try again");
+                self.missing(command.origin, message, "save it as UTF-8 and try again");
             }
         }
     }

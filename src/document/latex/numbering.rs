@@ -139,6 +139,8 @@ impl Numbering {
         while let (Some(child), true) = (open.pop(), bound > 0) {
             bound -= 1;
             self.counters.insert(child.clone(), 0);
+            // Wherever the count was lost, it begins anew.
+            self.lost &= child != "equation";
             open.extend(self.resets.get(&child).cloned().unwrap_or_default());
         }
     }

@@ -41,6 +41,8 @@ pub(super) struct Scanner<'a> {
     /// What was found amiss when the text was put together, in order.
     pub amiss: Vec<Problem>,
     pub obstacles: Vec<Problem>,
+    /// Places at which the count of equations is lost, in order.
+    lost: Vec<usize>,
     /// The keys of equations, and those of other things.
     pub keys: BTreeSet<String>,
     elsewhere: BTreeSet<String>,
@@ -62,6 +64,7 @@ pub(super) fn documents(assembled: Assembled) -> Vec<Document> {
         mut problems,
         mut obstacles,
         pages,
+        lost,
     } = assembled;
     problems.sort_by_key(|problem| problem.span);
     obstacles.sort_by_key(|problem| problem.span);
@@ -75,6 +78,7 @@ pub(super) fn documents(assembled: Assembled) -> Vec<Document> {
         problems: Vec::new(),
         amiss: problems,
         obstacles,
+        lost,
         keys: BTreeSet::new(),
         elsewhere: BTreeSet::new(),
         preamble: text.contains("\\begin{document}"),
@@ -332,6 +336,7 @@ impl<'a> Scanner<'a> {
         }
         match plain {
             "subequations" => {
+                self.catch_up(open);
                 let (number, equation, format) = self.numbering.begin_sub();
                 self.subs.push(Sub {
                     number,
@@ -406,10 +411,20 @@ impl<'a> Scanner<'a> {
         self.hide(open);
     }
 
+    /// Forgets the count of equations if something is missing between it and here.
+    pub(super) fn catch_up(&mut self, to: usize) {
+        let missed = self.lost.partition_point(|&at| at <= to);
+        if missed > 0 {
+            self.lost.drain(..missed);
+            self.numbering.lose();
+        }
+    }
+
     fn heading(&mut self, open: usize, name: &str) {
         let Some((level, counter)) = names::heading(name) else {
             return;
         };
+        self.catch_up(open);
         self.hand_over_prose(open);
         self.depth = 0;
         let starred = self.star();
