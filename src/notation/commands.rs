@@ -62,6 +62,7 @@ pub(super) const ACCENTS: &[(&str, &str)] = &[
     ("vec", "\u{20d7}"),
     ("mathbf", ""),
     ("boldsymbol", ""),
+    ("bm", ""),
     ("mathcal", ""),
     ("mathit", ""),
     ("mathsf", ""),

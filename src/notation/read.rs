@@ -60,6 +60,16 @@ pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool) -> Vec<Unit> {
         match units.last_mut() {
             Some((rows, unit)) if continues(&lexed.tokens) => {
                 let start = lexed.tokens[0].span.start;
+                // `a &= b, \\ &= c`: the comma is that of the line.
+                let sign = |kind: Kind| matches!(kind, Kind::Char('+' | '-'));
+                let first = lexed.tokens.iter().map(|token| token.kind);
+                let mut first = first.filter(|kind| !matches!(kind, Kind::Wide | Kind::Char('&')));
+                let comma = |kind: Kind| matches!(kind, Kind::Char(',' | ';'));
+                if !first.next().is_some_and(sign)
+                    && unit.tokens.last().is_some_and(|last| comma(last.kind))
+                {
+                    unit.tokens.pop();
+                }
                 unit.tokens.push(Token {
                     kind: Kind::Row,
                     span: Span::new(start, start),

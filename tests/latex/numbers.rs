@@ -187,3 +187,19 @@ fn after_equations_that_are_not_read_no_number_is_made_up_until_the_count_begins
     assert_eq!(numbers(source), "1.1 - 2.1 - F");
     assert_eq!(problems(&read(source)).len(), 2);
 }
+
+#[test]
+fn a_comma_at_the_end_of_a_row_does_not_part_it_from_a_row_that_goes_on() {
+    let derivation = read(&article(
+        r"\begin{align} a &= b, \\ &= c, \\ \implies c &= a. \end{align}",
+    ));
+    assert_eq!(equations(&derivation), ["1: a = b", "2: b = c", "3: c = a"]);
+}
+
+#[test]
+fn a_key_in_a_title_is_no_equation() {
+    let derivation = read(&article(
+        r"\section{Start\label{start}} As \ref{start} says, \begin{equation} a = 1 \end{equation}",
+    ));
+    assert_eq!(premises(&derivation, "1"), Vec::<String>::new());
+}

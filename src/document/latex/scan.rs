@@ -445,6 +445,10 @@ impl<'a> Scanner<'a> {
 
     fn heading_item(&mut self, level: u8, span: Span, title: Span) {
         let text = &self.text[title.range()];
+        for rest in text.split("\\label{").skip(1) {
+            let key = rest.split_once('}').map_or(rest, |(key, _)| key);
+            self.elsewhere.insert(key.trim().to_owned());
+        }
         if let Some(at) = ["$$", "\\[", "\\begin{"].iter().find_map(|d| text.find(d)) {
             let at = title.start + at;
             self.problem(
