@@ -4,12 +4,10 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::super::directive::{self, Comment};
 use super::super::{File, Origin, Problem, Span};
 use super::define::{Environment, Meaning};
 use super::expand::Budget;
-use super::files::{How, Library};
-use super::names::VERBATIM;
+use super::files::Library;
 use super::token::{self, Place, Token};
 
 /// What tokens that no file spells are spelt from.
@@ -143,7 +141,7 @@ impl Assembler<'_> {
         self.at_letter |= package;
     }
 
-    fn close_file(&mut self) {
+    pub(super) fn close_file(&mut self) {
         let Some(Frame::File {
             file,
             at,
@@ -306,7 +304,7 @@ impl Assembler<'_> {
     }
 
     /// Text for the result, and where it comes from.
-    fn put(&mut self, text: &str, place: Place, copied: bool) {
+    pub(super) fn put(&mut self, text: &str, place: Place, copied: bool) {
         if self.after_command && text.starts_with(|c: char| c.is_ascii_alphabetic()) {
             self.origin
                 .push(self.text.len(), place.file, place.span, false);
@@ -351,270 +349,5 @@ impl Assembler<'_> {
         self.text.push(' ');
         self.after_command = false;
         Span::new(start, start + 1)
-    }
-
-    /// A comment in the file that is read: a directive is kept, anything else goes with the end of its line.
-    fn comment(&mut self) {
-        let Some(Frame::File { file, at, .. }) = self.frames.last() else {
-            return;
-        };
-        let (file, from) = (*file, *at);
-        let source = self.source(file);
-        let end_of_line = |from: usize| {
-            source[from..]
-                .find(['\n', '\r'])
-                .map_or(source.len(), |length| from + length)
-        };
-        let after_line = |end: usize| match &source[end..] {
-            rest if rest.starts_with("\r\n") => end + 2,
-            "" => end,
-            _ => end + 1,
-        };
-        let signs = source[from..].len() - source[from..].trim_start_matches('%').len();
-        let body = from + signs;
-        let end = end_of_line(body);
-        self.go_to(after_line(end));
-        let ours = !matches!(
-            directive::read(&source, Span::new(body, end)),
-            Comment::Other
-        );
-        if !ours || self.skipping {
-            return;
-        }
-        // It is read like text, for the author's commands may stand in it.
-        let mut tokens = vec![Token::written(Place::new(file, from, from + 1))];
-        self.spell(file, Span::new(body, end), &mut tokens);
-        // Whole lines of comment that are set in by two spaces go on with it.
-        let mut next = after_line(end);
-        loop {
-            let line = source[next..].trim_start_matches([' ', '\t']);
-            let text = line.trim_start_matches('%');
-            let goes_on = text.len() < line.len()
-                && (text.starts_with("  ") || text.starts_with('\t'))
-                && !text
-                    .trim_start_matches([' ', '\t'])
-                    .starts_with(['\n', '\r']);
-            if !goes_on {
-                break;
-            }
-            let body = source.len() - text.len();
-            let end = end_of_line(body);
-            tokens.push(self.coin("\r", Place::new(file, next, body)));
-            self.spell(file, Span::new(body, end), &mut tokens);
-            next = after_line(end);
-        }
-        self.go_to(next);
-        tokens.push(self.coin("\n", Place::new(file, next, next)));
-        self.frames.push(Frame::Tokens { tokens, at: 0 });
-    }
-
-    /// The tokens of a part of a file.
-    fn spell(&self, file: usize, span: Span, tokens: &mut Vec<Token>) {
-        let source = self.source(file);
-        let mut at = span.start;
-        while at < span.end {
-            let length = token::length(&source[at..span.end], self.at_letter).max(1);
-            tokens.push(Token::written(Place::new(file, at, at + length)));
-            at += length;
-        }
-    }
-
-    fn dispatch(&mut self, token: Token, from_file: bool) {
-        let source = self.source(token.text.file);
-        let text = source.get(token.text.span.range()).unwrap_or_default();
-        match text {
-            "{" => self.begin_scope(),
-            "}" => self.end_scope(),
-            _ => {}
-        }
-        let Some(name) = text.strip_prefix('\\') else {
-            return self.emit(token);
-        };
-        if token.frozen {
-            return self.emit(token);
-        }
-        match name {
-            "begin" => self.begin(token),
-            "end" => self.end(token),
-            "begingroup" | "bgroup" => self.begin_scope(),
-            "endgroup" | "egroup" => self.end_scope(),
-            "verb" | "lstinline" | "mintinline" | "url" | "path" | "href" => self.raw(token, name),
-            "input" | "subfile" | "subfileinclude" | "include" => {
-                let how = match name {
-                    "include" => How::Include,
-                    _ => How::Input,
-                };
-                if let Some(file) = self.file_name() {
-                    self.take_in(token, &file, how);
-                }
-            }
-            "import" | "subimport" => {
-                let folder = self.file_name().unwrap_or_default();
-                let file = self.file_name().unwrap_or_default();
-                let path = format!("{}/{file}", folder.trim_end_matches('/'));
-                self.take_in(token, &path, How::Input);
-            }
-            "usepackage" | "RequirePackage" => {
-                self.optional();
-                for name in self.file_name().unwrap_or_default().split(',') {
-                    self.take_in(token, name, How::Package);
-                }
-            }
-            "endinput" => {
-                while matches!(self.frames.last(), Some(Frame::Tokens { .. })) {
-                    self.frames.pop();
-                }
-                self.close_file();
-            }
-            "makeatletter" => self.at_letter = true,
-            "makeatother" => self.at_letter = false,
-            "catcode" | "ExplSyntaxOn" | "csname" | "expandafter" if !self.preamble => {
-                let message = format!("`\\{name}` changes how TeX reads, which is not followed");
-                self.problem(token.origin, message, "write what it stands for");
-            }
-            "newif" => self.new_switch(),
-            "else" if self.open_conditions > 0 => self.leave_branch(token),
-            "fi" if self.open_conditions > 0 => self.open_conditions -= 1,
-            _ if self.is_condition(name) => self.condition(token, name),
-            _ if self.switch(name) => {}
-            _ if self.defines(token, name) => {}
-            _ => self.use_command(token, name, from_file),
-        }
-    }
-
-    /// `\begin{…}`
-    fn begin(&mut self, token: Token) {
-        let Some((tokens, name)) = self.braced_name() else {
-            return self.emit(token);
-        };
-        if VERBATIM.contains(&name.as_str()) {
-            return self.verbatim(token, &name);
-        }
-        self.begin_scope();
-        if name == "document" {
-            self.preamble = false;
-        }
-        if let Some(environment) = self.environments.get(&name).cloned() {
-            return self.call(token, &environment.begin, &name);
-        }
-        self.emit(token);
-        tokens.into_iter().for_each(|token| self.emit(token));
-    }
-
-    /// `\end{…}`
-    fn end(&mut self, token: Token) {
-        let Some((tokens, name)) = self.braced_name() else {
-            return self.emit(token);
-        };
-        self.end_scope();
-        if let Some(environment) = self.environments.get(&name).cloned() {
-            return self.call(token, &environment.end, &name);
-        }
-        self.emit(token);
-        tokens.into_iter().for_each(|token| self.emit(token));
-        if name == "document" {
-            self.frames.clear();
-        }
-    }
-
-    /// The name in braces that follows, with its braces.
-    fn braced_name(&mut self) -> Option<(Vec<Token>, String)> {
-        let open = self.next_token()?;
-        if self.text(open) != "{" {
-            self.put_back(open);
-            return None;
-        }
-        let mut tokens = vec![open];
-        // No environment has a longer name.
-        while tokens.len() < 64 {
-            let Some(token) = self.next_token() else {
-                break;
-            };
-            tokens.push(token);
-            match self.text(token) {
-                "}" => {
-                    let name = self.spelt(&tokens[1..tokens.len() - 1]);
-                    return Some((tokens, name.trim().to_owned()));
-                }
-                "{" | "\n" => break,
-                _ => {}
-            }
-        }
-        self.frames.push(Frame::Tokens { tokens, at: 0 });
-        None
-    }
-
-    /// Leaves out an environment whose text is not TeX.
-    fn verbatim(&mut self, token: Token, name: &str) {
-        let Some(Frame::File { file, at, .. }) = self.frames.last() else {
-            let message = format!("`{name}` cannot begin in a macro");
-            return self.problem(token.origin, message, "write it out");
-        };
-        let (file, from) = (*file, *at);
-        let source = self.source(file);
-        let end = format!("\\end{{{name}}}");
-        match source[from..].find(&end) {
-            Some(length) => {
-                let to = from + length + end.len();
-                self.go_to(to);
-                self.put(" ", Place::new(file, token.text.span.start, to), false);
-            }
-            None => {
-                let message = format!("this `{name}` is never ended: it hides all that follows");
-                self.missing(token.origin, message, &format!("end it with `{end}`"));
-                self.go_to(source.len());
-            }
-        }
-    }
-
-    /// `\verb|…|` and its like: text that is not TeX.
-    fn raw(&mut self, token: Token, name: &str) {
-        let Some(Frame::File { file, at, .. }) = self.frames.last() else {
-            // In the argument of a command TeX does not read it either.
-            return self.emit(token);
-        };
-        let (file, mut from) = (*file, *at);
-        let source = self.source(file);
-        let mut skip = |open: char, close: char| {
-            if source[from..].starts_with(open) {
-                let line = source[from..]
-                    .find(['\n', '\r'])
-                    .unwrap_or(source.len() - from);
-                from += source[from..from + line]
-                    .find(close)
-                    .map_or(0, |length| length + 1);
-            }
-        };
-        match name {
-            "lstinline" => skip('[', ']'),
-            "mintinline" => {
-                skip('[', ']');
-                skip('{', '}');
-            }
-            "verb" if source[from..].starts_with('*') => from += 1,
-            _ => {}
-        }
-        let mut rest = source[from..].chars();
-        let closing = match rest.next() {
-            Some('{') if name != "verb" => '}',
-            Some(mark) if !mark.is_alphanumeric() && !mark.is_whitespace() => mark,
-            _ => return self.emit(token),
-        };
-        let body = source.len() - rest.as_str().len();
-        let line = source[body..]
-            .find(['\n', '\r'])
-            .unwrap_or(source.len() - body);
-        match source[body..body + line].find(closing) {
-            Some(length) => {
-                let to = body + length + closing.len_utf8();
-                self.go_to(to);
-                self.put(" ", Place::new(file, token.text.span.start, to), false);
-            }
-            None => self.problem(
-                token.origin,
-                format!("this `\\{name}` is not ended on its line"),
-                "close it",
-            ),
-        }
     }
 }

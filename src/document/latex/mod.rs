@@ -14,17 +14,25 @@
 mod assemble;
 mod conditional;
 mod define;
+mod dispatch;
 mod display;
+mod ends;
+mod environment;
 mod expand;
 mod files;
+mod inline;
 mod names;
 mod numbering;
+mod omit;
+mod pages;
+mod rows;
 mod scan;
 mod token;
 
-pub(super) use display::{environment_end, uncounted};
+pub(super) use ends::environment_end;
 pub use files::Library;
 pub(super) use names::display as displaying;
+pub(super) use rows::uncounted;
 
 use std::sync::Arc;
 
@@ -33,5 +41,5 @@ use super::Document;
 /// Reads a document with all that it takes in.
 pub(super) fn read(path: String, source: Arc<str>, library: &dyn Library) -> Vec<Document> {
     let text = assemble::assemble(path, source, library);
-    scan::documents(text)
+    pages::documents(text)
 }

@@ -1,33 +1,20 @@
 //! Going through the text put together: sections, prose, directives, and where displays are.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 use super::super::directive::{self, Comment};
 use super::super::prose::{self, Inline};
-use super::super::{Directive, Document, Item, Problem, Span};
-use super::assemble::Assembled;
-use super::display::{as_text, stops};
-use super::names::{self, UNREAD};
+use super::super::{Item, Problem, Span};
+use super::ends::{bracketed, ends_paragraph};
+use super::names;
 use super::numbering::Numbering;
-
-/// The longest argument that is looked for in text.
-const LONGEST_ARGUMENT: usize = 20_000;
-/// Environments in which nothing is said: pictures and lists of literature.
-const SILENT: &[&str] = &[
-    "tikzpicture",
-    "pgfpicture",
-    "picture",
-    "thebibliography",
-    "circuitikz",
-];
 
 /// `subequations` that are being read.
 pub(super) struct Sub {
     pub number: Option<String>,
     pub keys: Vec<String>,
-    equation: i64,
-    format: String,
+    pub equation: i64,
+    pub format: String,
 }
 
 pub(super) struct Scanner<'a> {
@@ -42,123 +29,22 @@ pub(super) struct Scanner<'a> {
     pub amiss: Vec<Problem>,
     pub obstacles: Vec<Problem>,
     /// Places at which the count of equations is lost, in order.
-    lost: Vec<usize>,
+    pub lost: Vec<usize>,
     /// The keys of equations, and those of other things.
     pub keys: BTreeSet<String>,
-    elsewhere: BTreeSet<String>,
-    preamble: bool,
-    prose_from: usize,
-    inline: Vec<Inline>,
-    hidden: Vec<Span>,
+    pub elsewhere: BTreeSet<String>,
+    pub preamble: bool,
+    pub prose_from: usize,
+    pub inline: Vec<Inline>,
+    pub hidden: Vec<Span>,
     /// How many braces are open in the paragraph.
-    depth: usize,
+    pub depth: usize,
     /// Up to here a stray sign of mathematics has been told of.
-    quiet: usize,
-}
-
-/// The documents that a text consists of.
-pub(super) fn documents(assembled: Assembled) -> Vec<Document> {
-    let Assembled {
-        text,
-        origin,
-        mut problems,
-        mut obstacles,
-        pages,
-        lost,
-    } = assembled;
-    problems.sort_by_key(|problem| problem.span);
-    obstacles.sort_by_key(|problem| problem.span);
-    let mut scanner = Scanner {
-        text: &text,
-        bytes: text.as_bytes(),
-        at: 0,
-        numbering: Numbering::of_class(""),
-        subs: Vec::new(),
-        items: Vec::new(),
-        problems: Vec::new(),
-        amiss: problems,
-        obstacles,
-        lost,
-        keys: BTreeSet::new(),
-        elsewhere: BTreeSet::new(),
-        preamble: text.contains("\\begin{document}"),
-        prose_from: 0,
-        inline: Vec::new(),
-        hidden: Vec::new(),
-        depth: 0,
-        quiet: 0,
-    };
-    scanner.run();
-    scanner.drop_citations_of_other_things();
-    let body = text.find("\\begin{document}").unwrap_or(0);
-    let Scanner {
-        mut items,
-        mut problems,
-        amiss,
-        ..
-    } = scanner;
-    problems.extend(amiss);
-    problems.sort_by_key(|problem| problem.span);
-    items.sort_by_key(|item| item.span().start);
-    let declares = |item: &&Item| {
-        let Item::Directives { clauses, span } = item else {
-            return false;
-        };
-        let lasting =
-            |c: &Directive| matches!(c, Directive::Symbols { .. } | Directive::Data { .. });
-        span.start < body && clauses.iter().any(|clause| lasting(&clause.value))
-    };
-    let inherited: Vec<Item> = items.iter().filter(declares).cloned().collect();
-    let source: Arc<str> = text.as_str().into();
-    let origin = Arc::new(origin);
-    let mut starts = vec![(0, 0)];
-    starts.extend(pages);
-    let mut documents: Vec<Document> = Vec::new();
-    let (mut items, mut problems) = (
-        items.into_iter().peekable(),
-        problems.into_iter().peekable(),
-    );
-    for (at, &(_, file)) in starts.iter().enumerate() {
-        let end = starts.get(at + 1).map_or(usize::MAX, |next| next.0);
-        let mut document = Document {
-            path: origin.files[file].path.clone(),
-            source: source.clone(),
-            items: Vec::new(),
-            inherited: match at {
-                0 => Vec::new(),
-                _ => inherited.clone(),
-            },
-            problems: Vec::new(),
-            is_latex: true,
-            origin: origin.clone(),
-        };
-        while let Some(item) = items.next_if(|item| item.span().start < end) {
-            document.items.push(item);
-        }
-        while let Some(problem) = problems.next_if(|problem| problem.span.start < end) {
-            document.problems.push(problem);
-        }
-        let says = |item: &Item| matches!(item, Item::Display { .. } | Item::Directives { .. });
-        if !document.problems.is_empty() || document.items.iter().any(says) {
-            documents.push(document);
-        }
-    }
-    if documents.is_empty() {
-        documents.push(Document {
-            path: origin.files[0].path.clone(),
-            source,
-            items: Vec::new(),
-            inherited: Vec::new(),
-            problems: Vec::new(),
-            is_latex: true,
-            origin,
-        });
-    }
-    documents
+    pub quiet: usize,
 }
 
 impl<'a> Scanner<'a> {
-    fn run(&mut self) {
+    pub(super) fn run(&mut self) {
         while self.at < self.bytes.len() {
             match self.bytes[self.at] {
                 b'%' => {
@@ -316,101 +202,6 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// `\begin{…}` in text or in the preamble.
-    fn begin(&mut self, open: usize) {
-        let Some(name) = self.group() else { return };
-        let name = self.text[name.range()].trim();
-        if name == "document" {
-            self.preamble = false;
-            self.prose_from = self.at;
-            (self.inline, self.hidden) = (Vec::new(), Vec::new());
-            return;
-        }
-        if self.preamble {
-            return;
-        }
-        self.depth = 0;
-        let plain = name.trim_end_matches('*');
-        if let Some(rows) = names::display(plain) {
-            return self.environment(open, name, rows);
-        }
-        match plain {
-            "subequations" => {
-                self.catch_up(open);
-                let (number, equation, format) = self.numbering.begin_sub();
-                self.subs.push(Sub {
-                    number,
-                    keys: Vec::new(),
-                    equation,
-                    format,
-                });
-            }
-            "math" => {
-                let close = self
-                    .rest()
-                    .find("\\end{math}")
-                    .map(|length| self.at + length);
-                let Some(close) = close else {
-                    self.problem(
-                        Span::new(open, self.at),
-                        "this `math` is never ended",
-                        "end it with `\\end{math}`",
-                    );
-                    return;
-                };
-                let body = Span::new(self.at, close);
-                self.at = close + "\\end{math}".len();
-                self.inline.push(Inline {
-                    span: Span::new(open, self.at),
-                    body,
-                });
-                return;
-            }
-            _ if SILENT.contains(&plain) => {
-                let end = format!("\\end{{{name}}}");
-                match self.rest().find(&end) {
-                    Some(length) => self.at += length + end.len(),
-                    None => self.problem(
-                        Span::new(open, self.at),
-                        format!("this `{name}` is never ended"),
-                        "end it",
-                    ),
-                }
-            }
-            _ if UNREAD.contains(&name) || UNREAD.contains(&plain) => self.unread(open, name),
-            _ => self.options(),
-        }
-        self.hide(open);
-    }
-
-    fn end(&mut self, open: usize) {
-        let Some(name) = self.group() else { return };
-        self.depth = 0;
-        match self.text[name.range()].trim() {
-            "subequations" => {
-                if let Some(sub) = self.subs.pop() {
-                    self.numbering.end_sub(sub.equation, sub.format);
-                }
-            }
-            "document" => {
-                self.hand_over_prose(open);
-                self.at = self.bytes.len();
-                self.prose_from = self.at;
-                return;
-            }
-            name if names::display(name.trim_end_matches('*')).is_some() => {
-                let message = format!("this ends `{name}`, which was not begun here");
-                self.problem(
-                    Span::new(open, self.at),
-                    message,
-                    "begin it, or leave this out",
-                );
-            }
-            _ => {}
-        }
-        self.hide(open);
-    }
-
     /// Forgets the count of equations if something is missing between it and here.
     pub(super) fn catch_up(&mut self, to: usize) {
         let missed = self.lost.partition_point(|&at| at <= to);
@@ -541,106 +332,13 @@ impl<'a> Scanner<'a> {
         self.prose_from = self.at;
     }
 
-    fn inline_dollar(&mut self) {
-        let open = self.at;
-        match inline_end(self.bytes, open + 1, b"$") {
-            Some(close) => {
-                self.inline_found(Span::new(open, close + 1), Span::new(open + 1, close))
-            }
-            None => {
-                self.problem(
-                    Span::new(open, open + 1),
-                    "this `$` is never closed in its paragraph",
-                    "close it, or write `\\$` for the sign",
-                );
-                self.at = open + 1;
-            }
-        }
-    }
-
-    fn inline_parenthesis(&mut self, open: usize) {
-        match inline_end(self.bytes, open + 2, b"\\)") {
-            Some(close) => {
-                self.inline_found(Span::new(open, close + 2), Span::new(open + 2, close))
-            }
-            None => {
-                self.problem(
-                    Span::new(open, open + 2),
-                    "this `\\(` is never closed in its paragraph",
-                    "close it with `\\)`",
-                );
-                self.at = open + 2;
-            }
-        }
-    }
-
-    fn inline_found(&mut self, span: Span, body: Span) {
-        self.inline.push(Inline { span, body });
-        self.at = span.end;
-    }
-
     /// `\ref` cites figures and sections too.
-    fn drop_citations_of_other_things(&mut self) {
+    pub(super) fn drop_citations_of_other_things(&mut self) {
         let other = |key: &String| self.elsewhere.contains(key) && !self.keys.contains(key);
         for item in &mut self.items {
             if let Item::Prose(prose) = item {
                 prose.citations.retain(|c| !(c.key && other(&c.tag)));
             }
-        }
-    }
-}
-
-/// The length of `[…]` or `{…}` at the start of `rest`, braces in it counted.
-pub(super) fn bracketed(rest: &str, open: char, close: char) -> Option<usize> {
-    if !rest.starts_with(open) {
-        return None;
-    }
-    let mut depth = 0_usize;
-    let mut escaped = false;
-    for (at, c) in rest.char_indices().take(LONGEST_ARGUMENT).skip(1) {
-        if std::mem::take(&mut escaped) {
-            continue;
-        }
-        match c {
-            '\\' => escaped = true,
-            c if c == close && depth == 0 => return Some(at + c.len_utf8()),
-            '{' => depth += 1,
-            '}' => depth = depth.checked_sub(1)?,
-            _ => {}
-        }
-    }
-    None
-}
-
-/// The end of a line, and the next line blank.
-pub(super) fn ends_paragraph(tail: &[u8]) -> bool {
-    let [b'\n', after @ ..] = tail else {
-        return false;
-    };
-    let text = after
-        .iter()
-        .find(|byte| !matches!(byte, b' ' | b'\t' | b'\r'));
-    matches!(text, Some(b'\n'))
-}
-
-/// Where inline mathematics ends; a `$` in braces belongs to words in it.
-fn inline_end(bytes: &[u8], from: usize, closes: &[u8]) -> Option<usize> {
-    let (mut at, mut depth) = (from, 0_usize);
-    loop {
-        let tail = bytes.get(at..)?;
-        if depth == 0 && tail.starts_with(closes) {
-            return Some(at);
-        }
-        match tail {
-            [] => return None,
-            [b'\n', ..] if ends_paragraph(tail) => return None,
-            [b'\\', b'[' | b'(', ..] => return None,
-            [b'$', ..] if depth == 0 => return None,
-            [b'\\', ..] if stops(as_text(tail)) => return None,
-            [b'\\', ..] => at += 2,
-            [b'{', ..] => (depth, at) = (depth + 1, at + 1),
-            [b'}', ..] => (depth, at) = (depth.checked_sub(1)?, at + 1),
-            _ => at += 1,
         }
     }
 }
