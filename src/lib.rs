@@ -1,6 +1,6 @@
 //! Exact verification of the equations in a physics derivation.
 //!
-//! A report goes in as its author wrote it, LaTeX mathematics in Markdown. Out comes a verdict for every displayed
+//! A report goes in as its author wrote it, in LaTeX or with LaTeX mathematics in Markdown. Out comes a verdict for every displayed
 //! equation, with exact evidence: a certificate that it follows from what it is said to follow from, or a point in
 //! rational numbers at which its premises are true and it is false. Where neither is found it is undecided.
 //!

@@ -35,7 +35,7 @@ const EXACT: &[&str] = &[
 /// Libraries, and the only modules that may know them.
 const KNOWN_TO: &[(&str, &[&str])] = &[
     ("serde", &["report", "cli"]),
-    ("serde_json", &["report", "cli"]),
+    ("serde_json", &["document", "report", "cli"]),
     ("anstyle", &["report", "cli"]),
     ("anstream", &["cli"]),
     ("annotate_snippets", &["report"]),

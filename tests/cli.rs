@@ -485,7 +485,7 @@ fn the_graph_is_given_in_every_format() {
     assert!(out(&none).contains("Nothing fails, so nothing falls."));
     let elsewhere = program(&["--format", "dot"]);
     assert_eq!(code(&elsewhere), 2);
-    assert!(err(&elsewhere).contains("only `graph` can be drawn"));
+    assert!(err(&elsewhere).contains("only `graph` and `plot` draw"));
 }
 
 #[test]

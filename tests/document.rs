@@ -94,7 +94,9 @@ fn a_page_is_read_in_order() {
             clauses,
             span: comment,
         },
-        Item::Display { body, span: fenced },
+        Item::Display {
+            body, span: fenced, ..
+        },
         Item::Prose(last),
     ] = &document.items[..]
     else {
@@ -180,7 +182,7 @@ fn what_is_not_read_is_named() {
     for (page, guilty) in [
         ("text $$ a = b", "$$"),
         ("\\[ a = b", "\\["),
-        ("\\begin{align*} a \\end{align*}", "\\begin{align*}"),
+        ("\\begin{align*} a \\end{align}", "\\begin{align*}"),
         ("```math\na", "```"),
         ("> $$\n> a\n> $$", "$$\n> a\n> $$"),
         ("# Title $$x$$", "$$x$$"),

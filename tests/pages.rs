@@ -74,7 +74,7 @@ impl Answer {
 
     /// The verdicts that are none, and the notes that do not exist.
     fn misspelt(&self) -> Vec<&str> {
-        const NOTES: [&str; 15] = [
+        const NOTES: [&str; 16] = [
             "citations-shifted",
             "unused-premise",
             "numeric-not-supported",
@@ -90,6 +90,7 @@ impl Answer {
             "duplicate-tag",
             "unreadable",
             "unreadable-premise",
+            "other-reading",
         ];
         let verdict = |word: &str| Verdict::ALL.iter().any(|v| v.word() == word);
         let mut wrong = Vec::new();

@@ -165,6 +165,8 @@ pub enum Note {
     Unreadable(SyntaxError),
     /// It is said to follow from an equation that could not be read.
     UnreadablePremise(usize),
+    /// It would hold if `a/bc`, at this place, meant `a/(bc)`.
+    OtherReading(Span),
     /// A numeric claim that is false whatever the figures are within their bounds.
     NumericNotSupported,
     /// The search broke down on it: a defect of this program.
@@ -191,6 +193,7 @@ impl Note {
             Note::Unreadable(_) => "unreadable",
             Note::UnreadablePremise(_) => "unreadable-premise",
             Note::NumericNotSupported => "numeric-not-supported",
+            Note::OtherReading(_) => "other-reading",
             Note::GivenUp => "given-up",
         }
     }
@@ -201,6 +204,7 @@ impl Note {
             Note::Uncited(_)
             | Note::OutOfScope(_)
             | Note::RestsOnUnproved(_)
+            | Note::OtherReading(_)
             | Note::UnusedPremise(_) => false,
             Note::CitationsShifted { steps, .. } => !steps.is_empty(),
             _ => true,

@@ -275,6 +275,16 @@ impl Auditor<'_> {
                 Some(_) => self.numeric(at, statement, &usable),
                 None => self.statement(at, statement, &usable, &premises, says_so, defines),
             };
+            if let Some(other) = &statement.other
+                && matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
+                && equation.numeric.is_none()
+                && self
+                    .statement(at, &other.value, &usable, &premises, says_so, defines)
+                    .verdict
+                    == Verdict::Holds
+            {
+                entry.notes.push(Note::OtherReading(other.span));
+            }
             (entry.part, entry.parts) = (part, parts);
             if part == 0 {
                 entry.notes.extend(

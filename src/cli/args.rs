@@ -125,9 +125,9 @@ pub enum Command {
         #[command(flatten)]
         materials: Materials,
     },
-    /// Audit Markdown documents of your own, read together as one derivation.
+    /// Audit Markdown or LaTeX documents and Jupyter notebooks of your own, read together as one derivation.
     Check {
-        /// Files, directories (every `*.md` in them), or `-` for standard input.
+        /// Files, directories (every `.md`, `.markdown`, `.tex` and `.ipynb` in them), or `-` for standard input.
         #[arg(required = true, value_name = "PATH")]
         paths: Vec<PathBuf>,
         /// What standard input is called in findings.

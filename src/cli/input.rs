@@ -1,17 +1,47 @@
 //! Documents from files, directories and standard input.
 
+use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use crate::derivation::Derivation;
-use crate::document::{Document, in_order, read_bytes};
+use crate::document::{Document, Library, decode, in_order};
 
 use super::Failure;
 
 /// What standard input is called where nothing else is said.
 const STANDARD_INPUT: &str = "standard input";
+/// The endings of documents.
+const ENDINGS: [&str; 4] = ["md", "markdown", "tex", "ipynb"];
+/// Nobody writes a longer document.
+const MOST_BYTES: u64 = 256 << 20;
 
-/// Reads all documents at some paths as one derivation; `stdin` is what standard input is called.
+/// The files on this machine, remembering which were asked for.
+#[derive(Default)]
+struct Disk {
+    opened: Mutex<BTreeSet<PathBuf>>,
+}
+
+impl Library for Disk {
+    fn open(&self, path: &str) -> Option<Vec<u8>> {
+        let path = Path::new(path);
+        let about = std::fs::metadata(path).ok()?;
+        if !about.is_file() || about.len() > MOST_BYTES {
+            return None;
+        }
+        let bytes = std::fs::read(path).ok()?;
+        if let Ok(mut opened) = self.opened.lock() {
+            opened.insert(same(path));
+        }
+        Some(bytes)
+    }
+}
+
+/// Reads all documents at some paths as one derivation. `stdin` is what standard input is called, and its ending says
+/// what it is written in.
+///
+/// A LaTeX file that another one takes in is read there, and not by itself.
 ///
 /// # Errors
 /// A path that is not there, a directory without documents, a file that is not text.
@@ -24,9 +54,31 @@ pub fn derivation(paths: &[PathBuf], stdin: Option<&str>) -> Result<Derivation, 
     }
     let files = files(paths)?;
     let stdin = stdin.unwrap_or(STANDARD_INPUT);
-    let documents = in_order(&files, |file| read(file, stdin));
+    let read = in_order(&files, |file| {
+        let disk = Disk::default();
+        let documents = read(file, stdin, &disk)?;
+        Ok((documents, disk.opened.into_inner().unwrap_or_default()))
+    });
+    let read: Vec<(Vec<Document>, BTreeSet<PathBuf>)> =
+        read.into_iter().collect::<Result<_, Failure>>()?;
+    let taken_in: Vec<bool> = (0..files.len())
+        .map(|at| {
+            let own = same(&files[at]);
+            let by = |(other, (_, opened)): (usize, &(Vec<Document>, BTreeSet<PathBuf>))| {
+                // Of two that take in each other the first is read.
+                other != at
+                    && opened.contains(&own)
+                    && !(at < other && read[at].1.contains(&same(&files[other])))
+            };
+            read.iter().enumerate().any(by)
+        })
+        .collect();
+    let documents = read.into_iter().zip(taken_in);
+    let documents = documents.filter(|(_, taken_in)| !taken_in);
     Ok(Derivation::new(
-        documents.into_iter().collect::<Result<_, _>>()?,
+        documents
+            .flat_map(|((documents, _), _)| documents)
+            .collect(),
     ))
 }
 
@@ -38,18 +90,20 @@ pub fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut files: Vec<PathBuf> = Vec::new();
     for path in paths {
         let found = documents(path)?;
-        files.extend(
-            found
-                .into_iter()
-                .filter(|f| !paths.contains(f) || f == path),
-        );
+        let fresh = |f: &PathBuf| f == path || !paths.contains(f);
+        files.extend(found.into_iter().filter(fresh));
     }
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen = BTreeSet::new();
     files.retain(|file| seen.insert(file.clone()));
     Ok(files)
 }
 
-/// The Markdown files at a path: itself, or all below a directory, sorted.
+/// A path in one spelling, if the file is there.
+fn same(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned())
+}
+
+/// The documents at a path: itself, or all below a directory, sorted.
 fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
     if path == Path::new("-") {
         return Ok(vec![path.to_owned()]);
@@ -66,14 +120,10 @@ fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
             let entry = entry.map_err(|error| unread(&folder, &error))?;
             let kind = entry.file_type().map_err(|error| unread(&folder, &error))?;
             let own = entry.path();
-            // A link to a directory is not followed: it may lead back.
-            if kind.is_dir() {
+            // A link to a directory is not followed: it may lead back. Nor is the copy that Jupyter keeps.
+            if kind.is_dir() && !own.ends_with(".ipynb_checkpoints") {
                 open.push(own);
-            } else if own
-                .extension()
-                .is_some_and(|e| e.eq_ignore_ascii_case("md"))
-                && own.is_file()
-            {
+            } else if ending(&own).is_some_and(|e| ENDINGS.contains(&e.as_str())) && own.is_file() {
                 found.push(own);
             }
         }
@@ -81,17 +131,22 @@ fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
     found.sort();
     match found.is_empty() {
         true => Err(Failure::new(format!(
-            "there is no Markdown document in `{}`",
+            "there is no Markdown document in `{}`, no LaTeX document and no notebook",
             path.display()
         ))
-        .help("documents are files whose names end in `.md`")),
+        .help("documents are files whose names end in `.md`, `.markdown`, `.tex` or `.ipynb`")),
         false => Ok(found),
     }
 }
 
-fn read(path: &Path, stdin: &str) -> Result<Document, Failure> {
+fn ending(path: &Path) -> Option<String> {
+    path.extension().map(|e| e.to_string_lossy().to_lowercase())
+}
+
+fn read(path: &Path, stdin: &str, disk: &Disk) -> Result<Vec<Document>, Failure> {
     let mut bytes = Vec::new();
-    if path == Path::new("-") {
+    let is_stdin = path == Path::new("-");
+    if is_stdin {
         std::io::stdin()
             .lock()
             .read_to_end(&mut bytes)
@@ -99,13 +154,20 @@ fn read(path: &Path, stdin: &str) -> Result<Document, Failure> {
     } else {
         bytes = std::fs::read(path).map_err(|error| unread(path, &error))?;
     }
-    let name = match path == Path::new("-") {
+    let name = match is_stdin {
         true => stdin.to_owned(),
         false => path.display().to_string(),
     };
-    read_bytes(name.clone(), &bytes).map_err(|error| {
+    let text = decode(&bytes).map_err(|error| {
         Failure::new(format!("`{name}` is {error}")).help("save it as UTF-8 and try again")
-    })
+    })?;
+    match ending(Path::new(&name)).as_deref() {
+        Some("tex" | "ltx" | "latex") => Ok(Document::latex(name, text, disk)),
+        Some("ipynb") => Document::notebook(name.clone(), text)
+            .map(|document| vec![document])
+            .map_err(|error| Failure::new(format!("`{name}` is {error}"))),
+        _ => Ok(vec![Document::markdown(name, text)]),
+    }
 }
 
 fn unread(path: &Path, error: &std::io::Error) -> Failure {

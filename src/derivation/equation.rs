@@ -9,8 +9,12 @@ use super::Premises;
 pub struct Equation {
     /// The page it stands on.
     pub page: usize,
-    /// The number from `\tag{…}`, as printed.
+    /// The number from `\tag{…}`, as printed, or as LaTeX counts it.
     pub tag: Option<String>,
+    /// The keys from `\label{…}`.
+    pub keys: Vec<String>,
+    /// Other numbers and keys by which it is cited together with its neighbours: `(2)` for (2a) and (2b).
+    pub group: Vec<String>,
     /// The name from `claim …`.
     pub name: Option<String>,
     /// The display with its fences.
@@ -29,6 +33,10 @@ pub struct Equation {
     pub numeric: Option<Option<BigRational>>,
     /// What it is said to follow from.
     pub premises: Premises,
+    /// How many equations of the same display stand before it.
+    pub row: usize,
+    /// How many of these it goes on with: `= c` after `a = b`.
+    pub continues: usize,
     /// The hypotheses in effect where it stands, as positions in [`Page::locals`](super::Page::locals).
     pub locals: Vec<usize>,
     /// The heading above it.

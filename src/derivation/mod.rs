@@ -7,19 +7,25 @@
 mod checker;
 mod equation;
 mod page;
+mod rows;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
 use crate::algebra::{Formula, Relation, Symbol};
-use crate::document::{Document, Premise, Span, in_order};
+use crate::document::{Citation, Document, Premise, Span, in_order};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
 use crate::notation::Spanned;
 
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, formulas, goals};
 pub use page::{Datum, Local, Page, Premises};
+
+/// A longer range of numbers is a slip of the pen; only its ends are read.
+const LONGEST_RANGE: usize = 1000;
+/// The most rows of one display that the last of them is taken to follow from where nothing is said.
+const MOST_ROWS: usize = 16;
 
 /// A set of pages that are read together, with their equations in reading order.
 #[derive(Clone, Debug)]
@@ -29,6 +35,8 @@ pub struct Derivation {
     /// The equations of all pages.
     pub equations: Vec<Equation>,
     labels: BTreeMap<String, Vec<usize>>,
+    /// Numbers and keys that several equations share: those of `subequations`.
+    groups: BTreeMap<String, Vec<usize>>,
     /// By page, the equations in which a symbol occurs.
     mentions: Vec<BTreeMap<Symbol, Vec<usize>>>,
     /// The pages in which a symbol occurs.
@@ -75,6 +83,7 @@ impl Derivation {
             pages: Vec::new(),
             equations: Vec::new(),
             labels: BTreeMap::new(),
+            groups: BTreeMap::new(),
             mentions: Vec::new(),
             pages_of: BTreeMap::new(),
             neighbours: Vec::new(),
@@ -90,8 +99,12 @@ impl Derivation {
                 tag_key(equation.tag.as_deref()),
                 name_key(equation.name.as_deref()),
             ];
-            for label in labels.into_iter().flatten() {
+            let keys = equation.keys.iter().map(|key| format!("{{{key}}}"));
+            for label in labels.into_iter().flatten().chain(keys) {
                 derivation.labels.entry(label).or_default().push(at);
+            }
+            for label in &equation.group {
+                derivation.groups.entry(label.clone()).or_default().push(at);
             }
         }
         for page in 0..derivation.pages.len() {
@@ -122,6 +135,11 @@ impl Derivation {
         Derivation::new(vec![Document::markdown(path, source)])
     }
 
+    /// Reads one LaTeX document that stands alone: it takes in no other files.
+    pub fn from_latex(path: &str, source: &str) -> Self {
+        Derivation::new(Document::latex(path, source, &()))
+    }
+
     /// The equation with a number (`23`) or a name.
     pub fn find(&self, label: &str) -> Option<&Equation> {
         let label = label.trim().trim_start_matches('(').trim_end_matches(')');
@@ -129,7 +147,8 @@ impl Derivation {
         let found = self
             .labels
             .get(&format!("({label})"))
-            .or_else(|| self.labels.get(named));
+            .or_else(|| self.labels.get(named))
+            .or_else(|| self.labels.get(&format!("{{{label}}}")));
         found
             .and_then(|all| all.first())
             .map(|&at| &self.equations[at])
@@ -138,16 +157,60 @@ impl Derivation {
     /// The equations that bear the same number or name as an earlier one.
     pub fn duplicates(&self) -> Vec<(usize, usize)> {
         let several = self.labels.values().filter(|all| all.len() > 1);
-        several
+        let mut duplicates: Vec<(usize, usize)> = several
             .flat_map(|all| all[1..].iter().map(|&at| (at, all[0])))
-            .collect()
+            .filter(|&(at, first)| !self.counted_apart(at, first))
+            .collect();
+        duplicates.sort_unstable();
+        duplicates.dedup_by_key(|pair| pair.0);
+        duplicates
     }
 
-    /// The equation that a citation on a page means: one of the same page before one of another.
-    fn resolve(&self, label: &str, page: usize) -> Option<usize> {
-        let all = self.labels.get(label)?;
-        let near = all.iter().find(|&&at| self.equations[at].page == page);
-        near.or_else(|| all.first()).copied()
+    /// Whether LaTeX numbers two equations in two documents: each begins with (1).
+    fn counted_apart(&self, one: usize, other: usize) -> bool {
+        let document = |at: usize| &self.pages[self.equations[at].page].document;
+        let typeset = |at: usize| document(at).is_latex;
+        typeset(one)
+            && typeset(other)
+            && !Arc::ptr_eq(&document(one).origin, &document(other).origin)
+    }
+
+    /// The equations that a citation on a page means: of the same page before others; one, unless several share the
+    /// number. `label` is as [`Derivation::labels`] has it, and `other` is tried where there is none.
+    fn resolve(&self, label: &str, other: &str, page: usize) -> Vec<usize> {
+        let own = |at: &&usize| self.equations[**at].page == page;
+        for label in [label, other] {
+            if let Some(all) = self.labels.get(label) {
+                let near = all.iter().find(own);
+                return near.or_else(|| all.first()).copied().into_iter().collect();
+            }
+            if let Some(all) = self.groups.get(label) {
+                let near: Vec<usize> = all.iter().filter(own).copied().collect();
+                return if near.is_empty() { all.clone() } else { near };
+            }
+        }
+        Vec::new()
+    }
+
+    /// The equations that prose cites, in order.
+    fn cited(&self, citation: &Citation, page: usize) -> Vec<usize> {
+        let find = |tag: &str| {
+            let (tag, key) = (format!("({tag})"), format!("{{{tag}}}"));
+            match citation.key {
+                true => self.resolve(&key, &tag, page),
+                false => self.resolve(&tag, &key, page),
+            }
+        };
+        let mut found = find(&citation.tag);
+        if let Some(last) = &citation.through
+            && let (Some(&from), Some(&to)) = (found.first(), find(last).last())
+            && from < to
+            && to - from <= LONGEST_RANGE
+        {
+            let numbered = |at: &usize| self.equations[*at].tag.is_some();
+            found = (from..to).filter(numbered).collect();
+        }
+        found
     }
 
     /// The number of an equation, where that is a whole number in plain figures.
@@ -159,56 +222,74 @@ impl Derivation {
 
     /// The equation that a number cited on a page means.
     pub fn numbered(&self, number: i64, page: usize) -> Option<usize> {
-        self.resolve(&format!("({number})"), page)
+        let (tag, key) = (format!("({number})"), format!("{{{number}}}"));
+        self.resolve(&tag, &key, page).first().copied()
     }
 
     /// The equations that an equation is said to follow from, whether it says so itself, and the
     /// citations that lead nowhere.
     ///
     /// A directive names them; without one the prose does; where that cites none it is the equation just
-    /// before.
+    /// before. What goes on with the equations before it in its display follows from them too, and whoever cites it
+    /// cites them.
     pub fn premises(&self, at: usize) -> (Vec<usize>, bool, Vec<Unknown>) {
         let equation = &self.equations[at];
         let (mut found, mut unknown) = (Vec::new(), Vec::new());
-        let mut cite = |label: String, shown: String, span: Span, required: bool| match self
-            .resolve(&label, equation.page)
-        {
-            Some(premise) if premise == at => {}
-            Some(premise) if found.contains(&premise) => {}
-            Some(premise) => found.push(premise),
-            None if required => unknown.push(Unknown { label: shown, span }),
-            None => {}
-        };
-        match &equation.premises {
-            Premises::Named(named) => {
-                for Spanned { value, span } in named {
-                    match value {
-                        Premise::Tag(tag) => {
-                            cite(format!("({tag})"), format!("({tag})"), *span, true)
-                        }
-                        Premise::Claim(name) => {
-                            cite(name.clone(), format!("claim {name}"), *span, true)
-                        }
+        let mut cite = |premises: Vec<usize>, shown: String, span: Span, required: bool| {
+            if premises.is_empty() && required {
+                unknown.push(Unknown { label: shown, span });
+            }
+            for premise in premises {
+                let chain = premise - self.equations[premise].continues.min(premise);
+                for premise in chain..=premise {
+                    if premise != at && !found.contains(&premise) {
+                        found.push(premise);
                     }
                 }
-                (found, true, unknown)
+            }
+        };
+        let says_so = match &equation.premises {
+            Premises::Named(named) => {
+                for Spanned { value, span } in named {
+                    let (premises, shown) = match value {
+                        Premise::Tag(tag) => {
+                            let (label, key) = (format!("({tag})"), format!("{{{tag}}}"));
+                            (self.resolve(&label, &key, equation.page), label)
+                        }
+                        Premise::Claim(name) => {
+                            let shown = format!("claim {name}");
+                            (self.resolve(name, name, equation.page), shown)
+                        }
+                    };
+                    cite(premises, shown, *span, true);
+                }
+                true
             }
             Premises::Cited(cited) => {
-                for (tag, required) in cited {
-                    cite(
-                        format!("({})", tag.value),
-                        format!("({})", tag.value),
-                        tag.span,
-                        *required,
-                    );
+                for citation in cited {
+                    let premises = self.cited(citation, equation.page);
+                    let shown = format!("({})", citation.tag);
+                    cite(premises, shown, citation.span, citation.explicit);
                 }
-                let says_so = !found.is_empty() || !unknown.is_empty();
-                if !says_so && at > 0 && self.equations[at - 1].page == equation.page {
-                    found.push(at - 1);
-                }
-                (found, says_so, unknown)
+                !found.is_empty() || !unknown.is_empty()
+            }
+        };
+        if !says_so {
+            // The equation before the display, and those before this one in it.
+            let first = at - (equation.row + 1).min(at);
+            let near = (first..at).rev().take(MOST_ROWS);
+            found.extend(near.filter(|&p| self.equations[p].page == equation.page));
+            found.sort_unstable();
+        }
+        for premise in at - equation.continues.min(at)..at {
+            if !found.contains(&premise) {
+                found.push(premise);
             }
         }
+        if equation.row > 0 {
+            unknown.clear();
+        }
+        (found, says_so, unknown)
     }
 
     /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a

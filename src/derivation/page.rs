@@ -5,13 +5,13 @@ use crate::algebra::{BigRational, Dimension, Formula, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::nearest::nearest;
 use crate::document::{
-    Attribute, Bound, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
+    Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
 };
 use crate::kernel::Domain;
-use crate::notation::{Clause, Spanned, SyntaxError, read_display, read_formulas, read_symbol};
+use crate::notation::{Clause, Spanned, SyntaxError, read_formulas, read_symbol};
 
 use super::equation::formulas;
-use super::{Equation, Kind};
+use super::{Equation, Kind, rows};
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -64,8 +64,8 @@ pub struct Local {
 pub enum Premises {
     /// A directive names them.
     Named(Vec<Spanned<Premise>>),
-    /// The prose cites them: the tag, its place, and whether it must exist.
-    Cited(Vec<(Spanned<String>, bool)>),
+    /// The prose cites them.
+    Cited(Vec<Citation>),
 }
 
 /// What is said between one display and the next.
@@ -76,7 +76,7 @@ struct Between {
     from: Option<Vec<Spanned<Premise>>>,
     name: Option<String>,
     numeric: Option<Option<BigRational>>,
-    cited: Vec<(Spanned<String>, bool)>,
+    cited: Vec<Citation>,
 }
 
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
@@ -91,6 +91,12 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
         problems: document.problems.clone(),
         document,
     };
+    // What a preamble declares was told of where it stands.
+    let inherited = std::mem::take(&mut page.document.inherited);
+    page.declarations(&inherited);
+    page.figures(&inherited);
+    page.problems.clone_from(&page.document.problems);
+    page.document.inherited = inherited;
     let items = std::mem::take(&mut page.document.items);
     page.declarations(&items);
     page.figures(&items);
@@ -112,13 +118,7 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
                 active.retain(|&at| page.locals[at].level < own);
             }
             Item::Prose(prose) => {
-                for citation in &prose.citations {
-                    let tag = Spanned {
-                        value: citation.tag.clone(),
-                        span: citation.span,
-                    };
-                    between.cited.push((tag, citation.explicit));
-                }
+                between.cited.extend(prose.citations.iter().cloned());
                 for supposition in &prose.suppositions {
                     let is_let = supposition.kind == SuppositionKind::Let;
                     page.suppose(supposition.body, is_let, level, &mut active, false);
@@ -140,41 +140,52 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
                     }
                 }
             }
-            &Item::Display { span, body } => {
+            Item::Display { span, body, layout } => {
+                let (span, body) = (*span, *body);
                 let said = std::mem::take(&mut between);
-                let display = read_display(&page.document.source, body);
-                let mark = display
-                    .statements
-                    .iter()
-                    .flatten()
-                    .any(|s| s.mark.is_some());
+                let source = &page.document.source;
+                let read = rows::read(source, body, layout.as_deref());
                 let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
-                let kind = match () {
-                    () if said.given => Kind::Given,
-                    () if said.numeric.is_some() => Kind::Derived,
-                    () if mark => Kind::Marked,
-                    () => Kind::Derived,
-                };
-                let stated = said.derived || said.numeric.is_some();
-                let defines = kind == Kind::Derived && !stated && said.from.is_none();
-                equations.push(Equation {
-                    page: number,
-                    tag: display.tag.map(|t| t.value),
-                    name: said.name,
-                    span,
-                    body,
-                    statements: display.statements,
-                    kind,
-                    defines,
-                    opens: alone && kind == Kind::Derived && !stated,
-                    numeric: said.numeric.filter(|_| kind != Kind::Given),
-                    premises: match said.from {
-                        Some(named) => Premises::Named(named),
-                        None => Premises::Cited(said.cited),
-                    },
-                    locals: active.clone(),
-                    section: section.clone(),
-                });
+                let of_display = read.len();
+                let mut name = said.name;
+                for (row, part) in read.into_iter().enumerate() {
+                    let statements = || part.statements.iter().flatten();
+                    let mark = statements().any(|s| s.mark.is_some());
+                    let kind = match () {
+                        () if said.given => Kind::Given,
+                        () if said.numeric.is_some() => Kind::Derived,
+                        () if mark => Kind::Marked,
+                        () => Kind::Derived,
+                    };
+                    let stated = said.derived || said.numeric.is_some();
+                    let defines = kind == Kind::Derived && !stated && said.from.is_none();
+                    equations.push(Equation {
+                        page: number,
+                        tag: part.tag,
+                        keys: part.keys,
+                        group: part.group,
+                        // A claim is one display; where that has several numbers the name is that of the last.
+                        name: match row + 1 == of_display {
+                            true => name.take(),
+                            false => None,
+                        },
+                        span: if of_display == 1 { span } else { part.body },
+                        body: part.body,
+                        statements: part.statements,
+                        kind,
+                        defines,
+                        opens: alone && kind == Kind::Derived && !stated,
+                        numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
+                        premises: match &said.from {
+                            Some(named) => Premises::Named(named.clone()),
+                            None => Premises::Cited(said.cited.clone()),
+                        },
+                        row,
+                        continues: part.continues,
+                        locals: active.clone(),
+                        section: section.clone(),
+                    });
+                }
             }
         }
     }

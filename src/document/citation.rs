@@ -38,6 +38,19 @@ pub(super) fn read(tokens: &[Placed<'_>]) -> Vec<Citation> {
     let mut citations = Vec::new();
     let mut at = 0;
     while at < tokens.len() {
+        if let (Token::KeyRange(first, last), span) = tokens[at] {
+            for (tag, through) in [(first, Some(last)), (last, None)] {
+                citations.push(Citation {
+                    tag: tag.trim().to_owned(),
+                    through: through.map(|key| key.trim().to_owned()),
+                    key: true,
+                    span,
+                    explicit: true,
+                });
+            }
+            at += 1;
+            continue;
+        }
         let mut list = at;
         let mut introduction = None;
         if let (Token::Word(word), _) = tokens[at] {
@@ -67,8 +80,8 @@ fn read_list(
     let mut end = at;
     let mut listed = false;
     while let Some((first, span)) = element(tokens, at, introduction, listed) {
-        let explicit = introduction.is_some() && looks_like_tag(&first)
-            || matches!(tokens[at].0, Token::Keys(_));
+        let key = matches!(tokens[at].0, Token::Keys(_));
+        let explicit = introduction.is_some() && looks_like_tag(&first) || key;
         if listed && introduction.is_some() && !explicit {
             break;
         }
@@ -76,9 +89,14 @@ fn read_list(
         match range_end(tokens, end, introduction) {
             Some((after, last, last_span)) if !first.contains(['-', '–', '—', ',']) => {
                 let span = span.to(last_span);
+                let whole = |tag: &str| tag.bytes().all(|byte| byte.is_ascii_digit());
+                // Where only the document knows what is between them, it is asked.
+                let mut through = (key || !whole(&first) || !whole(&last)).then(|| last.clone());
                 for tag in expand_range(&first, &last) {
                     citations.push(Citation {
                         tag,
+                        through: through.take(),
+                        key,
                         span,
                         explicit,
                     });
@@ -131,11 +149,16 @@ fn range_end(
 ) -> Option<(usize, String, Span)> {
     let ranged = match tokens.get(at)?.0 {
         Token::Dash => true,
-        Token::Word("to" | "through") => introduction.is_some(),
+        Token::Word("to" | "through") => {
+            introduction.is_some()
+                || matches!(tokens.get(at.wrapping_sub(1)), Some((Token::Keys(_), _)))
+        }
         _ => false,
     };
     match tokens.get(at + 1)? {
-        (Token::Tag(tag), span) if ranged => Some((at + 2, tag.trim().to_owned(), *span)),
+        (Token::Tag(tag) | Token::Keys(tag), span) if ranged => {
+            Some((at + 2, tag.trim().to_owned(), *span))
+        }
         (Token::Number(tag), span) if ranged && introduction == Some(Introduction::Plural) => {
             Some((at + 2, (*tag).to_owned(), *span))
         }
@@ -165,15 +188,17 @@ fn looks_like_tag(tag: &str) -> bool {
 
 /// The tags of one parenthesis: one, or for `(2, 3)` and `(2–5)` after "equations" several.
 fn inside(token: Token<'_>, text: &str, span: Span, explicit: bool, citations: &mut Vec<Citation>) {
+    let key = matches!(token, Token::Keys(_));
     let mut cite = |tag: &str| {
-        let tag = tag.to_owned();
         citations.push(Citation {
-            tag,
+            tag: tag.to_owned(),
+            through: None,
+            key,
             span,
             explicit,
         });
     };
-    if !matches!(token, Token::Keys(_)) && !explicit {
+    if !key && !explicit {
         if !text.contains([',', ' ']) {
             cite(text);
         }
@@ -184,7 +209,7 @@ fn inside(token: Token<'_>, text: &str, span: Span, explicit: bool, citations: &
         .map(str::trim)
         .filter(|part| !part.is_empty())
     {
-        if matches!(token, Token::Keys(_)) {
+        if key {
             if !ELSEWHERE.iter().any(|prefix| part.starts_with(prefix)) {
                 cite(part);
             }

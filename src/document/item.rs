@@ -24,6 +24,9 @@ pub enum Item {
         span: Span,
         /// The math alone, without the white space around it; never empty.
         body: Span,
+        /// How it is set on the page, where the document says so: in LaTeX, and where Markdown has a key outside the
+        /// mathematics.
+        layout: Option<Box<Layout>>,
     },
     /// A `<!-- check: … -->` comment.
     Directives {
@@ -46,6 +49,30 @@ impl Item {
     }
 }
 
+/// How a display is set on the printed page.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Layout {
+    /// Its rows, at least one; each may have a number of its own.
+    pub rows: Vec<Row>,
+    /// Whether `&` parts the rows into pairs of columns, as in `align`: every second one begins another equation.
+    pub columns: bool,
+    /// Other numbers and keys by which all of it is cited: those of the `subequations` around it.
+    pub group: Option<(String, Vec<String>)>,
+    /// Why it must not be read as it stands.
+    pub obstacle: Option<Problem>,
+}
+
+/// A row of a display.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Row {
+    /// Its mathematics without numbers and keys, in order.
+    pub pieces: Vec<Span>,
+    /// Its number as printed.
+    pub number: Option<String>,
+    /// The keys by which it is cited.
+    pub keys: Vec<String>,
+}
+
 /// Text between two other items, and what it says about them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Prose {
@@ -60,8 +87,12 @@ pub struct Prose {
 /// An equation cited in prose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Citation {
-    /// The tag or key, without its parentheses. A range has become one citation per number.
+    /// The tag or key, without its parentheses. A range of whole numbers has become one citation per number.
     pub tag: String,
+    /// The last tag or key of a range that is not of whole numbers.
+    pub through: Option<String>,
+    /// Cited by a key (`\eqref{…}`) and not by a number.
+    pub key: bool,
     /// Where it is cited; for a range, the whole range.
     pub span: Span,
     /// Introduced as an equation ("equation (2)", `\eqref{…}`), so that it must exist. A bare

@@ -44,7 +44,7 @@ pub(super) struct Excluded {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Kind {
     Code,
-    /// A fenced block in the language `math`: an equation after all.
+    /// A fenced block in the language `math`, or MyST's `{math}`: an equation after all.
     MathFence {
         body: Span,
     },
@@ -96,7 +96,7 @@ impl Outline {
                 }
                 Event::End(TagEnd::Heading(_)) => outline.headings.extend(title.take()),
                 Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language)))
-                    if &*language == "math" =>
+                    if matches!(language.trim(), "math" | "{math}") =>
                 {
                     math = Some((span, None));
                 }

@@ -21,6 +21,8 @@ pub(super) enum Token<'a> {
     Tag(&'a str),
     /// The keys of `\ref{…}`, `\eqref{…}`.
     Keys(&'a str),
+    /// The two keys of `\crefrange{…}{…}`.
+    KeyRange(&'a str, &'a str),
     /// The inside of inline math.
     Math(Span),
     /// `-`, `–`, `—`, `--`
@@ -42,7 +44,18 @@ const ABBREVIATED: [&str; 14] = [
     "approx",
 ];
 /// Commands that cite.
-const CITING: [&str; 5] = ["\\eqref{", "\\ref{", "\\cref{", "\\Cref{", "\\autoref{"];
+const CITING: [&str; 8] = [
+    "\\eqref{",
+    "\\ref{",
+    "\\cref{",
+    "\\Cref{",
+    "\\autoref{",
+    "\\cref*{",
+    "\\vref{",
+    "\\labelcref{",
+];
+/// Commands that cite two equations and all between them.
+const CITING_RANGE: [&str; 2] = ["\\crefrange{", "\\Crefrange{"];
 /// Longer parentheses hold a remark, not a tag.
 const LONGEST_TAG: usize = 48;
 
@@ -66,7 +79,13 @@ fn tokens<'a>(source: &'a str, span: Span, inline: &[Inline], hidden: &[Span]) -
             continue;
         }
         if let Some(hidden) = hidden.next_if(|hidden| hidden.start <= at) {
-            tokens.push((Token::Hidden, *hidden));
+            let mut token = Token::Hidden;
+            if let Some(keys) = role(source, *hidden) {
+                // The role's name, with its braces.
+                tokens.truncate(tokens.len().saturating_sub(3));
+                token = Token::Keys(keys);
+            }
+            tokens.push((token, *hidden));
             at = hidden.end;
             continue;
         }
@@ -89,6 +108,15 @@ fn tokens<'a>(source: &'a str, span: Span, inline: &[Inline], hidden: &[Span]) -
     tokens
 }
 
+/// The key in MyST's role ``{eq}`mom` ``.
+fn role(source: &str, code: Span) -> Option<&str> {
+    let before = source.get(..code.start)?;
+    let written = source.get(code.range())?;
+    let key = written.strip_prefix('`')?.strip_suffix('`')?.trim();
+    let named = before.ends_with("{eq}") && !key.is_empty() && !key.contains('`');
+    named.then_some(key)
+}
+
 /// The token at the start of `rest`, if any, and its length; a word stops before nothing but its
 /// own end, so code or math glued to it begins the next token.
 fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Token<'a>>, usize) {
@@ -109,6 +137,12 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
             });
             let length = rest[..length].trim_end_matches('.').len();
             (Some(Token::Number(&rest[..length])), length)
+        }
+        // `@eq-mom`, as Quarto cites.
+        '@' if rest.starts_with("@eq-") => {
+            let length = 1 + run(&rest[1..], |c| c.is_alphanumeric() || "-_.:".contains(c));
+            let key = rest[1..length].trim_end_matches(['.', ':', '-']);
+            (Some(Token::Keys(key)), 1 + key.len())
         }
         '(' => match parenthesis(rest) {
             Some(inside) if !glued(last, at) => (Some(Token::Tag(inside)), inside.len() + 2),
@@ -138,6 +172,22 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
                 {
                     return (Some(Token::Keys(&inside[..end])), command.len() + end + 1);
                 }
+            }
+            for command in CITING_RANGE {
+                if let Some(inside) = rest.strip_prefix(command)
+                    && let Some((first, after)) = inside.split_once('}')
+                    && let Some((last, _)) = after.strip_prefix('{').and_then(|a| a.split_once('}'))
+                    && !first.contains(['\n', '{'])
+                    && !last.contains(['\n', '{'])
+                {
+                    let length = command.len() + first.len() + last.len() + 3;
+                    return (Some(Token::KeyRange(first, last)), length);
+                }
+            }
+            // Any other command sets words, and is none.
+            let name = run(&rest[1..], |c| c.is_ascii_alphabetic());
+            if name > 0 {
+                return (None, 1 + name);
             }
             let spaced = rest[1..].starts_with(|c: char| c.is_whitespace() || c == ',');
             let escaped = rest[1..].chars().next().map_or(0, char::len_utf8);

@@ -62,6 +62,7 @@ pub(super) const ACCENTS: &[(&str, &str)] = &[
     ("vec", "\u{20d7}"),
     ("mathbf", ""),
     ("boldsymbol", ""),
+    ("bm", ""),
     ("mathcal", ""),
     ("mathit", ""),
     ("mathsf", ""),
@@ -112,6 +113,10 @@ pub(super) const SPACING: &[&str] = &[
     "Bigr",
     "biggr",
     "Biggr",
+    "ensuremath",
+    "xspace",
+    "allowbreak",
+    "nobreak",
 ];
 
 /// Commands with a meaning of their own in the grammar.
@@ -287,6 +292,31 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     ),
     ("middle", "`\\middle` is not read", None),
     (
+        "SI",
+        "quantities with units (`\\SI`) are not read",
+        Some("give the quantity a name, and declare its dimension or its figures"),
+    ),
+    (
+        "qty",
+        "quantities with units (`\\qty`) are not read",
+        Some("give the quantity a name, and declare its dimension or its figures"),
+    ),
+    (
+        "si",
+        "units (`\\si`) are not read",
+        Some("give the unit a name, and declare its dimension"),
+    ),
+    (
+        "unit",
+        "units (`\\unit`) are not read",
+        Some("give the unit a name, and declare its dimension"),
+    ),
+    (
+        "ang",
+        "angles in degrees (`\\ang`) are not read",
+        Some("write the angle in radians"),
+    ),
+    (
         "therefore",
         "`\\therefore` is not read",
         Some("write `\\Rightarrow` after what it follows from"),
@@ -359,6 +389,14 @@ pub(super) fn complaint(command: &str) -> (String, Option<String>) {
     }
     let help = nearest(command).map(|name| format!("did you mean `\\{name}`?"));
     (format!("`\\{command}` is not known"), help)
+}
+
+/// Whether a command of this name is read, or refused with a reason of its own.
+pub(crate) fn is_command(name: &str) -> bool {
+    known().any(|own| own == name)
+        || relation(name).is_some()
+        || SPACING.contains(&name)
+        || REFUSED.iter().any(|(own, ..)| *own == name)
 }
 
 fn known() -> impl Iterator<Item = &'static str> {

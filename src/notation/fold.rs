@@ -15,12 +15,71 @@ use crate::algebra::Relation;
 
 /// Folds the raw tokens. Linear in their number.
 pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
+    let mut raw = raw.to_vec();
+    part_inner_columns(&mut raw);
     let folder = Folder {
-        raw,
-        closing: closing(raw),
+        raw: &raw,
+        closing: closing(&raw),
         boxes: Vec::new(),
     };
     folder.run()
+}
+
+/// Whether a row goes on with the statement of the row before it.
+pub(super) fn continues(row: &[Token]) -> bool {
+    let folder = Folder {
+        raw: row,
+        closing: Vec::new(),
+        boxes: Vec::new(),
+    };
+    folder.continues(0)
+}
+
+/// In a row of `align`, `a &= b & c &= d` is two equations: every second `&` parts them, as a wide space does.
+pub(super) fn part_columns(row: &mut [Token]) {
+    let (mut cells, mut depth) = (0_usize, 0_usize);
+    for token in row {
+        match token.kind {
+            Kind::Begin(_) => depth += 1,
+            Kind::Finish(_) => depth = depth.saturating_sub(1),
+            Kind::Char('&') if depth == 0 => {
+                cells += 1;
+                if cells.is_multiple_of(2) {
+                    token.kind = Kind::Wide;
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The same for the rows of the environments in a formula that have such columns.
+fn part_inner_columns(raw: &mut [Token]) {
+    let mut open: Vec<(bool, usize)> = Vec::new();
+    for token in raw {
+        match token.kind {
+            Kind::Begin(name) => {
+                let name = name.trim_end_matches('*');
+                let columns = ["align", "aligned", "alignat", "alignedat", "flalign"];
+                open.push((columns.contains(&name), 0));
+            }
+            Kind::Finish(_) => drop(open.pop()),
+            Kind::Row => {
+                if let Some((_, cells)) = open.last_mut() {
+                    *cells = 0;
+                }
+            }
+            Kind::Char('&') => {
+                if let Some((true, cells)) = open.last_mut() {
+                    *cells += 1;
+                    if cells.is_multiple_of(2) {
+                        token.kind = Kind::Wide;
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 /// For every `{`, where its `}` is.

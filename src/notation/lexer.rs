@@ -25,6 +25,8 @@ pub(super) enum Kind<'s> {
     Text(&'s str),
     /// `\mathrm{…}`, `\operatorname{…}`: an upright name.
     Upright(&'s str),
+    /// `\operatorname{…}` of a function that is not known: an upright name that must not be taken as a factor.
+    Operator(&'s str),
     /// Any other character.
     Char(char),
     /// `{`
@@ -71,6 +73,24 @@ pub(super) struct Lexed<'s> {
     pub(super) tags: Vec<Spanned<String>>,
     pub(super) labels: Vec<Spanned<String>>,
     pub(super) errors: Vec<SyntaxError>,
+}
+
+impl<'s> Lexed<'s> {
+    /// Adds what was found further on.
+    pub(super) fn append(&mut self, other: Lexed<'s>) {
+        let before = self.errors.len();
+        self.tokens
+            .extend(other.tokens.into_iter().map(|token| Token {
+                kind: match token.kind {
+                    Kind::Bad(number) => Kind::Bad(number + before),
+                    kind => kind,
+                },
+                span: token.span,
+            }));
+        self.tags.extend(other.tags);
+        self.labels.extend(other.labels);
+        self.errors.extend(other.errors);
+    }
 }
 
 /// Reads `source[body]` into tokens.
@@ -244,6 +264,7 @@ impl<'s> Lexer<'s> {
                 }
             }
             "mathrm" | "operatorname" | "rm" => self.upright(start, name),
+            "num" => self.siunitx_number(start),
             "begin" | "end" => {
                 if let Some(environment) = self.argument(start, name) {
                     let begin = name == "begin";
@@ -349,6 +370,22 @@ impl<'s> Lexer<'s> {
         }
     }
 
+    /// `\num{9.81}`: a plain decimal. Powers of ten are written out.
+    fn siunitx_number(&mut self, start: usize) {
+        let Some(text) = self.argument(start, "num").map(str::trim) else {
+            return;
+        };
+        let (whole, decimals) = text.split_once('.').unwrap_or((text, "0"));
+        let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+        if digits(whole) && digits(decimals) {
+            return self.push(start, Kind::Number(text));
+        }
+        let span = Span::new(start, self.at);
+        let message = format!("`\\num{{{text}}}` is no plain decimal number");
+        let help = "write the power of ten out: `1.5 \\cdot 10^{3}`".to_owned();
+        self.bad(span, message, Some(help));
+    }
+
     fn upright(&mut self, start: usize, name: &'s str) {
         if self.rest().starts_with('*') {
             self.at += 1;
@@ -365,8 +402,14 @@ impl<'s> Lexer<'s> {
         let Some(text) = text.map(str::trim) else {
             return;
         };
-        if !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric()) {
-            self.push(start, Kind::Upright(text));
+        if name == "operatorname" && super::commands::function(text).is_some() {
+            self.push(start, Kind::Command(text));
+        } else if !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric()) {
+            let kind = match name {
+                "operatorname" => Kind::Operator(text),
+                _ => Kind::Upright(text),
+            };
+            self.push(start, kind);
         } else {
             let span = Span::new(start, self.at);
             self.bad(

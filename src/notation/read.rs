@@ -1,6 +1,8 @@
 //! The ways in: what a document hands to the reader, and what it gets back.
 
-use super::fold::fold;
+use std::ops::Range;
+
+use super::fold::{continues, fold, part_columns};
 use super::lexer::{Kind, Lexed, Token, lex};
 use super::parser::Parser;
 use super::{Display, Spanned, Statement, SyntaxError};
@@ -25,6 +27,72 @@ pub fn read_display(source: &str, body: Span) -> Display {
         label,
         statements: parser(lexed, body, false).statements(),
     }
+}
+
+/// Rows of a display that make one statement, or several that stand side by side.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// Which rows.
+    pub rows: Range<usize>,
+    /// A number typed by hand at the very end.
+    pub typed: Option<String>,
+    /// What they state, or why that could not be read.
+    pub statements: Result<Vec<Statement>, SyntaxError>,
+}
+
+/// Reads a display row by row, each given as the pieces of it that are mathematics.
+///
+/// A row that starts with a relation, or in an empty cell with a sign, goes on with the row before it. In `columns`
+/// every second `&` of a row parts two equations. One row that cannot be read does not hinder the others.
+pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool) -> Vec<Unit> {
+    let mut units: Vec<(Range<usize>, Lexed<'_>)> = Vec::new();
+    for (at, pieces) in rows.iter().enumerate() {
+        let mut lexed = Lexed::default();
+        for piece in pieces {
+            lexed.append(lex(source, *piece));
+        }
+        if lexed.tokens.is_empty() {
+            continue;
+        }
+        if columns {
+            part_columns(&mut lexed.tokens);
+        }
+        match units.last_mut() {
+            Some((rows, unit)) if continues(&lexed.tokens) => {
+                let start = lexed.tokens[0].span.start;
+                // `a &= b, \\ &= c`: the comma is that of the line.
+                let sign = |kind: Kind| matches!(kind, Kind::Char('+' | '-'));
+                let first = lexed.tokens.iter().map(|token| token.kind);
+                let mut first = first.filter(|kind| !matches!(kind, Kind::Wide | Kind::Char('&')));
+                let comma = |kind: Kind| matches!(kind, Kind::Char(',' | ';'));
+                if !first.next().is_some_and(sign)
+                    && unit.tokens.last().is_some_and(|last| comma(last.kind))
+                {
+                    unit.tokens.pop();
+                }
+                unit.tokens.push(Token {
+                    kind: Kind::Row,
+                    span: Span::new(start, start),
+                });
+                unit.append(lexed);
+                rows.end = at + 1;
+            }
+            _ => units.push((at..at + 1, lexed)),
+        }
+    }
+    let read = |(rows, mut lexed): (Range<usize>, Lexed<'_>)| {
+        let typed = typed_tag(source, &mut lexed).map(|tag| tag.value);
+        let first = lexed.tokens.first().map(|token| token.span);
+        let last = lexed.tokens.last().map(|token| token.span);
+        let body = first.zip(last).map(|(first, last)| first.to(last));
+        let statements = parser(lexed, body.unwrap_or_default(), false).statements();
+        Unit {
+            rows,
+            typed,
+            statements,
+        }
+    };
+    units.into_iter().map(read).collect()
 }
 
 /// Reads the formulas of a directive or of inline mathematics, separated by `,`, `;` or the word `and`.

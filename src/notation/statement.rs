@@ -25,6 +25,8 @@ pub struct Statement {
     pub mark: Option<Spanned<Mark>>,
     /// The whole statement.
     pub span: Span,
+    /// What it would be with `a/bc` read as `a/(bc)`, and the first place where it is written so.
+    pub other: Option<Box<Spanned<Statement>>>,
 }
 
 /// A clause of a statement.

@@ -56,6 +56,7 @@ pub const CODES: &[(&str, Option<Level>)] = &[
     ("out-of-scope", Some(Level::Note)),
     ("duplicate-tag", Some(Level::Error)),
     ("unreadable", Some(Level::Error)),
+    ("other-reading", Some(Level::Note)),
     ("unreadable-premise", Some(Level::Warning)),
     ("numeric-not-supported", Some(Level::Warning)),
     ("given-up", Some(Level::Error)),

@@ -8,7 +8,7 @@ mod notes;
 use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Level, Renderer, Snippet};
 
 use crate::audit::{Entry, Note, Verdict};
-use crate::document::Span;
+use crate::document::{File, Span};
 
 use super::Report;
 use super::remark::{Known, Subject};
@@ -106,47 +106,61 @@ impl Report<'_> {
 
     fn lay_out(&self, finding: &Finding) -> String {
         let document = &self.derivation.pages[finding.page].document;
-        // Only the lines that are shown: the renderer reads all it is given, and there may be many findings.
-        let spans = finding
-            .context
-            .iter()
-            .map(|c| c.0)
-            .chain([finding.primary.0]);
-        let whole = spans.reduce(Span::to).unwrap_or_default();
-        let full: &str = &document.source;
-        let start = full
-            .get(..whole.start)
-            .and_then(|s| s.rfind('\n'))
-            .map_or(0, |at| at + 1);
-        let rest = full.get(whole.end..).and_then(|s| s.find('\n'));
-        let end = rest.map_or(full.len(), |at| whole.end + at);
-        let source = full.get(start..end).unwrap_or_default();
-        let line = document.position(start).line;
-        let mark = |kind: AnnotationKind, (span, label): &(Span, String)| -> Annotation<'_> {
-            let local = Span::new(
-                span.start.saturating_sub(start),
-                span.end.saturating_sub(start),
-            );
-            let mark = kind.span(within(source, local));
-            match label.is_empty() {
-                true => mark,
-                false => mark.label(label.clone()),
+        let (own, primary) = document.written_at(finding.primary.0);
+        let mut marks = vec![(AnnotationKind::Primary, primary, finding.primary.1.as_str())];
+        // What is pointed at in another file stands below, in that file.
+        let mut elsewhere: Vec<(&File, Span, &str)> = Vec::new();
+        for (span, label) in &finding.context {
+            match document.written_at(*span) {
+                (file, span) if file.path == own.path => {
+                    marks.push((AnnotationKind::Context, span, label));
+                }
+                (file, span) => elsewhere.push((file, span, label)),
             }
-        };
-        let mut snippet = Snippet::source(source)
-            .line_start(line)
-            .path(document.path.as_str())
-            .annotation(mark(AnnotationKind::Primary, &finding.primary));
-        for context in &finding.context {
-            snippet = snippet.annotation(mark(AnnotationKind::Context, context));
         }
         let title = finding.level.clone().primary_title(finding.title.as_str());
-        let mut group = Group::with_title(title.id(finding.code)).element(snippet);
+        let mut group = Group::with_title(title.id(finding.code)).element(snippet(own, &marks));
+        for (file, span, label) in elsewhere {
+            group = group.element(snippet(file, &[(AnnotationKind::Context, span, label)]));
+        }
         for (level, text) in &finding.said {
             group = group.element(Element::Message(level.clone().message(text.as_str())));
         }
         Renderer::styled().term_width(100).render(&[group])
     }
+}
+
+/// A part of a file with marks in it.
+fn snippet<'a>(
+    file: &'a File,
+    marks: &[(AnnotationKind, Span, &str)],
+) -> Snippet<'a, Annotation<'a>> {
+    // Only the lines that are shown: the renderer reads all it is given, and there may be many findings.
+    let whole = marks.iter().map(|mark| mark.1).reduce(Span::to);
+    let whole = whole.unwrap_or_default();
+    let full: &str = &file.source;
+    let start = full
+        .get(..whole.start)
+        .and_then(|s| s.rfind('\n'))
+        .map_or(0, |at| at + 1);
+    let rest = full.get(whole.end..).and_then(|s| s.find('\n'));
+    let end = rest.map_or(full.len(), |at| whole.end + at);
+    let source = full.get(start..end).unwrap_or_default();
+    let mut snippet = Snippet::source(source)
+        .line_start(file.position(start).line)
+        .path(file.path.as_str());
+    for (kind, span, label) in marks {
+        let local = Span::new(
+            span.start.saturating_sub(start),
+            span.end.saturating_sub(start),
+        );
+        let mark = kind.span(within(source, local));
+        snippet = snippet.annotation(match label.is_empty() {
+            true => mark,
+            false => mark.label((*label).to_owned()),
+        });
+    }
+    snippet
 }
 
 /// A place that could not be read.

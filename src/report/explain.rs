@@ -22,7 +22,7 @@ impl Report<'_> {
             None => self.reference(at),
         };
         let mut text = format!("{}  {}\n", paint(BOLD, &title), paint(DIM, &self.place(at)));
-        for line in document.text(equation.body).lines() {
+        for line in document.written(equation.body).lines() {
             text += &format!("  {}\n", paint(DIM, line));
         }
         for entry in self.audit.of_equation(at) {

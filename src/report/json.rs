@@ -8,6 +8,7 @@ use crate::algebra::Expr;
 use crate::audit::{Entry, Numeric, Verdict, Weighed};
 use crate::derivation::Source;
 use crate::dimension::{Conflict, base_letter};
+use crate::document::{Document, Position, Span};
 use crate::kernel::Assignment;
 use crate::kernel::dimension::{Form, What};
 use crate::notation::{latex, latex_statement};
@@ -54,6 +55,9 @@ pub struct EquationView {
     /// Which statement of its display, from 1; absent where the display has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<usize>,
+    /// The file, or the cell of a notebook, where that is not the document's own path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
     /// The line of the display's mathematics, from 1.
     pub line: usize,
     /// Its column, from 1, in characters.
@@ -167,6 +171,9 @@ pub enum ValueView {
 /// A place that could not be read.
 #[derive(Clone, Debug, Serialize)]
 pub struct ProblemView {
+    /// The file, or the cell of a notebook, where that is not the document's own path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
     /// The line, from 1.
     pub line: usize,
     /// The column, from 1, in characters.
@@ -176,6 +183,12 @@ pub struct ProblemView {
     /// What to write instead; absent where nothing can be said.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub help: Option<String>,
+}
+
+/// Where a span stands; its file only where that is not the document's own path.
+fn file_of(document: &Document, span: Span) -> (Option<String>, Position) {
+    let (path, place) = document.place(span);
+    ((path != document.path).then(|| path.to_owned()), place)
 }
 
 impl Report<'_> {
@@ -206,8 +219,9 @@ impl Report<'_> {
             let supposed = supposed.filter(|((page, _), _)| *page == at);
             let supposed = supposed.map(|(&(page, local), conflict)| {
                 let span = self.derivation.local(page, local).span;
-                let place = self.derivation.pages[page].document.position(span.start);
+                let (file, place) = file_of(&self.derivation.pages[page].document, span);
                 ProblemView {
+                    file,
                     line: place.line,
                     column: place.column,
                     message: format!("what is supposed here {}", self.fault(conflict)),
@@ -215,8 +229,9 @@ impl Report<'_> {
                 }
             });
             let problems = page.problems.iter().map(|problem| {
-                let place = page.document.position(problem.span.start);
+                let (file, place) = file_of(&page.document, problem.span);
                 ProblemView {
+                    file,
                     line: place.line,
                     column: place.column,
                     message: problem.message.clone(),
@@ -239,7 +254,7 @@ impl Report<'_> {
     pub(super) fn equation_view(&self, entry: &Entry) -> EquationView {
         let equation = self.equation(entry.equation);
         let document = &self.derivation.pages[equation.page].document;
-        let place = document.position(equation.body.start);
+        let (file, place) = file_of(document, equation.body);
         let labels = |all: &[usize]| all.iter().map(|&at| self.label(at)).collect();
         let notes = entry.notes.iter().map(|note| NoteView {
             code: note.code(),
@@ -249,9 +264,10 @@ impl Report<'_> {
             tag: equation.tag.clone(),
             name: equation.name.clone(),
             part: (entry.parts > 1).then_some(entry.part + 1),
+            file,
             line: place.line,
             column: place.column,
-            latex: document.text(equation.body).to_owned(),
+            latex: document.written(equation.body).to_owned(),
             understood: self.statement(entry).map(latex_statement),
             kind: entry.kind.word(),
             verdict: entry.verdict.word(),

@@ -214,6 +214,7 @@ impl Report<'_> {
             Note::NumericNotSupported => {
                 "not supported: false for all figures within their bounds".into()
             }
+            Note::OtherReading(..) => "would hold with `a/bc` as `a/(bc)`".into(),
             Note::GivenUp => "the search broke down: please report this".into(),
             Note::Uncited(sources) => format!("from {}, uncited", self.sources(sources)),
             Note::UnstatedCondition(conditions) => format!(

@@ -19,7 +19,7 @@ impl<'a> Report<'a> {
         match (&equation.tag, &equation.name) {
             (Some(tag), _) => format!("({tag})"),
             (None, Some(name)) => name.clone(),
-            (None, None) => format!("line {}", self.position(at).line),
+            (None, None) => self.line_of(self.equation(at).page, self.equation(at).body),
         }
     }
 
@@ -44,10 +44,13 @@ impl<'a> Report<'a> {
         }
     }
 
-    pub(super) fn position(&self, at: usize) -> Position {
-        let equation = self.equation(at);
-        let document = &self.derivation.pages[equation.page].document;
-        document.position(equation.body.start)
+    /// `line 12`, or `parts/a.tex:12` where that is another file than the page's.
+    pub(super) fn line_of(&self, page: usize, span: Span) -> String {
+        let document = &self.derivation.pages[page].document;
+        match document.place(span) {
+            (path, place) if path == document.path => format!("line {}", place.line),
+            (path, place) => format!("{path}:{}", place.line),
+        }
     }
 
     /// `path:line:column` of an equation.
@@ -57,8 +60,8 @@ impl<'a> Report<'a> {
 
     pub(super) fn place_of(&self, page: usize, span: Span) -> String {
         let document = &self.derivation.pages[page].document;
-        let Position { line, column } = document.position(span.start);
-        format!("{}:{line}:{column}", document.path)
+        let (path, Position { line, column }) = document.place(span);
+        format!("{path}:{line}:{column}")
     }
 
     pub(super) fn statement(&self, entry: &Entry) -> Option<&'a Statement> {
@@ -76,10 +79,7 @@ impl<'a> Report<'a> {
             Source::Local(page, at) => {
                 let local = self.derivation.local(page, at);
                 let said: Vec<String> = local.formulas.iter().map(|f| plain_formula(f)).collect();
-                let line = self.derivation.pages[page]
-                    .document
-                    .position(local.span.start);
-                format!("`{}` (line {})", said.join(", "), line.line)
+                format!("`{}` ({})", said.join(", "), self.line_of(page, local.span))
             }
             Source::Step => "the step before".into(),
         }

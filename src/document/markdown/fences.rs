@@ -1,21 +1,21 @@
 //! Displays: `$$`, `\[`, the `math` code fence; and bare environments.
 
-use super::{Item, Scanner, Span};
+use super::{Item, Kind, Scanner, Span};
+use crate::document::latex::{displaying, environment_end, uncounted};
+use crate::document::{Layout, Row};
 
-/// Environments that LaTeX displays, without their star.
-const DISPLAYED: [&str; 11] = [
-    "equation",
-    "align",
-    "alignat",
-    "gather",
-    "multline",
-    "eqnarray",
-    "flalign",
-    "displaymath",
-    "math",
+/// Environments that LaTeX displays and that are not read, without their star.
+const UNREAD: [&str; 6] = [
     "dmath",
-    "subequations",
+    "IEEEeqnarray",
+    "empheq",
+    "dgroup",
+    "subeqnarray",
+    "numcases",
 ];
+
+/// The most characters of a line behind a display that may be its key.
+const LONGEST_KEY: usize = 128;
 
 /// Finds the next place that matches. The answer is kept: asking again from further on costs
 /// nothing until that place is passed, so a scan that asks everywhere still takes linear time.
@@ -108,6 +108,50 @@ impl Scanner<'_> {
 
     /// A `$$` or `\[` display whose fences are `fence` bytes long.
     fn display(&mut self, span: Span, fence: usize) {
+        let body = self.trimmed(Span::new(span.start + fence, span.end - fence));
+        let (key, end) = self.key_after(span.end);
+        let layout = key.map(|key| keyed(body, key));
+        self.displayed(span, body, layout, end);
+    }
+
+    /// The key after a display: `(mom)` as MyST writes it, `{#eq-mom}` as Quarto does; and where it ends.
+    fn key_after(&self, from: usize) -> (Option<String>, usize) {
+        let rest = self.source.get(from..).unwrap_or_default();
+        // A line that goes on for longer holds no key.
+        let length = rest
+            .char_indices()
+            .take(LONGEST_KEY)
+            .find(|(_, c)| matches!(c, '\n' | '\r'));
+        let short = || (rest.len() < LONGEST_KEY).then_some(rest.len());
+        let Some(length) = length.map(|(at, _)| at).or_else(short) else {
+            return (None, from);
+        };
+        let line = &rest[..length];
+        let text = line.trim();
+        let inside = match text.strip_prefix("{#") {
+            Some(rest) => rest.split_once('}').and_then(|(inside, after)| {
+                // Further attributes may follow the key.
+                let key = inside.split_whitespace().next()?;
+                after.trim().is_empty().then_some(key)
+            }),
+            None => text
+                .strip_prefix('(')
+                .and_then(|rest| rest.strip_suffix(')')),
+        };
+        let plain = |key: &&str| {
+            !key.is_empty()
+                && key
+                    .chars()
+                    .all(|c| c.is_alphanumeric() || "-_.:".contains(c))
+        };
+        match inside.filter(plain) {
+            Some(key) => (Some(key.to_owned()), from + line.trim_end().len()),
+            None => (None, from),
+        }
+    }
+
+    /// A display with its mathematics; what follows is read from `end` on.
+    fn displayed(&mut self, span: Span, body: Span, layout: Option<Box<Layout>>, end: usize) {
         self.hand_over_prose(span.start);
         self.displays.push(span);
         let quoted = self.quoted(span);
@@ -116,7 +160,6 @@ impl Scanner<'_> {
             .is_some_and(|title| title.end > span.start);
         let settled = self.blanked.binary_search(&span).is_ok();
         self.compare_outline(span, in_title && !settled);
-        let body = self.trimmed(Span::new(span.start + fence, span.end - fence));
         let lines = &self.bytes[body.range()];
         if body.start >= body.end {
             self.problem(
@@ -133,11 +176,11 @@ impl Scanner<'_> {
                 "leave a blank line between it and the line of `=` or `-`",
             );
         } else {
-            self.items.push(Item::Display { span, body });
+            self.items.push(Item::Display { span, body, layout });
         }
-        self.at = span.end;
+        self.at = end;
         self.forget_passed();
-        self.prose_from = span.end;
+        self.prose_from = end;
     }
 
     /// Notes what the outline believes to begin inside a display and to end after it.
@@ -195,6 +238,7 @@ impl Scanner<'_> {
         let after = after.trim_matches(|c: char| c.is_whitespace() || c == '>');
         let closed = after.len() >= fence && after.chars().all(|c| c == mark);
         let quoted = self.quoted(span);
+        let (key, body) = self.options(body);
         let body = self.trimmed(body);
         let empty = body.start >= body.end;
         let span = self.trimmed(span);
@@ -215,10 +259,31 @@ impl Scanner<'_> {
         } else if quoted && self.source[body.range()].contains(['\n', '\r']) {
             self.quoted_lines(span);
         } else {
-            self.items.push(Item::Display { span, body });
+            let layout = key.map(|key| keyed(body, key));
+            self.items.push(Item::Display { span, body, layout });
         }
         self.at = span.end.max(self.at + 1);
         self.prose_from = self.at;
+    }
+
+    /// The lines `:label: mom` that a MyST block may begin with: the key, and the rest of the block.
+    fn options(&self, body: Span) -> (Option<String>, Span) {
+        let (mut key, mut from) = (None, body.start);
+        let text = self.source.get(body.range()).unwrap_or_default();
+        for line in text.split_inclusive('\n') {
+            let Some((name, value)) = line
+                .trim()
+                .strip_prefix(':')
+                .and_then(|option| option.split_once(':'))
+            else {
+                break;
+            };
+            if name == "label" || name == "name" {
+                key = Some(value.trim().to_owned());
+            }
+            from += line.len();
+        }
+        (key, Span::new(from, body.end.max(from)))
     }
 
     /// `\begin{align}` outside a display.
@@ -232,33 +297,51 @@ impl Scanner<'_> {
         let letters = inner.bytes().take_while(u8::is_ascii_alphabetic).count();
         let star = usize::from(inner.as_bytes().get(letters) == Some(&b'*'));
         let name = &inner[..letters + star];
-        if !DISPLAYED.contains(&&inner[..letters])
-            || inner.as_bytes().get(name.len()) != Some(&b'}')
-        {
+        if inner.as_bytes().get(name.len()) != Some(&b'}') {
             return;
         }
         let begin = Span::new(open, open + "\\begin{}".len() + name.len());
-        self.problem(
-            begin,
-            "LaTeX environments outside $$ are not read yet",
-            "write the equation between `$$` and `$$`",
-        );
+        if UNREAD.contains(&&inner[..letters]) {
+            self.problem(
+                begin,
+                format!("the environment `{name}` is not read"),
+                "write the equation between `$$` and `$$`",
+            );
+        }
+        let Some(rows) = displaying(&inner[..letters]) else {
+            return;
+        };
         self.at = begin.end;
-        // Its inside is no prose, if it is clear where it ends.
-        if let Some(end) = self.environment_end.find(self.bytes, begin.end)
-            && let Some(after) = self.source[end..].strip_prefix("\\end{")
-            && after
-                .strip_prefix(name)
-                .is_some_and(|rest| rest.starts_with('}'))
-            && !self.source[begin.end..end].contains("$$")
-            && self
-                .outline
-                .excluded
-                .get(self.next_excluded)
-                .is_none_or(|next| next.span.start >= end)
-        {
-            self.hide_until(end + "\\end{}".len() + name.len());
-            self.forget_passed();
+        let hindered = |end: usize| {
+            let next = self.outline.excluded.get(self.next_excluded);
+            next.is_some_and(|next| {
+                next.span.start < end
+                    && next.span.start > open
+                    && !matches!(next.kind, Kind::InlineHtml)
+            })
+        };
+        match environment_end(self.source, begin.end, name) {
+            Ok((_, end)) if hindered(end) => self.problem(
+                begin,
+                format!("code begins in this `{name}`"),
+                "write the equation between `$$` and `$$`",
+            ),
+            Ok((close, end)) => {
+                let mut inside = Span::new(begin.end, close);
+                if matches!(&inner[..letters], "alignat" | "xalignat" | "xxalignat")
+                    && let Some(columns) = self.source[inside.range()].find('}')
+                {
+                    inside.start += columns + 1;
+                }
+                let body = self.trimmed(inside);
+                let layout = uncounted(self.source, body, rows);
+                self.displayed(Span::new(open, end), body, Some(Box::new(layout)), end);
+            }
+            Err(_) => self.problem(
+                begin,
+                format!("this `{name}` is never ended"),
+                &format!("end it with `\\end{{{name}}}`"),
+            ),
         }
     }
 
@@ -274,6 +357,18 @@ impl Scanner<'_> {
         let suspects = self.displays.iter().rev().take_while(paragraphs);
         Some(suspects.last().map_or(last, |display| display.start))
     }
+}
+
+/// The layout of a display that has a key.
+fn keyed(body: Span, key: String) -> Box<Layout> {
+    Box::new(Layout {
+        rows: vec![Row {
+            pieces: vec![body],
+            number: None,
+            keys: vec![key],
+        }],
+        ..Layout::default()
+    })
 }
 
 /// The `$$` that closes a display.

@@ -93,7 +93,6 @@ struct Scanner<'a> {
     html_until: usize,
     comment_end: Finder,
     blank_line: Finder,
-    environment_end: Finder,
     items: Vec<Item>,
     problems: Vec<Problem>,
     /// Every `$$` and `\[` display, read or not, in order.
@@ -130,7 +129,6 @@ impl<'a> Scanner<'a> {
             html_until: 0,
             comment_end: Finder::new(|tail| tail.starts_with(b"-->")),
             blank_line: Finder::new(fences::begins_blank_line),
-            environment_end: Finder::new(|tail| tail.starts_with(b"\\end{")),
             items: Vec::new(),
             problems: Vec::new(),
             displays: Vec::new(),

@@ -150,7 +150,17 @@ impl<'s> Parser<'s> {
     pub(super) fn named(&mut self) -> Read<Factor> {
         let start = self.at;
         let name = self.name()?;
-        self.finish_name(start, name)
+        let factor = self.finish_name(start, name)?;
+        if let Kind::Operator(text) = self.kind(start)
+            && (self.pending.is_some() || self.starts_factor())
+        {
+            let message = format!(
+                "whether `{text}` is applied to what follows, or multiplied by it, is not clear"
+            );
+            let help = "for a product write `\\cdot`; functions other than `\\sin`, `\\cos`, `\\tan`, `\\exp` and `\\ln` take plain symbols in parentheses";
+            return refuse_with(self.since(start), message, help);
+        }
+        Ok(factor)
     }
 
     pub(super) fn finish_name(

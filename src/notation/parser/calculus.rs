@@ -16,7 +16,7 @@ impl Parser<'_> {
     fn is_d(&self, at: usize) -> bool {
         matches!(
             self.kind(at),
-            Kind::Letter('d') | Kind::Upright("d") | Kind::Text("d")
+            Kind::Letter('d') | Kind::Upright("d") | Kind::Operator("d") | Kind::Text("d")
         )
     }
 

@@ -50,6 +50,10 @@ pub(super) struct Parser<'s> {
     summands: Vec<Span>,
     /// The name that was read last, for braces around nothing but a name: `{v'_1}^2`.
     last_name: Option<LastName>,
+    /// Read what follows a stroke side by side as standing below it: `a/bc` as `a/(bc)`.
+    below: bool,
+    /// The strokes after which this would be another reading.
+    strokes: Vec<Span>,
     /// A group after a name that turned out to be a factor, not an argument: `v_0(1 - \mu)`.
     pending: Option<Factor>,
 }
@@ -128,6 +132,8 @@ impl<'s> Parser<'s> {
             bar: false,
             summands: Vec::new(),
             last_name: None,
+            below: false,
+            strokes: Vec::new(),
             pending: None,
         }
     }
@@ -264,7 +270,9 @@ impl<'s> Parser<'s> {
             Kind::Close => refuse(span, "this `}` closes nothing that is open here"),
             Kind::Number(text) => refuse(span, format!("the number `{text}` cannot stand here")),
             Kind::Letter(c) => refuse(span, format!("`{c}` cannot stand here")),
-            Kind::Upright(text) => refuse(span, format!("`{text}` cannot stand here")),
+            Kind::Upright(text) | Kind::Operator(text) => {
+                refuse(span, format!("`{text}` cannot stand here"))
+            }
             Kind::Char('^') => refuse(span, "this superscript belongs to nothing"),
             Kind::Char('_') => refuse(span, "this subscript belongs to nothing"),
             Kind::Char('!') => refuse(span, "factorials are not read"),

@@ -90,16 +90,51 @@ pub(crate) fn split_subscript(name: &str) -> Option<(&str, &str)> {
 
 /// Words that join statements; in `\text{…}` they are never a symbol.
 const PROSE: &[&str] = &[
-    "and", "or", "if", "for", "where", "when", "with", "since", "so", "then", "hence", "thus",
-    "is", "as", "at", "but", "because", "given", "iff", "all", "every", "any", "let", "by", "from",
-    "are", "in", "on", "to", "not",
+    "and",
+    "or",
+    "if",
+    "for",
+    "where",
+    "when",
+    "with",
+    "since",
+    "so",
+    "then",
+    "hence",
+    "thus",
+    "is",
+    "as",
+    "at",
+    "but",
+    "because",
+    "given",
+    "iff",
+    "all",
+    "every",
+    "any",
+    "let",
+    "by",
+    "from",
+    "are",
+    "in",
+    "on",
+    "to",
+    "not",
+    "therefore",
+    "whence",
+    "also",
+    "while",
+    "giving",
+    "unless",
+    "we",
+    "which",
 ];
 
 impl Parser<'_> {
     /// Whether the token at this place starts a name.
     pub(super) fn starts_name(&self, at: usize) -> bool {
         match self.kind(at) {
-            Kind::Letter(_) | Kind::Upright(_) => true,
+            Kind::Letter(_) | Kind::Upright(_) | Kind::Operator(_) => true,
             Kind::Text(words) => {
                 !words.is_empty()
                     && words.chars().all(char::is_alphanumeric)
@@ -150,7 +185,9 @@ impl Parser<'_> {
                 Kind::Command(accent) if commands::find(ACCENTS, accent).is_some() => {
                     return parser.accent(accent);
                 }
-                Kind::Upright(text) | Kind::Text(text) if parser.starts_name(parser.at) => {
+                Kind::Upright(text) | Kind::Operator(text) | Kind::Text(text)
+                    if parser.starts_name(parser.at) =>
+                {
                     format!("\\text{{{text}}}")
                 }
                 _ if parser.is_letter(parser.at) => return parser.single_letter(),
@@ -305,7 +342,8 @@ impl Parser<'_> {
             | Kind::Letter(_)
             | Kind::Command(_)
             | Kind::Text(_)
-            | Kind::Upright(_) => {
+            | Kind::Upright(_)
+            | Kind::Operator(_) => {
                 self.subscript_piece(&mut subscript)?;
             }
             Kind::End | Kind::Close => return refuse(span, "a subscript is missing after this"),
@@ -345,7 +383,7 @@ impl Parser<'_> {
             Kind::Number(text) => text.to_owned(),
             Kind::Letter(c) => c.to_string(),
             Kind::Text(words) => format!("\\text{{{}}}", words.trim()),
-            Kind::Upright(text) => format!("\\text{{{text}}}"),
+            Kind::Upright(text) | Kind::Operator(text) => format!("\\text{{{text}}}"),
             Kind::Char(c) if "+-,*/()'".contains(c) => c.to_string(),
             Kind::Command(name)
                 if commands::find(LETTERS, name).is_some()

@@ -21,6 +21,47 @@ const ENVIRONMENTS: &[&str] = &[
     "equation*",
 ];
 
+/// Words between statements that say no more than that both are made. "If", "or" and "unless" say something else, and
+/// are refused.
+const BETWEEN: &[&str] = &[
+    "",
+    "and",
+    "where",
+    "with",
+    "so",
+    "so that",
+    "hence",
+    "thus",
+    "therefore",
+    "then",
+    "but",
+    "also",
+    "while",
+    "whence",
+    "which gives",
+    "giving",
+    "i.e.",
+    "that is",
+    "or equivalently",
+    "as well as",
+    "together with",
+    "and hence",
+    "and thus",
+    "and so",
+    "and therefore",
+    "and then",
+    "and also",
+    "we have",
+    "we get",
+    "we find",
+];
+
+/// Whether words, with the punctuation around them, stand between two statements.
+fn separates(words: &str) -> bool {
+    let words = words.trim().trim_matches([',', ';', ':']).trim();
+    BETWEEN.contains(&words)
+}
+
 /// A place in a chain: a term, or the dots of `u_1 = \dots = u_n`.
 enum Place {
     Side(Side),
@@ -28,8 +69,34 @@ enum Place {
 }
 
 impl<'s> Parser<'s> {
-    /// All statements, to the end.
+    /// All statements, to the end; with what they would be if what follows a stroke stood below it.
     pub(in crate::notation) fn statements(mut self) -> Read<Vec<Statement>> {
+        let mut statements = self.all_statements()?;
+        let strokes = std::mem::take(&mut self.strokes);
+        if strokes.is_empty() {
+            return Ok(statements);
+        }
+        let (tokens, errors) = (
+            std::mem::take(&mut self.tokens),
+            std::mem::take(&mut self.errors),
+        );
+        let mut again = Parser::new(tokens, errors, self.body, self.words);
+        again.below = true;
+        let others = again.all_statements().unwrap_or_default();
+        if others.len() == statements.len() {
+            for (statement, other) in statements.iter_mut().zip(others) {
+                let whole = statement.span;
+                let within = |s: &&Span| whole.start <= s.start && s.end <= whole.end;
+                statement.other = strokes
+                    .iter()
+                    .find(within)
+                    .map(|&span| Box::new(Spanned { value: other, span }));
+            }
+        }
+        Ok(statements)
+    }
+
+    fn all_statements(&mut self) -> Read<Vec<Statement>> {
         let mut statements = Vec::new();
         let mut environments: Vec<(&'s str, Span)> = Vec::new();
         loop {
@@ -102,9 +169,7 @@ impl<'s> Parser<'s> {
         }
         separated |= self.skip_wide();
         match self.peek() {
-            Kind::Text(words)
-                if matches!(words.trim(), "and" | "," | ";" | ", and" | "; and" | ",and") =>
-            {
+            Kind::Text(words) if separates(words) => {
                 self.advance();
                 separated = true;
             }
@@ -161,6 +226,7 @@ impl<'s> Parser<'s> {
             connectives,
             mark,
             span: self.since(start),
+            other: None,
         })
     }
 

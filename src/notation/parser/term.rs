@@ -147,7 +147,15 @@ impl Parser<'_> {
                             help,
                         );
                     }
-                    product.divide(self.factor()?)?;
+                    let from = self.at;
+                    let under = match self.below {
+                        true => self.all_below()?,
+                        false => self.factor()?,
+                    };
+                    if !self.below && (self.pending.is_some() || self.starts_factor()) {
+                        self.strokes.push(self.since(from - 1));
+                    }
+                    product.divide(under)?;
                 }
                 _ if self.starts_factor() => {
                     differential |= self.at_differential();
@@ -158,6 +166,27 @@ impl Parser<'_> {
             product.take_pending(self)?;
         }
         product.finish(self.since(start))
+    }
+}
+
+impl Parser<'_> {
+    /// The factors side by side after a stroke, as the other reading of `a/bc` has them.
+    fn all_below(&mut self) -> Read<Factor> {
+        let start = self.at;
+        let mut product = Product::default();
+        product.push(self.factor()?)?;
+        product.take_pending(self)?;
+        while self.starts_factor() {
+            product.push(self.factor()?)?;
+            product.take_pending(self)?;
+        }
+        let term = product.finish(self.since(start))?;
+        Ok(Factor {
+            expr: term.expr,
+            shape: Shape::Tight,
+            span: term.span,
+            braces: false,
+        })
     }
 }
 

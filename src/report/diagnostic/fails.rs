@@ -138,6 +138,10 @@ fn marks(entry: &Entry) -> Vec<(Level<'static>, String)> {
             Note::UnstatedCondition(conditions) => {
                 said.push((Level::HELP, implied::supposing(conditions)));
             }
+            Note::OtherReading(..) => said.push((
+                Level::HELP,
+                "it would hold with `a/bc` read as `a/(bc)`; if that is meant, write `\\frac{a}{bc}`".into(),
+            )),
             Note::WrongMark(Mark::Tick) => said.push((
                 Level::NOTE,
                 "the author marks it ✓, as an equation that holds".into(),

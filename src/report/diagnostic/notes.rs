@@ -203,7 +203,8 @@ impl Report<'_> {
             Note::Uncited(_)
             | Note::OutOfScope(_)
             | Note::RestsOnUnproved(_)
-            | Note::UnusedPremise(_) => return None,
+            | Note::UnusedPremise(_)
+            | Note::OtherReading(..) => return None,
         }
         if !matches!(note, Note::DuplicateTag(_) | Note::UnknownCitation(..)) {
             finding.said.extend(replay(self, entry.equation));

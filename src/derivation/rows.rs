@@ -1,0 +1,258 @@
+//! Displays to equations: one display has as many as it has numbers.
+//!
+//! In `align` every row has a number of its own. Rows that go on with the one before, `= c` after `a = b`, are read
+//! together with it and then taken apart again: the second says `b = c`, and goes on with the first. A row without a number
+//! belongs to the next that has one.
+
+use crate::document::{Layout, Row, Span};
+use crate::notation::{Clause, Connective, Statement, SyntaxError, Unit, read_display, read_rows};
+
+/// One equation of a display.
+pub(super) struct Part {
+    pub tag: Option<String>,
+    pub keys: Vec<String>,
+    pub group: Vec<String>,
+    pub body: Span,
+    pub statements: Result<Vec<Statement>, SyntaxError>,
+    pub continues: usize,
+}
+
+/// Reads a display.
+pub(super) fn read(source: &str, body: Span, layout: Option<&Layout>) -> Vec<Part> {
+    let Some(layout) = layout else {
+        return vec![plain(source, body)];
+    };
+    let mut parts = of_layout(source, body, layout);
+    if let Some((number, keys)) = &layout.group {
+        let keys = keys.iter().map(|key| format!("{{{key}}}"));
+        let number = (!number.is_empty()).then(|| format!("({number})"));
+        let group: Vec<String> = keys.chain(number).collect();
+        for part in &mut parts {
+            part.group.extend(group.iter().cloned());
+        }
+    }
+    parts
+}
+
+/// A display whose mathematics says itself what its number is.
+fn plain(source: &str, body: Span) -> Part {
+    let display = read_display(source, body);
+    Part {
+        tag: display.tag.map(|tag| tag.value),
+        keys: display.label.into_iter().map(|key| key.value).collect(),
+        group: Vec::new(),
+        body,
+        statements: display.statements,
+        continues: 0,
+    }
+}
+
+fn of_layout(source: &str, body: Span, layout: &Layout) -> Vec<Part> {
+    if let ([row], None) = (&layout.rows[..], &layout.obstacle)
+        && row.pieces == [body]
+        && !layout.columns
+    {
+        let mut part = plain(source, body);
+        part.tag = row.number.clone().or(part.tag);
+        part.keys.extend(row.keys.iter().cloned());
+        return vec![part];
+    }
+    let pieces: Vec<Vec<Span>> = layout.rows.iter().map(|row| row.pieces.clone()).collect();
+    let numbers = layout
+        .rows
+        .iter()
+        .filter(|row| row.number.is_some())
+        .count();
+    let mut units = read_rows(source, &pieces, layout.columns);
+    if let Some(problem) = &layout.obstacle {
+        for unit in &mut units {
+            unit.statements = Err(SyntaxError {
+                span: problem.span,
+                message: problem.message.clone(),
+                help: problem.help.clone(),
+            });
+        }
+    }
+    let mut parts = Vec::new();
+    if numbers < 2 {
+        parts.push(whole(units, &layout.rows, body));
+    } else {
+        for unit in units {
+            parts.extend(of_unit(unit, &layout.rows));
+        }
+    }
+    parts
+}
+
+fn keys(rows: &[Row]) -> Vec<String> {
+    rows.iter().flat_map(|row| row.keys.clone()).collect()
+}
+
+fn body_of(rows: &[Row]) -> Span {
+    let pieces = rows.iter().flat_map(|row| row.pieces.iter().copied());
+    pieces.reduce(Span::to).unwrap_or_default()
+}
+
+/// A display with one number, or none.
+fn whole(units: Vec<Unit>, rows: &[Row], body: Span) -> Part {
+    let typed = units.iter().find_map(|unit| unit.typed.clone());
+    let statements: Result<Vec<Vec<Statement>>, SyntaxError> =
+        units.into_iter().map(|unit| unit.statements).collect();
+    Part {
+        tag: rows.iter().find_map(|row| row.number.clone()).or(typed),
+        keys: keys(rows),
+        group: Vec::new(),
+        body,
+        statements: statements.map(|all| all.into_iter().flatten().collect()),
+        continues: 0,
+    }
+}
+
+/// The equations of rows that were read together.
+fn of_unit(unit: Unit, all: &[Row]) -> Vec<Part> {
+    let rows = &all[unit.rows];
+    let numbered: Vec<usize> = (0..rows.len())
+        .filter(|&at| rows[at].number.is_some())
+        .collect();
+    // The rows of each number: those after the number before it, and at the end all that are left.
+    let mut groups: Vec<std::ops::Range<usize>> = Vec::new();
+    for &at in &numbered {
+        let start = groups.last().map_or(0, |group| group.end);
+        groups.push(start..at + 1);
+    }
+    match groups.last_mut() {
+        Some(last) => last.end = rows.len(),
+        None => groups.push(0..rows.len()),
+    }
+    let part = |group: &std::ops::Range<usize>, statements, continues| {
+        let own = &rows[group.clone()];
+        Part {
+            tag: own.iter().find_map(|row| row.number.clone()),
+            keys: keys(own),
+            group: Vec::new(),
+            body: body_of(own),
+            statements,
+            continues,
+        }
+    };
+    let statements = match unit.statements {
+        Err(error) => {
+            // None of them is read: which of the rows would be, nobody can say.
+            let error = |_: usize| Err(error.clone());
+            return (groups.iter().enumerate())
+                .map(|(at, group)| part(group, error(at), at))
+                .collect();
+        }
+        Ok(statements) => statements,
+    };
+    let starts: Vec<usize> = groups
+        .iter()
+        .map(|group| body_of(&rows[group.clone()]).start)
+        .collect();
+    let group_of = |span: Span| starts.partition_point(|&start| start <= span.start).max(1) - 1;
+    let mut shares: Vec<Vec<Statement>> = vec![Vec::new(); groups.len()];
+    for statement in statements {
+        for (at, share) in taken_apart(statement, &group_of) {
+            if let Some(own) = shares.get_mut(at) {
+                own.push(share);
+            }
+        }
+    }
+    let mut parts: Vec<Part> = Vec::new();
+    for (group, share) in groups.iter().zip(shares) {
+        if share.is_empty() {
+            // A row that says nothing of its own, such as `+ c`: its number is another of the equation it belongs to.
+            if let Some(before) = parts.last_mut() {
+                let own = part(group, Ok(Vec::new()), 0);
+                before
+                    .group
+                    .extend(own.tag.iter().map(|tag| format!("({tag})")));
+                before.keys.extend(own.keys);
+                before.body = before.body.to(own.body);
+                continue;
+            }
+        }
+        let continues = parts.len();
+        parts.push(part(group, Ok(share), continues));
+    }
+    // The first has nothing to say where all of it is said further on.
+    if parts.len() > 1 && parts[0].statements.as_ref().is_ok_and(Vec::is_empty) {
+        let first = parts.remove(0);
+        parts[0]
+            .group
+            .extend(first.tag.iter().map(|tag| format!("({tag})")));
+        parts[0].keys.extend(first.keys);
+        parts[0].body = first.body.to(parts[0].body);
+        for part in &mut parts {
+            part.continues = part.continues.saturating_sub(1);
+        }
+    }
+    parts
+}
+
+/// A statement by the rows that its relations stand in.
+fn taken_apart(statement: Statement, group_of: &impl Fn(Span) -> usize) -> Vec<(usize, Statement)> {
+    let equivalent = |c: &crate::notation::Spanned<Connective>| c.value == Connective::Equivalent;
+    let whole = statement.connectives.iter().any(equivalent)
+        || statement
+            .clauses
+            .iter()
+            .any(|clause| matches!(clause, Clause::AllEqual { .. }));
+    if whole {
+        return vec![(group_of(statement.span), statement)];
+    }
+    let mut apart: Vec<(usize, Statement)> = Vec::new();
+    for (at, clause) in statement.clauses.into_iter().enumerate() {
+        let Clause::Chain { sides, links } = clause else {
+            continue;
+        };
+        let mut begins_clause = at > 0;
+        for (link, pair) in links.iter().zip(sides.windows(2)) {
+            let group = group_of(link.span);
+            let same = apart.last_mut().filter(|(own, _)| *own == group);
+            match same {
+                Some((_, share)) if begins_clause => {
+                    // An implication within its rows.
+                    share.clauses.push(Clause::Chain {
+                        sides: pair.to_vec(),
+                        links: vec![*link],
+                    });
+                    if let Some(connective) = statement.connectives.get(at - 1) {
+                        share.connectives.push(connective.clone());
+                    }
+                }
+                Some((_, share)) => {
+                    if let Some(Clause::Chain { sides, links }) = share.clauses.last_mut() {
+                        sides.push(pair[1].clone());
+                        links.push(*link);
+                    }
+                }
+                None => apart.push((
+                    group,
+                    Statement {
+                        label: match apart.is_empty() {
+                            true => statement.label.clone(),
+                            false => None,
+                        },
+                        clauses: vec![Clause::Chain {
+                            sides: pair.to_vec(),
+                            links: vec![*link],
+                        }],
+                        connectives: Vec::new(),
+                        mark: None,
+                        other: None,
+                        span: pair[0].span.to(pair[1].span),
+                    },
+                )),
+            }
+            begins_clause = false;
+            if let Some((_, share)) = apart.last_mut() {
+                share.span = share.span.to(pair[1].span);
+            }
+        }
+    }
+    if let Some((_, last)) = apart.last_mut() {
+        last.mark = statement.mark;
+    }
+    apart
+}

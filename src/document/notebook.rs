@@ -1,0 +1,172 @@
+//! Jupyter notebooks: their Markdown cells, one after another. A place is a line and column of a cell.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::markdown;
+use super::origin::File;
+use super::{Directive, Document, Item, Origin, Prose, Span};
+
+/// A file that is no notebook, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotANotebook(String);
+
+impl fmt::Display for NotANotebook {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no Jupyter notebook: {}", self.0)
+    }
+}
+
+impl std::error::Error for NotANotebook {}
+
+/// Reads the Markdown cells of a notebook.
+pub(super) fn read(path: String, text: &str) -> Result<Document, NotANotebook> {
+    let text = text.trim_start_matches('\u{feff}');
+    let notebook: serde_json::Value =
+        serde_json::from_str(text).map_err(|error| NotANotebook(error.to_string()))?;
+    // Before its fourth format a notebook had work sheets.
+    let Some(cells) = notebook.get("cells").and_then(|cells| cells.as_array()) else {
+        let message = "it has no list of cells (nbformat 4)";
+        return Err(NotANotebook(message.to_owned()));
+    };
+    let mut source = String::new();
+    let mut origin = Origin::default();
+    let (mut items, mut problems) = (Vec::new(), Vec::new());
+    for (number, cell) in (1..).zip(cells) {
+        if cell.get("cell_type").and_then(|kind| kind.as_str()) != Some("markdown") {
+            continue;
+        }
+        let Some(written) = cell.get("source").and_then(lines) else {
+            let message = format!("cell {number} has no text");
+            return Err(NotANotebook(message));
+        };
+        // Each cell is read by itself: what is not closed in one does not reach into the next.
+        let reading = markdown::read(&written);
+        let start = source.len();
+        origin.push(
+            start,
+            origin.files.len(),
+            Span::new(0, written.len() + 1),
+            true,
+        );
+        source.push_str(&written);
+        source.push('\n');
+        items.extend(reading.items.into_iter().map(|item| moved(item, start)));
+        problems.extend(reading.problems.into_iter().map(|mut problem| {
+            problem.span = shifted(problem.span, start);
+            problem
+        }));
+        origin
+            .files
+            .push(File::new(format!("{path}:cell {number}"), written));
+    }
+    if origin.files.is_empty() {
+        origin.files.push(File::new(path.clone(), ""));
+    }
+    Ok(Document {
+        path,
+        source: source.into(),
+        items,
+        inherited: Vec::new(),
+        problems,
+        is_latex: false,
+        origin: Arc::new(origin),
+    })
+}
+
+/// A cell's text: one string, or a list of lines.
+fn lines(source: &serde_json::Value) -> Option<String> {
+    match source {
+        serde_json::Value::String(text) => Some(text.clone()),
+        serde_json::Value::Array(lines) => lines.iter().map(|line| line.as_str()).collect(),
+        _ => None,
+    }
+}
+
+fn shifted(span: Span, by: usize) -> Span {
+    Span::new(span.start + by, span.end + by)
+}
+
+/// An item with all its places moved.
+fn moved(item: Item, by: usize) -> Item {
+    let at = |span: Span| shifted(span, by);
+    match item {
+        Item::Heading { level, title, span } => Item::Heading {
+            level,
+            title,
+            span: at(span),
+        },
+        Item::Prose(Prose {
+            span,
+            mut citations,
+            mut suppositions,
+        }) => {
+            for citation in &mut citations {
+                citation.span = at(citation.span);
+            }
+            for supposition in &mut suppositions {
+                supposition.body = at(supposition.body);
+            }
+            Item::Prose(Prose {
+                span: at(span),
+                citations,
+                suppositions,
+            })
+        }
+        Item::Display {
+            span,
+            body,
+            mut layout,
+        } => {
+            if let Some(layout) = &mut layout {
+                for piece in layout.rows.iter_mut().flat_map(|row| &mut row.pieces) {
+                    *piece = at(*piece);
+                }
+                if let Some(problem) = &mut layout.obstacle {
+                    problem.span = at(problem.span);
+                }
+            }
+            Item::Display {
+                span: at(span),
+                body: at(body),
+                layout,
+            }
+        }
+        Item::Directives { mut clauses, span } => {
+            for clause in &mut clauses {
+                clause.span = at(clause.span);
+                move_directive(&mut clause.value, by);
+            }
+            Item::Directives {
+                clauses,
+                span: at(span),
+            }
+        }
+    }
+}
+
+fn move_directive(directive: &mut Directive, by: usize) {
+    match directive {
+        Directive::Given | Directive::Derived | Directive::Numeric(_) => {}
+        Directive::From(premises) => {
+            for premise in premises {
+                premise.span = shifted(premise.span, by);
+            }
+        }
+        Directive::Claim(name) => name.span = shifted(name.span, by),
+        Directive::Assuming(body) | Directive::Let(body) => *body = shifted(*body, by),
+        Directive::Symbols { names, attributes } => {
+            for name in names {
+                *name = shifted(*name, by);
+            }
+            for attribute in attributes {
+                attribute.span = shifted(attribute.span, by);
+            }
+        }
+        Directive::Data { names, .. } => {
+            for name in names {
+                *name = shifted(*name, by);
+            }
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! Numbers as they are printed, and citations by number and by key.
+
+use super::{article, equations, premises, problems, read};
+
+fn numbers(source: &str) -> String {
+    let derivation = read(source);
+    let tags = derivation
+        .equations
+        .iter()
+        .map(|e| e.tag.as_deref().unwrap_or("-").to_owned());
+    tags.collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn each_row_of_align_has_a_number_and_a_starred_environment_has_none() {
+    let source = article(
+        r"
+\begin{equation} a = 1 \end{equation}
+\begin{equation*} b = 1 \end{equation*}
+\[ c = 1 \]
+\begin{align} d &= 1 \\ e &= 1 \nonumber \\ f &= 1 \tag{T} \\ g &= 1 \end{align}
+\begin{gather} h = 1 \\ i = 1 \end{gather}
+\begin{eqnarray} j & = & 1 \\ k & = & 1 \end{eqnarray}
+\begin{multline} l = 1 \\ + 2 \end{multline}
+$$ m = 1 $$
+\begin{equation} \begin{split} n &= 1 \\ &= 2 - 1 \end{split} \end{equation}",
+    );
+    assert_eq!(numbers(&source), "1 - - 2 - T 3 4 5 6 7 8 - 9");
+}
+
+#[test]
+fn numbers_follow_sections_appendices_and_subequations() {
+    let source = r"\documentclass{article}
+\numberwithin{equation}{section}
+\begin{document}
+\section{One}
+\begin{equation} a = 1 \end{equation}
+\section*{Not counted}
+\begin{subequations} \label{both}
+\begin{align} b &= 1 \label{first} \\ c &= 1 \end{align}
+\end{subequations}
+\begin{equation} d = 1 \end{equation}
+\section{Two}
+\setcounter{equation}{6}
+\begin{equation} e = 1 \end{equation}
+\appendix
+\section{Three}
+\begin{equation} f = 1 \end{equation}
+\end{document}";
+    assert_eq!(numbers(source), "1.1 1.2a 1.2b 1.3 2.7 A.1");
+}
+
+#[test]
+fn a_book_numbers_by_chapter_and_a_format_of_the_authors_is_followed() {
+    let book = r"\documentclass{book}\begin{document}\chapter{A}\chapter{B}
+\begin{equation} a = 1 \end{equation}\section{C}\begin{equation} b = 1 \end{equation}\end{document}";
+    assert_eq!(numbers(book), "2.1 2.2");
+    let own = r"\documentclass{article}\renewcommand{\theequation}{\Roman{section}-\alph{equation}}
+\begin{document}\section{A}\begin{equation} a = 1 \end{equation}\end{document}";
+    assert_eq!(numbers(own), "I-a");
+}
+
+#[test]
+fn an_unknown_counter_value_is_told_and_no_number_is_made_up() {
+    let source = article(
+        r"\begin{equation} a = 1 \end{equation}\setcounter{equation}{\foo}\begin{equation} b = 1 \end{equation}",
+    );
+    assert_eq!(numbers(&source), "1 -");
+    assert_eq!(problems(&read(&source)).len(), 1);
+}
+
+#[test]
+fn a_row_that_begins_with_a_relation_goes_on_with_the_row_before() {
+    let derivation = read(&article(
+        r"\begin{align} a &= b + c \\ &= c + b \\ d &= e \\ &\le f \label{last} \end{align}
+From \eqref{last},
+\begin{equation} d \le f \end{equation}",
+    ));
+    assert_eq!(
+        equations(&derivation),
+        [
+            "1: a = b + c",
+            "2: b + c = c + b",
+            "3: d = e",
+            "4: e \\leq f",
+            "5: d \\leq f"
+        ]
+    );
+    // What goes on with (3) is cited together with it.
+    assert_eq!(premises(&derivation, "5"), ["3", "4"]);
+}
+
+#[test]
+fn a_row_without_a_number_belongs_to_the_next_that_has_one() {
+    let derivation = read(&article(
+        r"\begin{align} a &= b \notag \\ &\quad + c \\ d &= e \\ &= f \notag \end{align}",
+    ));
+    assert_eq!(equations(&derivation), ["1: a = b + c", "2: d = e = f"]);
+}
+
+#[test]
+fn pairs_of_columns_are_equations_side_by_side() {
+    let derivation = read(&article(
+        r"\begin{align} a &= b & c &= d \\ e &= f && \text{and} & g &= h \end{align}
+\[ \begin{aligned} a &= b & c &= d \end{aligned} \]",
+    ));
+    assert_eq!(
+        equations(&derivation),
+        ["1: a = b | c = d", "2: e = f | g = h", "-: a = b | c = d"]
+    );
+}
+
+#[test]
+fn citations_by_key_number_and_range_lead_to_what_is_printed() {
+    let derivation = read(&article(
+        r"\section{S} \label{sec}
+\begin{equation} a = 1 \label{a} \end{equation}
+\begin{equation} b = 1 \label{b} \end{equation}
+\begin{subequations} \label{sub}
+\begin{equation} c = 1 \end{equation} \begin{equation} d = 1 \label{d} \end{equation}
+\end{subequations}
+As section~\ref{sec} says, by Eq.~(1),
+\begin{equation} e = 1 \end{equation}
+by \eqref{sub},
+\begin{equation} f = 1 \end{equation}
+by \cref{a,b},
+\begin{equation} g = 1 \end{equation}
+by \eqref{a}--\eqref{d},
+\begin{equation} h = 1 \end{equation}
+by Eqs.~(1)--(2) and \autoref{nothing},
+\begin{equation} i = 1 \end{equation}
+by \crefrange{a}{b},
+\begin{equation} j = 1 \end{equation}",
+    ));
+    assert_eq!(premises(&derivation, "4"), ["1"]);
+    assert_eq!(premises(&derivation, "5"), ["3a", "3b"]);
+    assert_eq!(premises(&derivation, "6"), ["1", "2"]);
+    assert_eq!(premises(&derivation, "7"), ["1", "2", "3a", "3b"]);
+    assert_eq!(premises(&derivation, "8"), ["1", "2", "unknown (nothing)"]);
+    assert_eq!(premises(&derivation, "9"), ["1", "2"]);
+}
+
+#[test]
+fn directives_in_comments_are_about_the_display_or_the_row_they_stand_before() {
+    let derivation = read(
+        r"\documentclass{article}
+\newcommand{\vin}{v_0}
+% check: symbols m: mass, positive
+%   symbols \vin: velocity
+% an ordinary comment with $$ x = y $$
+\begin{document}
+% check: law
+\begin{equation} p = m \vin \end{equation}
+\begin{align}
+  % check: given
+  q &= p \\
+  % check: derived; from \eqref{x}, (1)
+  r &= q \label{x}
+\end{align}
+\end{document}",
+    );
+    let kinds: Vec<&str> = derivation.equations.iter().map(|e| e.kind.word()).collect();
+    assert_eq!(kinds, ["given", "given", "derived"]);
+    assert_eq!(premises(&derivation, "3"), ["1"]);
+    let declared: Vec<String> = derivation.pages[0]
+        .dimensions
+        .keys()
+        .map(|symbol| symbol.to_string())
+        .collect();
+    assert_eq!(declared, ["m", "v_0"]);
+    assert_eq!(problems(&derivation), Vec::<String>::new());
+}
+
+#[test]
+fn after_equations_that_are_not_read_no_number_is_made_up_until_the_count_begins_anew() {
+    let source = r"\documentclass{article}\numberwithin{equation}{section}
+\begin{document}\section{A}
+\begin{equation} a = 1 \end{equation}
+\begin{IEEEeqnarray}{l} b = 1 \end{IEEEeqnarray}
+\begin{equation} c = 1 \end{equation}
+\section{B}
+\begin{equation} d = 1 \end{equation}
+\input{gone}
+\begin{equation} e = 1 \label{e} \end{equation}
+\begin{equation} f = 1 \tag{F} \end{equation}
+\end{document}";
+    assert_eq!(numbers(source), "1.1 - 2.1 - F");
+    assert_eq!(problems(&read(source)).len(), 2);
+}
+
+#[test]
+fn a_comma_at_the_end_of_a_row_does_not_part_it_from_a_row_that_goes_on() {
+    let derivation = read(&article(
+        r"\begin{align} a &= b, \\ &= c, \\ \implies c &= a. \end{align}",
+    ));
+    assert_eq!(equations(&derivation), ["1: a = b", "2: b = c", "3: c = a"]);
+}
+
+#[test]
+fn a_key_in_a_title_is_no_equation() {
+    let derivation = read(&article(
+        r"\section{Start\label{start}} As \ref{start} says, \begin{equation} a = 1 \end{equation}",
+    ));
+    assert_eq!(premises(&derivation, "1"), Vec::<String>::new());
+}

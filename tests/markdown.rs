@@ -1,0 +1,230 @@
+//! Keys and environments in Markdown, notebooks, and which files `check` reads.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use cradle_verify::derivation::Derivation;
+use cradle_verify::document::Document;
+use cradle_verify::notation::latex_statement;
+
+fn read(source: &str) -> Derivation {
+    Derivation::from_markdown("page.md", source)
+}
+
+/// Number or key, and what was understood.
+fn equations(derivation: &Derivation) -> Vec<String> {
+    let shown = derivation.equations.iter().map(|equation| {
+        let key = equation.keys.first().map(String::as_str);
+        let said = match &equation.statements {
+            Ok(all) => all
+                .iter()
+                .map(latex_statement)
+                .collect::<Vec<_>>()
+                .join(" | "),
+            Err(error) => format!("unreadable: {}", error.message),
+        };
+        format!("{}: {said}", equation.tag.as_deref().or(key).unwrap_or("-"))
+    });
+    shown.collect()
+}
+
+/// What the last equation is said to follow from, by position, and what is cited and not there.
+fn premises_of_last(derivation: &Derivation) -> (Vec<usize>, Vec<String>) {
+    let (found, _, unknown) = derivation.premises(derivation.equations.len() - 1);
+    (found, unknown.into_iter().map(|u| u.label).collect())
+}
+
+#[test]
+fn keys_are_written_as_myst_and_as_quarto_write_them_and_cited_so() {
+    let derivation = read(
+        "```{math}\n:label: mom\n\np = m v\n```\n\n$$ E = T + V $$ (energy)\n\n$$\nF = m a\n$$ {#eq-force}\n\n\
+         ```math\nL = T - V\n```\n\n$$ a = b \\label{tex} $$\n\n\
+         With {eq}`mom`, {eq}`energy`, @eq-force and \\eqref{tex}, but not @eq-none,\n\n$$ c = d $$\n",
+    );
+    assert_eq!(
+        equations(&derivation),
+        [
+            "mom: p = m v",
+            "energy: E = T + V",
+            "eq-force: F = m a",
+            "-: L = T - V",
+            "tex: a = b",
+            "-: c = d"
+        ]
+    );
+    let (found, unknown) = premises_of_last(&derivation);
+    assert_eq!(found, [0, 1, 2, 4]);
+    assert_eq!(unknown, ["(eq-none)"]);
+}
+
+#[test]
+fn environments_outside_dollars_are_displays() {
+    let derivation = read(
+        "Text\n\n\\begin{align}\na &= b \\tag{1} \\\\\n  &= c \\tag{2}\n\\end{align}\n\n\
+         \\begin{equation*}\nd = e\n\\end{equation*}\nBy (2),\n\\begin{alignat}{2} f &= g & h &= i \\end{alignat}\n",
+    );
+    assert_eq!(
+        equations(&derivation),
+        ["1: a = b", "2: b = c", "-: d = e", "-: f = g | h = i"]
+    );
+    assert_eq!(premises_of_last(&derivation).0, [0, 1]);
+    assert!(derivation.pages[0].problems.is_empty());
+}
+
+#[test]
+fn environments_that_are_not_ended_or_not_read_are_told() {
+    for (source, message) in [
+        (
+            "\\begin{align}\na = b\n\n$$ c = d $$\n",
+            "this `align` is never ended",
+        ),
+        (
+            "\\begin{IEEEeqnarray}{rCl} a = b \\end{IEEEeqnarray}\n",
+            "the environment `IEEEeqnarray` is not read",
+        ),
+    ] {
+        let derivation = read(source);
+        let told: Vec<&str> = derivation.pages[0]
+            .problems
+            .iter()
+            .map(|p| &*p.message)
+            .collect();
+        assert_eq!(told, [message]);
+    }
+}
+
+const NOTEBOOK: &str = r##"{
+ "cells": [
+  {"cell_type": "markdown", "source": ["# Carts\n", "\n", "<!-- check: law -->\n", "$$ p = m v \\tag{1} $$\n"]},
+  {"cell_type": "code", "source": ["x = '$$ a = b $$'"]},
+  {"cell_type": "markdown", "source": "An unclosed $$ a\n"},
+  {"cell_type": "markdown", "source": ["By (1),\n", "$$ v = \\foo $$"]}
+ ],
+ "nbformat": 4
+}"##;
+
+#[test]
+fn a_notebook_is_its_markdown_cells_and_places_are_in_them() {
+    let document = Document::notebook("carts.ipynb", NOTEBOOK).unwrap();
+    let derivation = Derivation::new(vec![document]);
+    assert_eq!(
+        equations(&derivation),
+        ["1: p = m v", r"-: unreadable: `\foo` is not known"]
+    );
+    let document = &derivation.pages[0].document;
+    let error = derivation.equations[1].statements.as_ref().unwrap_err();
+    let (path, place) = document.place(error.span);
+    assert_eq!(
+        (path, place.line, place.column),
+        ("carts.ipynb:cell 4", 2, 8)
+    );
+    let problem = &derivation.pages[0].problems[0];
+    assert_eq!(document.place(problem.span).0, "carts.ipynb:cell 3");
+    assert_eq!(premises_of_last(&derivation).0, [0]);
+}
+
+#[test]
+fn what_is_no_notebook_is_refused() {
+    for text in [
+        "",
+        "{}",
+        "[]",
+        "{\"cells\": 3}",
+        "{\"cells\": [{\"cell_type\": \"markdown\"}]}",
+        "{\"worksheets\": []}",
+    ] {
+        assert!(Document::notebook("x.ipynb", text).is_err(), "{text}");
+    }
+    assert!(Document::notebook("x.ipynb", &"[".repeat(100_000)).is_err());
+}
+
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str, files: &[(&str, &str)]) -> Folder {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let _ = std::fs::remove_dir_all(&folder);
+        for (path, text) in files {
+            let path = folder.join(path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        }
+        Folder(folder)
+    }
+
+    fn check(&self, arguments: &[&str]) -> serde_json::Value {
+        let output = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+            .current_dir(&self.0)
+            .args(["check", "--format", "json"])
+            .args(arguments)
+            .output()
+            .unwrap();
+        serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{output:?}"))
+    }
+}
+
+fn paths(view: &serde_json::Value) -> Vec<&str> {
+    let documents = view["documents"].as_array().unwrap().iter();
+    documents
+        .map(|document| document["path"].as_str().unwrap())
+        .collect()
+}
+
+#[test]
+fn a_directory_is_read_with_all_kinds_of_documents_and_included_files_once() {
+    let folder = Folder::new(
+        "formats",
+        &[
+            ("a.md", "$$ a = 1 $$\n"),
+            ("b.markdown", "$$ a = 1 $$\n"),
+            (
+                "c/main.tex",
+                "\\documentclass{article}\\begin{document}\\input{part}\n\\[ b = 1 \\]\\end{document}",
+            ),
+            ("c/part.tex", "\\[ c = \\foo \\]\n"),
+            ("d.ipynb", NOTEBOOK),
+            ("e.txt", "$$ a = 1 $$\n"),
+        ],
+    );
+    let view = folder.check(&["."]);
+    assert_eq!(
+        paths(&view),
+        ["./a.md", "./b.markdown", "./c/main.tex", "./d.ipynb"]
+    );
+    let unread = &view["documents"][2]["equations"][0];
+    assert_eq!(unread["file"], "./c/part.tex");
+    assert_eq!(unread["notes"][0]["code"], "unreadable");
+    assert_eq!(view["summary"]["undecided"], 2);
+    // Named twice, it is still read once.
+    let view = folder.check(&["c/part.tex", "c/main.tex"]);
+    assert_eq!(paths(&view), ["c/main.tex"]);
+}
+
+#[test]
+fn the_name_of_standard_input_says_what_it_is_written_in() {
+    use std::io::Write;
+    let mut child = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+        .args([
+            "check",
+            "-",
+            "--stdin-filename",
+            "notes.tex",
+            "--format",
+            "json",
+        ])
+        .stdin(std::process::Stdio::piped())
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let text = "\\begin{equation} a = 1 \\end{equation}\n";
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(text.as_bytes())
+        .unwrap();
+    let output = child.wait_with_output().unwrap();
+    let view: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(paths(&view), ["notes.tex"]);
+    assert_eq!(view["documents"][0]["equations"][0]["tag"], "1");
+}
