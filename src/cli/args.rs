@@ -33,7 +33,7 @@ pub struct Args {
     #[arg(long, global = true)]
     pub show_understood: bool,
     /// Write to this file instead of standard output; it is replaced as a whole, or not at all.
-    #[arg(long, global = true, value_name = "FILE")]
+    #[arg(short, long, global = true, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// What makes the audit of the built-in report fail.
     #[command(flatten)]

@@ -19,6 +19,12 @@ pub fn replace(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
     // A link stays a link: what it leads to is replaced.
     let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let about = std::fs::metadata(&target).ok();
+    if about.as_ref().is_some_and(std::fs::Metadata::is_dir) {
+        return Err(Failure::new(format!(
+            "`{}` is a directory, and no file",
+            path.display()
+        )));
+    }
     if about.as_ref().is_some_and(|about| !about.is_file()) {
         return std::fs::write(&target, content.as_ref()).map_err(|error| failed(&error));
     }

@@ -59,7 +59,11 @@ pub fn main() -> ExitCode {
         return watch::watch(&args, paths);
     }
     let done = run::run(&args).and_then(|(text, found)| {
-        output::deliver(&text, &args)?;
+        // A picture has gone to its file already.
+        let drawn = matches!(args.command, Some(args::Command::Plot(_)));
+        if !(drawn && args.output.is_some()) {
+            output::deliver(&text, &args)?;
+        }
         Ok(found)
     });
     match done {

@@ -1,14 +1,13 @@
 //! `plot`: a figure as a picture in a file, or on standard output as SVG or as numbers.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::{Args, Subcommand};
 use serde_json::{Value, json};
 
 use super::Failure;
 use super::args::Format;
-use super::csv;
-use super::file;
+use super::{csv, file};
 use crate::cradle::parse_exact;
 use crate::figures::{self, Figure, FigureError, Material, rounded};
 use crate::proofs;
@@ -20,44 +19,21 @@ const DECIMALS: usize = 12;
 #[derive(Clone, Debug, Subcommand)]
 pub enum Plot {
     /// Velocities and energy transfer of an elastic collision against the mass ratio: (59), (60), (64).
-    Collision {
-        /// Where the figure goes.
-        #[command(flatten)]
-        target: Target,
-    },
+    Collision,
     /// The energy left after n collisions, by (41) as printed and by restitution.
     Energy {
         /// The materials.
         #[command(flatten)]
         materials: Materials,
-        /// Where the figure goes.
-        #[command(flatten)]
-        target: Target,
     },
     /// What two conservation laws leave open for three balls.
     Outcomes {
         /// How many balls. Only with three is it a curve.
         #[arg(long, value_name = "NUMBER", default_value_t = 3)]
         balls: usize,
-        /// Where the figure goes.
-        #[command(flatten)]
-        target: Target,
     },
     /// Energy transfer over six powers of ten of the mass ratio: (64) and its limits.
-    Lithotripsy {
-        /// Where the figure goes.
-        #[command(flatten)]
-        target: Target,
-    },
-}
-
-/// Where a figure goes.
-#[derive(Clone, Debug, Args)]
-pub struct Target {
-    /// The file; its ending says what it is: .svg, .png, .pdf, or .json and .csv for the numbers. Without it, SVG (or,
-    /// with --format, the numbers) goes to standard output.
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    Lithotripsy,
 }
 
 /// Balls of several materials.
@@ -106,16 +82,14 @@ enum Kind {
 }
 
 /// Draws a figure: text for standard output, which is empty where a file was written.
-pub(super) fn plot(plot: &Plot, format: Format) -> Result<String, Failure> {
-    let (Plot::Collision { target }
-    | Plot::Energy { target, .. }
-    | Plot::Outcomes { target, .. }
-    | Plot::Lithotripsy { target }) = plot;
+///
+/// The ending of the file says what it holds: .svg, .png, .pdf, or .json and .csv for the numbers.
+pub(super) fn plot(plot: &Plot, format: Format, file: Option<&Path>) -> Result<String, Failure> {
     // What cannot be written is not drawn first.
-    let kind = kind(target, format)?;
+    let kind = kind(file, format)?;
     let checker = proofs::checker();
     let (name, figure) = match plot {
-        Plot::Collision { .. } => ("collision", figures::collision(&checker)),
+        Plot::Collision => ("collision", figures::collision(&checker)),
         Plot::Energy { materials, .. } => ("energy", figures::energy(&checker, &materials.read()?)),
         Plot::Outcomes { balls: 3, .. } => ("outcomes", figures::outcomes(&checker)),
         Plot::Outcomes { balls, .. } => {
@@ -124,7 +98,7 @@ pub(super) fn plot(plot: &Plot, format: Format) -> Result<String, Failure> {
             ))
             .help("with 3 balls they are a circle: `--balls 3`"));
         }
-        Plot::Lithotripsy { .. } => ("lithotripsy", figures::lithotripsy(&checker)),
+        Plot::Lithotripsy => ("lithotripsy", figures::lithotripsy(&checker)),
     };
     let figure = figure.map_err(failed)?;
     let bytes = match kind {
@@ -134,7 +108,7 @@ pub(super) fn plot(plot: &Plot, format: Format) -> Result<String, Failure> {
         Kind::Json => super::run::pretty(&json(name, &figure))?.into_bytes(),
         Kind::Csv => table(&figure).into_bytes(),
     };
-    match &target.output {
+    match file {
         Some(path) => {
             file::replace(path, &bytes)?;
             Ok(String::new())
@@ -153,7 +127,7 @@ pub(super) fn failed(error: FigureError) -> Failure {
     }
 }
 
-fn kind(target: &Target, format: Format) -> Result<Kind, Failure> {
+fn kind(file: Option<&Path>, format: Format) -> Result<Kind, Failure> {
     let asked = match format {
         Format::Human => None,
         Format::Json => Some(Kind::Json),
@@ -165,7 +139,7 @@ fn kind(target: &Target, format: Format) -> Result<Kind, Failure> {
         }
         other => return Err(super::run::no_audit(other)),
     };
-    let Some(path) = &target.output else {
+    let Some(path) = file else {
         return Ok(asked.unwrap_or(Kind::Svg));
     };
     let kind = by_ending(path)?;

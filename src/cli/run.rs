@@ -108,7 +108,10 @@ pub(super) fn run(args: &Args) -> Done {
             };
             Ok((text, false))
         }
-        Some(Command::Plot(figure)) => Ok((plot::plot(figure, args.format)?, false)),
+        Some(Command::Plot(figure)) => Ok((
+            plot::plot(figure, args.format, args.output.as_deref())?,
+            false,
+        )),
         Some(Command::Table { materials }) => {
             let materials = materials.read()?;
             let table = halves::halves(&proofs::checker(), &materials, args.format)?;

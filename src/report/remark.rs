@@ -75,7 +75,11 @@ impl Report<'_> {
         let mut fingerprints = Fingerprints::default();
         let remarks = found.into_iter().map(|(subject, finding, level)| {
             let document = &self.derivation.pages[finding.page].document;
-            let place = |span: Span| (document.position(span.start), document.position(span.end));
+            // In the author's own file, whatever that takes in.
+            let place = |span: Span| {
+                let (file, own) = document.written_at(span);
+                (file.position(own.start), file.position(own.end))
+            };
             let fingerprint = match subject {
                 Subject::Entry(at) => fingerprints.of(&[finding.code, &entries[at]]),
                 Subject::Page(..) => {
@@ -87,12 +91,14 @@ impl Report<'_> {
                 Subject::Entry(at) if finding.code == "fails" => self.fix(&self.audit.entries[at]),
                 _ => None,
             };
+            // What a macro stands for cannot be replaced where it is used.
+            let fix = fix.filter(|fix| document.written(fix.span) == document.text(fix.span));
             Remark {
                 level,
                 code: finding.code,
                 subject,
                 page: finding.page,
-                path: relative(&document.path, here),
+                path: relative(document.place(finding.primary.0).0, here),
                 place: place(finding.primary.0),
                 context: finding
                     .context
@@ -118,7 +124,16 @@ impl Report<'_> {
             codes.push(entry.verdict.word());
         }
         let apart = |note: &&Note| !(wrong && super::belongs_to_failing(note));
-        codes.extend(entry.notes.iter().filter(apart).map(Note::code));
+        // That a premise is not needed is told where somebody asks for one equation.
+        let told = |note: &&Note| !matches!(note, Note::UnusedPremise(_));
+        codes.extend(
+            entry
+                .notes
+                .iter()
+                .filter(apart)
+                .filter(told)
+                .map(Note::code),
+        );
         if self.is_left_open(entry) {
             codes.push(Verdict::Undecided.word());
         }

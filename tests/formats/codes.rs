@@ -12,7 +12,12 @@ fn entries() -> Vec<(String, String)> {
     let mut entries: Vec<(String, String)> = Vec::new();
     for line in page.lines() {
         if let Some(heading) = line.strip_prefix("## ") {
-            entries.push((heading.trim_matches('`').to_owned(), String::new()));
+            // A section without a code belongs to the reference alone.
+            let code = heading.strip_prefix('`').and_then(|h| h.strip_suffix('`'));
+            match code {
+                Some(code) => entries.push((code.to_owned(), String::new())),
+                None => break,
+            }
         } else if let Some((_, text)) = entries.last_mut() {
             *text += line;
             *text += "\n";

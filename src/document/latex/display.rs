@@ -39,8 +39,12 @@ impl Scanner<'_> {
         let begin = Span::new(open, self.at);
         if matches!(plain, "alignat" | "xalignat" | "xxalignat") {
             self.group();
-        } else if self.rest().starts_with("[") && matches!(plain, "multline" | "gather" | "align") {
-            self.options();
+        } else if ["[t]", "[b]", "[c]"]
+            .iter()
+            .any(|o| self.rest().starts_with(o))
+        {
+            // A bracket with anything else in it belongs to the equation.
+            self.at += 3;
         }
         let from = self.at;
         match environment_end(self.text, from, name) {
