@@ -67,6 +67,14 @@ impl Domain {
             && (!self.integer || value.is_integer())
     }
 
+    /// Whether everything in the domain is greater than 0.
+    pub fn is_positive(&self) -> bool {
+        let above = |(bound, strict): &(BigRational, bool)| {
+            bound.is_positive() || (*strict && bound.is_zero())
+        };
+        self.lower.as_ref().is_some_and(above)
+    }
+
     /// What the domain says of a term, as relations to numbers; that it is an integer cannot be said so.
     pub fn bounds(&self) -> impl Iterator<Item = (Relation, &BigRational)> {
         let lower = self.lower.iter().map(|(bound, strict)| match strict {

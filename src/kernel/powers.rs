@@ -42,7 +42,7 @@ pub(super) fn powers_of<'a>(
         if let Some(at_least_one) = natural(domain) {
             powers.naturals.insert(symbol.clone(), at_least_one);
         }
-        if !positive(domain) {
+        if !domain.is_positive() {
             continue;
         }
         powers.positive.insert(symbol.clone());
@@ -57,16 +57,10 @@ pub(super) fn powers_of<'a>(
     Some(powers)
 }
 
-fn positive(domain: &Domain) -> bool {
-    let above =
-        |(bound, strict): &(BigRational, bool)| bound.is_positive() || (*strict && bound.is_zero());
-    domain.lower.as_ref().is_some_and(above)
-}
-
 /// Whether a natural number is at least 1.
 fn natural(domain: &Domain) -> Option<bool> {
     let (bound, _) = domain.lower.as_ref().filter(|_| domain.integer)?;
-    (!bound.is_negative()).then(|| positive(domain))
+    (!bound.is_negative()).then(|| domain.is_positive())
 }
 
 /// Whether there is a power with another exponent than an integer in a term.

@@ -59,6 +59,17 @@ pub fn missing_suppositions(
         }
         possible.push(candidate);
     }
+    // Two that are strict say most; what they prove can be weakened by whoever reads it.
+    let strict = |formula: &Formula| {
+        matches!(
+            formula,
+            Formula::Relation {
+                relation: Relation::Greater,
+                ..
+            }
+        )
+    };
+    possible.sort_by_key(|formula| !strict(formula));
     let mut tried = 0;
     for (at, one) in possible.iter().enumerate() {
         for other in &possible[at + 1..] {
@@ -113,12 +124,15 @@ impl<F: Fn(&Claim, &Assignment) -> Values> Met<'_, F> {
 
 /// Signs of the symbols, those of the goal first, and orders between two of them, the weakest first.
 fn simple(claim: &Claim) -> Vec<Formula> {
-    let symbols: Vec<Symbol> = claim
-        .goal
-        .free_symbols()
-        .into_iter()
-        .take(MOST_SYMBOLS)
-        .collect();
+    let mut symbols: Vec<Symbol> = claim.goal.free_symbols().into_iter().collect();
+    for hypothesis in &claim.hypotheses {
+        for symbol in hypothesis.formula.free_symbols() {
+            if !symbols.contains(&symbol) {
+                symbols.push(symbol);
+            }
+        }
+    }
+    symbols.truncate(MOST_SYMBOLS);
     let relation = |left: Expr, relation: Relation, right: Expr| Formula::Relation {
         left,
         relation,
@@ -148,8 +162,13 @@ fn simple(claim: &Claim) -> Vec<Formula> {
     all
 }
 
-/// Whether the goal follows from suppositions without any premise: then these are the goal in other words.
+/// Whether the goal follows from suppositions without any premise: then these are the goal in other words. A sign or an order is never
+/// an equation in other words: `x > 0` is what `\sqrt{x^2} = x` lacks.
 fn proves_alone(claim: &Claim, supposed: &[Formula]) -> bool {
+    let equation = |formula: &Formula| formula.as_equation().is_some();
+    if equation(&claim.goal) && !supposed.iter().any(equation) {
+        return false;
+    }
     let bare = Claim {
         hypotheses: Vec::new(),
         ..claim.clone()

@@ -3,10 +3,11 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::kernel::{Claim, Standing, applied_definition, definition};
+use crate::kernel::{Claim, Domain, Standing, applied_definition, definition};
 
 /// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit or summed up
-/// to: what is done to the symbol must be done to the term.
+/// to: what is done to the symbol must be done to the term. So too where a root is taken of a symbol that is not declared positive, for the
+/// term may be seen to be.
 pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     // Most claims have nothing of the kind.
     if !claim.formulas().any(has_operands) {
@@ -36,9 +37,11 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             }
             let (symbol, term) = definition(&formulas[at])?;
             // A value at one point says nothing of how the symbol moves; a count does not move.
+            let positive = || claim.domains.get(&symbol).is_some_and(Domain::is_positive);
             let fits = match found.moving.contains(&symbol) {
                 true => claim.hypotheses[at].standing == Standing::Identity,
-                false => found.counts.contains(&symbol),
+                false if found.counts.contains(&symbol) => true,
+                false => found.rooted.contains(&symbol) && !positive(),
             };
             let fits = fits && !found.variables.contains(&symbol);
             fits.then_some((at, Expr::Symbol(symbol), term))
@@ -58,9 +61,15 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
 
 fn has_operands(formula: &Formula) -> bool {
     fn within(term: &Expr) -> bool {
-        term.binder().is_some() || term.children().into_iter().any(within)
+        term.binder().is_some() || is_root(term) || term.children().into_iter().any(within)
     }
     matches!(formula, Formula::AllEqual { .. }) || formula.terms().into_iter().any(within)
+}
+
+/// Whether a power is one of a root.
+fn is_root(term: &Expr) -> bool {
+    matches!(term, Expr::Power(_, exponent)
+        if matches!(&**exponent, Expr::Number(exponent) if !exponent.is_integer()))
 }
 
 /// The symbols to which something is done.
@@ -72,6 +81,8 @@ struct Operands {
     applied: BTreeSet<Expr>,
     /// In the upper limit of a sum.
     counts: BTreeSet<Symbol>,
+    /// Below a root.
+    rooted: BTreeSet<Symbol>,
     /// What is differentiated by, goes to a limit or is integrated over.
     variables: BTreeSet<Symbol>,
 }
@@ -90,6 +101,7 @@ impl Operands {
                 }
             }
             Expr::Series { to, .. } => self.counts.extend(to.free_symbols()),
+            Expr::Power(base, _) if is_root(term) => self.rooted.extend(base.free_symbols()),
             _ => {}
         }
         for child in term.children() {
