@@ -366,5 +366,12 @@ fn values(at: &Assignment) -> BTreeMap<String, ValueView> {
         };
         all.insert(latex(&derivative), ValueView::Number(value.to_string()));
     }
+    for (call, value) in &at.functions {
+        all.insert(latex(call), ValueView::Number(value.to_string()));
+    }
+    for (symbol, parts) in &at.in_pi {
+        let value = latex(&crate::kernel::in_powers_of_pi(parts));
+        all.insert(symbol.to_string(), ValueView::Number(value));
+    }
     all
 }

@@ -3,6 +3,7 @@
 //! [`decide`] tries, in order of cost: elimination of linear unknowns; a counterexample in small numbers;
 //! Gröbner bases, sums of squares and products of inequalities; a counterexample in larger numbers.
 
+mod functions;
 mod ideal;
 mod implied;
 mod point;

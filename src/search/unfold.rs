@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::kernel::{Claim, Standing, applied_definition, definition};
+use crate::kernel::{Claim, Standing, applied_definition, definition, pi_is_the_number};
 
-/// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit or summed up
-/// to: what is done to the symbol must be done to the term.
+/// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit, summed up to
+/// or stands in a function: what is done to the symbol must be done to the term.
 pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     // Most claims have nothing of the kind.
     if !claim.formulas().any(has_operands) {
@@ -38,9 +38,10 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             // A value at one point says nothing of how the symbol moves; a count does not move.
             let fits = match found.moving.contains(&symbol) {
                 true => claim.hypotheses[at].standing == Standing::Identity,
-                false => found.counts.contains(&symbol),
+                false => found.counts.contains(&symbol) || found.called.contains(&symbol),
             };
-            let fits = fits && !found.variables.contains(&symbol);
+            let number = symbol.name() == "\\pi" && pi_is_the_number(claim);
+            let fits = fits && !number && !found.variables.contains(&symbol);
             fits.then_some((at, Expr::Symbol(symbol), term))
         });
         let Some((at, unfolded, term)) = next else {
@@ -58,7 +59,8 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
 
 fn has_operands(formula: &Formula) -> bool {
     fn within(term: &Expr) -> bool {
-        term.binder().is_some() || term.children().into_iter().any(within)
+        let called = matches!(term, Expr::Call(..));
+        called || term.binder().is_some() || term.children().into_iter().any(within)
     }
     matches!(formula, Formula::AllEqual { .. }) || formula.terms().into_iter().any(within)
 }
@@ -72,6 +74,8 @@ struct Operands {
     applied: BTreeSet<Expr>,
     /// In the upper limit of a sum.
     counts: BTreeSet<Symbol>,
+    /// In the argument of a function: equal arguments must look alike.
+    called: BTreeSet<Symbol>,
     /// What is differentiated by, goes to a limit or is integrated over.
     variables: BTreeSet<Symbol>,
 }
@@ -89,6 +93,7 @@ impl Operands {
                     applications(body, &mut self.applied);
                 }
             }
+            Expr::Call(_, argument) => self.called.extend(argument.free_symbols()),
             Expr::Series { to, .. } => self.counts.extend(to.free_symbols()),
             _ => {}
         }
