@@ -5,6 +5,8 @@
 mod broken;
 #[path = "properties/claims.rs"]
 mod claims;
+#[path = "properties/functions.rs"]
+mod functions;
 #[path = "properties/pages.rs"]
 mod pages;
 #[path = "properties/physics.rs"]

@@ -1,14 +1,16 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::algebra::{BigRational, Dimension, Formula, Symbol, element_symbol};
+use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::nearest::nearest;
 use crate::document::{
     Attribute, Bound, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
 };
 use crate::kernel::Domain;
-use crate::notation::{Clause, Spanned, SyntaxError, read_display, read_formulas, read_symbol};
+use crate::notation::{
+    Clause, Spanned, Statement, SyntaxError, read_display, read_formulas, read_symbol,
+};
 
 use super::equation::formulas;
 use super::{Equation, Kind};
@@ -26,6 +28,8 @@ pub struct Page {
     pub dimensions: BTreeMap<Symbol, Dimension>,
     /// The figures for each symbol that has some.
     pub data: BTreeMap<Symbol, Datum>,
+    /// The symbols that stand for Euler's number: their powers are read as exponentials.
+    pub euler: BTreeSet<Symbol>,
     /// Everything supposed on the page, by `let` or `assuming`.
     pub locals: Vec<Local>,
     /// What could not be read, besides equations.
@@ -87,6 +91,7 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
         domains: BTreeMap::new(),
         dimensions: BTreeMap::new(),
         data: BTreeMap::new(),
+        euler: BTreeSet::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),
         document,
@@ -142,7 +147,8 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
             }
             &Item::Display { span, body } => {
                 let said = std::mem::take(&mut between);
-                let display = read_display(&page.document.source, body);
+                let mut display = read_display(&page.document.source, body);
+                page.read_exponentials(display.statements.as_mut().into_iter().flatten());
                 let mark = display
                     .statements
                     .iter()
@@ -181,6 +187,16 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
     page.problems.sort_by_key(|p| p.span);
     page.document.items = items;
     (page, equations)
+}
+
+fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
+    let is_euler = |term: &Expr| matches!(term, Expr::Symbol(symbol) if euler.contains(symbol));
+    let raised = |exponent: Expr| Expr::Call(Function::Exp, exponent.into());
+    match term {
+        Expr::Power(base, exponent) if is_euler(base) => raised(exponentials(exponent, euler)),
+        term if is_euler(term) => raised(Expr::integer(1)),
+        term => term.map_children(|child| exponentials(child, euler)),
+    }
 }
 
 /// Leaves only those as definitions whose symbol occurs nowhere before, in reading order.
@@ -366,9 +382,29 @@ impl Page {
                     domain.lower = Some(number(1, false));
                 }
                 Attribute::Constant => domain.constant = true,
+                Attribute::Euler => {
+                    self.euler.insert(symbol.clone());
+                }
                 Attribute::Interval { lower, upper } => {
                     domain.lower = lower.as_ref().map(at).or(domain.lower.take());
                     domain.upper = upper.as_ref().map(at).or(domain.upper.take());
+                }
+            }
+        }
+    }
+
+    /// Reads `e^x` as `\exp(x)`, where e is declared to be Euler's number.
+    fn read_exponentials<'a>(&self, statements: impl Iterator<Item = &'a mut Statement>) {
+        if self.euler.is_empty() {
+            return;
+        }
+        let read = |term: &mut Expr| *term = exponentials(term, &self.euler);
+        for clause in statements.flat_map(|s| &mut s.clauses) {
+            match clause {
+                Clause::Chain { sides, .. } => sides.iter_mut().for_each(|s| read(&mut s.expr)),
+                Clause::AllEqual { to, value, .. } => {
+                    read(to);
+                    value.iter_mut().for_each(|s| read(&mut s.expr));
                 }
             }
         }
@@ -383,7 +419,7 @@ impl Page {
         active: &mut Vec<usize>,
         strict: bool,
     ) {
-        let statements = match read_formulas(&self.document.source, body) {
+        let mut statements = match read_formulas(&self.document.source, body) {
             Ok(statements) => statements,
             Err(error) => {
                 if strict {
@@ -392,6 +428,7 @@ impl Page {
                 return;
             }
         };
+        self.read_exponentials(statements.iter_mut());
         for statement in &statements {
             let formulas = formulas(statement);
             let assigned: BTreeSet<Symbol> = match is_let {

@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 
 use super::{Claim, Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
-    Atom, Expr, Fraction, Function, Polynomial, Rational, SineCosine, Symbol, Var,
+    Atom, Expr, Formula, Fraction, Function, Polynomial, Rational, SineCosine, Symbol, Var,
     expr_of_fraction, multiplied,
 };
 
@@ -16,26 +16,28 @@ const HIGHEST_MULTIPLE: u32 = 8;
 /// Whether `\pi` is the number in a claim: nobody declares it, and nothing gives it a value.
 pub(crate) fn pi_is_the_number(claim: &Claim) -> bool {
     let pi = Symbol::new("\\pi");
-    let mut formulas = claim.formulas();
-    if claim.domains.contains_key(&pi)
-        || !formulas.any(|f| f.terms().iter().any(|t| t.mentions(&pi)))
-    {
+    if claim.domains.contains_key(&pi) {
         return false;
     }
-    let given = |formula: &crate::algebra::Formula| {
+    let given = |formula: &Formula| {
+        let symbol = |e: &Expr| matches!(e, Expr::Symbol(s) if *s == pi);
+        let number = |e: &Expr| e.free_symbols().is_empty();
         let sides = formula.as_equation();
-        sides.is_some_and(|(left, right)| {
-            let symbol = |e: &Expr| matches!(e, Expr::Symbol(s) if *s == pi);
-            let number = |e: &Expr| e.free_symbols().is_empty();
-            symbol(left) && number(right) || symbol(right) && number(left)
-        })
+        sides.is_some_and(|(l, r)| symbol(l) && number(r) || symbol(r) && number(l))
     };
-    let sequence = |formula: &crate::algebra::Formula| formula.sequences().contains(&pi);
-    let bound = |formula: &crate::algebra::Formula| !formula.free_symbols().contains(&pi);
-    let hypotheses = || claim.hypotheses.iter().map(|h| &*h.formula);
-    !hypotheses().any(given)
-        && !claim.formulas().any(sequence)
-        && claim.formulas().any(|f| !bound(f))
+    // An index or a variable of that name is something else.
+    fn binds(term: &Expr, symbol: &Symbol) -> bool {
+        let children = term.children();
+        term.binder() == Some(symbol) || children.iter().any(|child| binds(child, symbol))
+    }
+    let something_else = |formula: &Formula| {
+        let bound = formula.terms().iter().any(|t| binds(t, &pi));
+        bound || formula.sequences().contains(&pi)
+    };
+    let mut hypotheses = claim.hypotheses.iter().map(|h| &*h.formula);
+    claim.formulas().any(|f| f.free_symbols().contains(&pi))
+        && !hypotheses.any(given)
+        && !claim.formulas().any(something_else)
 }
 
 /// What is below π, and what is above.

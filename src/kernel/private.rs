@@ -14,7 +14,8 @@ use super::in_pi::InPi;
 use super::witness::Point;
 use super::{Reject, Sign};
 use crate::algebra::{
-    Atom, Expr, Fraction, Function, Polynomial, Rational, SineCosine, Symbol, Var, multiplied,
+    Atom, Expr, Fraction, Function, Monomial, Polynomial, Rational, SineCosine, Symbol, Var,
+    multiplied,
 };
 
 /// Multiples of the given angle or exponent are evaluated up to this.
@@ -81,11 +82,12 @@ impl Point<'_> {
             let (Some(symbol), None) = (open.next(), open.next()) else {
                 return Err(Reject::NotPrivate);
             };
-            // A whole number, an element of a sequence, a symbol that was put in: nothing can be chosen for these.
+            // Nothing can be chosen for a whole number, and nothing need be for what does not occur.
             let integer = self.claim.domains.get(&symbol).is_some_and(|d| d.integer);
-            let var = self.atoms.find(&Atom::Symbol(symbol.clone()));
-            let var = var.filter(|_| !integer).ok_or(Reject::NotPrivate)?;
-            if self.private.iter().any(|p| p.var == var) {
+            let Some(var) = self.atoms.find(&Atom::Symbol(symbol.clone())) else {
+                continue;
+            };
+            if integer || self.private.iter().any(|p| p.var == var) {
                 return Err(Reject::NotPrivate);
             }
             let value = self.lowered(argument)?;
@@ -136,8 +138,47 @@ impl Point<'_> {
         Ok(Some(slope.scaled(&below.recip())))
     }
 
+    /// What is left of a product of several private symbols and something else, once each of them is asked to be
+    /// positive, or not to vanish: that is enough, if not needed, for both to have the same sign.
+    fn without_private_factors(
+        &mut self,
+        polynomial: &Polynomial,
+        sign: Sign,
+    ) -> Result<Option<Polynomial>, Reject> {
+        if self.private.len() < 2 {
+            return Ok(None);
+        }
+        let content = polynomial.content();
+        let own = self.private.iter().filter(|p| content.exponent(p.var) > 0);
+        let own: Vec<Var> = own.map(|p| p.var).collect();
+        if own.len() < 2 {
+            return Ok(None);
+        }
+        let mut rest = polynomial.clone();
+        for var in own {
+            let power = Monomial::power(var, content.exponent(var));
+            let power = Polynomial::term(power, Rational::one());
+            rest = rest.divided_by(&power).ok_or(Reject::TooLarge)?;
+            self.bounds.push(Bound {
+                var,
+                slope: InPi::rational(Rational::one()),
+                rest: InPi::default(),
+                sign: match sign {
+                    Sign::NonZero => Sign::NonZero,
+                    _ => Sign::Positive,
+                },
+            });
+        }
+        Ok(Some(rest))
+    }
+
     /// Whether a polynomial has a sign; where it speaks of a private symbol, that is asked of the symbol later.
     pub(super) fn meets(&mut self, polynomial: &Polynomial, sign: Sign) -> Result<bool, Reject> {
+        if sign != Sign::Zero
+            && let Some(rest) = self.without_private_factors(polynomial, sign)?
+        {
+            return self.meets(&rest, sign);
+        }
         if let Some(var) = self.private_in(polynomial)? {
             let (slope, rest) = self.linear(polynomial, var)?;
             if !slope.is_zero() {

@@ -92,7 +92,8 @@ impl Problem {
     fn read_as(claim: &Claim, unfold: &[usize], apart: bool) -> Result<Problem, Reject> {
         let sequences = sequences(claim);
         let (formulas, goal, values) = unfolded(claim, unfold, &sequences)?;
-        let pi = pi_is_the_number(claim);
+        let named = claim.free_symbols();
+        let pi = named.iter().any(|s| s.name() == "\\pi") && pi_is_the_number(claim);
         // Whatever is said of it, a number is no other term.
         if pi && let Some(at) = values.iter().position(|v| v.0.name() == "\\pi") {
             return Err(Reject::NotUnfoldable(at));
@@ -144,7 +145,6 @@ impl Problem {
             integer: true,
             ..Domain::default()
         };
-        let named = claim.free_symbols();
         let mut every = named.clone();
         every.extend(&counts);
         every.sort();

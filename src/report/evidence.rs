@@ -58,11 +58,14 @@ impl<'a> Point<'a> {
 
     /// The values of the symbols of one formula, as a list.
     pub fn values_of(&self, formula: &Formula) -> String {
-        let wanted: BTreeSet<String> = formula
-            .free_symbols()
+        let symbols = formula.free_symbols();
+        let calls = self.at.functions.keys();
+        let calls = calls.filter(|call| call.free_symbols().is_subset(&symbols));
+        let wanted: BTreeSet<String> = symbols
             .iter()
             .chain(&formula.sequences())
             .map(words::symbol)
+            .chain(calls.map(plain))
             .collect();
         let values = self.values().into_iter();
         let values: Vec<String> = values
