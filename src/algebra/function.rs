@@ -28,6 +28,7 @@ use super::{
 /// An angle with more summands, or a greater multiple of a unit, is an angle of its own.
 const MOST_SUMMANDS: usize = 4;
 const HIGHEST_MULTIPLE: u32 = 8;
+const MOST_MULTIPLES: u32 = 12;
 /// The same for exponents, which do not make terms longer.
 const MOST_EXPONENTS: usize = 16;
 const HIGHEST_POWER: u32 = 1_024;
@@ -87,7 +88,10 @@ impl Lowering<'_> {
             let multiple = multiple.filter(|&k| k <= HIGHEST_MULTIPLE);
             read.push((turn, multiple));
         }
-        if parts.len() > MOST_SUMMANDS || read.iter().any(|r| r.0.is_none() && r.1.is_none()) {
+        let open = || read.iter().filter(|(turn, _)| turn.is_none());
+        let all: Option<u32> = open().map(|(_, multiple)| *multiple).sum();
+        let fits = all.is_some_and(|all| all <= MOST_MULTIPLES);
+        if parts.len() > MOST_SUMMANDS || !fits {
             return Ok(self.angle_of_its_own(value));
         }
         for ((number, unit), (turn, multiple)) in parts.iter().zip(read) {
@@ -336,7 +340,7 @@ impl Lowering<'_> {
     /// `|p|^e`, up to the numeric content of `p` where `e` is odd.
     fn absolute_power(&mut self, polynomial: &Polynomial, exponent: u32) -> Lowered {
         let even = Fraction::from(polynomial.clone()).pow(exponent - exponent % 2)?;
-        if exponent % 2 == 0 {
+        if exponent.is_multiple_of(2) {
             return Ok(even);
         }
         let size = match alone(polynomial) {

@@ -88,8 +88,8 @@ impl InPi {
                 true => (least, most) = (least + b, most + a),
                 false => (least, most) = (least + a, most + b),
             }
-            low_power = low_power * &low;
-            high_power = high_power * &high;
+            low_power *= &low;
+            high_power *= &high;
         }
         match (least.is_positive(), most.is_negative()) {
             (true, _) => Ok(Ordering::Greater),

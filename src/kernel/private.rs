@@ -225,14 +225,21 @@ impl Point<'_> {
         argument: &Fraction,
     ) -> Result<Rational, Reject> {
         if let Some(var) = self.private_in(argument.numerator())? {
-            let slope = self.slope(argument, var)?.ok_or(Reject::NotPrivate)?;
-            let private = self.private.iter().find(|p| p.var == var);
-            let private = private.ok_or(Reject::NotPrivate)?;
-            return private.value(function, &slope);
+            // What a private symbol is multiplied with may vanish: then it does not matter.
+            let (slope, rest) = self.linear(argument.numerator(), var)?;
+            if !slope.is_zero() || !rest.is_zero() {
+                let slope = self.slope(argument, var)?.ok_or(Reject::NotPrivate)?;
+                let private = self.private.iter().find(|p| p.var == var);
+                let private = private.ok_or(Reject::NotPrivate)?;
+                return private.value(function, &slope);
+            }
         }
         let below = self.number(&argument.expanded_denominator()?)?;
         let below = below.as_rational().filter(|b| !b.is_zero());
-        let value = self.number(argument.numerator())?;
+        let value = match self.private_in(argument.numerator())? {
+            Some(_) => InPi::default(),
+            None => self.number(argument.numerator())?,
+        };
         let value = value.scaled(&below.ok_or(Reject::NoValue)?.recip());
         let terms = value.coefficients().iter().enumerate().map(|(k, c)| {
             let power = Expr::Power(Expr::symbol("\\pi").into(), Expr::integer(k).into());

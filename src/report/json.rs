@@ -158,6 +158,11 @@ pub enum ValueView {
     Number(String),
     /// `["1", "2/3"]`
     List(Vec<String>),
+    /// `{"in_pi": ["0", "4"]}`: 4 π
+    InPi {
+        /// The coefficients of the powers of π, the constant one first.
+        in_pi: Vec<String>,
+    },
 }
 
 /// A place that could not be read.
@@ -370,8 +375,8 @@ fn values(at: &Assignment) -> BTreeMap<String, ValueView> {
         all.insert(latex(call), ValueView::Number(value.to_string()));
     }
     for (symbol, parts) in &at.in_pi {
-        let value = latex(&crate::kernel::in_powers_of_pi(parts));
-        all.insert(symbol.to_string(), ValueView::Number(value));
+        let in_pi = parts.iter().map(|c| c.to_string()).collect();
+        all.insert(symbol.to_string(), ValueView::InPi { in_pi });
     }
     all
 }

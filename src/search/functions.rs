@@ -40,6 +40,9 @@ pub fn leave_open(
     for (symbol, mut family) in families {
         // The others are multiples of the smallest.
         family.sort();
+        if family.iter().any(|f| f.1 == Function::Sin) {
+            family.retain(|f| f.1 == Function::Sin);
+        }
         let (_, function, argument) = family.swap_remove(0);
         let partner = match function {
             Function::Sin => vec![Function::Sin, Function::Cos],
@@ -86,7 +89,11 @@ fn open_in(claim: &Claim, problem: &Problem, argument: &Expr) -> Option<(Symbol,
 pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
     let mut facts = Vec::new();
     let mut need = |polynomial, sign| facts.push(Fact { polynomial, sign });
-    for (var, atom) in problem.atoms.iter() {
+    let mut kinds = BTreeMap::new();
+    let mut calls: Vec<(Var, &Atom)> = problem.atoms.iter().collect();
+    let last = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Exp, _)));
+    calls.sort_by_key(|(_, atom)| last(atom));
+    for (var, atom) in calls {
         let Atom::Opaque(Expr::Call(function, argument)) = atom else {
             continue;
         };
@@ -99,9 +106,17 @@ pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
         if let Some((symbol, value)) = open_in(claim, problem, argument) {
             let own = problem.atoms.find(&Atom::Symbol(symbol));
             let slope = own.map(|own| value.numerator().in_powers_of(own).pop());
+            // One symbol cannot be left open for an angle and an exponent: one of them is 0.
+            let kind = kinds.entry(own).or_insert_with(|| kind_of(*function));
             if let Some(Some(slope)) = slope
                 && slope.as_constant().is_none()
             {
+                if *kind != kind_of(*function) && *function == Function::Exp {
+                    need(slope, Sign::Zero);
+                    let value = Polynomial::var(var).minus(&Polynomial::one());
+                    need(value, Sign::Zero);
+                    continue;
+                }
                 need(slope, Sign::NonZero);
             }
             // Between two bounds an angle is tried that is acute.
@@ -138,6 +153,14 @@ pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
         need(own, Sign::Zero);
     }
     facts
+}
+
+/// Sines and cosines are of one kind.
+fn kind_of(function: Function) -> Function {
+    match function {
+        Function::Cos => Function::Sin,
+        other => other,
+    }
 }
 
 /// Whether facts speak of a symbol only to bound it.
