@@ -450,6 +450,7 @@ proptest! {
             sequences: &sequences,
             constants: &sequences,
             powers: None,
+            functions: None,
             conditions: Conditions::default(),
         };
         let expected = naive(&expr, &values);

@@ -5,6 +5,8 @@
 mod claims;
 #[path = "kernel/dimensions.rs"]
 mod dimensions;
+#[path = "kernel/functions.rs"]
+mod functions;
 #[path = "kernel/knowledge.rs"]
 mod knowledge;
 #[path = "kernel/obligations.rs"]

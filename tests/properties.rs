@@ -7,6 +7,8 @@ mod broken;
 mod claims;
 #[path = "properties/corrected.rs"]
 mod corrected;
+#[path = "properties/functions.rs"]
+mod functions;
 #[path = "properties/pages.rs"]
 mod pages;
 #[path = "properties/physics.rs"]

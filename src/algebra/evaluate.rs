@@ -378,6 +378,7 @@ impl Values {
             sequences: &self.sequences.keys().cloned().collect(),
             constants: &self.constants,
             powers: None,
+            functions: None,
             conditions: Conditions::default(),
         }
         .lower(&self.unfolded(term))

@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_traits::ToPrimitive;
 
 use super::{
-    Atom, Atoms, BigRational, Expr, Fraction, Function, LimitPoint, Monomial, Polynomial, Powers,
+    Atom, Atoms, BigRational, Expr, Fraction, Functions, LimitPoint, Monomial, Polynomial, Powers,
     Rational, Symbol, TooLarge, Var,
 };
 
@@ -82,6 +82,8 @@ pub struct Lowering<'a> {
     pub constants: &'a BTreeSet<Symbol>,
     /// How powers are taken apart; `None` to read them as they are written.
     pub powers: Option<&'a Powers>,
+    /// What is known of symbols where functions are taken apart.
+    pub functions: Option<&'a Functions>,
     /// What the values found so far depend on.
     pub conditions: Conditions,
 }
@@ -154,21 +156,7 @@ impl Lowering<'_> {
                 variable,
                 point,
             } => self.limit(body, variable, point),
-            Expr::Call(function, argument) => {
-                let value = self.lower(argument)?;
-                let argument = expr_of_fraction(&value, self.atoms);
-                match function {
-                    Function::Ln => {
-                        let sign = sign_of_fraction(&value)?;
-                        self.conditions.positive.insert(sign);
-                    }
-                    Function::Tan => {
-                        self.conditions.doubtful.insert(expr.clone());
-                    }
-                    _ => {}
-                }
-                Ok(self.atom(Atom::Opaque(Expr::Call(*function, argument.into()))))
-            }
+            Expr::Call(function, argument) => self.call(*function, argument),
             Expr::Apply(function, arguments) => {
                 let opaque = Expr::Apply(function.clone(), arguments.clone());
                 Ok(self.atom(Atom::Opaque(opaque)))
@@ -273,6 +261,11 @@ impl Lowering<'_> {
         let root = match base.as_constant().and_then(|c| exact_root(&c, exponent)) {
             Some(root) => root.into(),
             None => {
+                if exponent.denom() == 2.into()
+                    && let Some(root) = self.root_of_square(base)?
+                {
+                    return Ok(root.pow(power)?);
+                }
                 if exponent.denom().is_even() {
                     self.conditions.nonnegative.insert(sign_of_fraction(base)?);
                 }
@@ -394,7 +387,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn derivative(&mut self, value: &Fraction, variable: &Symbol) -> Lowered {
+    pub(super) fn derivative(&mut self, value: &Fraction, variable: &Symbol) -> Lowered {
         let mut total = Fraction::default();
         let mut vars: BTreeSet<Var> = value.numerator().vars().into_iter().collect();
         for (factor, _) in value.denominator() {
@@ -420,6 +413,11 @@ impl Lowering<'_> {
         let constant = |s: &Symbol| s != variable && self.constants.contains(s);
         if !body.has_elements() && body.free_symbols().iter().all(constant) {
             return Ok(Fraction::default());
+        }
+        if let Expr::Call(function, argument) = &body
+            && let Some(slope) = self.derivative_of_call(*function, argument, variable)?
+        {
+            return Ok(slope);
         }
         // A root of a symbol would lead back to itself.
         if let Expr::Power(base, exponent) = &body

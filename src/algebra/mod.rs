@@ -10,6 +10,7 @@ mod evaluate;
 mod expr;
 mod formula;
 mod fraction;
+mod function;
 mod lower;
 mod monomial;
 mod polynomial;
@@ -23,6 +24,7 @@ pub use evaluate::{EvaluateError, Sides, Values};
 pub use expr::{Expr, Function, LimitPoint};
 pub use formula::{Formula, Relation};
 pub use fraction::{Fraction, factors, product};
+pub use function::{Functions, SineCosine, multiplied};
 pub use lower::{
     Conditions, LowerError, Lowering, element_parts, element_symbol, expr_of, expr_of_atom,
     expr_of_fraction, power_sum, product_of, raised,

@@ -92,6 +92,11 @@ impl Lowering<'_> {
         if rest.as_constant().is_some_and(|c| c.is_one()) {
             return Ok(value);
         }
+        if q == 2
+            && let Some(root) = self.root_of_square(&rest)?
+        {
+            return Ok(value.times(&root.pow(p)?)?);
+        }
         if q.is_even() {
             let sign = sign_of_fraction(&rest)?;
             self.conditions.nonnegative.insert(sign);
@@ -272,8 +277,18 @@ fn root_atom(base: Expr, order: u32) -> Atom {
     Atom::Opaque(Expr::Power(base.into(), Expr::Number(unit).into()))
 }
 
+/// The root of a number, where it is rational.
+pub(super) fn exact_square_root(value: &Rational) -> Option<Rational> {
+    if value.is_negative() {
+        return None;
+    }
+    let (above, below) = (value.numer().sqrt(), value.denom().sqrt());
+    let exact = above.pow(2) == value.numer() && below.pow(2) == value.denom();
+    exact.then(|| BigRational::new(above, below).into())
+}
+
 /// The positive number that leaves coprime integers as coefficients.
-fn numeric_content(polynomial: &Polynomial) -> Rational {
+pub(super) fn numeric_content(polynomial: &Polynomial) -> Rational {
     let (mut above, mut below) = (BigInt::zero(), BigInt::one());
     for (_, coefficient) in polynomial.terms() {
         above = above.gcd(&coefficient.numer());
@@ -287,7 +302,7 @@ fn numeric_content(polynomial: &Polynomial) -> Rational {
 
 /// Factors of a positive number, prime but for the last, which may be a product of large primes. One that is a
 /// perfect power of order `q` is given as such.
-fn prime_factors(number: &BigInt, q: u32) -> Vec<(BigInt, u32)> {
+pub(super) fn prime_factors(number: &BigInt, q: u32) -> Vec<(BigInt, u32)> {
     let mut left = number.clone();
     let mut found = Vec::new();
     for prime in 2..=LARGEST_PRIME {

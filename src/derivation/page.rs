@@ -1,14 +1,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::algebra::{BigRational, Dimension, Formula, Symbol, element_symbol};
+use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::nearest::nearest;
 use crate::document::{
     Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
 };
 use crate::kernel::Domain;
-use crate::notation::{Clause, Spanned, SyntaxError, read_formulas, read_symbol};
+use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
 
 use super::equation::formulas;
 use super::{Equation, Kind, rows};
@@ -26,6 +26,8 @@ pub struct Page {
     pub dimensions: BTreeMap<Symbol, Dimension>,
     /// The figures for each symbol that has some.
     pub data: BTreeMap<Symbol, Datum>,
+    /// The symbols that stand for Euler's number: their powers are read as exponentials.
+    pub euler: BTreeSet<Symbol>,
     /// Everything supposed on the page, by `let` or `assuming`.
     pub locals: Vec<Local>,
     /// What could not be read, besides equations.
@@ -87,6 +89,7 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
         domains: BTreeMap::new(),
         dimensions: BTreeMap::new(),
         data: BTreeMap::new(),
+        euler: BTreeSet::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),
         document,
@@ -144,7 +147,9 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
                 let (span, body) = (*span, *body);
                 let said = std::mem::take(&mut between);
                 let source = &page.document.source;
-                let read = rows::read(source, body, layout.as_deref());
+                let mut read = rows::read(source, body, layout.as_deref());
+                let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
+                page.read_exponentials(statements.flatten());
                 let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
                 let of_display = read.len();
                 let mut name = said.name;
@@ -192,6 +197,16 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
     page.problems.sort_by_key(|p| p.span);
     page.document.items = items;
     (page, equations)
+}
+
+fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
+    let is_euler = |term: &Expr| matches!(term, Expr::Symbol(symbol) if euler.contains(symbol));
+    let raised = |exponent: Expr| Expr::Call(Function::Exp, exponent.into());
+    match term {
+        Expr::Power(base, exponent) if is_euler(base) => raised(exponentials(exponent, euler)),
+        term if is_euler(term) => raised(Expr::integer(1)),
+        term => term.map_children(|child| exponentials(child, euler)),
+    }
 }
 
 /// Leaves only those as definitions whose symbol occurs nowhere before, in reading order.
@@ -377,9 +392,29 @@ impl Page {
                     domain.lower = Some(number(1, false));
                 }
                 Attribute::Constant => domain.constant = true,
+                Attribute::Euler => {
+                    self.euler.insert(symbol.clone());
+                }
                 Attribute::Interval { lower, upper } => {
                     domain.lower = lower.as_ref().map(at).or(domain.lower.take());
                     domain.upper = upper.as_ref().map(at).or(domain.upper.take());
+                }
+            }
+        }
+    }
+
+    /// Reads `e^x` as `\exp(x)`, where e is declared to be Euler's number.
+    fn read_exponentials<'a>(&self, statements: impl Iterator<Item = &'a mut Statement>) {
+        if self.euler.is_empty() {
+            return;
+        }
+        let read = |term: &mut Expr| *term = exponentials(term, &self.euler);
+        for clause in statements.flat_map(|s| &mut s.clauses) {
+            match clause {
+                Clause::Chain { sides, .. } => sides.iter_mut().for_each(|s| read(&mut s.expr)),
+                Clause::AllEqual { to, value, .. } => {
+                    read(to);
+                    value.iter_mut().for_each(|s| read(&mut s.expr));
                 }
             }
         }
@@ -394,7 +429,7 @@ impl Page {
         active: &mut Vec<usize>,
         strict: bool,
     ) {
-        let statements = match read_formulas(&self.document.source, body) {
+        let mut statements = match read_formulas(&self.document.source, body) {
             Ok(statements) => statements,
             Err(error) => {
                 if strict {
@@ -403,6 +438,7 @@ impl Page {
                 return;
             }
         };
+        self.read_exponentials(statements.iter_mut());
         for statement in &statements {
             let formulas = formulas(statement);
             let assigned: BTreeSet<Symbol> = match is_let {

@@ -18,7 +18,7 @@ const DOMAINS: [&str; 7] = [
 /// What may stand before `constant` in the name of a dimension.
 const CONSTANTS: [&str; 5] = ["spring", "gas", "gravitational", "boltzmann", "diffusion"];
 const HELP: &str = "an attribute is a dimension (`mass`, `M L^{-1/2} T^{-2}`), a domain (`real`, \
-                    `positive`, `nonnegative`, `nonzero`, `integer`, `natural`, `constant`), an \
+                    `positive`, `nonnegative`, `nonzero`, `integer`, `natural`, `constant`), `Euler's number`, an \
                     interval (`in [0, 1]`) or a bound (`>= 1`)";
 /// Relation signs of a bound: whether it is a lower one, and strict. Longer ones first.
 const BOUNDS: [(&str, bool, bool); 14] = [
@@ -114,6 +114,7 @@ fn attribute(text: &str) -> Result<Attribute, (String, String)> {
         "integer" => return Ok(Attribute::Integer),
         "natural" => return Ok(Attribute::Natural),
         "constant" => return Ok(Attribute::Constant),
+        "Euler's number" | "Euler’s number" => return Ok(Attribute::Euler),
         _ => {}
     }
     for (sign, is_lower, strict) in BOUNDS {

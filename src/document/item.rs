@@ -184,6 +184,8 @@ pub enum Attribute {
     Natural,
     /// `constant`: depends on no variable of differentiation.
     Constant,
+    /// `Euler's number`: the base of the natural logarithm.
+    Euler,
     /// `in [0, 1]`, `>= 1`; `None` for a side without bound. Never an empty interval.
     Interval {
         /// The lower bound.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::algebra::{BigRational, Polynomial, Rational, Symbol};
+use crate::algebra::{BigRational, Expr, Polynomial, Rational, Symbol};
 
 /// What the search hands over. Nothing in here is believed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -190,6 +190,11 @@ pub struct Assignment {
     pub sequences: BTreeMap<Symbol, Vec<BigRational>>,
     /// The value of `ds/dx` at the point, for symbols `s` of which nothing else is said.
     pub derivatives: BTreeMap<(Symbol, Symbol), BigRational>,
+    /// The values of sines, cosines, exponentials and logarithms, by call, in place of a value for the one symbol in
+    /// their argument that has none.
+    pub functions: BTreeMap<Expr, BigRational>,
+    /// Values `Σ c_k π^k` by their coefficients, for symbols that have no rational one.
+    pub in_pi: BTreeMap<Symbol, Vec<BigRational>>,
 }
 
 impl Certificate {

@@ -21,9 +21,12 @@
 mod certificate;
 mod claim;
 pub mod dimension;
+mod functions;
+mod in_pi;
 mod knowledge;
 mod obligation;
 mod powers;
+mod private;
 mod problem;
 mod replay;
 mod scaling;
@@ -36,6 +39,8 @@ pub use certificate::{
     Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};
+pub(crate) use functions::pi_is_the_number;
+pub use in_pi::in_powers_of_pi;
 pub use knowledge::Knowledge;
 pub use obligation::Obligation;
 pub use problem::{Origin, Problem};

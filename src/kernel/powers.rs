@@ -7,7 +7,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::{Claim, Domain, Fact, Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
-    Atom, BigInt, BigRational, Expr, Fraction, Polynomial, Powers, Symbol, element_parts,
+    Atom, BigInt, BigRational, Expr, Fraction, Function, Polynomial, Powers, Symbol, element_parts,
 };
 
 /// The highest order of a root that a symbol is read as a power of.
@@ -67,6 +67,8 @@ fn natural(domain: &Domain) -> Option<bool> {
 fn has_powers(term: &Expr) -> bool {
     let here = match term {
         Expr::Power(_, exponent) => constant(exponent).is_none_or(|e| !e.is_integer()),
+        // Of what is positive a logarithm can be taken factor by factor.
+        Expr::Call(Function::Ln, _) => true,
         _ => false,
     };
     here || term.children().into_iter().any(has_powers)

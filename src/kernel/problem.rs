@@ -1,11 +1,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use super::functions::pi_is_the_number;
 use super::powers::powers_of;
 use super::{Claim, Domain, Fact, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Powers,
-    Rational, Relation, Symbol, element_parts, element_symbol, expr_of, power_sum,
+    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Functions, Lowering, Polynomial,
+    Powers, Rational, Relation, Symbol, element_parts, element_symbol, expr_of, power_sum,
 };
 
 /// A claim as facts about polynomials: what certificates speak of.
@@ -34,6 +35,8 @@ pub struct Problem {
     pub(super) constants: BTreeSet<Symbol>,
     /// How powers are taken apart; `None` where terms are read as they are written.
     pub(super) powers: Option<Powers>,
+    /// What is known of symbols where functions are taken apart; `None` where there is nothing.
+    pub(super) functions: Option<Functions>,
     pub(super) formulas: Vec<(Arc<Formula>, Standing)>,
     pub(super) goal_formula: Formula,
 }
@@ -49,6 +52,8 @@ pub enum Origin {
     Sums,
     /// The nature of roots and powers: the power of a root is what it is taken of.
     Powers,
+    /// The nature of functions: sin² + cos² = 1; and of `\pi`.
+    Functions,
     /// A lemma of the certificate.
     Lemma,
 }
@@ -83,19 +88,36 @@ impl Problem {
         self.powers.is_some()
     }
 
+    /// Whether `\pi` is the number in it, and not a symbol of the author's.
+    pub fn pi_is_the_number(&self) -> bool {
+        self.functions.as_ref().is_some_and(|f| f.pi)
+    }
+
     fn read_as(claim: &Claim, unfold: &[usize], apart: bool) -> Result<Problem, Reject> {
         let sequences = sequences(claim);
         let (formulas, goal, values) = unfolded(claim, unfold, &sequences)?;
+        let named = claim.free_symbols();
+        let pi = named.iter().any(|s| s.name() == "\\pi") && pi_is_the_number(claim);
+        // Whatever is said of it, a number is no other term.
+        if pi && let Some(at) = values.iter().position(|v| v.0.name() == "\\pi") {
+            return Err(Reject::NotUnfoldable(at));
+        }
         let counts = counts(claim);
-        let powers = apart.then(|| {
+        let powers = {
             let all = formulas.iter().map(|f| &*f.0).chain([&goal]);
             let terms = all
                 .flat_map(Formula::terms)
                 .chain(values.iter().map(|v| &v.1));
             let put_in = |symbol: &Symbol| values.iter().any(|v| v.0 == *symbol);
             powers_of(claim, terms, &sequences, &counts, put_in)
+        };
+        let positive = powers.as_ref().map(|p| p.positive.clone());
+        let functions = (pi || positive.is_some()).then(|| Functions {
+            pi,
+            positive: positive.unwrap_or_default(),
         });
         let declared = claim.domains.iter().filter(|(_, d)| d.constant);
+        let number = pi.then(|| Symbol::new("\\pi"));
         let mut problem = Problem {
             atoms: Atoms::default(),
             facts: Vec::new(),
@@ -110,8 +132,9 @@ impl Problem {
             sequences,
             elements: claim.sequences.clone(),
             counts: counts.clone(),
-            constants: declared.map(|(s, _)| s.clone()).collect(),
-            powers: powers.flatten(),
+            constants: declared.map(|(s, _)| s.clone()).chain(number).collect(),
+            powers: powers.filter(|_| apart),
+            functions,
             formulas: Vec::new(),
             goal_formula: Formula::equal(Expr::integer(0), Expr::integer(0)),
         };
@@ -128,7 +151,6 @@ impl Problem {
             integer: true,
             ..Domain::default()
         };
-        let named = claim.free_symbols();
         let mut every = named.clone();
         every.extend(&counts);
         every.sort();
@@ -182,6 +204,7 @@ impl Problem {
             }
         }
         problem.add_facts_about_powers()?;
+        problem.add_facts_about_functions()?;
         Ok(problem)
     }
 
@@ -218,6 +241,7 @@ impl Problem {
             sequences: &self.sequences,
             constants: &self.constants,
             powers: self.powers.as_ref(),
+            functions: self.functions.as_ref(),
             conditions: Conditions::default(),
         }
     }
@@ -229,6 +253,7 @@ impl Problem {
             sequences: &self.sequences,
             constants: &self.constants,
             powers: self.powers.as_ref(),
+            functions: self.functions.as_ref(),
             conditions: Conditions::default(),
         }
     }

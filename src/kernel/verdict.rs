@@ -119,6 +119,12 @@ pub enum Reject {
     NoSuchBound(Symbol),
     /// The point gives no value to a term.
     NoValue,
+    /// A function takes no such value: a sine and cosine off the unit circle, an exponential that is not positive.
+    NoSuchValue,
+    /// A sine is given without its cosine, or a cosine without its sine.
+    NoPartner,
+    /// A symbol that was left open has to have a value of its own.
+    NotPrivate,
     /// The hypothesis (or domain condition) with this position is false at the point.
     PremiseFalse(usize),
     /// A value lies outside of the domain of its symbol.
@@ -154,6 +160,9 @@ impl fmt::Display for Reject {
             Reject::NoSuchSum => "the certificate names a sum that is not there",
             Reject::NoSuchBound(_) => "a factor under a sum may be negative",
             Reject::NoValue => "the point does not give every term a value",
+            Reject::NoSuchValue => "a function takes no such value",
+            Reject::NoPartner => "a sine has a value without its cosine",
+            Reject::NotPrivate => "a symbol that is left open needs a value",
             Reject::PremiseFalse(_) => "a premise is false at the point",
             Reject::OutsideDomain => "a value lies outside of its domain",
             Reject::GoalNotFalse => "the goal is not false at the point",

@@ -1,5 +1,8 @@
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
+use super::in_pi::InPi;
+use super::private::{Bound, Private};
 use super::{Assignment, Claim, Domain, Fact, Problem, Reject, Sign, Standing};
 use crate::algebra::{
     Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational,
@@ -8,13 +11,19 @@ use crate::algebra::{
 
 /// A claim's formulas at one point.
 pub(super) struct Point<'a> {
-    claim: &'a Claim,
-    problem: &'a Problem,
+    pub(super) claim: &'a Claim,
+    pub(super) problem: &'a Problem,
     /// The problem's, and what the terms within them bring along.
-    atoms: Cow<'a, Atoms>,
-    at: &'a Assignment,
+    pub(super) atoms: Cow<'a, Atoms>,
+    pub(super) at: &'a Assignment,
     /// The unknowns' values found so far, by position.
     values: Vec<Option<Rational>>,
+    /// Those that are no rational numbers.
+    in_pi: BTreeMap<usize, InPi>,
+    /// The symbols that have no value, but functions of which have.
+    pub(super) private: Vec<Private>,
+    /// What is asked of them.
+    pub(super) bounds: Vec<Bound>,
 }
 
 impl<'a> Point<'a> {
@@ -26,11 +35,28 @@ impl<'a> Point<'a> {
             atoms: Cow::Borrowed(&problem.atoms),
             at,
             values: Vec::new(),
+            in_pi: BTreeMap::new(),
+            private: Vec::new(),
+            bounds: Vec::new(),
         }
     }
 
     /// Whether every domain condition and every hypothesis is true.
     pub fn premises(&mut self) -> Result<(), Reject> {
+        let number = self.problem.pi_is_the_number().then(|| Symbol::new("\\pi"));
+        if let Some(pi) = number
+            && (self.at.symbols.contains_key(&pi) || self.at.in_pi.contains_key(&pi))
+        {
+            return Err(Reject::OutsideDomain);
+        }
+        // What is said in terms of π is no value where π is a symbol; and each symbol has one value.
+        let twice = |symbol: &Symbol| self.at.symbols.contains_key(symbol);
+        if !self.at.in_pi.is_empty() && !self.problem.pi_is_the_number()
+            || self.at.in_pi.keys().any(twice)
+        {
+            return Err(Reject::NoValue);
+        }
+        self.take_functions()?;
         for (symbol, value) in &self.at.symbols {
             if self
                 .claim
@@ -61,36 +87,33 @@ impl<'a> Point<'a> {
                 return Err(Reject::OutsideDomain);
             }
         }
-        Ok(())
+        self.bounds_are_met()
     }
 
     /// Whether the goal is defined and false.
     pub fn goal_is_false(&mut self) -> Result<(), Reject> {
         let problem = self.problem;
-        match self.is_defined(&problem.conditions)? && !self.is_true(&problem.goal)? {
-            true => Ok(()),
-            false => Err(Reject::GoalNotFalse),
+        if !self.is_defined(&problem.conditions)? {
+            return Err(Reject::GoalNotFalse);
+        }
+        self.bounds_are_met()?;
+        // A goal that speaks of a private symbol itself is neither true nor false.
+        let kept = self.bounds.len();
+        match self.is_true(&problem.goal)? {
+            _ if self.bounds.len() > kept => Err(Reject::NotPrivate),
+            false => Ok(()),
+            true => Err(Reject::GoalNotFalse),
         }
     }
 
     fn is_defined(&mut self, conditions: &Conditions) -> Result<bool, Reject> {
-        for divisor in &conditions.nonzero {
-            if self.value(divisor)?.is_zero() {
-                return Ok(false);
-            }
-        }
-        for change in &conditions.zero {
-            if !self.value(change)?.is_zero() {
-                return Ok(false);
-            }
-        }
-        for base in &conditions.nonnegative {
-            if self.value(base)?.is_negative() {
-                return Ok(false);
-            }
-        }
-        for base in &conditions.positive {
-            if !self.value(base)?.is_positive() {
+        let nonzero = conditions.nonzero.iter().map(|p| (p, Sign::NonZero));
+        let zero = conditions.zero.iter().map(|p| (p, Sign::Zero));
+        let nonnegative = conditions.nonnegative.iter();
+        let nonnegative = nonnegative.map(|p| (p, Sign::NonNegative));
+        let positive = conditions.positive.iter().map(|p| (p, Sign::Positive));
+        for (polynomial, sign) in nonzero.chain(zero).chain(nonnegative).chain(positive) {
+            if !self.meets(polynomial, sign)? {
                 return Ok(false);
             }
         }
@@ -98,30 +121,58 @@ impl<'a> Point<'a> {
     }
 
     fn is_true(&mut self, fact: &Fact) -> Result<bool, Reject> {
-        let value = self.value(&fact.polynomial)?;
-        Ok(match fact.sign {
-            Sign::Zero => value.is_zero(),
-            Sign::NonZero => !value.is_zero(),
-            Sign::NonNegative => !value.is_negative(),
-            Sign::Positive => value.is_positive(),
-        })
+        self.meets(&fact.polynomial, fact.sign)
+    }
+
+    /// The value of a polynomial.
+    pub(super) fn number(&mut self, polynomial: &Polynomial) -> Result<InPi, Reject> {
+        let vars = polynomial.vars();
+        for &var in &vars {
+            self.find(var)?;
+        }
+        if !vars.iter().any(|v| self.in_pi.contains_key(&v.position())) {
+            return self.value(polynomial).map(InPi::rational);
+        }
+        let known = |var: Var| match self.in_pi.get(&var.position()) {
+            Some(value) => Some(value.clone()),
+            None => self.values[var.position()].clone().map(InPi::rational),
+        };
+        InPi::evaluate(polynomial, known)
+    }
+
+    /// Looks up the value of an unknown.
+    fn find(&mut self, var: Var) -> Result<(), Reject> {
+        let position = var.position();
+        if self.values.len() <= position {
+            self.values.resize(position + 1, None);
+        }
+        if self.values[position].is_some() || self.in_pi.contains_key(&position) {
+            return Ok(());
+        }
+        if let Atom::Symbol(symbol) = self.atoms.atom(var) {
+            let value = match self.at.in_pi.get(symbol) {
+                _ if self.problem.pi_is_the_number() && symbol.name() == "\\pi" => Some(InPi::pi()),
+                Some(value) => Some(InPi::new(value.iter().map(Rational::from))),
+                None => None,
+            };
+            if let Some(value) = value {
+                self.in_pi.insert(position, value);
+                return Ok(());
+            }
+        }
+        self.values[position] = Some(self.atom(var)?);
+        Ok(())
     }
 
     fn value(&mut self, polynomial: &Polynomial) -> Result<Rational, Reject> {
         for var in polynomial.vars() {
-            let position = var.position();
-            if self.values.len() <= position {
-                self.values.resize(position + 1, None);
-            }
-            if self.values[position].is_none() {
-                self.values[position] = Some(self.atom(var)?);
-            }
+            self.find(var)?;
         }
         let value = polynomial.evaluate(|v| self.values[v.position()].clone())?;
         value.ok_or(Reject::NoValue)
     }
 
-    fn lowered(&mut self, term: &Expr) -> Result<Fraction, Reject> {
+    pub(super) fn lowered(&mut self, term: &Expr) -> Result<Fraction, Reject> {
         let mut lowering = self.problem.lowering_over(self.atoms.to_mut());
         Ok(lowering.lower(term)?)
     }
@@ -140,12 +191,12 @@ impl<'a> Point<'a> {
 
     fn atom(&mut self, var: Var) -> Result<Rational, Reject> {
         match self.atoms.atom(var).clone() {
-            Atom::Symbol(symbol) => self
-                .at
-                .symbols
-                .get(&symbol)
-                .map(Rational::from)
-                .ok_or(Reject::NoValue),
+            Atom::Symbol(symbol) => self.at.symbols.get(&symbol).map(Rational::from).ok_or(
+                match self.private.is_empty() {
+                    true => Reject::NoValue,
+                    false => Reject::NotPrivate,
+                },
+            ),
             Atom::Element { sequence, position } => {
                 let elements = self.elements(&sequence)?;
                 let element = elements.get(position as usize - 1);
@@ -192,6 +243,13 @@ impl<'a> Point<'a> {
             self.fraction(&value)?.ok_or(Reject::NoValue)
         };
         match expr {
+            Expr::Call(
+                function @ (Function::Sin | Function::Cos | Function::Exp | Function::Ln),
+                argument,
+            ) => {
+                let argument = self.lowered(argument)?;
+                self.function(*function, &argument)
+            }
             Expr::Call(function, argument) => {
                 let argument = evaluated(argument)?;
                 match function {

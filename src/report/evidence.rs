@@ -10,7 +10,8 @@ use crate::algebra::{
     Atoms, BigRational, Conditions, Expr, Formula, Lowering, Values, expr_of_fraction,
 };
 use crate::derivation::values_at;
-use crate::kernel::{Assignment, Claim};
+use crate::kernel::{Assignment, Claim, in_powers_of_pi};
+use crate::notation::plain;
 
 use super::words;
 
@@ -46,16 +47,25 @@ impl<'a> Point<'a> {
             let name = format!("d{}/d{}", words::symbol(symbol), words::symbol(variable));
             all.push((name, number(value)));
         }
+        for (symbol, parts) in &self.at.in_pi {
+            all.push((words::symbol(symbol), plain(&in_powers_of_pi(parts))));
+        }
+        for (call, value) in &self.at.functions {
+            all.push((plain(call), number(value)));
+        }
         all
     }
 
     /// The values of the symbols of one formula, as a list.
     pub fn values_of(&self, formula: &Formula) -> String {
-        let wanted: BTreeSet<String> = formula
-            .free_symbols()
+        let symbols = formula.free_symbols();
+        let calls = self.at.functions.keys();
+        let calls = calls.filter(|call| call.free_symbols().is_subset(&symbols));
+        let wanted: BTreeSet<String> = symbols
             .iter()
             .chain(&formula.sequences())
             .map(words::symbol)
+            .chain(calls.map(plain))
             .collect();
         let values = self.values().into_iter();
         let values: Vec<String> = values
@@ -73,6 +83,7 @@ impl<'a> Point<'a> {
             sequences: &self.claim.sequences.keys().cloned().collect(),
             constants: &self.values.constants,
             powers: None,
+            functions: None,
             conditions: Conditions::default(),
         }
         .lower(&self.values.unfolded(term))
@@ -84,7 +95,13 @@ impl<'a> Point<'a> {
     pub fn sides(&self, formula: &Formula) -> Option<(BigRational, BigRational)> {
         match formula {
             Formula::Relation { left, right, .. } => {
-                let value = |term| self.values.value(term).ok();
+                let given = |term: &Expr| {
+                    let calls = self.at.functions.iter();
+                    calls.fold(term.clone(), |term, (call, value)| {
+                        term.replace(call, &Expr::Number(value.clone()))
+                    })
+                };
+                let value = |term| self.values.value(&given(term)).ok();
                 Some((value(left)?, value(right)?))
             }
             Formula::AllEqual { .. } => None,

@@ -166,6 +166,11 @@ pub enum ValueView {
     Number(String),
     /// `["1", "2/3"]`
     List(Vec<String>),
+    /// `{"in_pi": ["0", "4"]}`: 4 π
+    InPi {
+        /// The coefficients of the powers of π, the constant one first.
+        in_pi: Vec<String>,
+    },
 }
 
 /// A place that could not be read.
@@ -391,6 +396,13 @@ fn values(at: &Assignment) -> BTreeMap<String, ValueView> {
             variable: variable.clone(),
         };
         all.insert(latex(&derivative), ValueView::Number(value.to_string()));
+    }
+    for (call, value) in &at.functions {
+        all.insert(latex(call), ValueView::Number(value.to_string()));
+    }
+    for (symbol, parts) in &at.in_pi {
+        let in_pi = parts.iter().map(|c| c.to_string()).collect();
+        all.insert(symbol.to_string(), ValueView::InPi { in_pi });
     }
     all
 }

@@ -85,6 +85,7 @@ impl Report<'_> {
                     }
                     Origin::Sums => "a count or a sum of even powers".into(),
                     Origin::Powers => "what a root or a power is".into(),
+                    Origin::Functions => "what a function is".into(),
                     Origin::Lemma => "a lemma".into(),
                 };
                 format!(

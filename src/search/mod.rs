@@ -4,6 +4,7 @@
 //! Gröbner bases, sums of squares and products of inequalities; a counterexample in larger numbers.
 
 mod elements;
+mod functions;
 mod ideal;
 mod implied;
 mod mend;

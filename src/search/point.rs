@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use super::functions::simplest_between;
 use super::units::unit_choices;
 use super::values::{candidates, rational_roots};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
@@ -73,6 +74,8 @@ struct Numbers {
     conditions: Vec<Rc<Open>>,
     /// How many numbers were looked at.
     tried: usize,
+    /// Whether one of them met the conditions.
+    met: bool,
     /// Those that were possible, with what they cost.
     choices: Vec<(u32, Node)>,
 }
@@ -267,7 +270,7 @@ impl Search<'_> {
                 if let Some(point) = self.numbers(numbers, cost) {
                     return Some(point);
                 }
-                let all = numbers.tried == self.values.len();
+                let all = numbers.tried >= self.values.len();
                 dead(numbers.choices.iter().map(|choice| &choice.1)).filter(|_| all)
             }
             Node::New(_) | Node::Dead(_) => None,
@@ -315,6 +318,7 @@ impl Search<'_> {
             tied,
             conditions,
             tried: 0,
+            met: false,
             choices: Vec::new(),
         })))
     }
@@ -354,6 +358,7 @@ impl Search<'_> {
             if !numbers.conditions.iter().all(met) {
                 continue;
             }
+            numbers.met = true;
             let value = Polynomial::constant(value.clone());
             if let Some(next) = numbers.state.with(var, value, self.integers) {
                 let mut choice = Node::New(next);
@@ -362,6 +367,26 @@ impl Search<'_> {
                     return found;
                 }
                 numbers.choices.push((own, choice));
+            }
+        }
+        // Where none of the usual numbers is allowed, the simplest that is.
+        if numbers.tried == self.values.len() && *self.budget > 0 {
+            numbers.tried += 1;
+            let value = match numbers.met || self.integers.contains(&var) {
+                true => None,
+                false => simplest_allowed(&numbers.conditions, var),
+            };
+            let next = value.and_then(|value| {
+                let value = Polynomial::constant(value);
+                numbers.state.with(var, value, self.integers)
+            });
+            if let Some(next) = next {
+                let mut choice = Node::New(next);
+                let found = self.explore(&mut choice, cost);
+                if found.is_some() {
+                    return found;
+                }
+                numbers.choices.push((0, choice));
             }
         }
         None
@@ -443,6 +468,42 @@ impl State {
             solved,
         })
     }
+}
+
+/// The simplest number strictly between the bounds that conditions set an unknown.
+fn simplest_allowed(conditions: &[Rc<Open>], var: Var) -> Option<Rational> {
+    let (mut below, mut above): (Option<Rational>, Option<Rational>) = (None, None);
+    for open in conditions.iter().filter(|f| f.polynomial.degree() == 1) {
+        let slope = open.polynomial.coefficient(&Monomial::power(var, 1))?;
+        let rest = open.polynomial.coefficient(&Monomial::one());
+        let bound = rest.map_or_else(Rational::zero, |rest| -(rest / slope));
+        let slot = match (open.sign, slope.is_positive()) {
+            (Sign::NonNegative | Sign::Positive, true) => &mut below,
+            (Sign::NonNegative | Sign::Positive, false) => &mut above,
+            _ => continue,
+        };
+        let tighter = match (&*slot, slope.is_positive()) {
+            (None, _) => true,
+            (Some(old), true) => bound > *old,
+            (Some(old), false) => bound < *old,
+        };
+        if tighter {
+            *slot = Some(bound);
+        }
+    }
+    let one = Rational::one();
+    let (below, above) = match (below, above) {
+        (Some(below), Some(above)) => (below, above),
+        (Some(below), None) => (below.clone(), below + &one + &one),
+        (None, Some(above)) => (above.clone() - &one - &one, above),
+        (None, None) => return None,
+    };
+    let value = simplest_between(&below, &above).filter(|_| below < above)?;
+    let met = |fact: &Rc<Open>| {
+        let own = fact.polynomial.evaluate(|_| Some(value.clone()));
+        own.is_ok_and(|v| v.is_some_and(|v| satisfies(&v, fact.sign)))
+    };
+    conditions.iter().all(met).then_some(value)
 }
 
 /// How many choices it takes to see that nothing leads to a point, where every choice was seen not to.

@@ -8,12 +8,13 @@ use std::rc::Rc;
 
 use num_traits::{Signed, ToPrimitive};
 
+use super::functions::{in_terms_of_pi, leave_open, needs};
 use super::point::{Target, Tried, satisfies};
 use super::unfold::definitions_to_unfold;
 use super::values::candidates;
 use crate::algebra::{
-    Atom, Atoms, BigRational, Conditions, Expr, Formula, Lowering, Polynomial, Rational, Symbol,
-    Var, element_parts, element_symbol,
+    Atom, Atoms, BigRational, Conditions, Expr, Formula, Function, Lowering, Polynomial, Rational,
+    Symbol, Var, element_parts, element_symbol,
 };
 use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Obligation, Sign};
 
@@ -384,6 +385,7 @@ impl<'a> Concrete<'a> {
             .any(|(_, atom)| matches!(atom, Atom::Opaque(_)))
         {
             facts.extend(roots(atoms.to_mut())?);
+            facts.extend(needs(obligation.claim(), obligation.as_written()));
         }
         let integers = obligation.claim().domains.iter();
         let integers = integers
@@ -432,6 +434,9 @@ impl<'a> Concrete<'a> {
             self.obligation.unfold(),
             &mut point,
         );
+        let problem = self.obligation.as_written();
+        in_terms_of_pi(problem, values, &mut point);
+        leave_open(self.obligation.claim(), problem, values, &mut point);
         point
     }
 }
@@ -488,6 +493,7 @@ fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
                     sequences: &nothing,
                     constants: &nothing,
                     powers: None,
+                    functions: None,
                     conditions: Conditions::default(),
                 };
                 let base = lowering.lower(base).ok()?;
@@ -502,6 +508,9 @@ fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
                     polynomial: root,
                     sign: Sign::NonNegative,
                 });
+            }
+            // What is known of these is among the facts.
+            Expr::Call(function, _) if !matches!(function, Function::Ceiling | Function::Floor) => {
             }
             _ => return None,
         }
@@ -535,6 +544,7 @@ fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
             sequences: &nothing,
             constants: &nothing,
             powers: None,
+            functions: None,
             conditions: Conditions::default(),
         };
         let written = point.symbols.iter().fold(term.clone(), |t, (s, v)| {

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::kernel::{Claim, Domain, Standing, applied_definition, definition};
+use crate::kernel::{Claim, Domain, Standing, applied_definition, definition, pi_is_the_number};
 
-/// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit or summed up
-/// to: what is done to the symbol must be done to the term. So too where a root is taken of a symbol that is not declared positive, for the
-/// term may be seen to be.
+/// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit, summed up to
+/// or stands in a function: what is done to the symbol must be done to the term. So too where a root is taken of a symbol that is not
+/// declared positive, for the term may be seen to be.
 pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     // Most claims have nothing of the kind.
     if !claim.formulas().any(has_operands) {
@@ -41,9 +41,11 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             let fits = match found.moving.contains(&symbol) {
                 true => claim.hypotheses[at].standing == Standing::Identity,
                 false if found.counts.contains(&symbol) => true,
+                false if found.called.contains(&symbol) => true,
                 false => found.rooted.contains(&symbol) && !positive(),
             };
-            let fits = fits && !found.variables.contains(&symbol);
+            let number = symbol.name() == "\\pi" && pi_is_the_number(claim);
+            let fits = fits && !number && !found.variables.contains(&symbol);
             fits.then_some((at, Expr::Symbol(symbol), term))
         });
         let Some((at, unfolded, term)) = next else {
@@ -61,7 +63,8 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
 
 fn has_operands(formula: &Formula) -> bool {
     fn within(term: &Expr) -> bool {
-        term.binder().is_some() || is_root(term) || term.children().into_iter().any(within)
+        let done = matches!(term, Expr::Call(..)) || term.binder().is_some() || is_root(term);
+        done || term.children().into_iter().any(within)
     }
     matches!(formula, Formula::AllEqual { .. }) || formula.terms().into_iter().any(within)
 }
@@ -83,6 +86,8 @@ struct Operands {
     counts: BTreeSet<Symbol>,
     /// Below a root.
     rooted: BTreeSet<Symbol>,
+    /// In the argument of a function: equal arguments must look alike.
+    called: BTreeSet<Symbol>,
     /// What is differentiated by, goes to a limit or is integrated over.
     variables: BTreeSet<Symbol>,
 }
@@ -100,6 +105,7 @@ impl Operands {
                     applications(body, &mut self.applied);
                 }
             }
+            Expr::Call(_, argument) => self.called.extend(argument.free_symbols()),
             Expr::Series { to, .. } => self.counts.extend(to.free_symbols()),
             Expr::Power(base, _) if is_root(term) => self.rooted.extend(base.free_symbols()),
             _ => {}

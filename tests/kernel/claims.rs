@@ -139,6 +139,7 @@ impl Proving {
             sequences: &self.claim.sequences.keys().cloned().collect(),
             constants: &BTreeSet::new(),
             powers: None,
+            functions: None,
             conditions: Default::default(),
         }
         .lower(&term(text))

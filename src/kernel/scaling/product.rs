@@ -85,6 +85,7 @@ impl Reader {
             sequences: &self.sequences,
             constants: &self.constants,
             powers: None,
+            functions: None,
             conditions: Conditions::default(),
         }
     }

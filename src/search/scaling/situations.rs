@@ -493,6 +493,7 @@ fn number(term: &Expr, values: &BTreeMap<Expr, Size>) -> Option<Rational> {
         constants: &none,
         conditions: crate::algebra::Conditions::default(),
         powers: None,
+        functions: None,
     };
     lowering.lower(&map).ok()?.as_constant().filter(|_| ok)
 }

@@ -1,0 +1,260 @@
+//! Points in the kernel's terms where functions or `\pi` occur: which symbols are left open, and which values are
+//! polynomials in π.
+
+use std::collections::BTreeMap;
+
+use crate::algebra::{Atom, BigInt, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var};
+use crate::kernel::{Assignment, Claim, Fact, Problem, Sign};
+
+/// How deep the tree of fractions is descended.
+const MOST_STEPS: usize = 1_000;
+
+/// Gives functions the values that were found for them, and takes the value from a symbol in each argument of which
+/// nothing else is said.
+pub fn leave_open(
+    claim: &Claim,
+    problem: &Problem,
+    values: &BTreeMap<Var, Rational>,
+    point: &mut Assignment,
+) {
+    let mut families: BTreeMap<Symbol, Vec<(Rational, Function, Expr)>> = BTreeMap::new();
+    for (var, atom) in problem.atoms.iter() {
+        let Atom::Opaque(Expr::Call(function, argument)) = atom else {
+            continue;
+        };
+        let known = matches!(function, Function::Sin | Function::Exp | Function::Ln);
+        if !known || !values.contains_key(&var) {
+            continue;
+        }
+        let Some((symbol, value)) = open_in(claim, problem, argument) else {
+            continue;
+        };
+        let size = value.numerator().leading().map(|(_, c)| c.abs());
+        let own = (
+            size.unwrap_or_else(Rational::zero),
+            *function,
+            *argument.clone(),
+        );
+        families.entry(symbol).or_default().push(own);
+    }
+    for (symbol, mut family) in families {
+        // The others are multiples of the smallest.
+        family.sort();
+        if family.iter().any(|f| f.1 == Function::Sin) {
+            family.retain(|f| f.1 == Function::Sin);
+        }
+        let (_, function, argument) = family.swap_remove(0);
+        let partner = match function {
+            Function::Sin => vec![Function::Sin, Function::Cos],
+            other => vec![other],
+        };
+        for function in partner {
+            let call = Expr::Call(function, argument.clone().into());
+            let value = problem.atoms.find(&Atom::Opaque(call.clone()));
+            if let Some(value) = value.and_then(|var| values.get(&var)) {
+                point.functions.insert(call, value.to_big());
+            }
+        }
+        point.symbols.remove(&symbol);
+        // What is put in and speaks of it has no value either.
+        for &at in &point.unfold {
+            if let Some((defined, term)) = crate::kernel::definition(&claim.hypotheses[at].formula)
+                && term.mentions(&symbol)
+            {
+                point.symbols.remove(&defined);
+            }
+        }
+    }
+}
+
+/// The symbol that can be left open in an argument, and the argument.
+fn open_in(claim: &Claim, problem: &Problem, argument: &Expr) -> Option<(Symbol, Fraction)> {
+    let mut atoms = problem.atoms.clone();
+    let value = problem.lowering_over(&mut atoms).lower(argument).ok()?;
+    let content = value.numerator().content();
+    let mut found = content.powers().iter().filter_map(|&(var, exponent)| {
+        let Atom::Symbol(symbol) = atoms.atom(var) else {
+            return None;
+        };
+        let below = value.denominator().any(|(f, _)| f.degree_in(var) > 0);
+        let open = exponent == 1 && !below && is_open(claim, problem, symbol);
+        open.then(|| symbol.clone())
+    });
+    let symbol = found.next()?;
+    Some((symbol, value))
+}
+
+/// What a point needs for the functions in it to have values: something in their argument that can be left open, all
+/// else in it not being 0; or the argument for which the value is known.
+pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
+    let mut facts = Vec::new();
+    let mut need = |polynomial, sign| facts.push(Fact { polynomial, sign });
+    let mut kinds = BTreeMap::new();
+    let mut calls: Vec<(Var, &Atom)> = problem.atoms.iter().collect();
+    let last = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Exp, _)));
+    calls.sort_by_key(|(_, atom)| last(atom));
+    for (var, atom) in calls {
+        let Atom::Opaque(Expr::Call(function, argument)) = atom else {
+            continue;
+        };
+        if !matches!(
+            function,
+            Function::Sin | Function::Cos | Function::Exp | Function::Ln
+        ) {
+            continue;
+        }
+        if let Some((symbol, value)) = open_in(claim, problem, argument) {
+            let own = problem.atoms.find(&Atom::Symbol(symbol));
+            let slope = own.map(|own| value.numerator().in_powers_of(own).pop());
+            // One symbol cannot be left open for an angle and an exponent: one of them is 0.
+            let kind = kinds.entry(own).or_insert_with(|| kind_of(*function));
+            if let Some(Some(slope)) = slope
+                && slope.as_constant().is_none()
+            {
+                if *kind != kind_of(*function) && *function == Function::Exp {
+                    need(slope, Sign::Zero);
+                    let value = Polynomial::var(var).minus(&Polynomial::one());
+                    need(value, Sign::Zero);
+                    continue;
+                }
+                need(slope, Sign::NonZero);
+            }
+            // Between two bounds an angle is tried that is acute.
+            let bounds = |sign: fn(&Rational) -> bool| {
+                problem.facts.iter().any(|f| {
+                    let own = own.map(|own| f.polynomial.in_powers_of(own));
+                    let slope = own.filter(|p| p.len() == 2).and_then(|mut p| p.pop());
+                    let slope = slope.and_then(|p| p.as_constant());
+                    matches!(f.sign, Sign::Positive | Sign::NonNegative)
+                        && slope.is_some_and(|s| sign(&s))
+                })
+            };
+            let angle = matches!(function, Function::Sin | Function::Cos);
+            if angle && bounds(Rational::is_positive) && bounds(Rational::is_negative) {
+                need(Polynomial::var(var), Sign::Positive);
+            }
+            continue;
+        }
+        let mut atoms = problem.atoms.clone();
+        let lowered = problem.lowering_over(&mut atoms).lower(argument);
+        let Some((value, below)) = lowered
+            .ok()
+            .and_then(|v| Some((v.numerator().clone(), v.expanded_denominator().ok()?)))
+        else {
+            continue;
+        };
+        let own = Polynomial::var(var);
+        let (argument, own) = match function {
+            Function::Sin => (value, own),
+            Function::Cos | Function::Exp => (value, own.minus(&Polynomial::one())),
+            _ => (value.minus(&below), own),
+        };
+        need(argument, Sign::Zero);
+        need(own, Sign::Zero);
+    }
+    facts
+}
+
+/// Sines and cosines are of one kind.
+fn kind_of(function: Function) -> Function {
+    match function {
+        Function::Cos => Function::Sin,
+        other => other,
+    }
+}
+
+/// Whether facts speak of a symbol only to bound it.
+fn is_open(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
+    let Some(var) = problem.atoms.find(&Atom::Symbol(symbol.clone())) else {
+        return false;
+    };
+    let pi = problem.pi_is_the_number() && symbol.name() == "\\pi";
+    let bounded = problem.facts.iter().all(|fact| match fact.sign {
+        Sign::Zero => fact.polynomial.degree_in(var) == 0,
+        _ => fact.polynomial.degree_in(var) <= 1,
+    });
+    let integer = claim.domains.get(symbol).is_some_and(|d| d.integer);
+    bounded && !integer && !pi && problem.goal.polynomial.degree_in(var) == 0
+}
+
+/// Writes the values that depend on what was put in for `\pi` as polynomials in it: each equation with π in it is
+/// solved for one symbol that is linear in it.
+pub fn in_terms_of_pi(problem: &Problem, values: &BTreeMap<Var, Rational>, point: &mut Assignment) {
+    let name = Symbol::new("\\pi");
+    let pi = problem.atoms.find(&Atom::Symbol(name.clone()));
+    let Some(pi) = pi.filter(|_| problem.pi_is_the_number()) else {
+        return;
+    };
+    point.symbols.remove(&name);
+    let mut lifted: BTreeMap<Var, Polynomial> = BTreeMap::new();
+    for fact in problem.facts.iter().filter(|f| f.sign == Sign::Zero) {
+        let vars = fact.polynomial.vars();
+        if !vars.iter().any(|v| *v == pi || lifted.contains_key(v)) {
+            continue;
+        }
+        let solved = vars.iter().rev().find_map(|&var| {
+            let free = matches!(problem.atoms.atom(var), Atom::Symbol(_));
+            if var == pi || !free || lifted.contains_key(&var) {
+                return None;
+            }
+            let mut left = fact.polynomial.clone();
+            for &other in vars.iter().filter(|&&v| v != var && v != pi) {
+                let value = match lifted.get(&other) {
+                    Some(value) => value.clone(),
+                    None => Polynomial::constant(values.get(&other)?.clone()),
+                };
+                left = left.substitute(other, &value).ok()?;
+            }
+            let parts = left.in_powers_of(var);
+            let [rest, slope] = parts.as_slice() else {
+                return None;
+            };
+            let slope = slope.as_constant().filter(|s| !s.is_zero())?;
+            Some((var, rest.scaled(&-slope.recip())))
+        });
+        if let Some((var, value)) = solved {
+            lifted.insert(var, value);
+        }
+    }
+    for (var, value) in lifted {
+        let Atom::Symbol(symbol) = problem.atoms.atom(var) else {
+            continue;
+        };
+        let parts = value.in_powers_of(pi).into_iter();
+        let parts = parts.map(|c| c.as_constant().map(|c| c.to_big()));
+        if let Some(parts) = parts.collect::<Option<Vec<_>>>() {
+            match parts.as_slice() {
+                [only] => {
+                    point.symbols.insert(symbol.clone(), only.clone());
+                }
+                _ => {
+                    point.symbols.remove(symbol);
+                    point.in_pi.insert(symbol.clone(), parts);
+                }
+            }
+        }
+    }
+}
+
+/// The simplest rational number between two bounds, by descent in the Stern-Brocot tree.
+pub fn simplest_between(below: &Rational, above: &Rational) -> Option<Rational> {
+    if below.is_negative() {
+        return match above.is_positive() {
+            true => Some(Rational::zero()),
+            false => simplest_between(&-above, &-below).map(|value| -value),
+        };
+    }
+    let (mut left, mut right) = ((0_u64, 1_u64), (1_u64, 0_u64));
+    for _ in 0..MOST_STEPS {
+        let middle = (left.0.checked_add(right.0)?, left.1.checked_add(right.1)?);
+        let value = Rational::from(BigInt::from(middle.0)) / Rational::from(BigInt::from(middle.1));
+        if value <= *below {
+            left = middle;
+        } else if value >= *above {
+            right = middle;
+        } else {
+            return Some(value);
+        }
+    }
+    None
+}
