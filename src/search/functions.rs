@@ -186,18 +186,27 @@ pub fn in_terms_of_pi(problem: &Problem, values: &BTreeMap<Var, Rational>, point
         return;
     };
     point.symbols.remove(&name);
+    let equations = problem.facts.iter().filter(|f| f.sign == Sign::Zero);
+    let mut pending: Vec<&Polynomial> = equations.map(|f| &f.polynomial).collect();
+    let all = pending.clone();
+    // What few equations speak of can be changed with the least harm to the others.
+    let spoken_of = |var: Var| all.iter().filter(|p| p.degree_in(var) > 0).count();
     let mut lifted: BTreeMap<Var, Polynomial> = BTreeMap::new();
-    for fact in problem.facts.iter().filter(|f| f.sign == Sign::Zero) {
-        let vars = fact.polynomial.vars();
-        if !vars.iter().any(|v| *v == pi || lifted.contains_key(v)) {
-            continue;
-        }
-        let solved = vars.iter().rev().find_map(|&var| {
+    // What changes in one equation may stand in one before it.
+    while let Some(at) = pending.iter().position(|equation| {
+        let vars = equation.vars();
+        vars.iter().any(|v| *v == pi || lifted.contains_key(v))
+    }) {
+        let equation = pending.remove(at);
+        let vars = equation.vars();
+        let mut candidates: Vec<Var> = vars.iter().rev().copied().collect();
+        candidates.sort_by_key(|&var| spoken_of(var));
+        let solved = candidates.into_iter().find_map(|var| {
             let free = matches!(problem.atoms.atom(var), Atom::Symbol(_));
             if var == pi || !free || lifted.contains_key(&var) {
                 return None;
             }
-            let mut left = fact.polynomial.clone();
+            let mut left = equation.clone();
             for &other in vars.iter().filter(|&&v| v != var && v != pi) {
                 let value = match lifted.get(&other) {
                     Some(value) => value.clone(),

@@ -125,7 +125,9 @@ impl<F: Fn(&Claim, &Assignment) -> Values> Met<'_, F> {
 /// Signs of the symbols, those of the goal first, and orders between two of them, the weakest first.
 fn simple(claim: &Claim) -> Vec<Formula> {
     let mut symbols: Vec<Symbol> = claim.goal.free_symbols().into_iter().collect();
-    for hypothesis in &claim.hypotheses {
+    // A goal about one symbol can only lack what is said of those behind it.
+    let others = claim.hypotheses.iter().filter(|_| symbols.len() < 2);
+    for hypothesis in others.collect::<Vec<_>>() {
         for symbol in hypothesis.formula.free_symbols() {
             if !symbols.contains(&symbol) {
                 symbols.push(symbol);

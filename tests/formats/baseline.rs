@@ -107,7 +107,7 @@ fn what_was_proved_and_is_not_any_more_fails() {
     let file = folder.join("known.json");
     let baseline = std::fs::read_to_string(&file).unwrap();
     let page = format!(
-        "{text}\n<!-- check: derived -->\n$$ \\sin \\theta = \\cos \\theta \\tag{{7}} $$\n"
+        "{text}\n<!-- check: derived -->\n$$ \\sin \\theta \\cos \\theta \\leq \\frac{{1}}{{2}} \\tag{{7}} $$\n"
     );
     std::fs::write(folder.join("well.md"), &page).unwrap();
     run_in(&folder, &[&COMPARE[..], &["--update-baseline"]].concat());

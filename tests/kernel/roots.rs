@@ -46,19 +46,17 @@ fn root_of_a_square_is_the_symbol_only_where_it_is_positive() {
 
 #[test]
 fn sum_of_a_root_and_its_base_is_not_taken_for_nonzero() {
-    // (√(z²) − z)(√(z²) + z) = 0 is known of every z; dividing by the second factor needs more.
+    // (√(z²) − z)(√(z²) + z) = 0 is known of every z; dividing by the second factor needs more. √(z²) is read as |z|.
     let real = Proving::new(claim(&[], r"\sqrt{z^2} = z"));
-    let square = real
-        .problem
-        .origins
-        .iter()
-        .position(|o| *o == Origin::Powers);
-    let square = square.expect("the square of the root");
-    assert_eq!(real.problem.facts[square].sign, Sign::Zero);
+    let squared = real.p(r"\lvert z \rvert^2 - z^2");
+    let own = |fact: &cradle_verify::kernel::Fact| {
+        fact.sign == Sign::Zero && fact.polynomial.monic() == squared.monic()
+    };
+    let square = real.problem.facts.iter().position(own);
     let forged = cradle_verify::kernel::Proof::Combination {
-        multiplier: real.factors(&[(r"\sqrt{z^2} + z", 1)]),
+        multiplier: real.factors(&[(r"\lvert z \rvert + z", 1)]),
         power: 1,
-        cofactors: vec![(square, real.p("1"))],
+        cofactors: vec![(square.expect("the square of |z|"), real.p("1"))],
     };
     assert!(matches!(real.checked(forged), Err(Reject::MayVanish(_))));
 }
