@@ -26,8 +26,9 @@ mod supposition;
 use std::sync::Arc;
 
 pub(crate) use in_order::in_order;
+pub(crate) use outline::front_matter;
 pub use item::{
-    Attribute, Bound, Citation, Directive, Item, Premise, Problem, Prose, Supposition,
+    Attribute, Bound, Citation, Directive, Inline, Item, Premise, Problem, Prose, Supposition,
     SuppositionKind,
 };
 pub use source::{NotUtf8, Position};
