@@ -158,8 +158,8 @@ pub enum Command {
         #[arg(long, value_name = "NAME")]
         stdin_filename: Option<String>,
         /// The file to write; without it, standard output. It is replaced as a whole, or not at all.
-        #[arg(short, long, value_name = "FILE")]
-        output: Option<PathBuf>,
+        #[arg(short = 'o', value_name = "FILE")]
+        to: Option<PathBuf>,
     },
     /// Write out one equation's evidence in full, so that it can be checked by hand; or what a code means.
     Explain {

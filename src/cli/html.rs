@@ -19,8 +19,10 @@ pub(super) fn report(
     to: Option<&Path>,
 ) -> Done {
     if args.format != Format::Human {
-        return Err(Failure::new("`report` writes a page of HTML, and that only")
-            .help("`cradle-verify check --format json` is for programs"));
+        return Err(
+            Failure::new("`report` writes a page of HTML, and that only")
+                .help("`cradle-verify check --format json` is for programs"),
+        );
     }
     let checker = Checker::new(derivation);
     let report = Report {

@@ -88,11 +88,11 @@ pub(super) fn run(args: &Args) -> Done {
         Some(Command::Report {
             paths,
             stdin_filename,
-            output,
+            to,
         }) => {
             let (derivation, shown) = asked_for(args, paths, stdin_filename.as_deref())?;
             let is_report = paths.is_empty() && args.builtin.unwrap_or_default() == Builtin::Report;
-            html::report(derivation, args, &shown, is_report, output.as_deref())
+            html::report(derivation, args, &shown, is_report, to.as_deref())
         }
         Some(Command::Completions { shell }) => Ok((manual::completions(*shell), false)),
         Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?, false)),

@@ -26,11 +26,11 @@ mod supposition;
 use std::sync::Arc;
 
 pub(crate) use in_order::in_order;
-pub(crate) use outline::front_matter;
 pub use item::{
     Attribute, Bound, Citation, Directive, Inline, Item, Premise, Problem, Prose, Supposition,
     SuppositionKind,
 };
+pub(crate) use outline::front_matter;
 pub use source::{NotUtf8, Position};
 pub use span::Span;
 

@@ -63,7 +63,9 @@ pub fn mathml_statement(statement: &Statement) -> String {
         text += &format!("<mtext>{}:</mtext>{WIDE}", escape(label));
     }
     for (at, clause) in statement.clauses.iter().enumerate() {
-        let joined = at.checked_sub(1).and_then(|at| statement.connectives.get(at));
+        let joined = at
+            .checked_sub(1)
+            .and_then(|at| statement.connectives.get(at));
         text += match joined.map(|connective| connective.value) {
             Some(Connective::Implies) => "<mo>⇒</mo>",
             Some(Connective::Equivalent) => "<mo>⟺</mo>",
@@ -110,9 +112,11 @@ fn all_equal(sequence: &Symbol, to: &Expr, value: Option<&Expr>) -> String {
         name.subscript = Some(index);
         name.markup()
     };
-    let value = value.map_or(String::new(), |value| format!("<mo>=</mo>{}", mathml(value)));
+    let value = value.map_or(String::new(), |value| {
+        format!("<mo>=</mo>{}", mathml(value))
+    });
     format!(
-        "{}<mo>=</mo><mo>⋯</mo><mo>=</mo>{}{value}",
+        "{}<mo>=</mo><mi>⋯</mi><mo>=</mo>{}{value}",
         element("<mn>1</mn>".into()),
         element(row(to))
     )
@@ -170,11 +174,14 @@ fn product(expr: &Expr) -> String {
 fn shows_dot(before: &Expr, item: &Expr) -> bool {
     let starts_with_digit = match item {
         Expr::Number(_) => true,
-        Expr::Power(base, exponent) => matches!(**base, Expr::Number(_)) && root(exponent).is_none(),
+        Expr::Power(base, exponent) => {
+            matches!(**base, Expr::Number(_)) && root(exponent).is_none()
+        }
         _ => false,
     };
     let is_fraction = matches!(item, Expr::Quotient(..));
-    let is_differential = |symbol: &Symbol| symbol.name() == "d" || symbol.name().ends_with("\\Delta");
+    let is_differential =
+        |symbol: &Symbol| symbol.name() == "d" || symbol.name().ends_with("\\Delta");
     starts_with_digit
         || matches!(before, Expr::Number(_)) && is_fraction
         || matches!(before, Expr::Symbol(symbol) if is_differential(symbol))
@@ -199,9 +206,10 @@ fn factor(expr: &Expr, last: bool) -> String {
                 arguments.join("<mo>,</mo>")
             )
         }
-        Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
-            fraction(&format!("<mi>d</mi>{}", mathml(body)), &differential(variable))
-        }
+        Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => fraction(
+            &format!("<mi>d</mi>{}", mathml(body)),
+            &differential(variable),
+        ),
         _ if !last => parentheses(expr),
         Expr::Derivative { body, variable } => format!(
             "{}<mrow><mo>[</mo>{}<mo>]</mo></mrow>",
@@ -296,9 +304,8 @@ fn parentheses(expr: &Expr) -> String {
 
 fn call(function: Function, argument: &Expr) -> String {
     let inner = mathml(argument);
-    let fenced = |open: char, close: char| {
-        format!("<mrow><mo>{open}</mo>{inner}<mo>{close}</mo></mrow>")
-    };
+    let fenced =
+        |open: char, close: char| format!("<mrow><mo>{open}</mo>{inner}<mo>{close}</mo></mrow>");
     let word = match function {
         Function::Abs => {
             return format!(

@@ -81,7 +81,9 @@ impl Page<'_> {
         let tag = match (&equation.tag, &equation.name, entry.part) {
             (Some(_), _, 0) => format!("<a class=\"tag\" href=\"#{id}\">{name}</a>"),
             (None, Some(_), 0) => format!("<a class=\"tag name\" href=\"#{id}\">{name}</a>"),
-            (None, None, 0) => format!("<a class=\"tag bare\" href=\"#{id}\" aria-label=\"{name}\">#</a>"),
+            (None, None, 0) => {
+                format!("<a class=\"tag bare\" href=\"#{id}\" aria-label=\"{name}\">#</a>")
+            }
             _ => "<span class=\"tag\"></span>".to_owned(),
         };
         let (sign, word) = report.told(entry);

@@ -28,7 +28,7 @@ impl Page<'_> {
         match report.conflict(entry) {
             Some(conflict) => {
                 for (name, said) in report.dimensions_said(conflict) {
-                    fact(&escape(&name), format!("<pre>{}</pre>", escape(&said)));
+                    fact(name, format!("<pre>{}</pre>", escape(&said)));
                 }
             }
             None => {
@@ -130,14 +130,22 @@ impl Page<'_> {
                 Source::Step => "the same statement".into(),
             };
             let formula = words::formula(&assumed.formula);
-            items.push(format!("<span class=\"wide\">{formula}</span> <span class=\"from\">{from}</span>"));
+            items.push(format!(
+                "<span class=\"wide\">{formula}</span> <span class=\"from\">{from}</span>"
+            ));
         }
         for line in claim.map(explain::domains).unwrap_or_default() {
-            items.push(format!("{} <span class=\"from\">declared</span>", escape(&line)));
+            items.push(format!(
+                "{} <span class=\"from\">declared</span>",
+                escape(&line)
+            ));
         }
         match items.is_empty() {
             true => "<p>From nothing: it must hold for all values.</p>\n".into(),
-            false => format!("<p class=\"what\">From</p>\n<ul class=\"premises\">\n<li>{}</li>\n</ul>\n", items.join("</li>\n<li>")),
+            false => format!(
+                "<p class=\"what\">From</p>\n<ul class=\"premises\">\n<li>{}</li>\n</ul>\n",
+                items.join("</li>\n<li>")
+            ),
         }
     }
 
@@ -150,7 +158,10 @@ impl Page<'_> {
         let mut text = String::new();
         if !entry.missing.is_empty() {
             let missing: Vec<String> = entry.missing.iter().map(words::formula).collect();
-            text += &format!("<p class=\"repair\">It follows if also {}.</p>\n", missing.join(", "));
+            text += &format!(
+                "<p class=\"repair\">It follows if also {}.</p>\n",
+                missing.join(", ")
+            );
         }
         if let Some((proven, difference)) = implied::instead_apart(entry) {
             text += &format!(
@@ -168,7 +179,10 @@ impl Page<'_> {
 
 /// Lines under a heading, as they are.
 fn folded(head: &str, lines: &[String]) -> String {
-    format!("<p class=\"what\">{head}</p>\n{}", preformatted(&lines.join("\n")))
+    format!(
+        "<p class=\"what\">{head}</p>\n{}",
+        preformatted(&lines.join("\n"))
+    )
 }
 
 fn preformatted(text: &str) -> String {
@@ -182,7 +196,13 @@ fn counterexample(refuted: &Refuted) -> String {
     let values: Vec<String> = point
         .values()
         .into_iter()
-        .map(|(name, value)| format!("<span class=\"value\">{} = {}</span>", escape(&name), escape(&value)))
+        .map(|(name, value)| {
+            format!(
+                "<span class=\"value\">{} = {}</span>",
+                escape(&name),
+                escape(&value)
+            )
+        })
         .collect();
     let mut text = String::from("<p class=\"what\">Counterexample</p>\n");
     if !values.is_empty() {

@@ -64,16 +64,28 @@ impl Page<'_> {
             level = level.word()
         );
         let said: Vec<(String, String)> = finding.said_plainly();
-        let said = said.iter().filter(|(name, _)| !TOLD_THERE.contains(&name.as_str()));
+        let said = said
+            .iter()
+            .filter(|(name, _)| !TOLD_THERE.contains(&name.as_str()));
         let mut lines: Vec<String> = said
             .map(|(name, said)| {
-                let shown = said.lines().map(words::ticked).collect::<Vec<_>>().join("<br/>");
+                let lines: Vec<String> = said
+                    .lines()
+                    .map(|line| match name.as_str() {
+                        "help" => words::ticked_and_set(line),
+                        _ => words::ticked(line),
+                    })
+                    .collect();
+                let shown = lines.join("<br/>");
                 format!("<div><dt>{}</dt><dd>{shown}</dd></div>", escape(name))
             })
             .collect();
         if equation.is_none() {
             let place = self.report.place_of(finding.page, finding.primary.0);
-            lines.insert(0, format!("<div><dt>at</dt><dd>{}</dd></div>", escape(&place)));
+            lines.insert(
+                0,
+                format!("<div><dt>at</dt><dd>{}</dd></div>", escape(&place)),
+            );
         }
         if !lines.is_empty() {
             text += &format!("<dl>{}</dl>\n", lines.concat());

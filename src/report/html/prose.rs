@@ -16,7 +16,9 @@ impl Page<'_> {
         let page = &self.report.derivation.pages[at];
         let id = anchors::document(at);
         let path = crate::notation::escape(&page.document.path);
-        let mut text = format!("<article id=\"{id}\" aria-labelledby=\"{id}-path\">\n<p class=\"path\" id=\"{id}-path\">{path}</p>\n");
+        let mut text = format!(
+            "<article id=\"{id}\" aria-labelledby=\"{id}-path\">\n<p class=\"path\" id=\"{id}-path\">{path}</p>\n"
+        );
         if page.title.is_empty() {
             text += &format!("<h3>{path}</h3>\n");
         }
@@ -26,7 +28,10 @@ impl Page<'_> {
         };
         for problem in &page.problems {
             let place = self.report.place_of(at, problem.span);
-            let help = problem.help.as_deref().map_or(String::new(), |h| format!(": {h}"));
+            let help = problem
+                .help
+                .as_deref()
+                .map_or(String::new(), |h| format!(": {h}"));
             text += &format!(
                 "<p class=\"problem\"><strong>not read</strong> {}: {}{}</p>\n",
                 crate::notation::escape(&place),

@@ -27,9 +27,8 @@
     return button;
   };
   ["", "given", "holds", "fails", "ill-dimensioned", "undecided"].forEach(function (word) {
-    var count = equations.filter(function (equation) { return word === "" || has(equation, word); }).length;
-    if (count === 0) { return; }
-    var button = add((word || "all") + " " + count, function (pressed) {
+    if (equations.every(function (equation) { return word !== "" ? !has(equation, word) : false; })) { return; }
+    var button = add(word || "all", function (pressed) {
       show(word);
       buttons.forEach(function (other) { other.setAttribute("aria-pressed", String(other === pressed)); });
     });

@@ -14,7 +14,8 @@ impl Page<'_> {
         let closing = words::uncoloured(&report.closing());
         let mut lines = closing.lines();
         let (first, second) = (lines.next().unwrap_or(""), lines.next().unwrap_or(""));
-        let sentence = |line: &str| words::ticked(line);
+        // What to type to see more is no news where all is to be seen.
+        let sentence = |line: &str| words::ticked(line.split(" `").next().unwrap_or(line));
         let mut text = format!(
             "<header>\n<p class=\"kicker\">Audit of the equations</p>\n<h1>{title}</h1>\n\
              <p class=\"lead\"><strong>{}</strong> {}</p>\n",
@@ -56,7 +57,11 @@ impl Page<'_> {
              <div class=\"scroll\"><table class=\"overview\">\n<caption>Statements by document and verdict</caption>\n\
              <thead><tr><th scope=\"col\">document</th>",
         );
-        for word in Verdict::ALL.map(Verdict::word).into_iter().chain(["findings"]) {
+        for word in Verdict::ALL
+            .map(Verdict::word)
+            .into_iter()
+            .chain(["findings"])
+        {
             text += &format!("<th scope=\"col\">{word}</th>");
         }
         text += "</tr></thead>\n<tbody>\n";
@@ -96,7 +101,11 @@ impl Page<'_> {
 
 fn cells(entries: &[&Entry], problems: usize) -> String {
     let of = |verdict| entries.iter().filter(|e| e.verdict == verdict).count();
-    let findings = problems + entries.iter().map(|e| crate::report::findings_of(e)).sum::<usize>();
+    let findings = problems
+        + entries
+            .iter()
+            .map(|e| crate::report::findings_of(e))
+            .sum::<usize>();
     let numbers = Verdict::ALL.map(of).into_iter().chain([findings]);
     let cell = |number: usize| match number {
         0 => "<td class=\"none\">0</td>".to_owned(),

@@ -19,7 +19,10 @@ pub(super) fn term(expr: &Expr) -> String {
 
 /// A statement on lines of its own.
 pub(super) fn display(statement: &Statement) -> String {
-    format!("<math display=\"block\">{}</math>", mathml_statement(statement))
+    format!(
+        "<math display=\"block\">{}</math>",
+        mathml_statement(statement)
+    )
 }
 
 /// Mathematics in a line of an author's text: set where it can be read, as it was typed where not.
@@ -71,13 +74,35 @@ pub(super) fn without_math(title: &str) -> String {
 
 /// Escaped, what stands between back-ticks as code.
 pub(super) fn ticked(text: &str) -> String {
+    between_ticks(text, |code| format!("<code>{}</code>", escape(code)))
+}
+
+/// The same, but what is a formula in LaTeX is set.
+pub(super) fn ticked_and_set(text: &str) -> String {
+    between_ticks(text, |code| {
+        let is_formula = code.contains(['\\', '=', '<', '>', '_', '^']);
+        let read = read_formulas(code, Span::new(0, code.len()));
+        match read {
+            Ok(statements) if is_formula && !statements.is_empty() => {
+                let set: Vec<String> = statements.iter().map(mathml_statement).collect();
+                format!(
+                    "<span class=\"wide\"><math>{}</math></span>",
+                    set.join("<mo>,</mo>")
+                )
+            }
+            _ => format!("<code>{}</code>", escape(code)),
+        }
+    })
+}
+
+fn between_ticks(text: &str, shown: impl Fn(&str) -> String) -> String {
     let parts: Vec<&str> = text.split('`').collect();
-    if parts.len() % 2 == 0 {
+    if parts.len().is_multiple_of(2) {
         return escape(text);
     }
     let part = |(at, part): (usize, &&str)| match at % 2 {
         0 => escape(part),
-        _ => format!("<code>{}</code>", escape(part)),
+        _ => shown(part),
     };
     parts.iter().enumerate().map(part).collect()
 }
@@ -107,8 +132,15 @@ pub(super) fn capital(text: &str) -> String {
 
 /// The folder that all documents are in.
 pub(super) fn common_folder(pages: &[Page]) -> Option<String> {
-    let folder = |page: &Page| page.document.path.rsplit_once('/').map(|(f, _)| f.to_owned());
+    let folder = |page: &Page| {
+        page.document
+            .path
+            .rsplit_once('/')
+            .map(|(f, _)| f.to_owned())
+    };
     let first = folder(pages.first()?)?;
-    let alike = pages.iter().all(|page| folder(page).as_deref() == Some(&first));
+    let alike = pages
+        .iter()
+        .all(|page| folder(page).as_deref() == Some(&first));
     (alike && !first.is_empty()).then_some(first)
 }

@@ -6,15 +6,17 @@ use crate::notation::parser::split_subscript;
 /// Accents within accents, deeper than anybody writes.
 const DEEPEST: usize = 16;
 
+const PRIME: &str = "<mo lspace=\"0\" rspace=\"0\">′</mo>";
+
 /// A name in its parts, each as markup.
 #[derive(Default)]
 pub(super) struct Name {
     /// Letters and words, one element after another.
     letters: Vec<String>,
-    /// Primes and other raised marks.
+    /// Primes, which stand on the line: their sign is raised by itself.
+    primes: String,
+    /// Other marks, raised.
     marks: String,
-    /// Whether one of the marks is no prime.
-    starred: bool,
     /// One element or several.
     pub(super) subscript: Option<String>,
 }
@@ -38,7 +40,7 @@ impl Name {
 
     /// The name as one element.
     pub(super) fn markup(&self) -> String {
-        let base = one(&self.letters);
+        let base = self.base();
         let under = self.subscript.as_deref().map(grouped);
         match (under, self.marks.is_empty()) {
             (None, true) => base,
@@ -50,22 +52,30 @@ impl Name {
         }
     }
 
+    /// Letters and primes as one element.
+    fn base(&self) -> String {
+        match (self.letters.as_slice(), self.primes.is_empty()) {
+            ([only], true) => only.clone(),
+            (several, _) => format!("<mrow>{}{}</mrow>", several.concat(), self.primes),
+        }
+    }
+
     /// The name raised to a power, which is one element.
     pub(super) fn to_the(&self, exponent: String) -> String {
         let is_word = self.letters.len() > 1;
-        if self.starred || is_word {
+        if !self.marks.is_empty() || is_word {
             return format!(
                 "<msup><mrow><mo>(</mo>{}<mo>)</mo></mrow>{exponent}</msup>",
                 self.markup()
             );
         }
-        match (&self.subscript, self.marks.is_empty()) {
-            (Some(under), true) => format!(
+        match &self.subscript {
+            Some(under) => format!(
                 "<msubsup>{}{}{exponent}</msubsup>",
-                one(&self.letters),
+                self.base(),
                 grouped(under)
             ),
-            _ => format!("<msup>{}{exponent}</msup>", self.markup()),
+            None => format!("<msup>{}{exponent}</msup>", self.base()),
         }
     }
 
@@ -84,11 +94,10 @@ impl Name {
                 }
                 '\'' => {
                     *rest = after;
-                    self.marks += "<mo>′</mo>";
+                    self.primes += PRIME;
                 }
                 '^' => {
                     *rest = after;
-                    self.starred = true;
                     let mut mark = Name::default();
                     mark.one_piece(rest, depth);
                     self.marks += &mark.markup();
@@ -195,13 +204,6 @@ fn accented(command: &str, inner: &Name) -> String {
     };
     let stretchy = matches!(command, "overline" | "widehat" | "widetilde");
     format!("<mover accent=\"true\">{base}<mo stretchy=\"{stretchy}\">{over}</mo></mover>")
-}
-
-fn one(elements: &[String]) -> String {
-    match elements {
-        [only] => only.clone(),
-        several => format!("<mrow>{}</mrow>", several.concat()),
-    }
 }
 
 fn grouped(elements: &str) -> String {

@@ -4,7 +4,7 @@
 //! nothing inside mathematics can mean emphasis or a table. Tags are opened only when something stands in them, and
 //! a display closes what it cannot stand in: a paragraph around it goes on below as another.
 
-use pulldown_cmark::{ Event, Options, Parser, Tag, TagEnd};
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use crate::document::{Document, front_matter};
 use crate::notation::escape;
@@ -96,13 +96,14 @@ impl Walk<'_, '_> {
                 // Without the markup of comments, and the rest to be seen as it was typed.
                 let shown = self.uncommented(&text);
                 if shown == *text {
-                    self.text(&text, &range, |t| escape(t));
-                } else if self.spots.touches(&range) {
-                    self.text("", &range, |_| String::new());
-                    self.write(&escape(&shown));
-                } else {
-                    self.write(&escape(&shown));
+                    self.text(&text, &range, escape);
+                    return;
                 }
+                // Displays in it are kept, and what stands around them is `shown`.
+                if self.spots.touches(&range) {
+                    self.text("", &range, |_| String::new());
+                }
+                self.write(&escape(&shown));
             }
             Event::Code(text) => {
                 self.missed(range.start);
@@ -123,12 +124,7 @@ impl Walk<'_, '_> {
     }
 
     /// Text with the spots in it.
-    fn text(
-        &mut self,
-        text: &str,
-        range: &std::ops::Range<usize>,
-        shown: impl Fn(&str) -> String,
-    ) {
+    fn text(&mut self, text: &str, range: &std::ops::Range<usize>, shown: impl Fn(&str) -> String) {
         self.missed(range.start);
         if !self.spots.touches(range) {
             self.write(&shown(text));
@@ -179,7 +175,12 @@ impl Walk<'_, '_> {
     }
 
     fn display(&mut self, at: usize) {
-        let narrow = self.open.iter().rev().take_while(|open| open.is_narrow).count();
+        let narrow = self
+            .open
+            .iter()
+            .rev()
+            .take_while(|open| open.is_narrow)
+            .count();
         let first = self.open.len() - narrow;
         for open in self.open.iter_mut().skip(first).rev().filter(|o| o.written) {
             self.out += &open.closing;
@@ -223,7 +224,11 @@ impl Walk<'_, '_> {
             }
             Tag::List(None) => self.push("<ul>\n", "</ul>\n", false),
             Tag::Item => self.push("<li>", "</li>\n", false),
-            Tag::Table(_) => self.push("<div class=\"scroll\"><table>\n", "</tbody></table></div>\n", false),
+            Tag::Table(_) => self.push(
+                "<div class=\"scroll\"><table>\n",
+                "</tbody></table></div>\n",
+                false,
+            ),
             Tag::TableHead => {
                 self.head = true;
                 self.push("<thead><tr>", "</tr></thead>\n<tbody>\n", false);
@@ -238,7 +243,10 @@ impl Walk<'_, '_> {
             Tag::Strikethrough => self.push("<del>", "</del>", true),
             Tag::Link { dest_url, .. } => match is_safe(&dest_url) && self.linked == 0 {
                 true => {
-                    let opening = format!("<a rel=\"noopener noreferrer\" href=\"{}\">", escape(&dest_url));
+                    let opening = format!(
+                        "<a rel=\"noopener noreferrer\" href=\"{}\">",
+                        escape(&dest_url)
+                    );
                     self.push(opening, "</a>", true);
                     self.linked += 1;
                 }
@@ -270,7 +278,11 @@ impl Walk<'_, '_> {
         let mut kept = String::new();
         let mut rest = text;
         loop {
-            let (sign, other) = if self.comment { ("-->", false) } else { ("<!--", true) };
+            let (sign, other) = if self.comment {
+                ("-->", false)
+            } else {
+                ("<!--", true)
+            };
             let Some((before, after)) = rest.split_once(sign) else {
                 if !self.comment {
                     kept += rest;
@@ -288,7 +300,9 @@ impl Walk<'_, '_> {
 
 /// Whether a link leads somewhere harmless: to the web, or to a file beside the page.
 fn is_safe(target: &str) -> bool {
-    if target.is_empty() || target.contains(|c: char| c.is_control() || c.is_whitespace() || c == '\\') {
+    if target.is_empty()
+        || target.contains(|c: char| c.is_control() || c.is_whitespace() || c == '\\')
+    {
         return false;
     }
     let lower = target.to_ascii_lowercase();

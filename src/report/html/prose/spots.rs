@@ -42,10 +42,12 @@ impl<'a> Spots<'a> {
         let derivation = page.report.derivation;
         let document = &derivation.pages[at].document;
         let equations = derivation.equations.iter().enumerate();
-        let displays = equations.filter(|(_, e)| e.page == at).map(|(own, e)| Spot {
-            span: e.span,
-            kind: Kind::Display(own),
-        });
+        let displays = equations
+            .filter(|(_, e)| e.page == at)
+            .map(|(own, e)| Spot {
+                span: e.span,
+                kind: Kind::Display(own),
+            });
         let mut all: Vec<Spot> = displays.collect();
         for item in &document.items {
             match item {
@@ -141,7 +143,9 @@ impl<'a> Spots<'a> {
             self.next += 1;
         }
         if at < range.end {
-            each(Piece::Text(self.source.get(at..range.end).unwrap_or_default()));
+            each(Piece::Text(
+                self.source.get(at..range.end).unwrap_or_default(),
+            ));
         }
     }
 }
