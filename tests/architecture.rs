@@ -43,7 +43,7 @@ const KNOWN_TO: &[(&str, &[&str])] = &[
     ("clap_complete", &["cli"]),
     ("clap_mangen", &["cli"]),
     ("nalgebra", &["cradle", "cli"]),
-    ("pulldown_cmark", &["document"]),
+    ("pulldown_cmark", &["document", "report"]),
     ("tiny_skia", &["figures"]),
     ("ttf_parser", &["figures"]),
     ("miniz_oxide", &["figures"]),

@@ -149,6 +149,18 @@ pub enum Command {
         #[arg(long, value_name = "NAME")]
         stdin_filename: Option<String>,
     },
+    /// Write the whole audit as one page for a browser: the documents, every verdict, its evidence, what rests on what.
+    Report {
+        /// Files, directories or `-`; without any, the built-in report.
+        #[arg(value_name = "PATH")]
+        paths: Vec<PathBuf>,
+        /// What standard input is called in findings.
+        #[arg(long, value_name = "NAME")]
+        stdin_filename: Option<String>,
+        /// The file to write; without it, standard output. It is replaced as a whole, or not at all.
+        #[arg(short = 'o', value_name = "FILE")]
+        to: Option<PathBuf>,
+    },
     /// Write out one equation's evidence in full, so that it can be checked by hand; or what a code means.
     Explain {
         /// The number (`23`) or name of an equation, or the code of a verdict or note (`miscited`).

@@ -38,7 +38,7 @@ fn compared(
     let shown = path.display();
     if update {
         let baseline = report.baseline(here);
-        file::replace(path, &baseline.written())?;
+        file::replace(path, baseline.written())?;
         output::say(&format!("wrote {shown}: {}\n", baseline.size()));
         return Ok(report.compared(&baseline, here));
     }

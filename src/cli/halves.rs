@@ -15,7 +15,9 @@ use super::table::table;
 use crate::audit::Verdict;
 use crate::derivation::Checker;
 use crate::figures::{Decay, FigureError, Law, Material, exact, rounded, share};
+use crate::report::html::Table;
 
+const TITLE: &str = "Energy lost in one collision, and collisions until no more than half is left";
 /// Longer numbers are rounded where people read.
 const LONGEST: usize = 12;
 /// To so many decimals.
@@ -55,6 +57,20 @@ pub(super) fn halves(
         }
         other => Err(super::run::no_audit(other)),
     }
+}
+
+/// The table for a page, with what is to be said of it.
+pub(super) fn on_a_page(checker: &Checker, materials: &[Material]) -> Result<Table, FigureError> {
+    let decay = Decay::of(checker)?;
+    let rows: Result<Vec<Row>, FigureError> = materials.iter().map(|m| row(&decay, m)).collect();
+    let rows = rows?;
+    let mut cells = cells(&decay, &rows, Format::Human).into_iter();
+    Ok(Table {
+        title: TITLE.to_owned(),
+        head: cells.next().unwrap_or_default(),
+        rows: cells.collect(),
+        notes: notes(&decay, &rows),
+    })
 }
 
 fn row<'a>(decay: &Decay, material: &'a Material) -> Result<Row<'a>, FigureError> {
@@ -134,9 +150,7 @@ fn percent(share: &BigRational) -> String {
 }
 
 fn human(decay: &Decay, rows: &[Row]) -> String {
-    let mut text = String::from(
-        "Energy lost in one collision, and collisions until no more than half is left\n\n",
-    );
+    let mut text = format!("{TITLE}\n\n");
     text += &table(&cells(decay, rows, Format::Human));
     text.push('\n');
     for note in notes(decay, rows) {

@@ -78,10 +78,21 @@ pub struct Row {
 pub struct Prose {
     /// The text.
     pub span: Span,
+    /// The mathematics in it, in order.
+    pub math: Vec<Inline>,
     /// The equations that it cites, in order.
     pub citations: Vec<Citation>,
     /// What it supposes, in order.
     pub suppositions: Vec<Supposition>,
+}
+
+/// Mathematics in a line of text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Inline {
+    /// With its fences: `$v_0$`.
+    pub span: Span,
+    /// Without them.
+    pub body: Span,
 }
 
 /// An equation cited in prose.

@@ -31,12 +31,13 @@ use std::sync::Arc;
 
 pub(crate) use in_order::in_order;
 pub use item::{
-    Attribute, Bound, Citation, Directive, Item, Layout, Premise, Problem, Prose, Row, Supposition,
-    SuppositionKind,
+    Attribute, Bound, Citation, Directive, Inline, Item, Layout, Premise, Problem, Prose, Row,
+    Supposition, SuppositionKind,
 };
 pub use latex::Library;
 pub use notebook::NotANotebook;
 pub use origin::{File, Origin};
+pub(crate) use outline::front_matter;
 pub use source::{NotUtf8, Position};
 pub use span::Span;
 

@@ -98,9 +98,14 @@ fn moved(item: Item, by: usize) -> Item {
         },
         Item::Prose(Prose {
             span,
+            mut math,
             mut citations,
             mut suppositions,
         }) => {
+            for inline in &mut math {
+                inline.span = at(inline.span);
+                inline.body = at(inline.body);
+            }
             for citation in &mut citations {
                 citation.span = at(citation.span);
             }
@@ -109,6 +114,7 @@ fn moved(item: Item, by: usize) -> Item {
             }
             Item::Prose(Prose {
                 span: at(span),
+                math,
                 citations,
                 suppositions,
             })

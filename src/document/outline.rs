@@ -160,7 +160,7 @@ fn blank(source: &str, from: usize, blanked: &[Span]) -> String {
 
 /// Where the document proper begins: after a byte order mark and YAML or TOML front matter. A rule
 /// `---` that happens to come first is not front matter: a `key:` must follow.
-pub(super) fn front_matter(source: &str) -> usize {
+pub(crate) fn front_matter(source: &str) -> usize {
     let start = source.len() - source.trim_start_matches('\u{feff}').len();
     let mut lines = source[start..].split_inclusive('\n');
     let Some(fence @ ("---" | "+++")) = lines.next().map(str::trim_end) else {

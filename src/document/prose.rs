@@ -2,14 +2,7 @@
 
 use super::citation;
 use super::supposition;
-use super::{Prose, Span};
-
-/// Inline math: with its fences, and without.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Inline {
-    pub span: Span,
-    pub body: Span,
-}
+use super::{Inline, Prose, Span};
 
 /// A piece of prose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +57,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     let tokens = tokens(source, span, inline, hidden);
     Prose {
         span,
+        math: inline.to_vec(),
         citations: citation::read(&tokens),
         suppositions: supposition::read(source, &tokens),
     }

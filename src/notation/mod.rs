@@ -22,7 +22,11 @@ mod read;
 mod statement;
 
 pub(crate) use commands::is_command;
-pub use printer::{latex, latex_formula, latex_statement, plain, plain_formula, relation_latex};
+pub(crate) use printer::escape;
+pub use printer::{
+    latex, latex_formula, latex_statement, mathml, mathml_formula, mathml_statement, plain,
+    plain_formula, relation_latex,
+};
 pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
 pub use statement::{
     Clause, Connective, Display, Link, Mark, Side, Spanned, Statement, SyntaxError,

@@ -189,7 +189,7 @@ impl Report<'_> {
 }
 
 /// The declared domains that a claim uses.
-fn domains(claim: &Claim) -> Vec<String> {
+pub(super) fn domains(claim: &Claim) -> Vec<String> {
     let symbols = claim.domains.iter().map(|(s, d)| (words::symbol(s), s, d));
     let elements = claim
         .sequences
@@ -263,7 +263,7 @@ fn witness(refuted: &Refuted) -> Vec<String> {
 }
 
 /// The values of an assignment alone.
-fn assigned(at: &crate::kernel::Assignment) -> Vec<String> {
+pub(super) fn assigned(at: &crate::kernel::Assignment) -> Vec<String> {
     let empty = Claim {
         domains: std::collections::BTreeMap::new(),
         sequences: std::collections::BTreeMap::new(),

@@ -46,6 +46,11 @@ pub(super) fn instead_plainly(entry: &Entry) -> Option<(String, &Proven)> {
     })
 }
 
+/// What follows, and in words how far what is printed is from it: nothing, or `; twice that`.
+pub(super) fn instead_apart(entry: &Entry) -> Option<(&Proven, String)> {
+    nearest(entry).map(|instead| (instead.proven, instead.difference))
+}
+
 /// What would have to be supposed besides.
 pub(super) fn supposing(conditions: &[Formula]) -> String {
     let conditions = conditions

@@ -32,14 +32,19 @@ impl Report<'_> {
         }
     }
 
-    /// The line of one entry.
-    pub fn line(&self, entry: &Entry, names: usize) -> String {
-        let name = shortened(&self.line_name(entry), names);
-        let (sign, word) = match &entry.numeric {
+    /// A sign and a word for what was found.
+    pub(super) fn told(&self, entry: &Entry) -> (&'static str, &'static str) {
+        match &entry.numeric {
             Some(_) if entry.is_supported() => ("≈", "supported"),
             Some(_) if unsupported(entry) => ("≉", "not supported"),
             _ => (style::sign(entry.verdict), entry.verdict.word()),
-        };
+        }
+    }
+
+    /// The line of one entry.
+    pub fn line(&self, entry: &Entry, names: usize) -> String {
+        let name = shortened(&self.line_name(entry), names);
+        let (sign, word) = self.told(entry);
         let verdict = format!("{sign} {word:<9}");
         let room = WIDTH.saturating_sub(names + 7 + word.len().max(9));
         let headline = shortened(&self.headline(entry), room);

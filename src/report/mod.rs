@@ -3,7 +3,7 @@
 //! A [`Report`] is a derivation with its audit. Each view is a file of its own: `human` puts together the
 //! whole page from `line` (an equation each), `diagnostic` (a finding each, in the author's own text) and
 //! `summary`; `explain` writes out one equation's evidence so that it can be checked by hand; `json` is
-//! for programs. `words` has what all of them say alike.
+//! for programs; `html` is all of it as a page for a browser. `words` has what all of them say alike.
 //!
 //! The views for editors and for continuous integration list a [`remark::Remark`] each: `short`, `github`, `sarif` and
 //! `junit`. `codes` says how grave each is, `baseline` which are known.
@@ -20,6 +20,7 @@ mod fingerprint;
 mod fix;
 mod github;
 pub mod graph;
+pub mod html;
 pub mod human;
 pub mod implied;
 mod json;

@@ -1,9 +1,9 @@
 //! `\begin` and `\end` in text.
 
 use super::super::Span;
-use super::super::prose::Inline;
 use super::names::{self, UNREAD};
 use super::scan::{Scanner, Sub};
+use crate::document::Inline;
 
 /// Environments in which nothing is said: pictures and lists of literature.
 const SILENT: &[&str] = &[

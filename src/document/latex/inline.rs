@@ -1,9 +1,9 @@
 //! Inline mathematics. Only what prose supposes is read from it.
 
 use super::super::Span;
-use super::super::prose::Inline;
 use super::ends::inline_end;
 use super::scan::Scanner;
+use crate::document::Inline;
 
 impl Scanner<'_> {
     pub(super) fn inline_dollar(&mut self) {

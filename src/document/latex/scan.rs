@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::super::directive::{self, Comment};
-use super::super::prose::{self, Inline};
+use super::super::prose;
 use super::super::{Item, Problem, Span};
 use super::ends::{bracketed, ends_paragraph};
 use super::names;
 use super::numbering::Numbering;
+use crate::document::Inline;
 
 /// `subequations` that are being read.
 pub(super) struct Sub {

@@ -15,7 +15,7 @@ mod fences;
 mod inline;
 
 use super::outline::{Excluded, Kind, Outline, Title, front_matter};
-use super::prose::{self, Inline};
+use super::{Inline, prose};
 use super::{Item, Problem, Span};
 use fences::Finder;
 

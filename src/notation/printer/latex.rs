@@ -173,7 +173,7 @@ fn product(expr: &Expr) -> String {
     text
 }
 
-fn is_signed(expr: &Expr) -> bool {
+pub(super) fn is_signed(expr: &Expr) -> bool {
     matches!(expr, Expr::Sum(_) | Expr::Negate(_))
         || matches!(expr, Expr::Number(n) if n.is_negative())
 }

@@ -1,9 +1,12 @@
-//! The inverse of the reader: terms as canonical LaTeX, and as one line of text for a terminal.
+//! The inverse of the reader: terms as canonical LaTeX, as one line of text for a terminal, and as MathML for a browser.
 
 mod latex;
+mod mathml;
 mod plain;
 
 pub use latex::{latex, latex_formula, latex_statement, relation_latex};
+pub(crate) use mathml::escape;
+pub use mathml::{mathml, mathml_formula, mathml_statement};
 pub use plain::{plain, plain_formula};
 
 use crate::algebra::{BigInt, BigRational};

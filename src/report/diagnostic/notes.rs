@@ -15,7 +15,7 @@ use super::{Finding, replay, unreadable};
 
 impl Report<'_> {
     /// All that rests on the same failing equations, in one finding.
-    pub(super) fn resting(&self, on: &[usize]) -> Finding {
+    pub(in super::super) fn resting(&self, on: &[usize]) -> Finding {
         let resting: Vec<usize> = self
             .audit
             .entries

@@ -1,0 +1,64 @@
+//! `report`: the whole audit as one page, with the report's own figures and table where it is about the report.
+
+use std::path::Path;
+
+use super::args::{Args, Format};
+use super::run::Done;
+use super::{Failure, file, halves};
+use crate::derivation::{Checker, Derivation};
+use crate::figures::{self, Figure, FigureError, Material};
+use crate::report::Report;
+use crate::report::html::{Picture, Pictures};
+
+/// The page for standard output, which is empty where a file was written.
+pub(super) fn report(
+    derivation: Derivation,
+    args: &Args,
+    paths: &[String],
+    is_report: bool,
+    to: Option<&Path>,
+) -> Done {
+    if args.format != Format::Human {
+        return Err(
+            Failure::new("`report` writes a page of HTML, and that only")
+                .help("`cradle-verify check --format json` is for programs"),
+        );
+    }
+    let checker = Checker::new(derivation);
+    let report = Report {
+        derivation: checker.derivation(),
+        audit: checker.audit(),
+        paths,
+    };
+    let pictures = match is_report {
+        true => pictures(&checker).map_err(super::plot::failed)?,
+        false => Pictures::default(),
+    };
+    let page = report.html(&pictures);
+    let found = report.findings() > 0;
+    match to {
+        Some(path) => {
+            file::replace(path, &page)?;
+            Ok((String::new(), found))
+        }
+        None => Ok((page, found)),
+    }
+}
+
+/// The figures and the table that are drawn from the report's own equations.
+fn pictures(checker: &Checker) -> Result<Pictures, FigureError> {
+    let materials = Material::of_the_report();
+    let picture = |figure: Figure| Picture {
+        title: figure.scene.title.clone(),
+        svg: figures::svg(&figure.scene),
+    };
+    Ok(Pictures {
+        figures: vec![
+            picture(figures::collision(checker)?),
+            picture(figures::energy(checker, &materials)?),
+            picture(figures::outcomes(checker)?),
+            picture(figures::lithotripsy(checker)?),
+        ],
+        tables: vec![halves::on_a_page(checker, &materials)?],
+    })
+}

@@ -1,0 +1,114 @@
+//! The whole audit as one page for a browser: documents, verdicts, evidence, and what rests on what.
+//!
+//! The page is a single file that fetches nothing. It is well-formed as XML too, works without its script, and may be
+//! put beside the documents as it is.
+//!
+//! `summary` and `findings` come first; `prose` walks the documents and hands each display to `entry`, which sets it
+//! beside its verdict with the `evidence` folded below; `pictures` has the figures and tables that somebody else has
+//! drawn. `anchors` says what each equation is called in links, `words` makes text safe.
+//!
+//! **Invariant:** whatever comes from a document passes through `escape`, directly or in MathML; every display of a
+//! document is on the page, whatever surrounds it. Deliberately absent: verdicts of its own, pictures that are fetched,
+//! any markup of the document's own making.
+
+mod anchors;
+mod entry;
+mod evidence;
+mod findings;
+mod pictures;
+mod prose;
+mod summary;
+mod words;
+
+use super::Report;
+use super::graph::Graph;
+use crate::notation::escape;
+use anchors::Anchors;
+
+pub use pictures::{Picture, Pictures, Table};
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
+/// The hash of `script.js`, so that no other script runs. A test computes it anew.
+const SCRIPT_HASH: &str = "sha256-pwDfXYAS62XZCx1cqdh0pyabPKocGbz7JNW1SMBF20Q=";
+
+/// A page being written.
+struct Page<'a> {
+    report: &'a Report<'a>,
+    anchors: Anchors,
+}
+
+impl Report<'_> {
+    /// A page of HTML that stands alone.
+    pub fn html(&self, pictures: &Pictures) -> String {
+        let page = Page {
+            report: self,
+            anchors: Anchors::of(self),
+        };
+        let title = escape(&page.title());
+        let mut text = String::from(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n",
+        );
+        text += &format!(
+            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; \
+             script-src '{SCRIPT_HASH}'; base-uri 'none'; form-action 'none'\"/>\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
+             <meta name=\"color-scheme\" content=\"light dark\"/>\n\
+             <meta name=\"generator\" content=\"cradle-verify {}\"/>\n\
+             <title>{title}: audit</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+             <a class=\"skip\" href=\"#documents\">Skip to the documents</a>\n",
+            env!("CARGO_PKG_VERSION")
+        );
+        text += &page.head(&title);
+        text += "<main>\n";
+        text += &page.findings();
+        text += "<section id=\"documents\" aria-labelledby=\"documents-title\">\n<h2 id=\"documents-title\">Documents</h2>\n";
+        for at in 0..self.derivation.pages.len() {
+            text += &page.document(at);
+        }
+        text += "</section>\n";
+        text += &page.graph();
+        text += &pictures.markup();
+        text += "</main>\n";
+        text += &format!(
+            "<footer><p>Written by cradle-verify {}. A verdict stands on evidence that a small kernel has checked; \
+             without such evidence it is undecided.</p></footer>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n",
+            env!("CARGO_PKG_VERSION")
+        );
+        text
+    }
+}
+
+impl Page<'_> {
+    /// What the page is called: like its only document, or after the first one.
+    fn title(&self) -> String {
+        let pages = &self.report.derivation.pages;
+        let named = |page: &crate::derivation::Page| match page.title.is_empty() {
+            true => page.document.path.clone(),
+            false => words::without_math(&page.title),
+        };
+        match pages.as_slice() {
+            [] => "No documents".into(),
+            [only] => named(only),
+            several => match words::common_folder(several) {
+                Some(folder) => folder,
+                None => format!("{} and {} more", named(&several[0]), several.len() - 1),
+            },
+        }
+    }
+
+    /// What rests on what, drawn and in words.
+    fn graph(&self) -> String {
+        if self.report.audit.entries.is_empty() {
+            return String::new();
+        }
+        let graph = Graph::of(self.report);
+        format!(
+            "<section id=\"graph\" aria-labelledby=\"graph-title\">\n<h2 id=\"graph-title\">What rests on what</h2>\n\
+             <div class=\"scroll drawing\" role=\"region\" aria-label=\"Drawing of what rests on what\" tabindex=\"0\">\n{}</div>\n\
+             <details><summary>The same in words</summary>\n<pre>{}</pre></details>\n</section>\n",
+            graph.svg(),
+            escape(&words::uncoloured(&graph.text(self.report)))
+        )
+    }
+}

@@ -1,0 +1,82 @@
+//! Figures and tables that somebody else has made, put on the page.
+
+use crate::notation::escape;
+
+/// What is shown besides the documents; nothing, unless somebody has something.
+#[derive(Clone, Debug, Default)]
+pub struct Pictures {
+    /// The figures, in order.
+    pub figures: Vec<Picture>,
+    /// The tables, in order.
+    pub tables: Vec<Table>,
+}
+
+/// A figure.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// What it shows.
+    pub title: String,
+    /// An `<svg>` element whose text is escaped already, and whose identifiers no other figure has.
+    pub svg: String,
+}
+
+/// A table of text.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// What it shows.
+    pub title: String,
+    /// The names of the columns.
+    pub head: Vec<String>,
+    /// The cells, row by row; the first of each names its row.
+    pub rows: Vec<Vec<String>>,
+    /// What is to be said of it.
+    pub notes: Vec<String>,
+}
+
+impl Pictures {
+    pub(super) fn markup(&self) -> String {
+        if self.figures.is_empty() && self.tables.is_empty() {
+            return String::new();
+        }
+        let mut text = String::from(
+            "<section id=\"figures\" aria-labelledby=\"figures-title\">\n<h2 id=\"figures-title\">Figures and tables</h2>\n",
+        );
+        for figure in &self.figures {
+            text += &format!(
+                "<figure>\n<div class=\"scroll drawing\" role=\"region\" aria-label=\"{}\" tabindex=\"0\">\n{}</div>\n</figure>\n",
+                escape(&figure.title),
+                figure.svg
+            );
+        }
+        self.tables.iter().for_each(|table| text += &table.markup());
+        text + "</section>\n"
+    }
+}
+
+impl Table {
+    fn markup(&self) -> String {
+        let mut text = format!(
+            "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr>",
+            escape(&self.title)
+        );
+        for name in &self.head {
+            text += &format!("<th scope=\"col\">{}</th>", escape(name));
+        }
+        text += "</tr></thead>\n<tbody>\n";
+        for row in &self.rows {
+            text += "<tr>";
+            for (at, cell) in row.iter().enumerate() {
+                text += &match at {
+                    0 => format!("<th scope=\"row\">{}</th>", escape(cell)),
+                    _ => format!("<td>{}</td>", escape(cell)),
+                };
+            }
+            text += "</tr>\n";
+        }
+        text += "</tbody>\n</table></div>\n";
+        for note in &self.notes {
+            text += &format!("<p class=\"note\">{}</p>\n", escape(note));
+        }
+        text
+    }
+}

@@ -1,0 +1,146 @@
+//! Text of other views made fit for the page: back-ticks to code, colours left out, formulas set.
+
+use crate::algebra::{Expr, Formula};
+use crate::derivation::Page;
+use crate::document::Span;
+use crate::notation::{
+    Statement, escape, mathml, mathml_formula, mathml_statement, read_expr, read_formulas,
+};
+
+/// A formula in a line of text.
+pub(super) fn formula(formula: &Formula) -> String {
+    format!("<math>{}</math>", mathml_formula(formula))
+}
+
+/// A term in a line of text.
+pub(super) fn term(expr: &Expr) -> String {
+    format!("<math>{}</math>", mathml(expr))
+}
+
+/// A statement on lines of its own.
+pub(super) fn display(statement: &Statement) -> String {
+    format!(
+        "<math display=\"block\">{}</math>",
+        mathml_statement(statement)
+    )
+}
+
+/// Mathematics in a line of an author's text: set where it can be read, as it was typed where not.
+pub(super) fn inline(source: &str, body: Span) -> String {
+    if let Ok(expr) = read_expr(source, body) {
+        return term(&expr);
+    }
+    match read_formulas(source, body) {
+        Ok(statements) if !statements.is_empty() => {
+            let set: Vec<String> = statements.iter().map(mathml_statement).collect();
+            format!("<math>{}</math>", set.join("<mo>,</mo>"))
+        }
+        _ => {
+            let typed = source.get(body.range()).unwrap_or_default();
+            format!("<code class=\"tex\">{}</code>", escape(typed))
+        }
+    }
+}
+
+/// A title with mathematics between dollars.
+pub(super) fn titled(title: &str) -> String {
+    let mut text = String::new();
+    let mut at = 0;
+    for (span, body) in dollars(title) {
+        text += &escape(title.get(at..span.start).unwrap_or_default());
+        text += &inline(title, body);
+        at = span.end;
+    }
+    text + &escape(title.get(at..).unwrap_or_default())
+}
+
+/// Where mathematics stands between single dollars, with them and without.
+pub(super) fn dollars(text: &str) -> Vec<(Span, Span)> {
+    let mut found = Vec::new();
+    let mut places = text.match_indices('$').map(|(at, _)| at);
+    while let Some(open) = places.next() {
+        let Some(close) = places.next() else { break };
+        if close > open + 1 {
+            found.push((Span::new(open, close + 1), Span::new(open + 1, close)));
+        }
+    }
+    found
+}
+
+/// A title in a line that has room for characters only.
+pub(super) fn without_math(title: &str) -> String {
+    title.replace('$', "")
+}
+
+/// Escaped, what stands between back-ticks as code.
+pub(super) fn ticked(text: &str) -> String {
+    between_ticks(text, |code| format!("<code>{}</code>", escape(code)))
+}
+
+/// The same, but what is a formula in LaTeX is set.
+pub(super) fn ticked_and_set(text: &str) -> String {
+    between_ticks(text, |code| {
+        let is_formula = code.contains(['\\', '=', '<', '>', '_', '^']);
+        let read = read_formulas(code, Span::new(0, code.len()));
+        match read {
+            Ok(statements) if is_formula && !statements.is_empty() => {
+                let set: Vec<String> = statements.iter().map(mathml_statement).collect();
+                format!(
+                    "<span class=\"wide\"><math>{}</math></span>",
+                    set.join("<mo>,</mo>")
+                )
+            }
+            _ => format!("<code>{}</code>", escape(code)),
+        }
+    })
+}
+
+fn between_ticks(text: &str, shown: impl Fn(&str) -> String) -> String {
+    let parts: Vec<&str> = text.split('`').collect();
+    if parts.len().is_multiple_of(2) {
+        return escape(text);
+    }
+    let part = |(at, part): (usize, &&str)| match at % 2 {
+        0 => escape(part),
+        _ => shown(part),
+    };
+    parts.iter().enumerate().map(part).collect()
+}
+
+/// Without the colours of a terminal.
+pub(super) fn uncoloured(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once('\u{1b}') {
+        plain += before;
+        rest = match (after.starts_with('['), after.split_once('m')) {
+            (true, Some((_, after))) => after,
+            _ => after,
+        };
+    }
+    plain + rest
+}
+
+/// The first letter large.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    match letters.next() {
+        Some(first) => first.to_uppercase().chain(letters).collect(),
+        None => String::new(),
+    }
+}
+
+/// The folder that all documents are in.
+pub(super) fn common_folder(pages: &[Page]) -> Option<String> {
+    let folder = |page: &Page| {
+        page.document
+            .path
+            .rsplit_once('/')
+            .map(|(f, _)| f.to_owned())
+    };
+    let first = folder(pages.first()?)?;
+    let alike = pages
+        .iter()
+        .all(|page| folder(page).as_deref() == Some(&first));
+    (alike && !first.is_empty()).then_some(first)
+}

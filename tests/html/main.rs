@@ -1,0 +1,75 @@
+//! The page for a browser: whole, well-formed, and harmless whatever is in the documents.
+
+mod browser;
+mod contrast;
+mod formulas;
+mod hash;
+mod hostile;
+mod structure;
+
+use cradle_verify::audit::Audit;
+use cradle_verify::derivation::Derivation;
+use cradle_verify::document::Document;
+use cradle_verify::proofs;
+use cradle_verify::report::Report;
+use cradle_verify::report::html::Pictures;
+
+/// The page of some documents, each a path and a text.
+fn page_of(documents: &[(&str, &str)]) -> String {
+    let read = |(path, source): &(&str, &str)| Document::markdown(*path, *source);
+    page(&Derivation::new(documents.iter().map(read).collect()))
+}
+
+fn page(derivation: &Derivation) -> String {
+    let audit = Audit::of(derivation);
+    let report = Report {
+        derivation,
+        audit: &audit,
+        paths: &[],
+    };
+    report.html(&Pictures::default())
+}
+
+/// The page of the report that ships inside, as the program writes it.
+fn built_in() -> String {
+    let done = std::process::Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+        .arg("report")
+        .output()
+        .unwrap();
+    assert_eq!(done.status.code(), Some(1), "the report has findings");
+    String::from_utf8(done.stdout).unwrap()
+}
+
+/// The page as XML, which it is without its first line.
+fn tree(page: &str) -> roxmltree::Document<'_> {
+    let body = page.strip_prefix("<!DOCTYPE html>\n").unwrap();
+    roxmltree::Document::parse(body).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn has_class(node: &roxmltree::Node<'_, '_>, class: &str) -> bool {
+    let own = node.attribute("class").unwrap_or("");
+    own.split_whitespace().any(|own| own == class)
+}
+
+/// The text of an element and of all that is in it.
+fn text_of(node: roxmltree::Node<'_, '_>) -> String {
+    node.descendants()
+        .filter(|n| n.is_text())
+        .filter_map(|n| n.text())
+        .collect()
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    assert_eq!(built_in(), built_in());
+    let derivation = proofs::report();
+    let alone = Audit::by(&derivation, 1, &Default::default());
+    let report = |audit| Report {
+        derivation: &derivation,
+        audit,
+        paths: &[],
+    };
+    let several = Audit::by(&derivation, 4, &Default::default());
+    let none = Pictures::default();
+    assert_eq!(report(&alone).html(&none), report(&several).html(&none));
+}

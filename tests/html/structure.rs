@@ -1,0 +1,250 @@
+//! What is on the page, read as XML.
+
+use std::collections::BTreeSet;
+
+use cradle_verify::audit::Audit;
+use cradle_verify::proofs;
+
+use super::{built_in, has_class, page_of, text_of, tree};
+
+#[test]
+fn every_link_within_the_page_leads_somewhere_and_every_name_is_used_once() {
+    let page = built_in();
+    let tree = tree(&page);
+    let names: Vec<&str> = tree
+        .descendants()
+        .filter_map(|n| n.attribute("id"))
+        .collect();
+    let all: BTreeSet<&str> = names.iter().copied().collect();
+    assert_eq!(all.len(), names.len());
+    let mut links = 0;
+    for node in tree.descendants() {
+        if let Some(target) = node.attribute("href").and_then(|h| h.strip_prefix('#')) {
+            assert!(all.contains(target), "{target}");
+            links += 1;
+        }
+        for list in ["aria-labelledby", "aria-describedby"] {
+            for name in node.attribute(list).unwrap_or("").split_whitespace() {
+                assert!(all.contains(name), "{name}");
+            }
+        }
+    }
+    assert!(links > names.len() / 2);
+}
+
+#[test]
+fn every_statement_of_the_report_is_there_with_its_verdict_in_words() {
+    let page = built_in();
+    let tree = tree(&page);
+    let derivation = proofs::report();
+    let audit = Audit::of(&derivation);
+    let shown: Vec<_> = tree
+        .descendants()
+        .filter(|n| has_class(n, "equation"))
+        .collect();
+    assert_eq!(shown.len(), derivation.equations.len());
+    for (at, equation) in shown.iter().enumerate() {
+        let entries = audit.of_equation(at);
+        let verdicts: Vec<&str> = entries.iter().map(|e| e.verdict.word()).collect();
+        assert_eq!(
+            equation.attribute("data-verdict"),
+            Some(verdicts.join(" ").as_str())
+        );
+        let words: Vec<String> = equation
+            .descendants()
+            .filter(|n| has_class(n, "verdict"))
+            .map(text_of)
+            .collect();
+        assert_eq!(words.len(), entries.len());
+        for (word, entry) in words.iter().zip(entries) {
+            assert!(word.contains(entry.verdict.word()), "{word}");
+        }
+        if let Some(tag) = &derivation.equations[at].tag {
+            assert!(text_of(*equation).contains(&format!("({tag})")));
+            assert_eq!(equation.attribute("id"), Some(format!("eq-{tag}").as_str()));
+        }
+        // Typeset, and with its evidence folded below.
+        let math = equation
+            .descendants()
+            .filter(|n| n.tag_name().name() == "math")
+            .count();
+        assert!(math >= entries.len());
+        let folds = equation
+            .descendants()
+            .filter(|n| n.tag_name().name() == "details")
+            .count();
+        assert_eq!(folds, entries.len());
+    }
+}
+
+#[test]
+fn what_is_typeset_has_no_latex_left_in_it() {
+    let page = built_in();
+    for math in tree(&page)
+        .descendants()
+        .filter(|n| n.tag_name().name() == "math")
+    {
+        let text = text_of(math);
+        assert!(!text.contains(['\\', '{', '}', '$', '_']), "{text}");
+        assert!(!text.is_empty());
+    }
+    let prose = tree(&page)
+        .descendants()
+        .filter(|n| n.tag_name().name() == "p")
+        .map(text_of)
+        .collect::<String>();
+    assert!(!prose.contains('$') && !prose.contains("<!--"));
+}
+
+#[test]
+fn headings_go_down_a_step_at_a_time_and_tables_name_their_columns() {
+    let page = built_in();
+    let tree = tree(&page);
+    let mut last = 0;
+    for node in tree.descendants() {
+        let name = node.tag_name().name();
+        if let Some(level) = name.strip_prefix('h').and_then(|l| l.parse::<u32>().ok()) {
+            assert!(level <= last + 1, "{name} after h{last}: {}", text_of(node));
+            last = level;
+        }
+        if name == "table" {
+            let heads = node
+                .descendants()
+                .filter(|n| n.attribute("scope") == Some("col"));
+            assert!(heads.count() > 1);
+        }
+    }
+    for landmark in ["header", "nav", "main", "footer"] {
+        assert_eq!(
+            tree.descendants()
+                .filter(|n| n.tag_name().name() == landmark)
+                .count(),
+            1
+        );
+    }
+}
+
+#[test]
+fn nothing_is_fetched() {
+    let page = built_in();
+    for node in tree(&page).descendants() {
+        assert!(
+            !["link", "img", "iframe", "object", "image", "use"].contains(&node.tag_name().name())
+        );
+        for attribute in node.attributes() {
+            assert!(!["src", "srcset", "style", "data"].contains(&attribute.name()));
+            assert!(!attribute.name().starts_with("on"), "{}", attribute.name());
+        }
+    }
+    assert!(!page.contains("url(") && !page.contains("@import"));
+    assert!(page.len() < 1_000_000, "{}", page.len());
+}
+
+#[test]
+fn displays_keep_their_place_in_whatever_is_around_them() {
+    let page = page_of(&[(
+        "around.md",
+        "# A list\n\n1. First $a$ and\n   $$ a = b \\tag{1} $$\n   after\n2. **bold $$ b = a \\tag{2} $$ still**\n\n\
+         > quoted\n> $$ a + b = 2 b \\tag{3} $$\n> end\n\n| x | y |\n|---|---|\n| $a|b$ | 2 |\n\n\
+         <div>\n$$ a - b = 0 \\tag{4} $$\n</div>\n\n[ref]: x \"$$ c = d \\tag{5} $$\"\n",
+    )]);
+    let tree = tree(&page);
+    let names: Vec<&str> = tree
+        .descendants()
+        .filter(|n| has_class(n, "equation"))
+        .filter_map(|n| n.attribute("id"))
+        .collect();
+    for number in ["eq-1", "eq-2", "eq-3", "eq-5"] {
+        assert_eq!(
+            names.iter().filter(|name| **name == number).count(),
+            1,
+            "{names:?}"
+        );
+    }
+    // What is not read is said, and shown as it was typed.
+    let text = text_of(tree.root());
+    assert!(
+        text.contains("an equation in a block of HTML is not read") && text.contains("a - b = 0")
+    );
+    for node in tree.descendants().filter(|n| has_class(n, "equation")) {
+        let narrow = ["p", "strong", "em", "h3", "h4", "pre", "a"];
+        assert!(
+            node.ancestors()
+                .all(|a| !narrow.contains(&a.tag_name().name()))
+        );
+    }
+    let within = |id: &str, tag: &str| {
+        let node = tree
+            .descendants()
+            .find(|n| n.attribute("id") == Some(id))
+            .unwrap();
+        node.ancestors().any(|a| a.tag_name().name() == tag)
+    };
+    assert!(within("eq-1", "li") && within("eq-2", "li") && within("eq-3", "blockquote"));
+}
+
+#[test]
+fn other_sources_are_walked_item_by_item() {
+    let page = page_of(&[(
+        "note.tex",
+        "# One\n\nBy <b>love</b> & $v_0$:\n\n$$ a = b \\tag{1} $$\n\nAs (1) says.\n",
+    )]);
+    let tree = tree(&page);
+    let article = tree
+        .descendants()
+        .find(|n| n.tag_name().name() == "article")
+        .unwrap();
+    let text = text_of(article);
+    assert!(text.contains("<b>love</b> & "), "{text}");
+    assert!(
+        article
+            .descendants()
+            .any(|n| n.attribute("href") == Some("#eq-1") && text_of(n) == "(1)")
+    );
+    assert_eq!(
+        article
+            .descendants()
+            .filter(|n| has_class(n, "equation"))
+            .count(),
+        1
+    );
+}
+
+#[test]
+fn thousands_of_equations_stay_whole_and_linear() {
+    let source = |count: usize| -> String {
+        let one = |at: usize| {
+            format!(
+                "By algebra, for $x_{{{at}}}$,\n\n$$ (x + {at})^2 = x^2 + {} x + {} \\tag{{{at}}} $$\n\n",
+                2 * at,
+                at * at
+            )
+        };
+        (1..=count).map(one).collect()
+    };
+    let few = page_of(&[("few.md", &source(500))]);
+    let many = page_of(&[("many.md", &source(2_000))]);
+    let shown = tree(&many)
+        .descendants()
+        .filter(|n| has_class(n, "equation"))
+        .count();
+    assert_eq!(shown, 2_000);
+    assert!(
+        many.len() < 5 * few.len(),
+        "{} against {}",
+        many.len(),
+        few.len()
+    );
+}
+
+#[test]
+fn nothing_to_read_is_a_page_too() {
+    for documents in [
+        &[][..],
+        &[("empty.md", "")],
+        &[("words.md", "# Words\n\nOnly.\n")],
+    ] {
+        let page = page_of(documents);
+        assert!(text_of(tree(&page).root()).contains("No displayed equation was found"));
+    }
+}
