@@ -161,6 +161,15 @@ pub enum Command {
         #[arg(long, value_name = "NAME")]
         stdin_filename: Option<String>,
     },
+    /// List the symbols of documents, and print the declarations that are left to make, to be pasted and completed.
+    Init {
+        /// Files, directories or `-`.
+        #[arg(required = true, value_name = "FILE")]
+        paths: Vec<PathBuf>,
+        /// What standard input is called, and what it is written in.
+        #[arg(long, value_name = "NAME")]
+        stdin_filename: Option<String>,
+    },
     /// Print a script with which a shell completes the arguments.
     Completions {
         /// The shell.

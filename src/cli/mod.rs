@@ -8,6 +8,7 @@ mod audit;
 mod csv;
 mod file;
 mod halves;
+mod init;
 pub mod input;
 mod manual;
 pub mod output;

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::args::{Args, Builtin, Command, Format, Gate};
-use super::{Failure, audit, halves, input, manual, plot, scenario, simulate};
+use super::{Failure, audit, halves, init, input, manual, plot, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
@@ -85,6 +85,10 @@ pub(super) fn run(args: &Args) -> Done {
             let (derivation, shown) = asked_for(args, paths, stdin_filename.as_deref())?;
             graph(&derivation, args, &shown)
         }
+        Some(Command::Init {
+            paths,
+            stdin_filename,
+        }) => init::init(paths, stdin_filename.as_deref(), args.format),
         Some(Command::Completions { shell }) => Ok((manual::completions(*shell), false)),
         Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?, false)),
         Some(Command::Scenario {
