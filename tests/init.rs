@@ -5,6 +5,7 @@ use std::process::{Command, Output};
 
 use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
+use cradle_verify::dimension;
 use cradle_verify::report::{Report, declarations};
 
 fn root() -> &'static Path {
@@ -110,6 +111,15 @@ fn a_page_that_another_one_speaks_for_is_left_alone() {
     let (_, second) = text.split_once("Symbols of b.md").unwrap();
     assert!(second.contains("not declared here, but in a.md"), "{text}");
     assert!(!second.contains("symbols m"), "{text}");
+}
+
+#[test]
+fn every_dimension_with_a_name_is_proposed_by_one_that_can_be_declared() {
+    for name in dimension::names() {
+        let own = dimension::named(name).unwrap();
+        let proposed = dimension::declared_name(&own).unwrap();
+        assert_eq!(dimension::named(&proposed), Some(own), "{name}: {proposed}");
+    }
 }
 
 fn run(args: &[&str]) -> Output {

@@ -205,13 +205,14 @@ fn settled(symbols: &[Found]) -> Option<String> {
     let others = (0..open.len()).filter(|at| !chosen.contains(at));
     let others: Vec<String> = others.map(|at| named(open[at])).collect();
     let (noun, verb) = match first.len() {
-        1 => ("dimension", "settles that"),
-        _ => ("dimensions", "settle those"),
+        1 => ("dimension", "settles"),
+        _ => ("dimensions", "settle"),
     };
+    let those = if others.len() == 1 { "that" } else { "those" };
     Some(match others.is_empty() {
         true => format!("Open: the {noun} of {}.", words::list(first)),
         false => format!(
-            "The {noun} of {} {verb} of {}.",
+            "The {noun} of {} {verb} {those} of {}.",
             words::list(first),
             words::list(others),
         ),
