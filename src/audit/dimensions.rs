@@ -30,10 +30,15 @@ pub struct Dimensions {
 impl Dimensions {
     /// Reads a derivation. Where no dimension is declared nothing can disagree, and nothing is read.
     pub fn of(derivation: &Derivation) -> Dimensions {
-        let mut all = Dimensions::default();
         if derivation.pages.iter().all(|p| p.dimensions.is_empty()) {
-            return all;
+            return Dimensions::default();
         }
+        Dimensions::inferred(derivation)
+    }
+
+    /// Reads a derivation even where nothing is declared: then what is inferred says how dimensions hang together.
+    pub fn inferred(derivation: &Derivation) -> Dimensions {
+        let mut all = Dimensions::default();
         for page in 0..derivation.pages.len() {
             let scope = scope(derivation, page, &mut all);
             all.scopes.push(Arc::new(scope));
@@ -54,6 +59,22 @@ impl Dimensions {
         compared
             .then(|| self.inference.agreement(formula, scope))
             .flatten()
+    }
+
+    /// The dimension of a symbol of a page as far as it is known, and whether that is declared, there or on a page that it
+    /// cites. Nothing for what does not occur.
+    pub fn of_symbol(&self, page: usize, symbol: &Symbol) -> Option<(Form, bool)> {
+        self.known(self.scopes.get(page)?.symbols.get(symbol)?)
+    }
+
+    /// The same for the elements of a sequence.
+    pub fn of_sequence(&self, page: usize, sequence: &Symbol) -> Option<(Form, bool)> {
+        self.known(self.scopes.get(page)?.sequences.get(sequence)?)
+    }
+
+    fn known(&self, said: &Said) -> Option<(Form, bool)> {
+        let declared = matches!(said, Said::Declared(_));
+        Some((self.inference.value(&Form::said(said)), declared))
     }
 
     /// Gives the verdict `ill-dimensioned` to the entries of an equation that deserve it. A counterexample that was

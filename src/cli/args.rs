@@ -157,9 +157,6 @@ pub enum Command {
         /// What standard input is called in findings.
         #[arg(long, value_name = "NAME")]
         stdin_filename: Option<String>,
-        /// The file to write; without it, standard output. It is replaced as a whole, or not at all.
-        #[arg(short = 'o', value_name = "FILE")]
-        to: Option<PathBuf>,
     },
     /// Write out one equation's evidence in full, so that it can be checked by hand; or what a code means.
     Explain {
@@ -170,6 +167,15 @@ pub enum Command {
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
         /// What standard input is called in findings.
+        #[arg(long, value_name = "NAME")]
+        stdin_filename: Option<String>,
+    },
+    /// List the symbols of documents, and print the declarations that are left to make, to be pasted and completed.
+    Init {
+        /// Files, directories or `-`.
+        #[arg(required = true, value_name = "FILE")]
+        paths: Vec<PathBuf>,
+        /// What standard input is called, and what it is written in.
         #[arg(long, value_name = "NAME")]
         stdin_filename: Option<String>,
     },

@@ -1,22 +1,19 @@
 //! `report`: the whole audit as one page, with the report's own figures and table where it is about the report.
 
-use std::path::Path;
-
 use super::args::{Args, Format};
 use super::run::Done;
-use super::{Failure, file, halves};
+use super::{Failure, halves};
 use crate::derivation::{Checker, Derivation};
 use crate::figures::{self, Figure, FigureError, Material};
 use crate::report::Report;
 use crate::report::html::{Picture, Pictures};
 
-/// The page for standard output, which is empty where a file was written.
+/// The page, and whether anything was found.
 pub(super) fn report(
     derivation: Derivation,
     args: &Args,
     paths: &[String],
     is_report: bool,
-    to: Option<&Path>,
 ) -> Done {
     if args.format != Format::Human {
         return Err(
@@ -36,13 +33,7 @@ pub(super) fn report(
     };
     let page = report.html(&pictures);
     let found = report.findings() > 0;
-    match to {
-        Some(path) => {
-            file::replace(path, &page)?;
-            Ok((String::new(), found))
-        }
-        None => Ok((page, found)),
-    }
+    Ok((page, found))
 }
 
 /// The figures and the table that are drawn from the report's own equations.

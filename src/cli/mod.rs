@@ -9,6 +9,7 @@ mod csv;
 mod file;
 mod halves;
 mod html;
+mod init;
 pub mod input;
 mod manual;
 pub mod output;

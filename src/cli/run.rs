@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::args::{Args, Builtin, Command, Format, Gate};
-use super::{Failure, audit, halves, html, input, manual, plot, scenario, simulate};
+use super::{Failure, audit, halves, html, init, input, manual, plot, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
@@ -88,12 +88,15 @@ pub(super) fn run(args: &Args) -> Done {
         Some(Command::Report {
             paths,
             stdin_filename,
-            to,
         }) => {
             let (derivation, shown) = asked_for(args, paths, stdin_filename.as_deref())?;
             let is_report = paths.is_empty() && args.builtin.unwrap_or_default() == Builtin::Report;
-            html::report(derivation, args, &shown, is_report, to.as_deref())
+            html::report(derivation, args, &shown, is_report)
         }
+        Some(Command::Init {
+            paths,
+            stdin_filename,
+        }) => init::init(paths, stdin_filename.as_deref(), args.format),
         Some(Command::Completions { shell }) => Ok((manual::completions(*shell), false)),
         Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?, false)),
         Some(Command::Scenario {

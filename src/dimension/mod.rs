@@ -17,5 +17,5 @@ mod rescale;
 mod system;
 
 pub use infer::{Conflict, Inference, Reading};
-pub use names::{base_letter, base_name, named, names, names_of};
+pub use names::{base_letter, base_name, declared_name, named, names, names_of};
 pub use parse::{Unreadable, parse};

@@ -111,6 +111,14 @@ pub fn names_of(wanted: &Dimension) -> Vec<&'static str> {
     rows.map(|row| row.0).collect()
 }
 
+/// The name of a dimension in a declaration: that of the first quantity that has it.
+pub fn declared_name(wanted: &Dimension) -> Option<String> {
+    match *names_of(wanted).first()? {
+        "pure number" => Some("dimensionless".into()),
+        name => Some(name.to_lowercase()),
+    }
+}
+
 /// Every name that a declaration may use.
 pub fn names() -> impl Iterator<Item = &'static str> {
     TABLE.iter().flat_map(|row| row.1.iter().copied())

@@ -8,10 +8,13 @@
 //! The views for editors and for continuous integration list a [`remark::Remark`] each: `short`, `github`, `sarif` and
 //! `junit`. `codes` says how grave each is, `baseline` which are known.
 //!
+//! `declarations` is for authors: what is left to declare, from `symbols` and what `settling` finds.
+//!
 //! Every view is a `String` with colours in it; whoever prints it leaves them out where they are not wanted.
 
 pub mod baseline;
 pub mod codes;
+mod declarations;
 pub mod diagnostic;
 mod dimension;
 pub mod evidence;
@@ -33,14 +36,17 @@ pub mod proof;
 pub mod remark;
 mod sarif;
 mod scaling;
+mod settling;
 mod short;
 mod style;
 pub mod summary;
+mod symbols;
 mod words;
 
 use crate::audit::{Audit, Entry, Note};
 use crate::derivation::Derivation;
 
+pub use declarations::declarations;
 pub use fix::Fix;
 pub use github::github;
 pub use short::short;

@@ -1,4 +1,4 @@
-//! docs/ci.md: each of its commands is run in order, in a folder with one page, and says what the page shows.
+//! docs/ci.md and docs/guide.md: each of their commands is run in order, in a folder with their pages, and says what is shown.
 
 use std::path::Path;
 use std::process::Command;
@@ -35,18 +35,11 @@ fn matches(shown: &[String], said: &[&str]) -> bool {
     }
 }
 
-#[test]
-fn every_command_of_the_guide_says_what_is_shown() {
-    let page = std::fs::read_to_string(root().join("docs/ci.md")).unwrap();
-    let commands = commands(&page);
-    assert!(commands.len() >= 10, "the guide has lost its commands");
-    let folder = folder("guide");
-    std::fs::create_dir(folder.join("report")).unwrap();
-    std::fs::copy(
-        root().join("docs/examples/well.md"),
-        folder.join("report/well.md"),
-    )
-    .unwrap();
+/// Runs the commands of a page in a folder, and compares what they say.
+fn follow(page: &str, folder: &Path) {
+    let text = std::fs::read_to_string(root().join(page)).unwrap();
+    let commands = commands(&text);
+    assert!(commands.len() >= 10, "{page} has lost its commands");
     let program = Path::new(env!("CARGO_BIN_EXE_cradle-verify"))
         .parent()
         .unwrap();
@@ -61,7 +54,7 @@ fn every_command_of_the_guide_says_what_is_shown() {
     for (line, command, shown) in commands {
         let output = Command::new("sh")
             .args(["-c", &format!("(exit {last}); {command} 2>&1")])
-            .current_dir(&folder)
+            .current_dir(folder)
             .env("PATH", &path)
             .output()
             .unwrap();
@@ -70,9 +63,32 @@ fn every_command_of_the_guide_says_what_is_shown() {
         let said: Vec<&str> = said.lines().map(str::trim_end).collect();
         assert!(
             matches(&shown, &said),
-            "docs/ci.md:{line}: {command}\nsaid: {said:#?}"
+            "{page}:{line}: {command}\nsaid: {said:#?}"
         );
     }
+}
+
+#[test]
+fn every_command_of_the_guide_says_what_is_shown() {
+    let folder = folder("guide");
+    std::fs::create_dir(folder.join("report")).unwrap();
+    std::fs::copy(
+        root().join("docs/examples/well.md"),
+        folder.join("report/well.md"),
+    )
+    .unwrap();
+    follow("docs/ci.md", &folder);
+}
+
+#[test]
+fn every_command_of_the_first_audit_says_what_is_shown() {
+    let folder = folder("first-audit");
+    std::fs::create_dir_all(folder.join("docs/examples")).unwrap();
+    for page in ["kinematics-wrong.md", "rc-circuit-wrong.tex"] {
+        let page = Path::new("docs/examples").join(page);
+        std::fs::copy(root().join(&page), folder.join(&page)).unwrap();
+    }
+    follow("docs/guide.md", &folder);
 }
 
 #[test]

@@ -1,0 +1,158 @@
+//! `init`: what it prints can be pasted as it is, and then every verdict is what it was.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use cradle_verify::audit::Audit;
+use cradle_verify::derivation::Derivation;
+use cradle_verify::dimension;
+use cradle_verify::report::{Report, declarations};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn documents(folder: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(root().join(folder)).unwrap();
+    let mut found: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    found.retain(|path| path.extension().is_some_and(|e| e == "md" || e == "tex"));
+    found.sort();
+    assert!(!found.is_empty(), "{folder} is empty");
+    found
+}
+
+fn read(path: &Path, source: &str) -> Derivation {
+    let name = path.display().to_string();
+    match path.extension().unwrap().to_str() {
+        Some("tex") => Derivation::from_latex(&name, source),
+        _ => Derivation::from_markdown(&name, source),
+    }
+}
+
+/// What an audit says: a verdict and the codes of the notes for each statement, and how much could not be read.
+fn said(derivation: &Derivation) -> (Vec<String>, usize) {
+    let audit = Audit::of(derivation);
+    let entries = audit.entries.iter().map(|entry| {
+        let codes: Vec<&str> = entry.notes.iter().map(|note| note.code()).collect();
+        let equation = derivation.equations[entry.equation].reference();
+        format!("{equation} {} {}", entry.verdict.word(), codes.join(" "))
+    });
+    let report = Report {
+        derivation,
+        audit: &audit,
+        paths: &[],
+    };
+    (entries.collect(), report.unread())
+}
+
+fn round_trip(path: &Path, source: &str) {
+    let before = read(path, source);
+    let pasted = declarations(&before);
+    let after = read(path, &format!("{pasted}\n{source}"));
+    assert_eq!(said(&after), said(&before), "{}\n{pasted}", path.display());
+    // Nothing is asked for twice.
+    let again = declarations(&after);
+    assert!(!again.contains("\nsymbols"), "{}\n{again}", path.display());
+    assert!(!again.contains("check:"), "{}\n{again}", path.display());
+}
+
+#[test]
+fn what_is_printed_changes_no_verdict_of_an_example() {
+    for path in documents("docs/examples") {
+        round_trip(&path, &std::fs::read_to_string(&path).unwrap());
+    }
+}
+
+#[test]
+fn nor_where_the_examples_declare_less() {
+    for path in documents("docs/examples") {
+        let source = std::fs::read_to_string(&path).unwrap();
+        for word in ["velocity", "mass", "length", "time", "energy", "positive"] {
+            let fewer = source.lines().filter(|line| {
+                let line = line.trim_start_matches(['%', ' ']);
+                !(line.starts_with("symbols") && line.contains(word))
+            });
+            let fewer: Vec<&str> = fewer.collect();
+            round_trip(&path, &fewer.join("\n"));
+        }
+    }
+}
+
+#[test]
+fn nor_of_any_page_of_the_tests() {
+    for path in documents("tests/pages") {
+        round_trip(&path, &std::fs::read_to_string(&path).unwrap());
+    }
+}
+
+#[test]
+fn what_is_left_open_is_named_with_what_settles_it() {
+    let source = "<!-- check: symbols g: acceleration -->\n\nA tram:\n\n$$ v = u + a t \\tag{1} $$\n\n\
+                  $$ h = \\frac{u^2}{2 g} \\tag{2} $$\n";
+    let text = declarations(&Derivation::from_markdown("tram.md", source));
+    insta::assert_snapshot!(text);
+    let tex = "% check: symbols v: velocity\n\\documentclass{article}\\begin{document}\n\
+               \\begin{equation} v = a t \\end{equation}\n\\begin{equation} w = 2 v \\end{equation}\\end{document}\n";
+    insta::assert_snapshot!(declarations(&Derivation::from_latex("tram.tex", tex)));
+}
+
+#[test]
+fn a_page_that_another_one_speaks_for_is_left_alone() {
+    let pages = [
+        (
+            "a.md",
+            "<!-- check: symbols m: mass, positive -->\n\n<!-- check: law -->\n$$ p = m v \\tag{1} $$\n",
+        ),
+        ("b.md", "By (1)\n\n$$ v = \\frac{p}{m} \\tag{2} $$\n"),
+    ];
+    let documents =
+        pages.map(|(path, source)| cradle_verify::document::Document::markdown(path, source));
+    let text = declarations(&Derivation::new(documents.to_vec()));
+    let (_, second) = text.split_once("Symbols of b.md").unwrap();
+    assert!(second.contains("not declared here, but in a.md"), "{text}");
+    assert!(!second.contains("symbols m"), "{text}");
+}
+
+#[test]
+fn every_dimension_with_a_name_is_proposed_by_one_that_can_be_declared() {
+    for name in dimension::names() {
+        let own = dimension::named(name).unwrap();
+        let proposed = dimension::declared_name(&own).unwrap();
+        assert_eq!(dimension::named(&proposed), Some(own), "{name}: {proposed}");
+    }
+}
+
+fn run(args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_cradle-verify"));
+    command.args(args).current_dir(root()).output().unwrap()
+}
+
+#[test]
+fn the_program_prints_it_and_refuses_as_elsewhere() {
+    let done = run(&["init", "docs/examples/well.md"]);
+    assert_eq!(done.status.code(), Some(0));
+    let source = std::fs::read_to_string(root().join("docs/examples/well.md")).unwrap();
+    let text = declarations(&Derivation::from_markdown("docs/examples/well.md", &source));
+    assert_eq!(String::from_utf8(done.stdout).unwrap(), text);
+    for args in [
+        &["init", "missing.md"][..],
+        &["init", "docs/examples/well.md", "--format", "json"],
+        &["init", "docs/examples/well.md", "--builtin", "report"],
+    ] {
+        let done = run(args);
+        assert_eq!(done.status.code(), Some(2), "{args:?}");
+        assert!(
+            done.stdout.is_empty() && !done.stderr.is_empty(),
+            "{args:?}"
+        );
+    }
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("declarations.md");
+    let done = run(&[
+        "init",
+        "docs/examples/well.md",
+        "-o",
+        file.to_str().unwrap(),
+    ]);
+    assert_eq!(done.status.code(), Some(0));
+    assert_eq!(std::fs::read_to_string(file).unwrap(), text);
+}
