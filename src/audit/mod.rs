@@ -270,7 +270,7 @@ impl Auditor<'_> {
         );
         let mut entries = Vec::new();
         for (part, statement) in statements.iter().enumerate() {
-            let defines = equation.defines && part == 0;
+            let defines = equation.defines.contains(&part);
             let mut entry = match equation.numeric {
                 Some(_) => self.numeric(at, statement, &usable),
                 None => self.statement(at, statement, &usable, &premises, says_so, defines),

@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use crate::algebra::{BigRational, Expr, Formula, Relation};
 use crate::document::Span;
 use crate::notation::{Clause, Connective, Statement, SyntaxError};
@@ -25,8 +27,8 @@ pub struct Equation {
     pub statements: Result<Vec<Statement>, SyntaxError>,
     /// What kind of statement the author makes.
     pub kind: Kind,
-    /// Whether the first link of the first statement defines a symbol that has not occurred before.
-    pub defines: bool,
+    /// The statements, by position, whose first link defines a symbol that has not occurred before.
+    pub defines: BTreeSet<usize>,
     /// Whether the page opens with it and nothing is said of where it comes from.
     pub opens: bool,
     /// It is a numeric claim: how near `≈` is meant, where that is said.

@@ -163,7 +163,8 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
                         () => Kind::Derived,
                     };
                     let stated = said.derived || said.numeric.is_some();
-                    let defines = kind == Kind::Derived && !stated && said.from.is_none();
+                    let may_define = kind == Kind::Derived && !stated && said.from.is_none();
+                    let defines = (0..statements().count()).filter(|_| may_define).collect();
                     equations.push(Equation {
                         page: number,
                         tag: part.tag,
@@ -213,18 +214,23 @@ fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
 pub(super) fn settle_definitions(equations: &mut [Equation]) {
     let mut seen = BTreeSet::new();
     for equation in equations {
-        equation.defines &= defines_new_symbol(equation.statements(), &seen);
-        for formula in equation.statements().iter().flat_map(formulas) {
-            seen.extend(formula.free_symbols());
-            seen.extend(formula.sequences());
+        let mut defines = std::mem::take(&mut equation.defines);
+        for (part, statement) in equation.statements().iter().enumerate() {
+            if !defines_new_symbol(statement, &seen) {
+                defines.remove(&part);
+            }
+            for formula in formulas(statement) {
+                seen.extend(formula.free_symbols());
+                seen.extend(formula.sequences());
+            }
         }
+        equation.defines = defines;
     }
 }
 
 /// `s = …` where `s` has not occurred before, on this page or an earlier one.
-fn defines_new_symbol(statements: &[crate::notation::Statement], seen: &BTreeSet<Symbol>) -> bool {
-    let Some(Clause::Chain { sides, links }) = statements.first().and_then(|s| s.clauses.first())
-    else {
+fn defines_new_symbol(statement: &Statement, seen: &BTreeSet<Symbol>) -> bool {
+    let Some(Clause::Chain { sides, links }) = statement.clauses.first() else {
         return false;
     };
     let (Some(side), Some(link)) = (sides.first(), links.first()) else {

@@ -203,7 +203,7 @@ impl Checker {
                     [] => assumed.extend(shown.iter().cloned()),
                     supposed => assumed.extend(supposed.iter().map(step)),
                 }
-                if !(equation.defines && part == 0 && position == 0) {
+                if !(equation.defines.contains(&part) && position == 0) {
                     claims.push(derivation.claim(at, &assumed, &goal.formula));
                 }
                 if goal.suppositions.is_empty() && !goal.questioned {
