@@ -79,6 +79,13 @@ impl InPi {
         if self.is_zero() {
             return Ok(Ordering::Equal);
         }
+        // No digit of π is needed for a number without it.
+        if let [only] = self.0.as_slice() {
+            return Ok(match only.is_positive() {
+                true => Ordering::Greater,
+                false => Ordering::Less,
+            });
+        }
         let (low, high) = digits();
         let (mut least, mut most) = (Rational::zero(), Rational::zero());
         let (mut low_power, mut high_power) = (Rational::one(), Rational::one());
