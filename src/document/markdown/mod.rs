@@ -149,11 +149,29 @@ impl<'a> Scanner<'a> {
                     b'$' => self.dollar(),
                     b'\\' => self.backslash(),
                     b'<' if self.rest().starts_with("<!--") => self.loose_comment(),
+                    b':' if self.rest().starts_with(":::") => self.colons(),
                     _ => self.at += 1,
                 }
             }
         }
         self.hand_over_prose(self.bytes.len());
+    }
+
+    /// `:::{math}`, MyST's other fence, is not read, and must not pass for prose.
+    fn colons(&mut self) {
+        let colons = self.rest().bytes().take_while(|b| *b == b':').count();
+        let span = Span::new(self.at, self.at + colons);
+        let begins = self.rest()[colons..]
+            .trim_start_matches(' ')
+            .starts_with("{math}");
+        if begins {
+            self.problem(
+                span,
+                "an equation between colons is not read",
+                "write it between `$$`, or between ```` ```{math} ```` and ```` ``` ````",
+            );
+        }
+        self.at += colons;
     }
 
     fn rest(&self) -> &'a str {
