@@ -201,6 +201,15 @@ impl From<Rational> for BigRational {
     }
 }
 
+impl From<u64> for Rational {
+    fn from(value: u64) -> Self {
+        match i64::try_from(value) {
+            Ok(value) => Rational::small(value, 1),
+            Err(_) => Rational::from(BigInt::from(value)),
+        }
+    }
+}
+
 impl From<u32> for Rational {
     fn from(value: u32) -> Self {
         Rational::small(value.into(), 1)

@@ -198,6 +198,11 @@ impl Note {
         }
     }
 
+    /// Whether it is told only where somebody asks for one equation: the premise may be cited for another reason.
+    pub fn is_quiet(&self) -> bool {
+        matches!(self, Note::UnusedPremise(_))
+    }
+
     /// Whether it is something to mend, rather than to know.
     pub fn is_finding(&self) -> bool {
         match self {

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::palette::{Palette, SERIES};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Item, Scene, Segment, Shape, Text};
+use crate::notation::escape_by;
 
 /// A picture as an SVG document, or as an element to be put into a page of HTML.
 ///
@@ -47,20 +48,7 @@ pub fn svg(scene: &Scene) -> String {
 
 /// Text with nothing in it that markup is made of, and nothing that XML has no place for.
 pub(super) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            '\u{fffe}' | '\u{ffff}' => escaped.push('\u{fffd}'),
-            character if character.is_control() => escaped.push('\u{fffd}'),
-            character => escaped.push(character),
-        }
-    }
-    escaped
+    escape_by(text, |_| Some(char::REPLACEMENT_CHARACTER))
 }
 
 /// Every colour as a custom property, for light and for dark pages, and a class for each use of it.

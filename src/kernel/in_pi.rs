@@ -5,6 +5,7 @@
 //! π. Which of two is greater is decided by twenty digits, or not at all.
 
 use std::cmp::Ordering;
+use std::sync::LazyLock;
 
 use num_traits::{One, Zero};
 
@@ -86,7 +87,7 @@ impl InPi {
                 false => Ordering::Less,
             });
         }
-        let (low, high) = digits();
+        let (low, high) = &*DIGITS;
         let (mut least, mut most) = (Rational::zero(), Rational::zero());
         let (mut low_power, mut high_power) = (Rational::one(), Rational::one());
         for c in &self.0 {
@@ -95,8 +96,8 @@ impl InPi {
                 true => (least, most) = (least + b, most + a),
                 false => (least, most) = (least + a, most + b),
             }
-            low_power *= &low;
-            high_power *= &high;
+            low_power *= low;
+            high_power *= high;
         }
         match (least.is_positive(), most.is_negative()) {
             (true, _) => Ok(Ordering::Greater),
@@ -134,13 +135,13 @@ impl InPi {
 }
 
 /// `3.14159265358979323846 < π < 3.14159265358979323847`.
-fn digits() -> (Rational, Rational) {
+static DIGITS: LazyLock<(Rational, Rational)> = LazyLock::new(|| {
     let below = BigInt::from(314_159_265_358_979_323_846_i128);
     let scale = BigInt::from(10).pow(20);
     let above = &below + BigInt::one();
     let number = |n| Rational::from(BigRational::new(n, scale.clone()));
     (number(below), number(above))
-}
+});
 
 /// `Σ c_k π^k` as a term.
 pub fn in_powers_of_pi(coefficients: &[BigRational]) -> Expr {

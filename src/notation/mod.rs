@@ -22,7 +22,7 @@ mod read;
 mod statement;
 
 pub(crate) use commands::is_command;
-pub(crate) use printer::escape;
+pub(crate) use printer::{escape, escape_by};
 pub use printer::{
     latex, latex_formula, latex_statement, mathml, mathml_formula, mathml_statement, plain,
     plain_formula, relation_latex,

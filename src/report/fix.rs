@@ -1,6 +1,5 @@
 //! Repairs that a program can apply: text for a place in the document, which the kernel has seen to follow.
 
-use crate::algebra::{Expr, Formula, Relation};
 use crate::audit::Entry;
 use crate::document::Span;
 use crate::notation::{Clause, latex};
@@ -32,8 +31,8 @@ impl Report<'_> {
         if others.count() != 1 {
             return None;
         }
-        let (first, second) = equated(&proven.claim().goal)?;
-        let (left, right) = equated(&judged.goal.formula)?;
+        let (first, second) = proven.claim().goal.as_equation()?;
+        let (left, right) = judged.goal.formula.as_equation()?;
         let (before, after) = judged.goal.sides;
         // One side stays as it is printed.
         let (span, term) = match () {
@@ -66,17 +65,5 @@ impl Report<'_> {
             span,
             text: format!("{space}{}", latex(term)),
         })
-    }
-}
-
-/// The two sides of an equality.
-fn equated(formula: &Formula) -> Option<(&Expr, &Expr)> {
-    match formula {
-        Formula::Relation {
-            left,
-            relation: Relation::Equal,
-            right,
-        } => Some((left, right)),
-        _ => None,
     }
 }

@@ -12,6 +12,7 @@ use super::Report;
 use super::codes::Level;
 use super::place::relative;
 use super::remark::{Remark, Subject};
+use crate::notation::escape_by;
 
 /// How many cases of a suite did not pass.
 #[derive(Default)]
@@ -173,21 +174,11 @@ fn case(tally: &mut Tally, suite: &str, name: &str, result: &Result<'_>) -> Stri
 
 /// Text for an attribute or an element. XML has no way to write most control characters, so they are left out.
 fn escaped(text: &str) -> String {
-    let mut written = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => written += "&amp;",
-            '<' => written += "&lt;",
-            // `]]>` may not stand in text.
-            '>' => written += "&gt;",
-            '"' => written += "&quot;",
-            '\n' => written.push('\n'),
-            '\t' => written.push(' '),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
-            c => written.push(c),
-        }
-    }
-    written
+    escape_by(text, |c| match c {
+        '\n' => Some('\n'),
+        '\t' => Some(' '),
+        _ => None,
+    })
 }
 
 #[cfg(test)]

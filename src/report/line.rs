@@ -78,7 +78,7 @@ impl Report<'_> {
                 Some(numeric) => Some(numeric::headline(numeric)),
                 None => undecided(entry),
             }),
-            Verdict::Holds if entry.notes.iter().all(is_quiet) => {
+            Verdict::Holds if entry.notes.iter().all(Note::is_quiet) => {
                 said.push(self.holds_from(entry));
             }
             Verdict::IllDimensioned => {
@@ -95,7 +95,7 @@ impl Report<'_> {
         // The line of a numeric claim says so itself.
         let apart = |note: &&Note| {
             let told = matches!(note, Note::NumericNotSupported) && unsupported(entry);
-            !(is_quiet(note) || told)
+            !(note.is_quiet() || told)
         };
         let notes = entry.notes.iter().filter(apart);
         said.extend(notes.filter_map(|note| self.aside(note)));
@@ -253,11 +253,6 @@ impl Report<'_> {
             }
         })
     }
-}
-
-/// What is told in full views only.
-fn is_quiet(note: &Note) -> bool {
-    matches!(note, Note::UnusedPremise(_))
 }
 
 /// A numeric claim that the figures contradict.

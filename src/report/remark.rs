@@ -124,8 +124,7 @@ impl Report<'_> {
             codes.push(entry.verdict.word());
         }
         let apart = |note: &&Note| !(wrong && super::belongs_to_failing(note));
-        // That a premise is not needed is told where somebody asks for one equation.
-        let told = |note: &&Note| !matches!(note, Note::UnusedPremise(_));
+        let told = |note: &&Note| !note.is_quiet();
         codes.extend(
             entry
                 .notes

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::algebra::{Atom, BigInt, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var};
+use crate::algebra::{Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var};
 use crate::kernel::{Assignment, Claim, Fact, Problem, Sign};
 
 /// How deep the tree of fractions is descended.
@@ -256,7 +256,7 @@ pub fn simplest_between(below: &Rational, above: &Rational) -> Option<Rational> 
     let (mut left, mut right) = ((0_u64, 1_u64), (1_u64, 0_u64));
     for _ in 0..MOST_STEPS {
         let middle = (left.0.checked_add(right.0)?, left.1.checked_add(right.1)?);
-        let value = Rational::from(BigInt::from(middle.0)) / Rational::from(BigInt::from(middle.1));
+        let value = Rational::from(middle.0) / Rational::from(middle.1);
         if value <= *below {
             left = middle;
         } else if value >= *above {

@@ -126,11 +126,12 @@ impl<F: Fn(&Claim, &Assignment) -> Values> Met<'_, F> {
 fn simple(claim: &Claim) -> Vec<Formula> {
     let mut symbols: Vec<Symbol> = claim.goal.free_symbols().into_iter().collect();
     // A goal about one symbol can only lack what is said of those behind it.
-    let others = claim.hypotheses.iter().filter(|_| symbols.len() < 2);
-    for hypothesis in others.collect::<Vec<_>>() {
-        for symbol in hypothesis.formula.free_symbols() {
-            if !symbols.contains(&symbol) {
-                symbols.push(symbol);
+    if symbols.len() < 2 {
+        for hypothesis in &claim.hypotheses {
+            for symbol in hypothesis.formula.free_symbols() {
+                if !symbols.contains(&symbol) {
+                    symbols.push(symbol);
+                }
             }
         }
     }

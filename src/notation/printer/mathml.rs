@@ -11,10 +11,9 @@ use num_traits::{One, Signed};
 use self::name::Name;
 use super::decimal;
 use super::latex::is_signed;
+use super::xml::escape;
 use crate::algebra::{BigRational, Expr, Formula, Function, LimitPoint, Relation, Symbol};
 use crate::notation::{Clause, Connective, Mark, Statement};
-
-pub(crate) use name::escape;
 
 /// Side by side, and a product.
 const TIMES: &str = "<mo>\u{2062}</mo>";

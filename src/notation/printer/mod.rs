@@ -3,11 +3,12 @@
 mod latex;
 mod mathml;
 mod plain;
+mod xml;
 
 pub use latex::{latex, latex_formula, latex_statement, relation_latex};
-pub(crate) use mathml::escape;
 pub use mathml::{mathml, mathml_formula, mathml_statement};
 pub use plain::{plain, plain_formula};
+pub(crate) use xml::{escape, escape_by};
 
 use crate::algebra::{BigInt, BigRational};
 use num_integer::Integer;

@@ -5,6 +5,7 @@
 
 use super::layout::{Frame, Layout, drawn_name};
 use super::{Graph, Node, Status};
+use crate::notation::escape_by;
 
 const MARGIN: i64 = 20;
 const HEAD: i64 = 74;
@@ -263,19 +264,7 @@ fn legend(graph: &Graph) -> String {
     text
 }
 
-/// Text between tags. What may not stand in XML at all is left out.
+/// Text between tags: one line, without what may not stand in XML at all.
 fn escaped(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '>' => escaped += "&gt;",
-            '"' => escaped += "&quot;",
-            '\n' | '\t' | '\r' => escaped.push(' '),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
-            c => escaped.push(c),
-        }
-    }
-    escaped
+    escape_by(text, |c| matches!(c, '\n' | '\t' | '\r').then_some(' '))
 }

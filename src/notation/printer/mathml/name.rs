@@ -2,6 +2,7 @@
 
 use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
 use crate::notation::parser::split_subscript;
+use crate::notation::printer::xml::escape;
 
 /// Accents within accents, deeper than anybody writes.
 const DEEPEST: usize = 16;
@@ -208,25 +209,4 @@ fn accented(command: &str, inner: &Name) -> String {
 
 fn grouped(elements: &str) -> String {
     format!("<mrow>{elements}</mrow>")
-}
-
-/// Text between tags or in an attribute. What may not stand in XML at all shows as a replacement.
-pub(crate) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '>' => escaped += "&gt;",
-            '"' => escaped += "&quot;",
-            '\'' => escaped += "&#39;",
-            '\n' | '\t' => escaped.push(c),
-            '\r' => {}
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {
-                escaped.push(char::REPLACEMENT_CHARACTER);
-            }
-            c => escaped.push(c),
-        }
-    }
-    escaped
 }
