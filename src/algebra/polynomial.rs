@@ -294,6 +294,7 @@ impl Polynomial {
         // The lowest terms must divide too: most divisions that fail, fail here.
         if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first()) {
             low.divided_by(own)?;
+            self.leading()?.0.divided_by(lead)?;
         }
         let (mut rest, mut quotient) = (self.clone(), Terms::new());
         while let Some((m, c)) = rest.leading() {

@@ -156,7 +156,8 @@ impl Judge<'_> {
                     // Where only a factor is wrong, the author's own words are kept already.
                     if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {
                         let witness = refuted.witness();
-                        let mended = search::mended(&claim, witness, values_at);
+                        let mended =
+                            search::mended(&claim, witness, &self.auditor.hints(), values_at);
                         found.mended = mended.map(Box::new);
                     }
                     if let Some((conditions, _)) =

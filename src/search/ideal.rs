@@ -45,8 +45,10 @@ impl Ideal {
         let mut pivots: Vec<Pivot> = Vec::new();
         while let Some((at, pivot)) = best_pivot(&pending, knowledge, &unwanted) {
             pending.remove(at);
-            for element in &mut pending {
-                *element = element.eliminate(pivot.var, &pivot)?;
+            let var = pivot.var;
+            let speaks = |element: &&mut Tracked| element.polynomial.degree_in(var) > 0;
+            for element in pending.iter_mut().filter(speaks) {
+                *element = element.eliminate(var, &pivot)?;
                 element.strip(knowledge, &divisors);
             }
             pending.retain(|e| !e.polynomial.is_zero());
@@ -128,7 +130,15 @@ fn best_pivot(
     unwanted: impl Fn(Var) -> bool,
 ) -> Option<(usize, Pivot)> {
     type Rank = (usize, usize, std::cmp::Reverse<usize>);
-    let mut best: Option<(Rank, usize, Pivot)> = None;
+    struct Best {
+        rank: Rank,
+        at: usize,
+        var: Var,
+        coefficient: Polynomial,
+        positive: bool,
+        negative: bool,
+    }
+    let mut best: Option<Best> = None;
     for (at, element) in pending.iter().enumerate() {
         for var in element.polynomial.vars() {
             let Some(cost) = cost_of(&element.polynomial, var).filter(|_| unwanted(var)) else {
@@ -139,7 +149,7 @@ fn best_pivot(
                 element.polynomial.len(),
                 std::cmp::Reverse(var.position()),
             );
-            if best.as_ref().is_some_and(|b| b.0 <= rank) {
+            if best.as_ref().is_some_and(|b| b.rank <= rank) {
                 continue;
             }
             let coefficient = element
@@ -150,25 +160,33 @@ fn best_pivot(
             let constant = coefficient.as_constant().is_some();
             let positive = constant || knowledge.is_positive(&coefficient);
             let negative = !positive && knowledge.is_positive(&coefficient.negated());
-            if !positive && !negative && !knowledge.is_nonzero(&coefficient) {
-                continue;
+            if positive || negative || knowledge.is_nonzero(&coefficient) {
+                best = Some(Best {
+                    rank,
+                    at,
+                    var,
+                    coefficient,
+                    positive,
+                    negative,
+                });
             }
-            let mut pivot = Pivot {
-                var,
-                coefficient,
-                positive: positive || negative,
-                element: element.clone(),
-            };
-            if negative {
-                pivot.coefficient = pivot.coefficient.negated();
-                pivot.element.polynomial = pivot.element.polynomial.negated();
-                let cofactors = pivot.element.cofactors.values_mut();
-                cofactors.for_each(|c| *c = c.negated());
-            }
-            best = Some((rank, at, pivot));
         }
     }
-    best.map(|(_, at, pivot)| (at, pivot))
+    best.map(|best| {
+        let mut pivot = Pivot {
+            var: best.var,
+            coefficient: best.coefficient,
+            positive: best.positive || best.negative,
+            element: pending[best.at].clone(),
+        };
+        if best.negative {
+            pivot.coefficient = pivot.coefficient.negated();
+            pivot.element.polynomial = pivot.element.polynomial.negated();
+            let cofactors = pivot.element.cofactors.values_mut();
+            cofactors.for_each(|c| *c = c.negated());
+        }
+        (best.at, pivot)
+    })
 }
 
 /// How long the coefficient of an unknown is, 0 for a constant; `None` where the unknown is not linear.

@@ -2,7 +2,8 @@
 //! equation that stands elsewhere.
 
 use super::{
-    Consistency, Effort, assuming, consistency, pose, prove_unconditionally, refute, refuted,
+    Consistency, Effort, assuming, consistency, defines_afresh, pose, prove_unconditionally,
+    refute, refuted,
 };
 use crate::algebra::{Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Proven};
@@ -37,7 +38,10 @@ pub fn missing_suppositions(
         points: vec![evaluate(claim, witness)],
     };
     let mut candidates: Vec<Formula> = elsewhere.to_vec();
-    candidates.extend(simple(claim));
+    // A sign or an order gives no value to a symbol that no premise speaks of.
+    if !defines_afresh(claim, &claim.goal) {
+        candidates.extend(simple(claim));
+    }
     candidates.retain(|c| *c != claim.goal);
     let mut tried = 0;
     let mut possible: Vec<Formula> = Vec::new();
@@ -194,7 +198,7 @@ fn effort_for(claim: &Claim) -> Effort {
 
 fn counterexample(claim: &Claim) -> Option<Assignment> {
     let obligation = pose(claim.clone()).ok()?;
-    let mut points = refute::Points::new(&obligation);
+    let mut points = refute::Points::any(&obligation);
     let found = points.next(CHOICES).into_iter();
     found
         .filter_map(|point| refuted(&obligation, point))

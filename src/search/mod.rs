@@ -21,7 +21,9 @@ mod unfold;
 mod units;
 mod values;
 
-use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Relation, expr_of, factors};
+use crate::algebra::{
+    Atom, Expr, Formula, Polynomial, Rational, Relation, Symbol, expr_of, factors,
+};
 use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Obligation,
     Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
@@ -242,6 +244,7 @@ pub fn missing_conditions(
     let obligation = pose(claim.clone()).ok()?;
     let problem = obligation.problem();
     let prover = Prover::new(problem).ok()?;
+    let values = refute::known_at(witness, &problem.atoms);
     let mut candidates: Vec<Expr> = Vec::new();
     for fact in problem.facts.iter().filter(|f| f.sign == Sign::Zero) {
         for var in fact.polynomial.vars() {
@@ -250,6 +253,11 @@ pub fn missing_conditions(
             }
             let parts = fact.polynomial.in_powers_of(var);
             for factor in parts.last().map(factors).unwrap_or_default().into_keys() {
+                // What does not vanish at the counterexample would not rule it out.
+                let there = factor.evaluate(|var| values.get(var.position())?.clone());
+                if there.is_ok_and(|value| value.is_some_and(|value| !value.is_zero())) {
+                    continue;
+                }
                 let plain = factor
                     .vars()
                     .iter()
@@ -262,11 +270,6 @@ pub fn missing_conditions(
         }
     }
     candidates.truncate(8);
-    // What does not vanish at the counterexample would not rule it out.
-    candidates.retain(|term| {
-        let claim = assuming(claim, &[Formula::nonzero(term.clone())]);
-        check(claim, Candidate::Counterexample(witness.clone())).is_err()
-    });
     if candidates.is_empty() {
         return None;
     }
@@ -297,6 +300,15 @@ pub fn missing_conditions(
         }
     }
     with(&candidates)
+}
+
+/// Whether a formula gives a value to a symbol of which no hypothesis says anything: then it can only define it.
+fn defines_afresh(claim: &Claim, formula: &Formula) -> bool {
+    let unsaid = |symbol: &Symbol| {
+        let mut all = claim.hypotheses.iter().flat_map(|h| h.formula.terms());
+        !all.any(|term| term.mentions(symbol))
+    };
+    crate::kernel::definition(formula).is_some_and(|(symbol, _)| unsaid(&symbol))
 }
 
 fn assuming(claim: &Claim, formulas: &[Formula]) -> Claim {

@@ -21,6 +21,16 @@ pub struct Target {
     order: Vec<Var>,
     /// The unknowns that a choice of units lets be 1, −1 or 0.
     units: Vec<Var>,
+    wanted: Wanted,
+}
+
+/// Which of all points is looked for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Wanted {
+    /// One of the simplest, for a reader.
+    Simple,
+    /// Whichever is found soonest.
+    Any,
 }
 
 /// What came of trying all choices up to a cost.
@@ -39,6 +49,7 @@ struct Search<'a> {
     budget: &'a mut usize,
     order: &'a [Var],
     units: &'a [Var],
+    wanted: Wanted,
     /// Whether a number was passed over because it costs too much.
     cut: bool,
 }
@@ -172,8 +183,9 @@ fn solvable(equation: &Polynomial, integers: &[Var]) -> Option<(bool, Var)> {
 
 impl Target {
     /// Equations and conditions that must hold; `integers` take integer values only.
-    pub fn new(facts: &[Fact], integers: Vec<Var>) -> Self {
+    pub fn new(facts: &[Fact], integers: Vec<Var>, wanted: Wanted) -> Self {
         let mut target = Target::unordered(facts, integers);
+        target.wanted = wanted;
         // What cannot vanish makes the better unit.
         let nonzero = |var: &Var| {
             let alone = |f: &&Fact| {
@@ -205,6 +217,7 @@ impl Target {
             integers,
             order,
             units: Vec::new(),
+            wanted: Wanted::Simple,
         }
     }
 
@@ -234,6 +247,7 @@ impl Target {
             budget,
             order: &self.order,
             units: &self.units,
+            wanted: self.wanted,
             cut: false,
         };
         match search.explore(&mut self.start, cost) {
@@ -394,11 +408,32 @@ impl Search<'_> {
 
     /// The next unknown to try numbers for, and whether an equation ties it down: one of the equation with the fewest unknowns,
     /// for what is wrong with a choice is then soonest seen; without equations, one of a condition.
+    ///
+    /// An equation that alone speaks of an unknown, and is linear in it, can be solved whatever the others are: where any point will
+    /// do it can wait, and so can that unknown.
     fn next_var(&self, state: &State) -> Option<(Var, bool)> {
-        let unknowns = |equation: &&Rc<Open>| equation.vars.0.count_ones();
-        let first = |open: &Rc<Open>| self.order.iter().copied().find(|&var| open.has(var));
-        if let Some(narrowest) = state.equations.iter().min_by_key(unknowns) {
-            return first(narrowest).map(|var| (var, true));
+        let waits = |var: Var, own: &Rc<Open>| {
+            let mut others = state
+                .equations
+                .iter()
+                .filter(|other| !Rc::ptr_eq(own, other));
+            self.wanted == Wanted::Any
+                && !self.integers.contains(&var)
+                && own.polynomial.degree_in(var) == 1
+                && !others.any(|other| other.has(var))
+        };
+        let own = |open: &Rc<Open>| -> (bool, Option<Var>) {
+            let mut vars = self.order.iter().copied().filter(|&var| open.has(var));
+            let first = vars.clone().next();
+            let asked = vars.clone().find(|&var| !waits(var, open));
+            (vars.any(|var| waits(var, open)), asked.or(first))
+        };
+        let all = state.equations.iter();
+        let narrowest = all
+            .map(|equation| (own(equation), equation.vars.0.count_ones()))
+            .min_by_key(|((waits, _), unknowns)| (*waits, *unknowns));
+        if let Some(((_, var), _)) = narrowest {
+            return var.map(|var| (var, true));
         }
         let in_conditions = |var: &&Var| state.conditions.iter().any(|f| f.has(**var));
         let free = self.order.iter().find(in_conditions);

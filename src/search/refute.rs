@@ -9,12 +9,12 @@ use std::rc::Rc;
 use num_traits::{Signed, ToPrimitive};
 
 use super::functions::{in_terms_of_pi, leave_open, needs};
-use super::point::{Target, Tried, satisfies};
+use super::point::{Target, Tried, Wanted, satisfies};
 use super::unfold::definitions_to_unfold;
 use super::values::candidates;
 use crate::algebra::{
     Atom, Atoms, BigRational, Conditions, Expr, Formula, Function, Lowering, Polynomial, Rational,
-    Symbol, Var, element_parts, element_symbol,
+    Symbol, Values, Var, element_parts, element_symbol,
 };
 use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Obligation, Sign};
 
@@ -35,6 +35,7 @@ pub struct Points<'a> {
     /// The claim with definite numbers of elements, where it was read so before; `None` where it cannot be.
     sized: RefCell<BTreeMap<Vec<i64>, Option<Rc<Obligation>>>>,
     against_goal: bool,
+    wanted: Wanted,
     cost: u32,
     /// How many choices were tried.
     pub tried: usize,
@@ -75,25 +76,34 @@ struct Concrete<'a> {
 impl<'a> Points<'a> {
     /// Prepares a search for points at which the hypotheses hold and the goal does not.
     pub fn new(obligation: &'a Obligation) -> Self {
+        Points::prepared(obligation, true, Wanted::Simple)
+    }
+
+    /// The same where any such point will do, simple or not.
+    pub fn any(obligation: &'a Obligation) -> Self {
+        Points::prepared(obligation, true, Wanted::Any)
+    }
+
+    /// Prepares a search for points at which the hypotheses hold; the goal is left alone.
+    pub fn of_premises(obligation: &'a Obligation) -> Self {
+        Points::prepared(obligation, false, Wanted::Any)
+    }
+
+    fn prepared(obligation: &'a Obligation, against_goal: bool, wanted: Wanted) -> Self {
         let claim = obligation.claim();
         let counts = count_symbols(claim);
-        let sizes = sizes(&counts, claim).into_iter();
+        let mut sizes = sizes(&counts, claim);
+        rule_out(&mut sizes, &counts, claim, against_goal);
+        let sizes = sizes.into_iter();
         Points {
             obligation,
             sizes: sizes.map(|sizes| (sizes, Slot::Waiting)).collect(),
             sized: RefCell::default(),
             counts,
-            against_goal: true,
+            against_goal,
+            wanted,
             cost: 0,
             tried: 0,
-        }
-    }
-
-    /// Prepares a search for points at which the hypotheses hold; the goal is left alone.
-    pub fn of_premises(obligation: &'a Obligation) -> Self {
-        Points {
-            against_goal: false,
-            ..Points::new(obligation)
         }
     }
 
@@ -105,8 +115,12 @@ impl<'a> Points<'a> {
                 (1..=MOST_ELEMENTS).contains(&value).then_some(value)
             };
             let sizes: Vec<i64> = self.counts.iter().map(size).collect::<Option<_>>()?;
-            let mut concrete =
-                Concrete::new(self.at_sizes(&sizes)?, self.against_goal, Some(hint))?;
+            let mut concrete = Concrete::new(
+                self.at_sizes(&sizes)?,
+                self.against_goal,
+                Wanted::Simple,
+                Some(hint),
+            )?;
             let Tried::Found(values) = concrete.target.up_to(NEAR_COST, &mut { NEAR_CHOICES })
             else {
                 return None;
@@ -150,7 +164,8 @@ impl<'a> Points<'a> {
                 };
                 if matches!(self.sizes[at].1, Slot::Waiting) {
                     let concrete = self.at_sizes(sizes);
-                    let concrete = concrete.and_then(|c| Concrete::new(c, self.against_goal, None));
+                    let concrete = concrete
+                        .and_then(|c| Concrete::new(c, self.against_goal, self.wanted, None));
                     self.sizes[at].1 = concrete.map_or(Slot::Done, |c| Slot::Ready(c.into()));
                 }
                 let (sizes, slot) = &mut self.sizes[at];
@@ -240,6 +255,37 @@ fn sizes(counts: &[Symbol], claim: &Claim) -> Vec<Vec<i64>> {
     }
     all.sort_by_key(|sizes| (sizes.iter().sum::<i64>(), sizes.clone()));
     all
+}
+
+/// Drops the sizes at which a hypothesis about them alone is false, or the goal true.
+fn rule_out(sizes: &mut Vec<Vec<i64>>, counts: &[Symbol], claim: &Claim, against_goal: bool) {
+    let about_sizes = |formula: &&Formula| {
+        let Formula::Relation { left, right, .. } = formula else {
+            return false;
+        };
+        let own = |term: &Expr| {
+            matches!(term, Expr::Number(_)) || matches!(term, Expr::Symbol(s) if counts.contains(s))
+        };
+        own(left) && own(right)
+    };
+    let hypotheses = claim.hypotheses.iter().map(|h| &*h.formula);
+    let hypotheses: Vec<&Formula> = hypotheses.filter(about_sizes).collect();
+    let goal = Some(&claim.goal).filter(|goal| against_goal && about_sizes(goal));
+    if hypotheses.is_empty() && goal.is_none() {
+        return;
+    }
+    sizes.retain(|sizes| {
+        let pairs = counts.iter().zip(sizes);
+        let values = Values {
+            symbols: pairs
+                .map(|(count, &n)| (count.clone(), BigRational::from_integer(n.into())))
+                .collect(),
+            ..Values::default()
+        };
+        let mut hypotheses = hypotheses.iter();
+        hypotheses.all(|formula| values.holds(formula) != Ok(false))
+            && goal.is_none_or(|goal| values.holds(goal) != Ok(true))
+    });
 }
 
 /// The claim with definite numbers of elements, each element a symbol of its own.
@@ -344,7 +390,12 @@ fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
 
 impl<'a> Concrete<'a> {
     /// `None` where some term cannot be given a value at all.
-    fn new(obligation: Posed<'a>, against_goal: bool, hint: Option<&Assignment>) -> Option<Self> {
+    fn new(
+        obligation: Posed<'a>,
+        against_goal: bool,
+        wanted: Wanted,
+        hint: Option<&Assignment>,
+    ) -> Option<Self> {
         let problem = obligation.as_written();
         let known: Vec<Option<Rational>> = match hint {
             None => Vec::new(),
@@ -393,7 +444,7 @@ impl<'a> Concrete<'a> {
             .filter_map(|(s, _)| atoms.find(&Atom::Symbol(s.clone())))
             .collect();
         let target = match hint {
-            None => Target::new(&facts, integers),
+            None => Target::new(&facts, integers, wanted),
             Some(_) => {
                 let vars = atoms.iter().map(|(var, _)| var);
                 let known = vars.filter_map(|var| Some((var, known.get(var.position())?.clone()?)));
@@ -442,7 +493,7 @@ impl<'a> Concrete<'a> {
 }
 
 /// The values of a problem's unknowns at a point, as far as it gives them one.
-fn known_at(point: &Assignment, atoms: &Atoms) -> Vec<Option<Rational>> {
+pub fn known_at(point: &Assignment, atoms: &Atoms) -> Vec<Option<Rational>> {
     let values = atoms.iter().map(|(_, atom)| match atom {
         Atom::Symbol(symbol) => value_at(point, symbol),
         _ => None,

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
 
-use super::{Effort, prove_unconditionally, refute, unfold};
+use super::{Effort, defines_afresh, prove_unconditionally, refute, unfold};
 pub use edits::Change;
 use edits::{Edit, edits};
 
@@ -20,6 +20,8 @@ const MOST_TRIED: usize = 6;
 const IN_EARNEST: usize = 2;
 /// How many choices a search for a further point may try.
 const CHOICES: usize = 120;
+/// Symbols that are given a number of their own.
+const MOST_PINNED: usize = 12;
 /// Symbols that one may have been mistaken for.
 const MOST_NAMES: usize = 16;
 
@@ -34,16 +36,18 @@ pub struct Mended {
 
 /// The likeliest slip of the pen in a refuted goal: one edit with which it follows from the claim's hypotheses.
 ///
-/// `evaluate` gives the values that a point has under a claim. Nothing where no edit is good: what would follow from
+/// `evaluate` gives the values that a point has under a claim; `hints` are points at which premises like these are known to hold. Nothing where no edit is good: what would follow from
 /// no premises at all is none, unless what is printed is a piece of algebra.
 pub fn mended(
     claim: &Claim,
     witness: &Assignment,
+    hints: &[Assignment],
     evaluate: impl Fn(&Claim, &Assignment) -> Values,
 ) -> Option<Mended> {
     let names: Vec<Symbol> = claim.free_symbols().into_iter().cloned().collect();
     let names = &names[..names.len().min(MOST_NAMES)];
     let mut left = edits(&claim.goal, names);
+    left.retain(|edit| !defines_afresh(claim, &edit.formula));
     if left.is_empty() {
         return None;
     }
@@ -55,7 +59,16 @@ pub fn mended(
     if weigh(&evaluate(claim, witness)) {
         return None;
     }
-    for shift in 0..2 {
+    for hint in hints.iter().filter(|hint| is_admissible(claim, hint)) {
+        let values = evaluate(claim, hint);
+        let mut premises = claim.hypotheses.iter();
+        if premises.all(|h| values.holds(&h.formula) == Ok(true)) && weigh(&values) {
+            return None;
+        }
+    }
+    // Sums with a symbolic number of terms are proved at first sight or after a long search: no longer one for points.
+    let shifts = if claim.sequences.is_empty() { 2 } else { 0 };
+    for shift in 0..shifts {
         if let Some((pinned, point)) = generic(claim, shift)
             && weigh(&evaluate(&pinned, &point))
         {
@@ -67,7 +80,6 @@ pub fn mended(
         goal: goal.clone(),
         ..claim.clone()
     };
-    // Sums with a symbolic number of terms are proved at first sight or after a long search.
     let in_earnest = if claim.sequences.is_empty() {
         IN_EARNEST
     } else {
@@ -88,6 +100,12 @@ pub fn mended(
         }
     }
     None
+}
+
+/// Whether the symbols that a point gives a value lie where they may.
+fn is_admissible(claim: &Claim, point: &Assignment) -> bool {
+    let mut values = point.symbols.iter();
+    values.all(|(symbol, value)| claim.domains.get(symbol).is_none_or(|d| d.contains(value)))
 }
 
 /// The sides of a printed goal at a point, if they have values there.
@@ -186,7 +204,6 @@ fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
 /// A point on the premises at which nothing is true by chance: the symbols on the right of the goal are different
 /// primes, or their reciprocals, as far as the premises leave them free.
 fn generic(claim: &Claim, shift: usize) -> Option<(Claim, Assignment)> {
-    const PRIMES: [i64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
     let (left, right) = match &claim.goal {
         Formula::Relation { left, right, .. } => (left, right),
         Formula::AllEqual { .. } => return None,
@@ -196,14 +213,8 @@ fn generic(claim: &Claim, shift: usize) -> Option<(Claim, Assignment)> {
         symbols = left.free_symbols();
     }
     let mut pinned = claim.clone();
-    for (at, symbol) in symbols.into_iter().enumerate().take(PRIMES.len()) {
-        let prime = PRIMES[(at * (shift + 1) + shift) % PRIMES.len()];
-        let whole = BigRational::from_integer(prime.into());
-        let domain = claim.domains.get(&symbol);
-        let fits = |value: &BigRational| domain.is_none_or(|d: &Domain| d.contains(value));
-        let value = [whole.clone(), whole.recip(), -whole]
-            .into_iter()
-            .find(fits);
+    for (at, symbol) in symbols.into_iter().enumerate().take(MOST_PINNED) {
+        let value = chosen(claim, &symbol, at * (shift + 1) + shift);
         let Some(value) = value else { continue };
         pinned.hypotheses.push(Hypothesis {
             formula: Formula::equal(Expr::Symbol(symbol), Expr::Number(value)).into(),
@@ -214,8 +225,26 @@ fn generic(claim: &Claim, shift: usize) -> Option<(Claim, Assignment)> {
             pinned.hypotheses.pop();
         }
     }
-    let point = model(&pinned)?;
+    let mut point = model(&pinned)?;
+    // Of what no premise speaks a model says nothing.
+    for (at, symbol) in claim.goal.free_symbols().into_iter().enumerate() {
+        let value = chosen(claim, &symbol, at + shift);
+        if let Some(value) = value.filter(|_| !point.symbols.contains_key(&symbol)) {
+            point.symbols.insert(symbol, value);
+        }
+    }
     Some((pinned, point))
+}
+
+/// A prime, its reciprocal or its negative, where the symbol's domain has it.
+fn chosen(claim: &Claim, symbol: &Symbol, at: usize) -> Option<BigRational> {
+    const PRIMES: [i64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    let whole = BigRational::from_integer(PRIMES[at % PRIMES.len()].into());
+    let domain = claim.domains.get(symbol);
+    let fits = |value: &BigRational| domain.is_none_or(|d: &Domain| d.contains(value));
+    [whole.clone(), whole.recip(), -whole]
+        .into_iter()
+        .find(fits)
 }
 
 fn model(claim: &Claim) -> Option<Assignment> {
