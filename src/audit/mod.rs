@@ -204,7 +204,6 @@ impl Auditor<'_> {
         }
     }
 
-    #[inline(never)]
     fn done(&self, at: usize) -> Done {
         let mut entries = self.equation(at);
         if let (Some(&original), Some(entry)) =

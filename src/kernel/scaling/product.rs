@@ -63,6 +63,7 @@ pub(super) struct Compound {
 }
 
 /// Reads terms as products.
+#[derive(Clone)]
 pub(super) struct Reader {
     atoms: Atoms,
     sequences: BTreeSet<Symbol>,

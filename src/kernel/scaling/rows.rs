@@ -17,6 +17,7 @@ pub struct Row {
 /// A claim as rows of exponents: what combinations speak of.
 ///
 /// Made from the claim alone, in one way only, so that the search and the kernel mean the same by "row 3".
+#[derive(Clone)]
 pub struct Rows {
     /// A row for each hypothesis, by its position, and then one for each variable of integration that is
     /// spoken of elsewhere. `None` where a hypothesis says nothing of exponents.

@@ -58,7 +58,7 @@ pub fn decide_scaling(claim: &Claim) -> ScalingDecision {
     let known = Known::new(&mut rows, claim);
     let goal = rows.varying(&rows.goal);
     if let Some(proven) = known.prove(claim, &goal) {
-        return ScalingDecision::Proven(shortest(proven).into());
+        return ScalingDecision::Proven(shortest(proven, &rows).into());
     }
     if let Some(refuted) = situations::refute(claim, &rows) {
         let repair = repair(claim, &rows, &known).map(Box::new);
@@ -73,7 +73,8 @@ pub fn prove_scaling(claim: &Claim) -> Option<Scales> {
     let mut rows = Rows::new(claim).ok()?;
     let known = Known::new(&mut rows, claim);
     let goal = rows.varying(&rows.goal);
-    known.prove(claim, &goal).map(shortest)
+    let proven = known.prove(claim, &goal)?;
+    Some(shortest(proven, &rows))
 }
 
 /// Whether what the hypotheses say of products of powers is seen to be possible.
@@ -172,8 +173,8 @@ fn combined(proven: &Scales) -> BTreeSet<usize> {
     all.map(|(at, _)| *at).filter(|at| *at < most).collect()
 }
 
-/// The same from no more hypotheses than it combines, and without needless steps.
-fn shortest(proven: Scales) -> Scales {
+/// The same from no more hypotheses than it combines, and without needless steps. `rows` are those of its claim.
+fn shortest(proven: Scales, rows: &Rows) -> Scales {
     let mut proof = proven.proof().clone();
     let first = proven.claim().hypotheses.len();
     let uses = |proof: &ScalingProof, number: usize| {
@@ -182,9 +183,8 @@ fn shortest(proven: Scales) -> Scales {
         all.any(|(at, _)| *at == number)
     };
     // Steps are numbered after the rows of the claim; only the last can be dropped without renumbering.
-    let rows = Rows::new(proven.claim()).map_or(first, |r| r.rows.len());
     while let Some(last) = proof.alike.len().checked_sub(1) {
-        if uses(&proof, rows + last) {
+        if uses(&proof, rows.rows.len() + last) {
             break;
         }
         proof.alike.pop();
@@ -196,7 +196,10 @@ fn shortest(proven: Scales) -> Scales {
         Ok(ScalingVerdict::Proven(proven)) => Some(proven),
         _ => None,
     };
-    let proven = check(proven.claim().clone(), proof).unwrap_or(proven);
+    let proven = match proof.alike.len() < proven.proof().alike.len() {
+        true => check(proven.claim().clone(), proof).unwrap_or(proven),
+        false => proven,
+    };
     let used = combined(&proven);
     if used.len() == first {
         return proven;

@@ -232,7 +232,7 @@ impl<'a> Search<'a> {
             .collect();
         let mut seen: BTreeSet<Expr> = BTreeSet::new();
         let mut at = 0;
-        let mut rows = Rows::new(self.claim).ok()?;
+        let mut rows = self.rows.clone();
         while at < products.len() {
             insert(&mut echelon, &products[at]);
             let compounds: Vec<Expr> = products[at]
