@@ -2,7 +2,7 @@
 //!
 //! A report goes in as its author wrote it, in LaTeX or with LaTeX mathematics in Markdown. Out comes a verdict for every displayed
 //! equation, with exact evidence: a certificate that it follows from what it is said to follow from, or a point in
-//! rational numbers at which its premises are true and it is false. Where neither is found it is undecided.
+//! exact numbers at which its premises are true and it is false. Where neither is found it is undecided.
 //!
 //! ```text
 //!   .md ─► document ─► notation ─► derivation ─► search ─► kernel ─► report

@@ -1,6 +1,8 @@
 //! Forged evidence, and the reason for which the kernel rejects it; beside each forgery stands the valid evidence from
 //! which it differs in one thing.
 
+#[path = "kernel/algebraic.rs"]
+mod algebraic;
 #[path = "kernel/claims.rs"]
 mod claims;
 #[path = "kernel/dimensions.rs"]

@@ -1,6 +1,8 @@
 //! The report's pages against the physics in `src/cradle`, which shares no code with the reading of equations; and the
 //! audit against its own evidence. All of it goes through the handles that anybody can use.
 
+#[path = "properties/algebraic.rs"]
+mod algebraic;
 #[path = "properties/broken.rs"]
 mod broken;
 #[path = "properties/claims.rs"]

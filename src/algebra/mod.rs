@@ -17,6 +17,7 @@ mod polynomial;
 mod power;
 mod rational;
 mod symbol;
+mod univariate;
 
 pub use atom::{Atom, Atoms};
 pub use dimension::{Base, Dimension};
@@ -36,3 +37,4 @@ pub use polynomial::{Polynomial, TooLarge};
 pub use power::Powers;
 pub use rational::Rational;
 pub use symbol::Symbol;
+pub use univariate::{Univariate, sum_of_signs};

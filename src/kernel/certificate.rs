@@ -195,6 +195,24 @@ pub struct Assignment {
     pub functions: BTreeMap<Expr, BigRational>,
     /// Values `Σ c_k π^k` by their coefficients, for symbols that have no rational one.
     pub in_pi: BTreeMap<Symbol, Vec<BigRational>>,
+    /// Values in terms of one irrational root, where there are such.
+    pub algebraic: Option<Box<Algebraic>>,
+}
+
+/// Values `Σ c_k α^k`, where α is the one root of a polynomial between two numbers. Lists of coefficients begin with
+/// the constant one.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Algebraic {
+    /// The polynomial that vanishes at α. It has no root more than once.
+    pub polynomial: Vec<BigRational>,
+    /// Below α, above all smaller roots.
+    pub low: BigRational,
+    /// Above α, below all greater roots.
+    pub high: BigRational,
+    /// The symbols that have such a value.
+    pub symbols: BTreeMap<Symbol, Vec<BigRational>>,
+    /// The values of roots, by the term `base^(1/q)`.
+    pub roots: BTreeMap<Expr, Vec<BigRational>>,
 }
 
 impl Certificate {

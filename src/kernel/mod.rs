@@ -13,11 +13,13 @@
 //! | [`Proof::BothBounds`] | a ≥ 0 and −a ≥ 0 |
 //! | [`Proof::Square`] | −a² ≥ 0 |
 //! | [`Assignment`] | evaluate: premises true, goal false |
+//! | [`Algebraic`] | the same, modulo a polynomial with one root between two numbers |
 //! | [`ScalingProof`] | exponents of the goal = Σ rational · exponents of a premise |
 //! | [`Situations`] | evaluate in both: premises true, the goal's sides grow differently |
 //!
 //! [`check`] judges relations between numbers at one point, [`check_scaling`] relations between two situations.
 
+mod algebraic;
 mod certificate;
 mod claim;
 pub mod dimension;
@@ -34,9 +36,10 @@ mod series;
 mod verdict;
 mod witness;
 
+pub use algebraic::Field;
 pub use certificate::{
-    Assignment, BoundedSeries, Candidate, Certificate, Cofactors, ElementFactor, ElementSide, Fact,
-    Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
+    Algebraic, Assignment, BoundedSeries, Candidate, Certificate, Cofactors, ElementFactor,
+    ElementSide, Fact, Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};
 pub(crate) use functions::pi_is_the_number;

@@ -174,6 +174,15 @@ impl Point<'_> {
 
     /// Whether a polynomial has a sign; where it speaks of a private symbol, that is asked of the symbol later.
     pub(super) fn meets(&mut self, polynomial: &Polynomial, sign: Sign) -> Result<bool, Reject> {
+        if self.in_field.is_some() {
+            let order = self.sign_in_field(polynomial)?;
+            return Ok(match sign {
+                Sign::Zero => order.is_eq(),
+                Sign::NonZero => order.is_ne(),
+                Sign::NonNegative => order.is_ge(),
+                Sign::Positive => order.is_gt(),
+            });
+        }
         if sign != Sign::Zero
             && let Some(rest) = self.without_private_factors(polynomial, sign)?
         {

@@ -119,8 +119,15 @@ pub enum Reject {
     NoSuchBound(Symbol),
     /// The point gives no value to a term.
     NoValue,
-    /// A function takes no such value: a sine and cosine off the unit circle, an exponential that is not positive.
+    /// A function takes no such value: a sine and cosine off the unit circle, an exponential that is not positive, a
+    /// root whose power is not what it is taken of.
     NoSuchValue,
+    /// The polynomial that is to define a number has a root more than once.
+    NotSquarefree,
+    /// A number that is to isolate a root is itself one.
+    RootAtEnd,
+    /// There are so many roots where there should be one.
+    NotIsolated(usize),
     /// A sine is given without its cosine, or a cosine without its sine.
     NoPartner,
     /// A symbol that was left open has to have a value of its own.
@@ -161,6 +168,9 @@ impl fmt::Display for Reject {
             Reject::NoSuchBound(_) => "a factor under a sum may be negative",
             Reject::NoValue => "the point does not give every term a value",
             Reject::NoSuchValue => "a function takes no such value",
+            Reject::NotSquarefree => "a polynomial has a root more than once",
+            Reject::RootAtEnd => "an interval ends at a root",
+            Reject::NotIsolated(_) => "an interval does not hold one root alone",
             Reject::NoPartner => "a sine has a value without its cosine",
             Reject::NotPrivate => "a symbol that is left open needs a value",
             Reject::PremiseFalse(_) => "a premise is false at the point",

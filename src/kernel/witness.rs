@@ -1,6 +1,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use super::algebraic::InField;
 use super::in_pi::InPi;
 use super::private::{Bound, Private};
 use super::{Assignment, Claim, Domain, Fact, Problem, Reject, Sign, Standing};
@@ -20,6 +21,8 @@ pub(super) struct Point<'a> {
     values: Vec<Option<Rational>>,
     /// Those that are no rational numbers.
     in_pi: BTreeMap<usize, InPi>,
+    /// The values of all unknowns, where some are polynomials in one irrational root.
+    pub(super) in_field: Option<InField>,
     /// The symbols that have no value, but functions of which have.
     pub(super) private: Vec<Private>,
     /// What is asked of them.
@@ -36,6 +39,7 @@ impl<'a> Point<'a> {
             at,
             values: Vec::new(),
             in_pi: BTreeMap::new(),
+            in_field: None,
             private: Vec::new(),
             bounds: Vec::new(),
         }
@@ -57,6 +61,7 @@ impl<'a> Point<'a> {
             return Err(Reject::NoValue);
         }
         self.take_functions()?;
+        self.take_field()?;
         for (symbol, value) in &self.at.symbols {
             if self
                 .claim
@@ -162,6 +167,12 @@ impl<'a> Point<'a> {
         }
         self.values[position] = Some(self.atom(var)?);
         Ok(())
+    }
+
+    /// The value of an unknown, where it is rational.
+    pub(super) fn rational(&mut self, var: Var) -> Result<Rational, Reject> {
+        self.find(var)?;
+        self.values[var.position()].clone().ok_or(Reject::NoValue)
     }
 
     fn value(&mut self, polynomial: &Polynomial) -> Result<Rational, Reject> {

@@ -12,7 +12,9 @@ use crate::algebra::{
 use crate::derivation::values_at;
 use crate::kernel::{Assignment, Claim, in_powers_of_pi};
 use crate::notation::plain;
+use crate::search::without_rational_points;
 
+use super::algebraic::{Exact, Root};
 use super::words;
 
 /// A point, with what is needed to evaluate the terms of a claim at it.
@@ -21,13 +23,20 @@ pub struct Point<'a> {
     claim: &'a Claim,
     at: &'a Assignment,
     values: Values,
+    root: Option<Root<'a>>,
 }
 
 impl<'a> Point<'a> {
     /// The point that an assignment gives, the definitions that it puts in included.
     pub fn new(claim: &'a Claim, at: &'a Assignment) -> Self {
         let values = values_at(claim, at);
-        Point { claim, at, values }
+        let root = Root::of(at);
+        Point {
+            claim,
+            at,
+            values,
+            root,
+        }
     }
 
     /// `v₀ = 1`, `u = (1, 1, 4)`: every value that was chosen.
@@ -53,7 +62,20 @@ impl<'a> Point<'a> {
         for (call, value) in &self.at.functions {
             all.push((plain(call), number(value)));
         }
+        all.extend(self.root.iter().flat_map(Root::values));
         all
+    }
+
+    /// What is to be said of a point that is not rational: that there is none, where that is known.
+    pub fn remark(&self) -> Option<String> {
+        self.root.as_ref()?;
+        Some(match without_rational_points(self.claim, &self.at.unfold) {
+            Some(term) => format!(
+                "only irrational points exist: {} = 0 has no rational solution",
+                plain(&term)
+            ),
+            None => "no rational point was found".into(),
+        })
     }
 
     /// The values of the symbols of one formula, as a list.
@@ -66,6 +88,7 @@ impl<'a> Point<'a> {
             .chain(&formula.sequences())
             .map(words::symbol)
             .chain(calls.map(plain))
+            .chain(self.root.iter().filter_map(|root| root.name_for(&symbols)))
             .collect();
         let values = self.values().into_iter();
         let values: Vec<String> = values
@@ -92,7 +115,7 @@ impl<'a> Point<'a> {
     }
 
     /// The two sides of a relation, where both have a value.
-    pub fn sides(&self, formula: &Formula) -> Option<(BigRational, BigRational)> {
+    pub fn sides(&self, formula: &Formula) -> Option<(Exact, Exact)> {
         match formula {
             Formula::Relation { left, right, .. } => {
                 let given = |term: &Expr| {
@@ -101,7 +124,10 @@ impl<'a> Point<'a> {
                         term.replace(call, &Expr::Number(value.clone()))
                     })
                 };
-                let value = |term| self.values.value(&given(term)).ok();
+                let value = |term| match &self.root {
+                    Some(root) => root.value_of(term, &self.values),
+                    None => self.values.value(&given(term)).ok().map(Exact::Rational),
+                };
                 Some((value(left)?, value(right)?))
             }
             Formula::AllEqual { .. } => None,

@@ -6,7 +6,7 @@ use crate::kernel::{Claim, Refuted};
 use crate::notation::{latex_statement, plain_formula};
 
 use super::Report;
-use super::evidence::{Point, number};
+use super::evidence::Point;
 use super::implied;
 use super::scaling;
 use super::style::{self, BOLD, DIM, paint};
@@ -226,6 +226,7 @@ fn witness(refuted: &Refuted) -> Vec<String> {
         .into_iter()
         .map(|(name, value)| format!("{name} = {value}"))
         .collect();
+    lines.extend(point.remark().map(|said| format!("({said})")));
     for &position in &refuted.witness().unfold {
         if let Some(hypothesis) = claim.hypotheses.get(position) {
             lines.push(format!(
@@ -241,10 +242,10 @@ fn witness(refuted: &Refuted) -> Vec<String> {
         let formula = &hypothesis.formula;
         lines.push(match point.sides(formula) {
             Some((left, right)) => format!(
-                "  {}:  left = {}, right = {}",
+                "  {}:  left {}, right {}",
                 plain_formula(formula),
-                number(&left),
-                number(&right)
+                left.equated(),
+                right.equated()
             ),
             None => format!("  {}", plain_formula(formula)),
         });
@@ -252,10 +253,10 @@ fn witness(refuted: &Refuted) -> Vec<String> {
     lines.push("and what was to be shown is false:".into());
     lines.push(match point.sides(&claim.goal) {
         Some((left, right)) => format!(
-            "  {}:  left = {}, right = {}",
+            "  {}:  left {}, right {}",
             plain_formula(&claim.goal),
-            number(&left),
-            number(&right)
+            left.equated(),
+            right.equated()
         ),
         None => format!("  {}", plain_formula(&claim.goal)),
     });

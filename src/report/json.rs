@@ -14,6 +14,7 @@ use crate::kernel::dimension::{Form, What};
 use crate::notation::{latex, latex_statement};
 
 use super::Report;
+use super::algebraic::Root;
 use super::baseline::Comparison;
 use super::dimension::{called, declared};
 use super::implied;
@@ -162,7 +163,7 @@ pub struct NoteView {
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum ValueView {
-    /// `"2/3"`
+    /// `"2/3"`, `"(1+sqrt(5))/2"`, `"root of x^3-2 in [1,2]"`
     Number(String),
     /// `["1", "2/3"]`
     List(Vec<String>),
@@ -399,6 +400,9 @@ fn values(at: &Assignment) -> BTreeMap<String, ValueView> {
     }
     for (call, value) in &at.functions {
         all.insert(latex(call), ValueView::Number(value.to_string()));
+    }
+    for (symbol, value) in Root::of(at).iter().flat_map(Root::written) {
+        all.insert(symbol.to_string(), ValueView::Number(value));
     }
     for (symbol, parts) in &at.in_pi {
         let in_pi = parts.iter().map(|c| c.to_string()).collect();

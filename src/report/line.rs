@@ -1,12 +1,12 @@
 //! One line for each equation: its number, the verdict, and the one thing to know.
 
-use crate::algebra::{Expr, Formula, Relation};
+use crate::algebra::{Formula, Relation};
 use crate::audit::{Entry, Judged, Note, Outcome, Verdict};
 use crate::derivation::Source;
 use crate::kernel::Refuted;
 use crate::notation::{Mark, latex_statement};
 
-use super::evidence::{Point, number};
+use super::evidence::Point;
 use super::style::{self, DIM, paint};
 use super::words::{plain_statement, shortened};
 use super::{Report, numeric, words};
@@ -124,16 +124,18 @@ impl Report<'_> {
             false => format!(" at {values}"),
         };
         match point.sides(formula) {
-            Some((left, right)) => match formula {
-                Formula::Relation { relation, .. } if *relation != Relation::Equal => {
+            Some((left, right)) => match (formula, left.expr(), right.expr()) {
+                (Formula::Relation { relation, .. }, Some(left), Some(right))
+                    if *relation != Relation::Equal =>
+                {
                     let there = Formula::Relation {
-                        left: Expr::Number(left),
+                        left,
                         relation: *relation,
-                        right: Expr::Number(right),
+                        right,
                     };
                     format!("{} is false{at}", crate::notation::plain_formula(&there))
                 }
-                _ => format!("left {}, right {}{at}", number(&left), number(&right)),
+                _ => format!("left {left}, right {right}{at}"),
             },
             None => format!("`{}` is false{at}", crate::notation::plain_formula(formula)),
         }

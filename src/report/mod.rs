@@ -12,6 +12,7 @@
 //!
 //! Every view is a `String` with colours in it; whoever prints it leaves them out where they are not wanted.
 
+mod algebraic;
 pub mod baseline;
 pub mod codes;
 mod declarations;

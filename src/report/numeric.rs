@@ -137,6 +137,23 @@ pub(super) fn decimal(value: &BigRational, up: bool) -> String {
     if value.is_negative() {
         return format!("−{}", decimal(&-value, !up));
     }
+    let rounded = |steps: BigRational| match up {
+        true => steps.ceil().to_integer(),
+        false => steps.floor().to_integer(),
+    };
+    in_digits(value, DIGITS, rounded)
+}
+
+/// The nearest decimal of five digits.
+pub(super) fn about(value: &BigRational) -> String {
+    match value.is_negative() {
+        true => format!("−{}", about(&-value)),
+        false => in_digits(value, 5, |steps| steps.round().to_integer()),
+    }
+}
+
+/// A number that is not negative, in so many digits.
+fn in_digits(value: &BigRational, count: usize, rounded: impl Fn(BigRational) -> BigInt) -> String {
     if value.is_zero() {
         return "0".into();
     }
@@ -147,14 +164,10 @@ pub(super) fn decimal(value: &BigRational, up: bool) -> String {
     if value < &num_traits::Pow::pow(&ten, exponent) {
         exponent -= 1;
     }
-    let shown = i32::try_from(DIGITS).unwrap_or(3) - 1;
+    let shown = i32::try_from(count).unwrap_or(3) - 1;
     let unit: BigRational = num_traits::Pow::pow(&ten, exponent - shown);
-    let steps = value / &unit;
-    let mut digits = match up {
-        true => steps.ceil().to_integer(),
-        false => steps.floor().to_integer(),
-    };
-    if digits.to_string().len() > DIGITS {
+    let mut digits = rounded(value / &unit);
+    if digits.to_string().len() > count {
         digits /= 10;
         exponent += 1;
     }

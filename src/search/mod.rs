@@ -1,8 +1,10 @@
 //! The search: clever, and believed by nobody. What it finds goes to the kernel, which alone can make a verdict.
 //!
 //! [`decide`] tries, in order of cost: elimination of linear unknowns; a counterexample in small numbers;
-//! Gröbner bases, sums of squares and products of inequalities; a counterexample in larger numbers.
+//! Gröbner bases, sums of squares and products of inequalities; a counterexample in larger numbers; one in irrational
+//! numbers.
 
+mod algebraic;
 mod elements;
 mod functions;
 mod ideal;
@@ -28,6 +30,7 @@ use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Obligation,
     Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
+pub use algebraic::without_rational_points;
 pub use implied::{Implied, implied};
 pub use mend::{Change, Mended, mended};
 pub use missing::missing_suppositions;
@@ -148,7 +151,11 @@ pub fn decide_posed(obligation: &Obligation, hints: &[Assignment]) -> Decision {
         }
         stop.tried = points.tried;
     }
-    known.map_or(Decision::Open(stop), Decision::Refuted)
+    // Where no rational point was found there may be an irrational one.
+    let irrational = || algebraic::first(obligation, true, |point| refuted(obligation, point));
+    known
+        .or_else(irrational)
+        .map_or(Decision::Open(stop), Decision::Refuted)
 }
 
 /// Reads a claim, with the definitions put in without which nothing can be computed.
@@ -200,6 +207,7 @@ pub fn consistency_posed(premises: &Obligation, hints: &[Assignment]) -> Consist
         return Consistency::Contradictory(proven.into());
     }
     first(&mut points, EARNEST, |p| premises.model(p).ok())
+        .or_else(|| algebraic::first(premises, false, |p| premises.model(p).ok()))
         .map_or(Consistency::Unknown, Consistency::Model)
 }
 

@@ -201,7 +201,7 @@ impl<'a> Points<'a> {
 
 /// The symbols that say how many elements there are, and the whole numbers in exponents: with a definite number in
 /// its place a power is a polynomial.
-fn count_symbols(claim: &Claim) -> Vec<Symbol> {
+pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
     let whole = |symbol: &Symbol| {
         let domain = claim.domains.get(symbol);
         domain.is_some_and(|d| {
@@ -510,7 +510,8 @@ fn value_at(point: &Assignment, symbol: &Symbol) -> Option<Rational> {
     value.map(Rational::from)
 }
 
-fn negation(goal: &Fact) -> Fact {
+/// What is true where a goal is not.
+pub fn negation(goal: &Fact) -> Fact {
     let (polynomial, sign) = match goal.sign {
         Sign::Zero => (goal.polynomial.clone(), Sign::NonZero),
         Sign::NonZero => (goal.polynomial.clone(), Sign::Zero),
@@ -521,7 +522,7 @@ fn negation(goal: &Fact) -> Fact {
 }
 
 /// What roots mean: `s^q = base`, `s ≥ 0`. `None` where a term cannot be given a value at all.
-fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
+pub fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
     let mut facts = Vec::new();
     let opaque: Vec<_> = atoms
         .iter()
@@ -570,14 +571,16 @@ fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
 }
 
 /// Gives every symbol a value that the search left open, and those that were put in theirs.
-fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
+pub fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
     let defined: Vec<(Symbol, Expr)> = unfold
         .iter()
         .filter_map(|&at| crate::kernel::definition(&claim.hypotheses[at].formula))
         .collect();
     let anything = Domain::default();
     for symbol in claim.free_symbols() {
-        let known = point.symbols.contains_key(symbol);
+        let irrational = point.algebraic.as_ref();
+        let known = point.symbols.contains_key(symbol)
+            || irrational.is_some_and(|own| own.symbols.contains_key(symbol));
         if known || defined.iter().any(|(s, _)| s == symbol) {
             continue;
         }

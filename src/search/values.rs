@@ -108,7 +108,8 @@ pub fn simplicity(value: &Rational) -> (BigInt, bool) {
     (value.numer().abs() + value.denom(), value.is_negative())
 }
 
-fn square_root(value: &Rational) -> Option<Rational> {
+/// The root of the square of a rational number.
+pub fn square_root(value: &Rational) -> Option<Rational> {
     if value.is_negative() {
         return None;
     }

@@ -8,7 +8,7 @@ use crate::kernel::Refuted;
 use crate::notation::{Mark, plain_formula};
 
 use super::super::Report;
-use super::super::evidence::{Point, number};
+use super::super::evidence::Point;
 use super::super::implied;
 use super::super::scaling;
 use super::super::words;
@@ -29,8 +29,8 @@ impl Report<'_> {
         let mut context = Vec::new();
         let primary = match &sides {
             Some((a, b)) if left != right => {
-                context.push((left, format!("is {} at the point below", number(a))));
-                (right, format!("is {}", number(b)))
+                context.push((left, format!("is {a} at the point below")));
+                (right, format!("is {b}"))
             }
             _ => (judged.goal.span, "is false at the point below".to_owned()),
         };
@@ -95,12 +95,13 @@ impl Report<'_> {
         let formula = &judged.goal.formula;
         match point.sides(formula) {
             Some((left, right)) => lines.push(format!(
-                "left = {}, right = {}",
-                number(&left),
-                number(&right)
+                "left {}, right {}",
+                left.equated(),
+                right.equated()
             )),
             None => lines.push(format!("`{}` is false there", plain_formula(formula))),
         }
+        lines.extend(point.remark());
         said.push((Level::NOTE.with_name("counterexample"), lines.join("\n")));
         let instead = implied::instead(entry);
         said.extend(instead.map(|text| (Level::HELP, text)));

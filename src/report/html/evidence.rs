@@ -4,7 +4,7 @@ use crate::audit::{Entry, Judged, Outcome};
 use crate::derivation::Source;
 use crate::kernel::{Claim, Proven, Refuted};
 use crate::notation::{escape, latex_statement};
-use crate::report::evidence::{Point, number};
+use crate::report::evidence::Point;
 use crate::report::{explain, implied, scaling};
 
 use super::{Page, words};
@@ -208,12 +208,15 @@ fn counterexample(refuted: &Refuted) -> String {
     if !values.is_empty() {
         text += &format!("<p class=\"values\">{}</p>\n", values.join(", "));
     }
+    if let Some(said) = point.remark() {
+        text += &format!("<p>{}.</p>\n", escape(&words::capital(&said)));
+    }
     text += "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">at this point</th><th scope=\"col\">left</th>\
              <th scope=\"col\">right</th><th scope=\"col\"></th></tr></thead>\n<tbody>\n";
     let premises = claim.hypotheses.iter().map(|h| (&*h.formula, "true"));
     for (formula, truth) in premises.chain([(&claim.goal, "false")]) {
         let (left, right) = match point.sides(formula) {
-            Some((left, right)) => (number(&left), number(&right)),
+            Some((left, right)) => (left.to_string(), right.to_string()),
             None => (String::new(), String::new()),
         };
         text += &format!(
