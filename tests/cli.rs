@@ -66,6 +66,29 @@ fn the_output_is_always_the_same() {
 }
 
 #[test]
+fn any_number_of_threads_says_the_same() {
+    // Long enough for its displays to be shared out.
+    let step = |at: usize| {
+        format!(
+            "$$ a_{at} = b + {at} \\tag{{{at}}} $$\n\nBy ({at}),\n$$ b = a_{at} - {at} $$\n\nHence\n$$ b > 2 a_{at} $$\n\n"
+        )
+    };
+    let long = page("jobs", (0..100).map(step).collect::<String>().as_bytes());
+    let long = long.to_str().unwrap();
+    for format in ["human", "json"] {
+        let by = |jobs: &str| program(&["check", long, "--format", format, "--jobs", jobs]);
+        let one = by("1");
+        assert_eq!(code(&one), 1, "{}", err(&one));
+        for jobs in ["2", "5", "1000"] {
+            assert_eq!(by(jobs).stdout, one.stdout, "{jobs}");
+        }
+    }
+    let nobody = program(&["check", long, "--jobs", "0"]);
+    assert_eq!(code(&nobody), 2);
+    assert!(err(&nobody).contains("--jobs"), "{}", err(&nobody));
+}
+
+#[test]
 fn what_is_true_instead_is_built_in_too() {
     let output = program(&["--builtin", "corrected"]);
     assert_eq!(code(&output), 0, "{}", out(&output));

@@ -1,5 +1,6 @@
 use std::collections::BTreeMap;
 
+use super::effort::is_spent;
 use super::{BigRational, Polynomial, Rational, TooLarge, Var};
 
 /// A rational function whose denominator is kept in factors.
@@ -49,6 +50,9 @@ impl Fraction {
 
     /// The sum.
     pub fn plus(&self, other: &Self) -> Result<Self, TooLarge> {
+        if is_spent() {
+            return Err(TooLarge);
+        }
         if self.denominator == other.denominator {
             let sum = Fraction {
                 numerator: self.numerator.plus(&other.numerator),

@@ -6,6 +6,7 @@ use std::fmt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
+use super::effort::is_spent;
 use super::{
     Atom, Atoms, BigRational, Expr, Fraction, Functions, LimitPoint, Monomial, Polynomial, Powers,
     Rational, Symbol, TooLarge, Var,
@@ -13,6 +14,8 @@ use super::{
 
 /// Sums with definite limits are written out up to this many terms.
 const MOST_EXPLICIT_TERMS: i64 = 512;
+/// Sums of more terms than this are put together at once.
+const MANY: usize = 32;
 
 /// Exponents up to this are multiplied out without asking whether that grows too large.
 const SMALL_EXPONENT: u32 = 64;
@@ -104,6 +107,9 @@ impl Lowering<'_> {
                 index: index.clone(),
             })),
             Expr::Sum(terms) => {
+                if terms.len() > MANY {
+                    return self.long_sum(terms);
+                }
                 let Some((first, rest)) = terms.split_first() else {
                     return Ok(Fraction::default());
                 };
@@ -652,7 +658,10 @@ fn limit_at(
             return Ok(None);
         }
         let (Some(a), Some(b)) = (above.divided_by(&root), below.divided_by(&root)) else {
-            return Ok(None);
+            return match is_spent() {
+                true => Err(LowerError::TooLarge),
+                false => Ok(None),
+            };
         };
         (above, below) = (a, b);
     }

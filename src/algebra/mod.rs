@@ -2,10 +2,12 @@
 //!
 //! [`Expr`] and [`Formula`] keep what the author wrote. [`Lowering`] turns a term into a [`Fraction`] of
 //! [`Polynomial`]s in [`Atoms`] and notes what must not vanish on the way. Everything is exact: there is no
-//! floating point here, and every operation that could grow without bound returns [`TooLarge`] instead.
+//! floating point here, and every operation that could grow without bound returns [`TooLarge`] instead, as does what is
+//! asked for after all the work allowed for a question is done ([`effort`]).
 
 mod atom;
 mod dimension;
+pub mod effort;
 mod evaluate;
 mod expr;
 mod formula;
@@ -16,6 +18,7 @@ mod monomial;
 mod polynomial;
 mod power;
 mod rational;
+mod sum;
 mod symbol;
 mod univariate;
 

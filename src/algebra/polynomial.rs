@@ -3,6 +3,7 @@ use std::fmt;
 
 use smallvec::{SmallVec, smallvec};
 
+use super::effort::{is_spent, spend};
 use super::{Monomial, Rational, Var};
 
 /// Products of polynomials beyond these sizes are refused rather than waited for.
@@ -158,6 +159,7 @@ impl Polynomial {
             return other.scaled(factor);
         }
         let (a, b) = (&self.terms, &other.terms);
+        spend(a.len() + b.len());
         let mut terms = Terms::with_capacity(a.len() + b.len());
         let (mut i, mut j) = (0, 0);
         while i < a.len() && j < b.len() {
@@ -183,6 +185,13 @@ impl Polynomial {
         terms.extend(a[i..].iter().cloned());
         terms.extend(b[j..].iter().map(|(m, c)| (m.clone(), factor * c)));
         Polynomial { terms }
+    }
+
+    /// The sum of many: put together at once, not one after another.
+    pub(super) fn sum(all: Vec<Polynomial>) -> Self {
+        let terms: Terms = all.into_iter().flat_map(|own| own.terms).collect();
+        spend(terms.len());
+        Polynomial::collect(terms)
     }
 
     /// The sum.
@@ -227,7 +236,9 @@ impl Polynomial {
     /// The product, within bounds.
     pub fn times(&self, other: &Self) -> Result<Self, TooLarge> {
         let degree = self.degree().checked_add(other.degree()).ok_or(TooLarge)?;
-        if self.len().saturating_mul(other.len()) > MOST_TERM_PRODUCTS || degree > HIGHEST_DEGREE {
+        let products = self.len().saturating_mul(other.len());
+        spend(products);
+        if products > MOST_TERM_PRODUCTS || degree > HIGHEST_DEGREE || is_spent() {
             return Err(TooLarge);
         }
         // Multiplying by one term keeps the order.
@@ -281,7 +292,7 @@ impl Polynomial {
         Ok(product)
     }
 
-    /// `self / other`, where the division leaves no remainder.
+    /// `self / other`, where the division leaves no remainder and is done before all work allowed is.
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
         let (lead, coefficient) = other.leading()?;
         if let [(monomial, coefficient)] = other.terms.as_slice() {
@@ -298,6 +309,9 @@ impl Polynomial {
         }
         let (mut rest, mut quotient) = (self.clone(), Terms::new());
         while let Some((m, c)) = rest.leading() {
+            if is_spent() {
+                return None;
+            }
             let (m, c) = (m.divided_by(lead)?, c / coefficient);
             rest = rest.minus(&other.times_term(&m, &c));
             quotient.push((m, c));
@@ -349,8 +363,12 @@ impl Polynomial {
             return Ok(self.clone());
         }
         if let Some(value) = value.as_constant() {
+            spend(self.len());
             let mut terms = Terms::with_capacity(self.len());
             for (m, c) in &self.terms {
+                if is_spent() {
+                    return Err(TooLarge);
+                }
                 let power = value.pow(m.exponent(var), LONGEST_NUMBER).ok_or(TooLarge)?;
                 terms.push((m.without(var), c * power));
             }
@@ -378,7 +396,11 @@ impl Polynomial {
         value: impl Fn(Var) -> Option<Rational>,
     ) -> Result<Option<Rational>, TooLarge> {
         let mut sum = Rational::zero();
+        spend(self.len());
         for (m, c) in &self.terms {
+            if is_spent() {
+                return Err(TooLarge);
+            }
             let mut product = c.clone();
             for &(var, exponent) in m.powers() {
                 let Some(value) = value(var) else {

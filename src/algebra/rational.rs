@@ -5,6 +5,7 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_integer::Integer;
 use num_traits::Signed;
 
+use super::effort::spend;
 use super::{BigInt, BigRational};
 
 /// An exact rational number: two machine integers while they suffice, a [`BigRational`] beyond.
@@ -170,6 +171,18 @@ impl Rational {
     }
 }
 
+/// Takes off the budget what an operation on long numbers costs: a gcd takes a step for each bit.
+fn counted(a: &BigRational, b: &BigRational) {
+    let bits = |x: &BigRational| x.numer().bits().saturating_add(x.denom().bits());
+    let bits = bits(a).max(bits(b));
+    let words = bits / 64 + 1;
+    let units = match a.is_integer() && b.is_integer() {
+        true => words,
+        false => bits.saturating_mul(words) / 8,
+    };
+    spend(usize::try_from(units).unwrap_or(usize::MAX));
+}
+
 /// Binary for what fits in a machine word, Euclid's to get there.
 fn gcd(mut a: u128, mut b: u128) -> u128 {
     while b > u64::MAX.into() {
@@ -262,7 +275,15 @@ impl Add for &Rational {
                 );
                 Rational::reduced(a * d + c * b, b * d)
             }
-            _ => Rational::from_big(self.to_big() + other.to_big()),
+            _ => {
+                let (a, b) = (self.to_big(), other.to_big());
+                counted(&a, &b);
+                // What num-rational does for integers is a gcd with 1, which takes a step for every bit.
+                match a.is_integer() && b.is_integer() {
+                    true => Rational::from(a.numer() + b.numer()),
+                    false => Rational::from_big(a + b),
+                }
+            }
         }
     }
 }
@@ -277,7 +298,14 @@ impl Mul for &Rational {
                 i128::from(*a) * i128::from(*c),
                 i128::from(*b) * i128::from(*d),
             ),
-            _ => Rational::from_big(self.to_big() * other.to_big()),
+            _ => {
+                let (a, b) = (self.to_big(), other.to_big());
+                counted(&a, &b);
+                match a.is_integer() && b.is_integer() {
+                    true => Rational::from(a.numer() * b.numer()),
+                    false => Rational::from_big(a * b),
+                }
+            }
         }
     }
 }

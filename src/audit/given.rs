@@ -3,12 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Derivation, Equation, Kind, Source, formulas};
 use crate::kernel::{Assignment, Model, Standing};
 use crate::search::{Consistency, consistency};
 
-use super::{Entry, Note, Verdict, blank};
+use super::{Entry, MOST_WORK, Note, Verdict, blank};
 
 /// More formulas than this in one tangle are not tried.
 const MOST_FORMULAS: usize = 40;
@@ -68,7 +68,8 @@ pub(super) fn models(derivation: &Derivation, page: usize) -> Models {
             if assumed.len() > MOST_FORMULAS {
                 return Consistency::Unknown;
             }
-            consistency(&derivation.claim(members[0], &assumed, &trivial), &[])
+            let claim = derivation.claim(members[0], &assumed, &trivial);
+            effort::within(MOST_WORK, || consistency(&claim, &[]))
         };
         match together(&group) {
             Consistency::Model(model) => {

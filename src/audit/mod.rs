@@ -23,7 +23,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::algebra::effort;
 use crate::derivation::{Assumed, Derivation, Kind, Source, goals};
+use crate::document::threads;
 use crate::kernel::Assignment;
 use crate::notation::{Mark, Statement};
 
@@ -35,8 +37,14 @@ pub use review::{Fallen, Review};
 use schedule::Schedule;
 pub use without::{Without, without_each};
 
-/// More threads than this would mostly wait for one another.
-const MOST_THREADS: usize = 8;
+/// How much exact arithmetic a statement is worth, in units of [`effort`]: some seconds, where the dearest statement of the
+/// report takes some hundredths of one.
+const MOST_WORK: u64 = 50_000_000;
+/// How many earlier steps of its statement a step may use, the last ones.
+const MOST_STEPS: usize = 64;
+/// So many of the equations that a step comes from and that fail, or are not proved, are named: the nearest. All of them, for each
+/// step of a document where thousands follow from one another, would cost the square of their number.
+const MOST_ANCESTORS: usize = 64;
 /// How many points at which premises held are tried again on the next ones.
 const REMEMBERED_POINTS: usize = 4;
 
@@ -54,8 +62,7 @@ impl Audit {
     ///
     /// A page waits for what it needs of an earlier one, so the result does not depend on how many work at it.
     pub fn of(derivation: &Derivation) -> Audit {
-        let processors = std::thread::available_parallelism().map_or(1, |n| n.get());
-        Audit::by(derivation, processors, &AtomicUsize::new(0))
+        Audit::by(derivation, threads(), &AtomicUsize::new(0))
     }
 
     /// The same by at most so many threads; the number of equations that are done can be read meanwhile.
@@ -80,7 +87,7 @@ impl Audit {
             }
         };
         std::thread::scope(|scope| {
-            for _ in 1..threads.min(shared.schedule.len()).min(MOST_THREADS) {
+            for _ in 1..threads.min(shared.schedule.len()) {
                 scope.spawn(work);
             }
             // The others begin without them.
@@ -88,7 +95,7 @@ impl Audit {
             let _ = shared.dimensions.set(dimensions.unwrap_or_default());
             work();
         });
-        let shifted = shifted::gather(&shared);
+        let shifted = effort::within(MOST_WORK, || shifted::gather(&shared));
         let done = shared.done.into_iter().filter_map(OnceLock::into_inner);
         let mut entries: Vec<Entry> = done.flat_map(|done| done.entries).collect();
         for (at, note) in shifted {
@@ -122,6 +129,12 @@ impl Audit {
     pub fn findings(&self) -> impl Iterator<Item = &Entry> {
         self.entries.iter().filter(|e| e.is_finding())
     }
+}
+
+/// The last ones, in order.
+fn nearest(ancestors: BTreeSet<usize>) -> Vec<usize> {
+    let far = ancestors.len().saturating_sub(MOST_ANCESTORS);
+    ancestors.into_iter().skip(far).collect()
 }
 
 /// What is known of an equation once it is judged.
@@ -271,16 +284,17 @@ impl Auditor<'_> {
         let mut entries = Vec::new();
         for (part, statement) in statements.iter().enumerate() {
             let defines = equation.defines.contains(&part);
-            let mut entry = match equation.numeric {
+            let mut entry = effort::within(MOST_WORK, || match equation.numeric {
                 Some(_) => self.numeric(at, statement, &usable),
                 None => self.statement(at, statement, &usable, &premises, says_so, defines),
-            };
+            });
             if let Some(other) = &statement.other
                 && matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
                 && equation.numeric.is_none()
-                && self
-                    .statement(at, &other.value, &usable, &premises, says_so, defines)
-                    .verdict
+                && effort::within(MOST_WORK, || {
+                    self.statement(at, &other.value, &usable, &premises, says_so, defines)
+                })
+                .verdict
                     == Verdict::Holds
             {
                 entry.notes.push(Note::OtherReading(other.span));
@@ -347,7 +361,8 @@ impl Auditor<'_> {
                 });
                 continue;
             }
-            let found = judge.goal(&goal, &steps, premises);
+            let recent = &steps[steps.len().saturating_sub(MOST_STEPS)..];
+            let found = judge.goal(&goal, recent, premises);
             if found.judged.outcome.is_proven() && goal.suppositions.is_empty() {
                 steps.push((goal.clause, goal.formula.clone()));
             } else if statement.clauses.len() > 1 && goal.suppositions.is_empty() {
@@ -471,7 +486,7 @@ impl Auditor<'_> {
                 failing.extend(&entry.rests_on);
             }
         }
-        failing.into_iter().collect()
+        nearest(failing)
     }
 
     /// The premises that are not proved themselves, or only under a condition that nothing states, and those
@@ -494,7 +509,7 @@ impl Auditor<'_> {
                 }
             }
         }
-        open.into_iter().collect()
+        nearest(open)
     }
 
     /// The entries of an equation before the one that is being judged.

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicUsize;
 
-use crate::algebra::Formula;
+use crate::algebra::{Formula, effort};
 use crate::derivation::{Assumed, Derivation, Goal, Source, goals};
 use crate::kernel::{Assignment, Standing};
 use crate::search::{self, Effort, Stop};
@@ -15,7 +15,9 @@ use crate::search::{self, Effort, Stop};
 use super::judge::{Found, Judge, sources};
 use super::premise::{Offer, Usable, usable};
 use super::schedule::Schedule;
-use super::{Audit, Auditor, Done, Entry, Judged, Note, Outcome, Shared, Verdict, given};
+use super::{
+    Audit, Auditor, Done, Entry, Judged, MOST_WORK, Note, Outcome, Shared, Verdict, given,
+};
 
 /// How many earlier equations are looked at for another way to a step.
 const MOST_RELATIVES: usize = 12;
@@ -85,7 +87,7 @@ impl<'a> Review<'a> {
                 continue;
             }
             let instead = match all.len() < MOST_REDERIVED {
-                true => self.without(entry, &standing),
+                true => effort::within(MOST_WORK, || self.without(entry, &standing)),
                 false => None,
             };
             // A display of several statements stands where all of them do.

@@ -51,16 +51,18 @@ pub(super) fn gather(shared: &Shared<'_>) -> Vec<(usize, Note)> {
     let mut order: Vec<(i64, usize)> = votes.into_iter().collect();
     order.sort_by_key(|&(shift, number)| (std::cmp::Reverse(number), shift.abs(), shift));
     let mut settled: BTreeSet<usize> = BTreeSet::new();
+    let mut of_page: BTreeMap<usize, Vec<&Miscited>> = BTreeMap::new();
+    for step in &all {
+        of_page.entry(step.page).or_default().push(step);
+    }
     for (by, _) in order.into_iter().take(MOST_SHIFTS) {
-        let pages: BTreeSet<usize> = all.iter().map(|step| step.page).collect();
         let mut explained: Vec<&Miscited> = Vec::new();
-        for page in pages.into_iter().filter(|page| !settled.contains(page)) {
-            let own: Vec<&Miscited> = all.iter().filter(|step| step.page == page).collect();
+        for (_, own) in of_page.iter().filter(|(page, _)| !settled.contains(page)) {
             if own
                 .iter()
                 .all(|step| is_explained(shared, entries, step, by, &mut budget))
             {
-                explained.extend(own);
+                explained.extend(own.iter().copied());
             }
         }
         if explained.len() < FEWEST {

@@ -1,11 +1,12 @@
 //! What goes wrong without a premise: asked when one step is explained, not in the audit.
 
+use crate::algebra::effort;
 use crate::derivation::{Assumed, Derivation, Source};
 use crate::kernel::Refuted;
 use crate::search::{self, Decision};
 
 use super::judge::sources;
-use super::{Judged, Outcome};
+use super::{Judged, MOST_WORK, Outcome};
 
 /// Of a step with more premises than this, the first are looked at.
 const MOST_PREMISES: usize = 8;
@@ -32,7 +33,7 @@ pub fn without_each(derivation: &Derivation, at: usize, judged: &Judged) -> Vec<
         let rest = judged.assumed.iter().filter(|a| a.source != source);
         let rest: Vec<Assumed> = rest.cloned().collect();
         let claim = derivation.claim(at, &rest, &judged.goal.formula);
-        let outcome = match search::decide(claim, &[]) {
+        let outcome = match effort::within(MOST_WORK, || search::decide(claim, &[])) {
             Decision::Refuted(refuted) => Without::Fails(refuted.into()),
             Decision::Proven { conditions, .. } if conditions.is_empty() => Without::Follows,
             _ => Without::Open,

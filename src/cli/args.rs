@@ -1,5 +1,6 @@
 //! The arguments; names are exact, for scripts use them.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
@@ -35,6 +36,9 @@ pub struct Args {
     /// Write to this file instead of standard output; it is replaced as a whole, or not at all.
     #[arg(short, long, global = true, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Work with this many threads, at most 8; without it, as many as there are processors. The result is the same.
+    #[arg(long, global = true, value_name = "NUMBER")]
+    pub jobs: Option<NonZeroUsize>,
     /// What makes the audit of the built-in report fail.
     #[command(flatten)]
     pub gate: Gate,

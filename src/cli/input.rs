@@ -1,6 +1,6 @@
 //! Documents from files, directories and standard input.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -61,16 +61,18 @@ pub fn derivation(paths: &[PathBuf], stdin: Option<&str>) -> Result<Derivation, 
     });
     let read: Vec<(Vec<Document>, BTreeSet<PathBuf>)> =
         read.into_iter().collect::<Result<_, Failure>>()?;
+    let own: Vec<PathBuf> = files.iter().map(|file| same(file)).collect();
+    let mut openers: BTreeMap<&PathBuf, Vec<usize>> = BTreeMap::new();
+    for (at, (_, opened)) in read.iter().enumerate() {
+        for path in opened {
+            openers.entry(path).or_default().push(at);
+        }
+    }
     let taken_in: Vec<bool> = (0..files.len())
         .map(|at| {
-            let own = same(&files[at]);
-            let by = |(other, (_, opened)): (usize, &(Vec<Document>, BTreeSet<PathBuf>))| {
-                // Of two that take in each other the first is read.
-                other != at
-                    && opened.contains(&own)
-                    && !(at < other && read[at].1.contains(&same(&files[other])))
-            };
-            read.iter().enumerate().any(by)
+            // Of two that take in each other the first is read.
+            let mut by = openers.get(&own[at]).into_iter().flatten();
+            by.any(|&other| other != at && !(at < other && read[at].1.contains(&own[other])))
         })
         .collect();
     let documents = read.into_iter().zip(taken_in);

@@ -54,6 +54,9 @@ impl Failure {
 /// What the program does, from its arguments to its exit code.
 pub fn main() -> ExitCode {
     let args = args::Args::parse();
+    if let Some(jobs) = args.jobs {
+        crate::document::use_threads(jobs.get());
+    }
     if let Some(args::Command::Check {
         paths, watch: true, ..
     }) = &args.command

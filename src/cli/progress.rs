@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use crate::audit::Audit;
 use crate::derivation::Derivation;
+use crate::document::threads;
 
 /// What takes less than this shows nothing.
 const PATIENCE: Duration = Duration::from_millis(1000);
@@ -23,7 +24,6 @@ pub fn audited(derivation: &Derivation) -> Audit {
         return Audit::of(derivation);
     }
     let progress = AtomicUsize::new(0);
-    let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
     let (finished, wait) = channel::<()>();
     std::thread::scope(|scope| {
         scope.spawn(|| {
@@ -39,7 +39,7 @@ pub fn audited(derivation: &Derivation) -> Audit {
                 let _ = write!(std::io::stderr(), "\r\x1b[2K");
             }
         });
-        let audit = Audit::by(derivation, threads, &progress);
+        let audit = Audit::by(derivation, threads(), &progress);
         drop(finished);
         audit
     })

@@ -178,15 +178,23 @@ impl Derivation {
     /// The equations that a citation on a page means: of the same page before others; one, unless several share the
     /// number. `label` is as [`Derivation::labels`] has it, and `other` is tried where there is none.
     fn resolve(&self, label: &str, other: &str, page: usize) -> Vec<usize> {
-        let own = |at: &&usize| self.equations[**at].page == page;
+        // Thousands of pages may each have a (1), in reading order.
+        let own = |all: &[usize]| {
+            let start = all.partition_point(|&at| self.equations[at].page < page);
+            start..all.partition_point(|&at| self.equations[at].page <= page)
+        };
         for label in [label, other] {
             if let Some(all) = self.labels.get(label) {
-                let near = all.iter().find(own);
+                let near = all[own(all)].first();
                 return near.or_else(|| all.first()).copied().into_iter().collect();
             }
             if let Some(all) = self.groups.get(label) {
-                let near: Vec<usize> = all.iter().filter(own).copied().collect();
-                return if near.is_empty() { all.clone() } else { near };
+                let near = &all[own(all)];
+                return if near.is_empty() {
+                    all.clone()
+                } else {
+                    near.to_vec()
+                };
             }
         }
         Vec::new()

@@ -103,6 +103,7 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
     let items = std::mem::take(&mut page.document.items);
     page.declarations(&items);
     page.figures(&items);
+    let mut ahead = rows::read_ahead(&page.document.source, &items).into_iter();
     let mut equations: Vec<Equation> = Vec::new();
     let mut active: Vec<usize> = Vec::new();
     let mut between = Between::default();
@@ -147,7 +148,8 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
                 let (span, body) = (*span, *body);
                 let said = std::mem::take(&mut between);
                 let source = &page.document.source;
-                let mut read = rows::read(source, body, layout.as_deref());
+                let read = ahead.next();
+                let mut read = read.unwrap_or_else(|| rows::read(source, body, layout.as_deref()));
                 let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
                 page.read_exponentials(statements.flatten());
                 let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();

@@ -4,7 +4,7 @@
 //! together with it and then taken apart again: the second says `b = c`, and goes on with the first. A row without a number
 //! belongs to the next that has one.
 
-use crate::document::{Layout, Row, Span};
+use crate::document::{Item, Layout, Row, Span, in_order, threads};
 use crate::notation::{Clause, Connective, Statement, SyntaxError, Unit, read_display, read_rows};
 
 /// One equation of a display.
@@ -17,12 +17,39 @@ pub(super) struct Part {
     pub continues: usize,
 }
 
+/// A row goes on with so many rows before it, the nearest: with all of thousands, each would cost as much as they are.
+const LONGEST_CHAIN: usize = 64;
+/// Fewer displays than this are not worth another thread.
+const WORTH_SHARING: usize = 64;
+
+/// Reads the displays of a long page, several at a time; none of those of a short one, which are read when it is their turn.
+pub(super) fn read_ahead(source: &str, items: &[Item]) -> Vec<Vec<Part>> {
+    let displays = items.iter().filter_map(|item| match item {
+        Item::Display { body, layout, .. } => Some((*body, layout.as_deref())),
+        _ => None,
+    });
+    let displays: Vec<(Span, Option<&Layout>)> = displays.collect();
+    if displays.len() < 2 * WORTH_SHARING || threads() < 2 {
+        return Vec::new();
+    }
+    let shares = in_order(displays.chunks(WORTH_SHARING), |share| {
+        let read = share
+            .iter()
+            .map(|&(body, layout)| read(source, body, layout));
+        read.collect::<Vec<_>>()
+    });
+    shares.into_iter().flatten().collect()
+}
+
 /// Reads a display.
 pub(super) fn read(source: &str, body: Span, layout: Option<&Layout>) -> Vec<Part> {
     let Some(layout) = layout else {
         return vec![plain(source, body)];
     };
     let mut parts = of_layout(source, body, layout);
+    for part in &mut parts {
+        part.continues = part.continues.min(LONGEST_CHAIN);
+    }
     if let Some((number, keys)) = &layout.group {
         let keys = keys.iter().map(|key| format!("{{{key}}}"));
         let number = (!number.is_empty()).then(|| format!("({number})"));

@@ -30,6 +30,7 @@ mod supposition;
 use std::sync::Arc;
 
 pub(crate) use in_order::in_order;
+pub use in_order::{threads, use_threads};
 pub use item::{
     Attribute, Bound, Citation, Directive, Inline, Item, Layout, Premise, Problem, Prose, Row,
     Supposition, SuppositionKind,

@@ -1,7 +1,7 @@
 //! Exact counterexamples, and exact points at which premises hold together.
 
 use std::borrow::Cow;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::rc::Rc;
@@ -20,6 +20,8 @@ use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Obligation, Sig
 
 /// Sums over a symbolic number of elements are tried with up to this many.
 const MOST_ELEMENTS: i64 = 4;
+/// The most terms that sums in one claim are written out to: sums in sums multiply.
+const MOST_WRITTEN_OUT: usize = 4_000;
 /// The costs that are tried one after another.
 const MOST_COST: u32 = 11;
 /// How far is looked from a point that is nearly right.
@@ -290,12 +292,13 @@ fn rule_out(sizes: &mut Vec<Vec<i64>>, counts: &[Symbol], claim: &Claim, against
 
 /// The claim with definite numbers of elements, each element a symbol of its own.
 fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
+    let left = Cell::new(MOST_WRITTEN_OUT);
     let number = |expr: &Expr| {
         let sizes = counts.iter().zip(sizes);
         let at = sizes.fold(expr.clone(), |e, (count, &n)| {
             e.substitute(count, &Expr::integer(n))
         });
-        without_series(&at)
+        without_series(&at, &left)
     };
     let mut domains = claim.domains.clone();
     for (sequence, domain) in &claim.sequences {
@@ -313,6 +316,9 @@ fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
     }
     // The conclusion is one formula: Σ (aᵢ − bᵢ)² = 0.
     let goals = written_out(&claim.goal.map_terms(number))?;
+    if left.get() == 0 {
+        return None;
+    }
     let goal = match goals.as_slice() {
         [single] => single.clone(),
         several => {
@@ -335,8 +341,8 @@ fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
     })
 }
 
-/// Sums over a definite number of elements, written out.
-fn without_series(expr: &Expr) -> Expr {
+/// Sums over a definite number of elements, written out while there are terms left to be written.
+fn without_series(expr: &Expr, left: &Cell<usize>) -> Expr {
     if let Expr::Series {
         index,
         from,
@@ -349,17 +355,20 @@ fn without_series(expr: &Expr) -> Expr {
             u32::try_from(to.to_integer()),
         )
         && to.saturating_sub(from) < 64
+        && left.get() > 0
     {
-        let mut terms: Vec<Expr> = (from..=to)
-            .map(|position| without_series(&body.at_index(index, position)))
-            .collect();
+        let written = (from..=to).map(|position| {
+            left.set(left.get().saturating_sub(1));
+            without_series(&body.at_index(index, position), left)
+        });
+        let mut terms: Vec<Expr> = written.collect();
         return match terms.len() {
             0 => Expr::integer(0),
             1 => terms.remove(0),
             _ => Expr::Sum(terms),
         };
     }
-    expr.map_children(without_series)
+    expr.map_children(|child| without_series(child, left))
 }
 
 /// A statement about a definite number of elements as equations between them.
@@ -376,6 +385,9 @@ fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
         return None;
     };
     let to: u32 = to.to_integer().try_into().ok()?;
+    if to as usize > MOST_WRITTEN_OUT {
+        return None;
+    }
     let element = |position| Expr::Symbol(element_symbol(sequence, position));
     let (first, from) = match value {
         Some(value) => (value.clone(), 1),

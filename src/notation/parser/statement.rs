@@ -62,6 +62,9 @@ fn separates(words: &str) -> bool {
     BETWEEN.contains(&words)
 }
 
+/// Nobody writes more relations in one clause, or more clauses in one statement; each is judged from those before it.
+const MOST_RELATIONS: usize = 500;
+
 /// A place in a chain: a term, or the dots of `u_1 = \dots = u_n`.
 enum Place {
     Side(Side),
@@ -195,6 +198,9 @@ impl<'s> Parser<'s> {
             self.skip_closing();
             let span = self.span();
             match self.peek() {
+                Kind::Connective(_) if connectives.len() >= MOST_RELATIONS => {
+                    return refuse(span, "this statement has too many clauses to be judged");
+                }
                 Kind::Connective(value) => {
                     self.advance();
                     connectives.push(Spanned { value, span });
@@ -264,6 +270,10 @@ impl<'s> Parser<'s> {
                 self.at = end;
                 break;
             };
+            if links.len() >= MOST_RELATIONS {
+                let help = "part it into several displays";
+                return refuse_with(self.span(), "this chain is too long to be judged", help);
+            }
             links.push(Link {
                 relation,
                 questioned,

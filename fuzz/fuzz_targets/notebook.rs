@@ -1,0 +1,12 @@
+//! Any bytes as a notebook: read, with every display accounted for and every place within the file.
+#![no_main]
+
+#[path = "../../tests/robust/checks.rs"]
+#[allow(dead_code)]
+mod checks;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
+    if let Err(what) = checks::file("page.ipynb", bytes) {
+        panic!("{what}");
+    }
+});
