@@ -6,6 +6,7 @@
 
 mod checker;
 mod equation;
+mod names;
 mod page;
 mod rows;
 

@@ -11,7 +11,7 @@ use crate::kernel::Domain;
 use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
 
 use super::equation::formulas;
-use super::{Equation, Kind, rows};
+use super::{Equation, Kind, names, rows};
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -195,6 +195,7 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
             }
         }
     }
+    names::refuse(&mut equations);
     page.problems.sort_by_key(|p| p.span);
     page.document.items = items;
     (page, equations)
@@ -415,7 +416,12 @@ impl Page {
             return;
         }
         let read = |term: &mut Expr| *term = exponentials(term, &self.euler);
-        for clause in statements.flat_map(|s| &mut s.clauses) {
+        let clauses = statements.flat_map(|statement| {
+            let others = statement.others.iter_mut();
+            let others = others.flat_map(|other| &mut other.statement.clauses);
+            statement.clauses.iter_mut().chain(others)
+        });
+        for clause in clauses {
             match clause {
                 Clause::Chain { sides, .. } => sides.iter_mut().for_each(|s| read(&mut s.expr)),
                 Clause::AllEqual { to, value, .. } => {

@@ -29,5 +29,6 @@ pub use printer::{
 };
 pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
 pub use statement::{
-    Clause, Connective, Display, Link, Mark, Side, Spanned, Statement, SyntaxError,
+    Before, Choice, Clause, Connective, Display, Link, Mark, Other, Side, Spanned, Statement,
+    SyntaxError,
 };

@@ -17,9 +17,9 @@ mod term;
 
 pub(super) use name::{split_subscript, with_subscript};
 
-use super::SyntaxError;
 use super::commands;
 use super::lexer::{Kind, Token};
+use super::{Before, Choice, SyntaxError};
 use crate::algebra::Expr;
 use crate::document::Span;
 
@@ -50,10 +50,12 @@ pub(super) struct Parser<'s> {
     summands: Vec<Span>,
     /// The name that was read last, for braces around nothing but a name: `{v'_1}^2`.
     last_name: Option<LastName>,
-    /// Read what follows a stroke side by side as standing below it: `a/bc` as `a/(bc)`.
-    below: bool,
-    /// The strokes after which this would be another reading.
-    strokes: Vec<Span>,
+    /// What is chosen in the other way here.
+    choice: Option<Choice>,
+    /// The places where there is a choice.
+    choices: Vec<(Choice, Span)>,
+    /// The names that stand before a parenthesis.
+    before: Vec<Before>,
     /// A group after a name that turned out to be a factor, not an argument: `v_0(1 - \mu)`.
     pending: Option<Factor>,
 }
@@ -132,8 +134,9 @@ impl<'s> Parser<'s> {
             bar: false,
             summands: Vec::new(),
             last_name: None,
-            below: false,
-            strokes: Vec::new(),
+            choice: None,
+            choices: Vec::new(),
+            before: Vec::new(),
             pending: None,
         }
     }

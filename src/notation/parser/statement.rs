@@ -1,12 +1,14 @@
 //! Statements: chains of relations, joined by implications, labelled and marked.
 
+use std::collections::BTreeSet;
+
 use super::series::hole_of;
 use super::{Kind, Parser, Read, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol};
 use crate::document::Span;
 use crate::notation::commands;
 use crate::notation::parser::name::split_subscript;
-use crate::notation::{Clause, Link, Mark, Side, Spanned, Statement};
+use crate::notation::{Choice, Clause, Link, Mark, Other, Side, Spanned, Statement};
 
 /// The environments whose rows are statements.
 const ENVIRONMENTS: &[&str] = &[
@@ -69,28 +71,33 @@ enum Place {
 }
 
 impl<'s> Parser<'s> {
-    /// All statements, to the end; with what they would be if what follows a stroke stood below it.
+    /// All statements, to the end, with what they would be where there is a choice, each choice by itself.
     pub(in crate::notation) fn statements(mut self) -> Read<Vec<Statement>> {
         let mut statements = self.all_statements()?;
-        let strokes = std::mem::take(&mut self.strokes);
-        if strokes.is_empty() {
-            return Ok(statements);
-        }
-        let (tokens, errors) = (
-            std::mem::take(&mut self.tokens),
-            std::mem::take(&mut self.errors),
-        );
-        let mut again = Parser::new(tokens, errors, self.body, self.words);
-        again.below = true;
-        let others = again.all_statements().unwrap_or_default();
-        if others.len() == statements.len() {
+        let places = std::mem::take(&mut self.choices);
+        let choices: BTreeSet<Choice> = places.iter().map(|(choice, _)| *choice).collect();
+        for choice in choices {
+            let (tokens, errors) = (
+                std::mem::take(&mut self.tokens),
+                std::mem::take(&mut self.errors),
+            );
+            self = Parser::new(tokens, errors, self.body, self.words);
+            self.choice = Some(choice);
+            let others = self.all_statements().unwrap_or_default();
+            if others.len() != statements.len() {
+                continue;
+            }
             for (statement, other) in statements.iter_mut().zip(others) {
                 let whole = statement.span;
-                let within = |s: &&Span| whole.start <= s.start && s.end <= whole.end;
-                statement.other = strokes
-                    .iter()
-                    .find(within)
-                    .map(|&span| Box::new(Spanned { value: other, span }));
+                let here = |(own, s): &&(Choice, Span)| {
+                    *own == choice && whole.start <= s.start && s.end <= whole.end
+                };
+                let place = places.iter().find(here);
+                statement.others.extend(place.map(|&(_, span)| Other {
+                    choice,
+                    span,
+                    statement: other,
+                }));
             }
         }
         Ok(statements)
@@ -226,7 +233,8 @@ impl<'s> Parser<'s> {
             connectives,
             mark,
             span: self.since(start),
-            other: None,
+            others: Vec::new(),
+            before: std::mem::take(&mut self.before),
         })
     }
 
