@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use crate::algebra::{Base, Dimension, Expr, Formula, Rational, Symbol, element_parts};
-use crate::derivation::{Derivation, Kind, Source, formulas};
+use crate::derivation::{Derivation, Kind, Source, conditions, formulas};
 use crate::dimension::{Conflict, Inference, Reading, occur};
 use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
 use crate::notation::{Mark, Statement};
@@ -121,7 +121,9 @@ impl Dimensions {
                 continue;
             }
             for (part, statement) in equation.statements().iter().enumerate() {
-                let readings = self.readings(page, formulas(statement));
+                let mut compared = formulas(statement);
+                compared.extend(conditions(statement));
+                let readings = self.readings(page, compared);
                 let crossed = is_crossed_out(statement);
                 let read = self
                     .inference
@@ -237,7 +239,7 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
     let equations = derivation.equations[from..to].iter();
     let mut stated: Vec<Formula> = equations
         .flat_map(|e| e.statements())
-        .flat_map(formulas)
+        .flat_map(|statement| [formulas(statement), conditions(statement)].concat())
         .collect();
     stated.extend(
         own.locals

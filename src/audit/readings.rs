@@ -43,7 +43,7 @@ pub struct OtherReading {
 fn is_spoken_of(product: &Statement, read: &Statement, usable: &Usable) -> bool {
     let symbols = |statement| {
         let formulas = formulas(statement);
-        let all = formulas.iter().flat_map(Formula::free_symbols).cloned();
+        let all = formulas.iter().flat_map(Formula::free_symbols);
         all.collect::<BTreeSet<Symbol>>()
     };
     let (fewer, assumed) = (symbols(read), &usable.assumed);
@@ -178,7 +178,7 @@ impl Auditor<'_> {
         statement: &Statement,
         how: &Circumstances,
     ) -> Option<Verdict> {
-        if choice == Choice::Product || how.defines {
+        if choice == Choice::Product || how.defines || !how.usable.cases.is_empty() {
             return None;
         }
         let mut assumed = how.usable.assumed.clone();

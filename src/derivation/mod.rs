@@ -20,7 +20,7 @@ use crate::kernel::{Claim, Domain, Hypothesis, Standing};
 use crate::notation::Spanned;
 
 pub use checker::{Checker, Point, values_at};
-pub use equation::{Equation, Goal, Kind, formulas, goals};
+pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
 pub use page::{Datum, Local, Page, Premises};
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.

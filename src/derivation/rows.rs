@@ -247,6 +247,7 @@ fn taken_apart(
                             links: vec![*link],
                         }],
                         connectives: Vec::new(),
+                        under: statement.under.clone(),
                         mark: None,
                         others: Vec::new(),
                         before: Vec::new(),

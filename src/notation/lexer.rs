@@ -37,6 +37,8 @@ pub(super) enum Kind<'s> {
     Row,
     /// `\quad` or `\qquad`
     Wide,
+    /// `&` between a case and its condition. Made by `fold`.
+    Cell,
     /// `\begin{…}`
     Begin(&'s str),
     /// `\end{…}`

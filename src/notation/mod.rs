@@ -11,6 +11,7 @@
 //!   right after them is refused.
 //! - Braces do not show on the page, so `{a + b} c` is refused.
 //! - `\times` with nothing after it is the author's ✗.
+//! - `f = \begin{cases} a & x < 0 \\ b & x \geq 0 \end{cases}` is two statements, each under its condition.
 //! - `\frac12` is a quotient of two numbers; a decimal is one number; `\sqrt[n]{x}` is `x` to the number `1/n`.
 
 mod commands;

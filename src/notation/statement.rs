@@ -21,6 +21,8 @@ pub struct Statement {
     pub clauses: Vec<Clause>,
     /// What joins each clause to the next.
     pub connectives: Vec<Spanned<Connective>>,
+    /// The conditions under which it is said: `x < 0` in `a = b \quad \text{if } x < 0`, or of a case.
+    pub under: Vec<Clause>,
     /// The author's own verdict.
     pub mark: Option<Spanned<Mark>>,
     /// The whole statement.

@@ -1,6 +1,6 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `term` the arithmetic, `atom`, `group` and `function` single factors, `name` whole
+//! `statement` reads what is said, `cases` what is said under conditions, `term` the arithmetic, `atom`, `group` and `function` single factors, `name` whole
 //! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -8,6 +8,7 @@
 
 mod atom;
 mod calculus;
+mod cases;
 mod function;
 mod group;
 mod name;
@@ -19,7 +20,7 @@ pub(super) use name::{split_subscript, with_subscript};
 
 use super::commands;
 use super::lexer::{Kind, Token};
-use super::{Before, Choice, SyntaxError};
+use super::{Before, Choice, Clause, Side, SyntaxError};
 use crate::algebra::Expr;
 use crate::document::Span;
 
@@ -56,8 +57,17 @@ pub(super) struct Parser<'s> {
     choices: Vec<(Choice, Span)>,
     /// The names that stand before a parenthesis.
     before: Vec<Before>,
+    /// The cases of the clause that was read last.
+    cases: Vec<Case>,
     /// A group after a name that turned out to be a factor, not an argument: `v_0(1 - \mu)`.
     pending: Option<Factor>,
+}
+
+/// One of the cases of a side: the side there, and when it is that.
+struct Case {
+    side: Side,
+    under: Vec<Clause>,
+    span: Span,
 }
 
 /// A name, and the tokens it was read from.
@@ -137,6 +147,7 @@ impl<'s> Parser<'s> {
             choice: None,
             choices: Vec::new(),
             before: Vec::new(),
+            cases: Vec::new(),
             pending: None,
         }
     }
@@ -253,6 +264,11 @@ impl<'s> Parser<'s> {
                 "`\\quad` separates statements, so it cannot stand inside one",
             ),
             Kind::Row => refuse(span, "a new row cannot start here"),
+            Kind::Cell => refuse_with(
+                span,
+                "a second column is read only beside the cases of one side of a relation",
+                "write `f = \\begin{cases} a & x < 0 \\\\ b & x \\geq 0 \\end{cases}`",
+            ),
             Kind::And => refuse_with(
                 span,
                 "the word `and` stands in the mathematics, where TeX sets it as a product of three symbols",

@@ -7,6 +7,7 @@ use super::{Kind, Parser, Read, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol};
 use crate::document::Span;
 use crate::notation::commands;
+use crate::notation::fold::is_cases;
 use crate::notation::parser::name::split_subscript;
 use crate::notation::{Choice, Clause, Link, Mark, Other, Side, Spanned, Statement};
 
@@ -21,6 +22,8 @@ const ENVIRONMENTS: &[&str] = &[
     "gathered",
     "equation",
     "equation*",
+    "cases",
+    "dcases",
 ];
 
 /// Words between statements that say no more than that both are made. "If", "or" and "unless" say something else, and
@@ -65,7 +68,7 @@ fn separates(words: &str) -> bool {
 }
 
 /// A place in a chain: a term, or the dots of `u_1 = \dots = u_n`.
-enum Place {
+pub(super) enum Place {
     Side(Side),
     Dots(Span),
 }
@@ -116,7 +119,8 @@ impl<'s> Parser<'s> {
                 self.advance();
                 self.skip_wide();
             }
-            statements.push(self.statement()?);
+            let statement = self.statement()?;
+            statements.extend(self.by_cases(statement)?);
             let mut separated = self.separator()?;
             while let Kind::Finish(name) = self.peek() {
                 match environments.pop() {
@@ -144,7 +148,7 @@ impl<'s> Parser<'s> {
         }
     }
 
-    fn skip_wide(&mut self) -> bool {
+    pub(super) fn skip_wide(&mut self) -> bool {
         let start = self.at;
         while self.peek() == Kind::Wide {
             self.advance();
@@ -227,10 +231,12 @@ impl<'s> Parser<'s> {
                 );
             }
         }
+        let under = self.trailing_conditions(&clauses)?;
         Ok(Statement {
             label,
             clauses,
             connectives,
+            under,
             mark,
             span: self.since(start),
             others: Vec::new(),
@@ -258,7 +264,7 @@ impl<'s> Parser<'s> {
         Some(label.to_owned())
     }
 
-    fn clause(&mut self) -> Read<Clause> {
+    pub(super) fn clause(&mut self) -> Read<Clause> {
         while matches!(self.peek(), Kind::Wide | Kind::BoxOpen) {
             self.advance();
         }
@@ -285,6 +291,9 @@ impl<'s> Parser<'s> {
             if self.peek() == Kind::End {
                 let sign = links.last().map_or(self.span(), |link| link.span);
                 return refuse(sign, "a term is missing after this relation sign");
+            }
+            if matches!(self.peek(), Kind::Begin(name) if is_cases(name)) {
+                return self.before_cases(places, links);
             }
             places.push(self.place()?);
         }
@@ -315,7 +324,7 @@ impl<'s> Parser<'s> {
         }
     }
 
-    fn place(&mut self) -> Read<Place> {
+    pub(super) fn place(&mut self) -> Read<Place> {
         let start = self.at;
         if let Kind::Command(name) = self.peek()
             && commands::is_dots(name)
