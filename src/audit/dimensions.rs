@@ -7,7 +7,7 @@ use crate::algebra::{Base, Dimension, Expr, Formula, Rational, Symbol, element_p
 use crate::derivation::{Derivation, Kind, Source, conditions, formulas};
 use crate::dimension::{Conflict, Inference, Reading, occur};
 use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
-use crate::notation::{Mark, Statement};
+use crate::notation::{Mark, Statement, measured};
 
 use super::{Entry, Note, Verdict};
 
@@ -315,7 +315,9 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
             };
             // Nobody declares π.
             let pi = || (symbol.name() == "\\pi").then(Dimension::none);
-            let said = match declared(symbol).cloned().or_else(dotted).or_else(pi) {
+            let unit = || measured(symbol).map(Dimension::base);
+            let known = declared(symbol).cloned().or_else(dotted).or_else(pi);
+            let said = match known.or_else(unit) {
                 Some(dimension) => Said::Declared(dimension),
                 None => element()
                     .cloned()

@@ -204,7 +204,9 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
             }
         }
     }
-    names::refuse(&mut equations);
+    names::refuse(&mut equations, |name| {
+        page.domains.contains_key(name) || page.dimensions.contains_key(name)
+    });
     page.problems.sort_by_key(|p| p.span);
     page.document.items = items;
     (page, equations)

@@ -21,6 +21,7 @@ mod parser;
 mod printer;
 mod read;
 mod statement;
+mod unit;
 
 pub(crate) use commands::is_command;
 pub(crate) use printer::{escape, escape_by};
@@ -30,6 +31,7 @@ pub use printer::{
 };
 pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
 pub use statement::{
-    Before, Choice, Clause, Connective, Display, Link, Mark, Other, Side, Spanned, Statement,
-    SyntaxError,
+    Before, BeforeKind, Choice, Clause, Connective, Display, Link, Mark, Other, Side, Spanned,
+    Statement, SyntaxError,
 };
+pub(crate) use unit::measured;

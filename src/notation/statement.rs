@@ -29,7 +29,7 @@ pub struct Statement {
     pub span: Span,
     /// What it would be where a reader has a choice and takes the other way, each way by itself.
     pub others: Vec<Other>,
-    /// The names that stand before a parenthesis, in order.
+    /// The names that stand before a parenthesis or as a unit after a number, in order.
     pub before: Vec<Before>,
 }
 
@@ -57,15 +57,26 @@ pub struct Other {
     pub statement: Statement,
 }
 
-/// A name directly before a parenthesis.
+/// A name whose neighbour says what it is.
 #[derive(Clone, Debug)]
 pub struct Before {
     /// The name.
     pub name: Symbol,
-    /// The name and the parenthesis.
+    /// The name and its neighbour.
     pub span: Span,
-    /// Read as a function of what is in it, rather than as a factor.
-    pub applied: bool,
+    /// What it is read as.
+    pub kind: BeforeKind,
+}
+
+/// What a name is read as for its neighbour's sake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BeforeKind {
+    /// A function of what is in the parenthesis after it.
+    Function,
+    /// A factor before a parenthesis.
+    Factor,
+    /// A unit after a number, `5\,\mathrm{km}`.
+    Unit,
 }
 
 /// A clause of a statement.

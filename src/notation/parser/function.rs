@@ -1,6 +1,6 @@
 //! Functions: the known ones, `\sin x`, and unknown ones applied to bare symbols, `P(t)`.
 
-use super::{Before, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
+use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{Expr, Function};
 use crate::notation::commands;
 
@@ -42,7 +42,7 @@ impl Parser<'_> {
                 self.before.push(Before {
                     name: symbol.clone(),
                     span: self.since(start),
-                    applied: true,
+                    kind: BeforeKind::Function,
                 });
                 let raised = self.peek() == Kind::Char('^');
                 if raised
@@ -74,7 +74,7 @@ impl Parser<'_> {
                     self.before.push(Before {
                         name: name.clone(),
                         span: self.since(start),
-                        applied: false,
+                        kind: BeforeKind::Factor,
                     });
                 }
                 self.before_factor(start, open, expr, arguments)

@@ -1,6 +1,6 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `cases` what is said under conditions, `term` the arithmetic, `atom`, `group` and `function` single factors, `name` whole
+//! `statement` reads what is said, `cases` what is said under conditions, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` numbers with units, `name` whole
 //! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -12,6 +12,7 @@ mod cases;
 mod function;
 mod group;
 mod name;
+mod quantity;
 mod series;
 mod statement;
 mod term;
@@ -20,7 +21,7 @@ pub(super) use name::{split_subscript, with_subscript};
 
 use super::commands;
 use super::lexer::{Kind, Token};
-use super::{Before, Choice, Clause, Side, SyntaxError};
+use super::{Before, BeforeKind, Choice, Clause, Side, SyntaxError};
 use crate::algebra::Expr;
 use crate::document::Span;
 
@@ -288,6 +289,7 @@ impl<'s> Parser<'s> {
             Kind::Open | Kind::BoxClose => refuse(span, "a brace cannot stand here"),
             Kind::Close => refuse(span, "this `}` closes nothing that is open here"),
             Kind::Number(text) => refuse(span, format!("the number `{text}` cannot stand here")),
+            Kind::Quantity(..) => refuse(span, "a quantity with a unit cannot stand here"),
             Kind::Letter(c) => refuse(span, format!("`{c}` cannot stand here")),
             Kind::Upright(text) | Kind::Operator(text) => {
                 refuse(span, format!("`{text}` cannot stand here"))

@@ -6,7 +6,7 @@
 
 use super::{Choice, Factor, Kind, Parser, Read, Shape, Term, refuse, refuse_with};
 use crate::algebra::Expr;
-use crate::notation::commands;
+use crate::notation::{commands, measured};
 
 /// How many `/` one term may hold; more than one is hard enough to read.
 const SLASHES: usize = 8;
@@ -152,7 +152,19 @@ impl Parser<'_> {
                             help,
                         );
                     }
+                    if let Kind::Quantity(number, unit) = self.peek()
+                        && !number.is_empty()
+                        && !unit.is_empty()
+                    {
+                        let message = "whether this unit stands below the stroke is not clear";
+                        return refuse_with(self.span(), message, "write `\\frac{…}{…}`");
+                    }
                     let from = self.at;
+                    if product.is_counted() && self.at_unit() {
+                        let unit = self.plain_unit()?;
+                        product.divide(unit)?;
+                        continue;
+                    }
                     let under = match self.choice {
                         Some(Choice::Below(more)) => self.all_below(more)?,
                         _ => self.factor()?,
@@ -162,6 +174,10 @@ impl Parser<'_> {
                         self.beside(&mut stroke);
                     }
                     product.divide(under)?;
+                }
+                _ if product.is_counted() && self.at_unit() => {
+                    let unit = self.plain_unit()?;
+                    product.push(unit)?;
                 }
                 _ if self.starts_factor() => {
                     differential |= self.at_differential();
@@ -229,6 +245,11 @@ impl Product {
             Some(group) => self.push(group),
             None => Ok(()),
         }
+    }
+
+    /// Whether what stands before is a number, or a number with a unit, so that upright letters after it are a unit.
+    fn is_counted(&self) -> bool {
+        self.factors.last().is_some_and(|last| counted(&last.expr))
     }
 
     fn push(&mut self, factor: Factor) -> Read<()> {
@@ -325,6 +346,17 @@ pub(super) fn invisible<T>(span: crate::document::Span) -> Read<T> {
         "TeX does not print these braces, so a reader takes this differently",
         "write parentheses",
     )
+}
+
+fn counted(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) => true,
+        Expr::Symbol(symbol) => measured(symbol).is_some(),
+        Expr::Power(base, _) => matches!(&**base, Expr::Number(_)) || counted(base),
+        Expr::Product(factors) => factors.iter().all(counted),
+        Expr::Quotient(over, under) => counted(over) && counted(under),
+        _ => false,
+    }
 }
 
 fn starts_with_number(expr: &Expr) -> bool {
