@@ -37,7 +37,7 @@ fn premises_of_last(derivation: &Derivation) -> (Vec<usize>, Vec<String>) {
 #[test]
 fn keys_are_written_as_myst_and_as_quarto_write_them_and_cited_so() {
     let derivation = read(
-        "```{math}\n:label: mom\n\np = m v\n```\n\n$$ E = T + V $$ (energy)\n\n$$\nF = m a\n$$ {#eq-force}\n\n\
+        "```{math}\n:label: mom\n\np = m v\n```\n\n:::{math}\n:label: work\nW = F s\n:::\n\n$$ E = T + V $$ (energy)\n\n$$\nF = m a\n$$ {#eq-force}\n\n\
          ```math\nL = T - V\n```\n\n$$ a = b \\label{tex} $$\n\n\
          With {eq}`mom`, {eq}`energy`, @eq-force and \\eqref{tex}, but not @eq-none,\n\n$$ c = d $$\n",
     );
@@ -45,6 +45,7 @@ fn keys_are_written_as_myst_and_as_quarto_write_them_and_cited_so() {
         equations(&derivation),
         [
             "mom: p = m v",
+            "work: W = F s",
             "energy: E = T + V",
             "eq-force: F = m a",
             "-: L = T - V",

@@ -31,6 +31,21 @@ pub enum Relation {
     MuchGreater,
 }
 
+impl Relation {
+    /// The relation that holds between two numbers just where this one does not; none for what is no relation of numbers.
+    pub fn denied(self) -> Option<Relation> {
+        Some(match self {
+            Relation::Equal => Relation::NotEqual,
+            Relation::NotEqual => Relation::Equal,
+            Relation::Less => Relation::GreaterOrEqual,
+            Relation::GreaterOrEqual => Relation::Less,
+            Relation::Greater => Relation::LessOrEqual,
+            Relation::LessOrEqual => Relation::Greater,
+            _ => return None,
+        })
+    }
+}
+
 /// One statement that is true or false at a point.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Formula {

@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use crate::algebra::{Base, Dimension, Expr, Formula, Rational, Symbol, element_parts};
-use crate::derivation::{Derivation, Kind, Source, formulas};
+use crate::derivation::{Derivation, Kind, Source, conditions, formulas};
 use crate::dimension::{Conflict, Inference, Reading, occur};
 use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
-use crate::notation::{Mark, Statement};
+use crate::notation::{Mark, Statement, measured};
 
 use super::{Entry, Note, Verdict};
 
@@ -121,7 +121,9 @@ impl Dimensions {
                 continue;
             }
             for (part, statement) in equation.statements().iter().enumerate() {
-                let readings = self.readings(page, formulas(statement));
+                let mut compared = formulas(statement);
+                compared.extend(conditions(statement));
+                let readings = self.readings(page, compared);
                 let crossed = is_crossed_out(statement);
                 let read = self
                     .inference
@@ -237,7 +239,7 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
     let equations = derivation.equations[from..to].iter();
     let mut stated: Vec<Formula> = equations
         .flat_map(|e| e.statements())
-        .flat_map(formulas)
+        .flat_map(|statement| [formulas(statement), conditions(statement)].concat())
         .collect();
     stated.extend(
         own.locals
@@ -313,7 +315,9 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
             };
             // Nobody declares π.
             let pi = || (symbol.name() == "\\pi").then(Dimension::none);
-            let said = match declared(symbol).cloned().or_else(dotted).or_else(pi) {
+            let unit = || measured(symbol).map(Dimension::base);
+            let known = declared(symbol).cloned().or_else(dotted).or_else(pi);
+            let said = match known.or_else(unit) {
                 Some(dimension) => Said::Declared(dimension),
                 None => element()
                     .cloned()

@@ -5,7 +5,7 @@ use crate::kernel::{Model, Proven, Refuted, Scales, ScalesNot};
 use crate::notation::{Mark, SyntaxError};
 use crate::search::{Implied, Mended, Repair, Stop};
 
-use super::Numeric;
+use super::{Numeric, OtherReading};
 
 /// The audit of one statement of an equation.
 #[derive(Clone, Debug)]
@@ -165,8 +165,8 @@ pub enum Note {
     Unreadable(SyntaxError),
     /// It is said to follow from an equation that could not be read.
     UnreadablePremise(usize),
-    /// It would hold if `a/bc`, at this place, meant `a/(bc)`.
-    OtherReading(Span),
+    /// It, or an equation that it cites, can be read in another way, and the verdict is another one then.
+    OtherReading(Box<OtherReading>),
     /// A numeric claim that is false whatever the figures are within their bounds.
     NumericNotSupported,
     /// The search broke down on it: a defect of this program.
@@ -198,9 +198,14 @@ impl Note {
         }
     }
 
-    /// Whether it is told only where somebody asks for one equation: the premise may be cited for another reason.
+    /// Whether it is told only where somebody asks for one equation: most authors need not know.
     pub fn is_quiet(&self) -> bool {
-        matches!(self, Note::UnusedPremise(_))
+        match self {
+            Note::UnusedPremise(_) => true,
+            // What holds as it is read is most likely meant so.
+            Note::OtherReading(other) => other.verdict == Verdict::Holds,
+            _ => false,
+        }
     }
 
     /// Whether it is something to mend, rather than to know.

@@ -120,8 +120,11 @@ fn groups(derivation: &Derivation, among: Range<usize>) -> Vec<Vec<usize>> {
         at
     }
     let mut first: BTreeMap<Symbol, usize> = BTreeMap::new();
-    let is_given =
-        |equation: &Equation| equation.kind == Kind::Given && equation.statements.is_ok();
+    // What is said under conditions only is not said at a point.
+    let plain = |equation: &Equation| equation.statements().iter().all(|s| s.under.is_empty());
+    let is_given = |equation: &Equation| {
+        equation.kind == Kind::Given && equation.statements.is_ok() && plain(equation)
+    };
     let equations = || {
         let own = derivation.equations[among.clone()].iter();
         own.enumerate().filter(|(_, e)| is_given(e))

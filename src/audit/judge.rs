@@ -1,5 +1,5 @@
 use crate::algebra::{Formula, Symbol};
-use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, formulas, values_at};
+use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation, Proven, Standing};
 use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, Mended, Stop};
 
@@ -68,16 +68,23 @@ pub(super) struct Attempt {
 impl Judge<'_> {
     pub fn goal(&mut self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
         let mut assumed = self.usable.assumed.clone();
-        let step = |formula: &Formula| Assumed {
-            formula: formula.clone().into(),
-            standing: Standing::AtPoint,
-            source: Source::Step,
-        };
         // The other side of an equivalence is supposed; what was shown before in the statement is known.
         assumed.extend(goal.suppositions.iter().map(step));
         if goal.suppositions.is_empty() {
             assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
         }
+        let left_out = match self.usable.cases.is_empty() {
+            true => None,
+            false => self.cases(&goal.formula, &mut assumed),
+        };
+        let found = self.judged(goal, assumed, premises);
+        match left_out {
+            Some(premise) if !found.judged.outcome.is_proven() => self.without_case(found, premise),
+            _ => found,
+        }
+    }
+
+    fn judged(&mut self, goal: &Goal, assumed: Vec<Assumed>, premises: &[usize]) -> Found {
         let mut found = Found::open(Judged {
             goal: goal.clone(),
             assumed: assumed.clone(),
@@ -425,7 +432,10 @@ impl Judge<'_> {
             .take(MOST_RELATIVES)
             .filter(|at| equations[*at].kind == Kind::Given && !premises.contains(at));
         let statements = given.flat_map(|at| equations[at].statements());
-        statements.flat_map(formulas).take(MOST_LATER).collect()
+        statements
+            .flat_map(unconditional)
+            .take(MOST_LATER)
+            .collect()
     }
 
     /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that
@@ -457,6 +467,15 @@ impl Judge<'_> {
             return true;
         }
         false
+    }
+}
+
+/// A hypothesis that is supposed, or was shown before, in the statement itself.
+pub(super) fn step(formula: &Formula) -> Assumed {
+    Assumed {
+        formula: formula.clone().into(),
+        standing: Standing::AtPoint,
+        source: Source::Step,
     }
 }
 

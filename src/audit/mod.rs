@@ -4,12 +4,14 @@
 //! A step that does not follow from these is tried once more from what stands before it, so that a stale
 //! citation is told apart from an error.
 
+mod cases;
 mod dimensions;
 mod entry;
 mod given;
 mod judge;
 mod numeric;
 mod premise;
+mod readings;
 mod review;
 mod scaling;
 mod schedule;
@@ -33,6 +35,7 @@ pub use dimensions::Dimensions;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
 pub use numeric::{FAR, Link, Numeric, Weighed};
 use premise::{Offer, usable};
+pub use readings::OtherReading;
 pub use review::{Fallen, Review};
 use schedule::Schedule;
 pub use without::{Without, without_each};
@@ -270,9 +273,22 @@ impl Auditor<'_> {
         };
         let parts = statements.len();
         if equation.kind == Kind::Given {
-            return (0..parts)
-                .map(|part| self.givens.entry(at, part, parts))
-                .collect();
+            let given = |(part, statement): (usize, &Statement)| {
+                let mut entry = self.givens.entry(at, part, parts);
+                let how = readings::Circumstances {
+                    at,
+                    part,
+                    usable: &premise::Usable::default(),
+                    premises: &[],
+                    says_so: false,
+                    defines: false,
+                };
+                let other =
+                    effort::within(MOST_WORK, || self.other_reading(statement, &entry, &how));
+                entry.notes.extend(other);
+                entry
+            };
+            return statements.iter().enumerate().map(given).collect();
         }
         let (premises, says_so, unknown) = self.derivation.premises(at);
         let usable = usable(
@@ -288,16 +304,18 @@ impl Auditor<'_> {
                 Some(_) => self.numeric(at, statement, &usable),
                 None => self.statement(at, statement, &usable, &premises, says_so, defines),
             });
-            if let Some(other) = &statement.other
-                && matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
-                && equation.numeric.is_none()
-                && effort::within(MOST_WORK, || {
-                    self.statement(at, &other.value, &usable, &premises, says_so, defines)
-                })
-                .verdict
-                    == Verdict::Holds
-            {
-                entry.notes.push(Note::OtherReading(other.span));
+            if equation.numeric.is_none() {
+                let how = readings::Circumstances {
+                    at,
+                    part,
+                    usable: &usable,
+                    premises: &premises,
+                    says_so,
+                    defines,
+                };
+                let other =
+                    effort::within(MOST_WORK, || self.other_reading(statement, &entry, &how));
+                entry.notes.extend(other);
             }
             (entry.part, entry.parts) = (part, parts);
             if part == 0 {

@@ -5,7 +5,7 @@ use num_traits::{One, Zero};
 use crate::algebra::{BigRational, Expr, Formula, Function, Relation, Symbol};
 use crate::derivation::{Assumed, Datum, Derivation, Goal, Source, goals};
 use crate::interval::{Compared, Figures, Interval, NoInterval};
-use crate::notation::Statement;
+use crate::notation::{Statement, measured};
 
 /// "Much greater" is taken for: at least so many times.
 pub const FAR: i32 = 10;
@@ -200,6 +200,10 @@ impl Known<'_> {
     }
 
     fn symbol(&mut self, symbol: &Symbol, open: &mut Vec<Symbol>) -> Result<Expr, NoInterval> {
+        // Figures are in SI units.
+        if measured(symbol).is_some() {
+            return Ok(Expr::integer(1));
+        }
         let pages = self.pages.iter();
         let mut figures = pages.filter_map(|&page| {
             let datum = self.derivation.pages[page].data.get(symbol)?;

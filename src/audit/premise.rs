@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::Formula;
-use crate::derivation::{Assumed, Derivation, Kind, Source, formulas, is_open};
+use crate::derivation::{Assumed, Derivation, Kind, Source, conditions, formulas, is_open};
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
 
@@ -13,6 +13,8 @@ use super::Entry;
 pub struct Offer {
     /// What it states.
     pub formulas: Vec<Arc<Formula>>,
+    /// What it states under conditions.
+    pub cases: Vec<(Vec<Formula>, Arc<Formula>)>,
     /// The local hypotheses that its derivation used, itself or through its premises: page and position.
     pub under: BTreeSet<(usize, usize)>,
 }
@@ -20,11 +22,15 @@ pub struct Offer {
 impl Offer {
     /// What is offered by an equation that is given.
     pub fn given(derivation: &Derivation, at: usize) -> Offer {
-        let statements = derivation.equations[at].statements().iter();
-        Offer {
-            formulas: statements.flat_map(formulas).map(Arc::new).collect(),
-            under: BTreeSet::new(),
+        let mut offer = Offer::default();
+        for statement in derivation.equations[at].statements() {
+            let own = formulas(statement).into_iter().map(Arc::new);
+            match statement.under.is_empty() {
+                true => offer.formulas.extend(own),
+                false => (offer.cases).extend(own.map(|own| (conditions(statement), own))),
+            }
         }
+        offer
     }
 
     /// What is offered by an equation once judged: all that it asserts, be it true or not. What it only
@@ -51,7 +57,11 @@ impl Offer {
             for judged in &entry.judged {
                 let proven = judged.outcome.is_proven();
                 if proven || !(crossed || judged.goal.questioned) {
-                    offer.formulas.push(judged.goal.formula.clone().into());
+                    let own = judged.goal.formula.clone().into();
+                    match statement.under.is_empty() {
+                        true => offer.formulas.push(own),
+                        false => offer.cases.push((conditions(statement), own)),
+                    }
                 }
                 for assumed in &judged.assumed {
                     match assumed.source {
@@ -76,6 +86,8 @@ impl Offer {
 pub struct Usable {
     /// Hypotheses in order: local ones, then those of each premise.
     pub assumed: Vec<Assumed>,
+    /// Hypotheses that premises offer under conditions.
+    pub cases: Vec<(Vec<Formula>, Assumed)>,
     /// Premises that hold for particular values only, which are not in effect.
     pub out_of_scope: Vec<usize>,
     /// Premises that are derived later.
@@ -147,6 +159,15 @@ pub fn usable<'a>(
                 }
             }
         }
+        let case = |(conditions, formula)| {
+            let assumed = Assumed {
+                formula,
+                standing: Standing::AtPoint,
+                source: Source::Equation(premise),
+            };
+            (conditions, assumed)
+        };
+        usable.cases.extend(offer.cases.into_iter().map(case));
         usable
             .assumed
             .extend(offer.formulas.into_iter().map(|formula| Assumed {

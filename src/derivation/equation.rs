@@ -78,7 +78,7 @@ pub struct Goal {
     pub sides: (Span, Span),
     /// The author asks (`\stackrel{?}{=}`) rather than asserts.
     pub questioned: bool,
-    /// What is supposed besides the premises: the other side of an `\iff`.
+    /// What is supposed besides the premises: the other side of an `\iff`, the condition of a case.
     pub suppositions: Vec<Formula>,
     /// The position of the clause in its statement; earlier clauses of an implication are premises.
     pub clause: usize,
@@ -100,12 +100,16 @@ pub fn goals(statement: &Statement) -> Vec<Goal> {
     };
     let formulas =
         |goals: &[Goal]| -> Vec<Formula> { goals.iter().map(|g| g.formula.clone()).collect() };
+    let under = conditions(statement);
     let mut all = Vec::new();
     for (at, goals) in clauses.iter().enumerate() {
         let before = at > 0 && equivalent(at - 1);
         let after = equivalent(at);
         if !before && !after {
-            all.extend(goals.iter().cloned());
+            all.extend(goals.iter().map(|goal| Goal {
+                suppositions: under.clone(),
+                ..goal.clone()
+            }));
             continue;
         }
         // Each side of an equivalence follows from the other.
@@ -113,7 +117,8 @@ pub fn goals(statement: &Statement) -> Vec<Goal> {
             .into_iter()
             .flatten()
         {
-            let suppositions = formulas(&clauses[neighbour]);
+            let mut suppositions = formulas(&clauses[neighbour]);
+            suppositions.extend(under.iter().cloned());
             all.extend(goals.iter().map(|goal| Goal {
                 suppositions: suppositions.clone(),
                 ..goal.clone()
@@ -166,6 +171,20 @@ pub fn formulas(statement: &Statement) -> Vec<Formula> {
     let clauses = statement.clauses.iter().enumerate();
     let goals = clauses.flat_map(|(at, clause)| clause_goals(clause, at));
     goals.map(|goal| goal.formula).collect()
+}
+
+/// What a statement supposes: the conditions under which it is said.
+pub fn conditions(statement: &Statement) -> Vec<Formula> {
+    let goals = statement.under.iter().flat_map(|c| clause_goals(c, 0));
+    goals.map(|goal| goal.formula).collect()
+}
+
+/// The formulas of a statement that is said without conditions.
+pub fn unconditional(statement: &Statement) -> Vec<Formula> {
+    match statement.under.is_empty() {
+        true => formulas(statement),
+        false => Vec::new(),
+    }
 }
 
 impl Equation {

@@ -6,6 +6,7 @@
 
 mod checker;
 mod equation;
+mod names;
 mod page;
 mod rows;
 
@@ -13,13 +14,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::algebra::{Formula, Relation, Symbol};
+use crate::algebra::{BigRational, Formula, Relation, Symbol};
 use crate::document::{Citation, Document, Premise, Span, in_order};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
-use crate::notation::Spanned;
+use crate::notation::{Spanned, measured};
 
 pub use checker::{Checker, Point, values_at};
-pub use equation::{Equation, Goal, Kind, formulas, goals};
+pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
 pub use page::{Datum, Local, Page, Premises};
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
@@ -413,6 +414,14 @@ impl Derivation {
                 .filter_map(|&p| self.pages[p].domains.get(symbol));
             if let Some(domain) = declared.next() {
                 domains.insert(symbol.clone(), domain.clone());
+            } else if measured(symbol).is_some() {
+                // A unit is a positive quantity that never changes.
+                let domain = Domain {
+                    lower: Some((BigRational::from_integer(0.into()), true)),
+                    constant: true,
+                    ..Domain::default()
+                };
+                domains.insert(symbol.clone(), domain);
             }
         }
         claim.domains = domains;

@@ -10,8 +10,8 @@ use crate::document::{
 use crate::kernel::Domain;
 use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
 
-use super::equation::formulas;
-use super::{Equation, Kind, rows};
+use super::equation::{conditions, formulas};
+use super::{Equation, Kind, names, rows};
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -164,6 +164,8 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
                         () if mark => Kind::Marked,
                         () => Kind::Derived,
                     };
+                    let by_cases = statements().find(|s| !s.under.is_empty());
+                    let by_cases = by_cases.filter(|_| said.numeric.is_some()).map(|s| s.span);
                     let stated = said.derived || said.numeric.is_some();
                     let may_define = kind == Kind::Derived && !stated && said.from.is_none();
                     let defines = (0..statements().count()).filter(|_| may_define).collect();
@@ -179,7 +181,14 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
                         },
                         span: if of_display == 1 { span } else { part.body },
                         body: part.body,
-                        statements: part.statements,
+                        statements: match by_cases {
+                            None => part.statements,
+                            Some(span) => Err(SyntaxError {
+                                span,
+                                message: "a numeric claim is not read by cases".into(),
+                                help: None,
+                            }),
+                        },
                         kind,
                         defines,
                         opens: alone && kind == Kind::Derived && !stated,
@@ -197,6 +206,9 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
             }
         }
     }
+    names::refuse(&mut equations, |name| {
+        page.domains.contains_key(name) || page.dimensions.contains_key(name)
+    });
     page.problems.sort_by_key(|p| p.span);
     page.document.items = items;
     (page, equations)
@@ -217,10 +229,14 @@ pub(super) fn settle_definitions(equations: &mut [Equation]) {
     let mut seen = BTreeSet::new();
     for equation in equations {
         let mut defines = std::mem::take(&mut equation.defines);
+        let mut case: Option<Symbol> = None;
         for (part, statement) in equation.statements().iter().enumerate() {
-            if !defines_new_symbol(statement, &seen) {
+            // All cases of a definition define the same symbol.
+            let defined = defined_symbol(statement, &seen, case.as_ref());
+            if defined.is_none() {
                 defines.remove(&part);
             }
+            case = defined.filter(|_| !statement.under.is_empty());
             for formula in formulas(statement) {
                 seen.extend(formula.free_symbols());
                 seen.extend(formula.sequences());
@@ -230,21 +246,29 @@ pub(super) fn settle_definitions(equations: &mut [Equation]) {
     }
 }
 
-/// `s = …` where `s` has not occurred before, on this page or an earlier one.
-fn defines_new_symbol(statement: &Statement, seen: &BTreeSet<Symbol>) -> bool {
+/// `s`, of `s = …`, where it has not occurred before, on this page or an earlier one, or in the case before only.
+fn defined_symbol(
+    statement: &Statement,
+    seen: &BTreeSet<Symbol>,
+    case: Option<&Symbol>,
+) -> Option<Symbol> {
     let Some(Clause::Chain { sides, links }) = statement.clauses.first() else {
-        return false;
+        return None;
     };
-    let (Some(side), Some(link)) = (sides.first(), links.first()) else {
-        return false;
-    };
+    let (side, link) = (sides.first()?, links.first()?);
     let crate::algebra::Expr::Symbol(symbol) = &side.expr else {
-        return false;
+        return None;
     };
-    link.relation == crate::algebra::Relation::Equal
+    let under = conditions(statement);
+    let defines = link.relation == crate::algebra::Relation::Equal
         && !link.questioned
-        && !seen.contains(symbol)
+        && (!seen.contains(symbol) || case == Some(symbol) && !under.is_empty())
         && sides.iter().skip(1).all(|side| !side.expr.mentions(symbol))
+        && !under
+            .iter()
+            .flat_map(Formula::terms)
+            .any(|term| term.mentions(symbol));
+    defines.then(|| symbol.clone())
 }
 
 impl Page {
@@ -417,7 +441,19 @@ impl Page {
             return;
         }
         let read = |term: &mut Expr| *term = exponentials(term, &self.euler);
-        for clause in statements.flat_map(|s| &mut s.clauses) {
+        let clauses = statements.flat_map(|statement| {
+            let others = statement.others.iter_mut();
+            let others = others.flat_map(|other| {
+                let (clauses, under) = (&mut other.statement.clauses, &mut other.statement.under);
+                clauses.iter_mut().chain(under)
+            });
+            statement
+                .clauses
+                .iter_mut()
+                .chain(&mut statement.under)
+                .chain(others)
+        });
+        for clause in clauses {
             match clause {
                 Clause::Chain { sides, .. } => sides.iter_mut().for_each(|s| read(&mut s.expr)),
                 Clause::AllEqual { to, value, .. } => {
@@ -447,6 +483,16 @@ impl Page {
             }
         };
         self.read_exponentials(statements.iter_mut());
+        if let Some(conditional) = statements.iter().find(|s| !s.under.is_empty()) {
+            if strict {
+                self.complain(SyntaxError {
+                    span: conditional.span,
+                    message: "what is supposed here is said under a condition".into(),
+                    help: Some("suppose the condition first".into()),
+                });
+            }
+            return;
+        }
         for statement in &statements {
             let formulas = formulas(statement);
             let assigned: BTreeSet<Symbol> = match is_let {

@@ -5,7 +5,11 @@
 //! belongs to the next that has one.
 
 use crate::document::{Item, Layout, Row, Span, in_order, threads};
-use crate::notation::{Clause, Connective, Statement, SyntaxError, Unit, read_display, read_rows};
+use crate::notation::{
+    Clause, Connective, Other, Statement, SyntaxError, Unit, read_display, read_rows,
+};
+
+use super::equation::formulas;
 
 /// One equation of a display.
 pub(super) struct Part {
@@ -218,7 +222,10 @@ fn of_unit(unit: Unit, all: &[Row]) -> Vec<Part> {
 }
 
 /// A statement by the rows that its relations stand in.
-fn taken_apart(statement: Statement, group_of: &impl Fn(Span) -> usize) -> Vec<(usize, Statement)> {
+fn taken_apart(
+    mut statement: Statement,
+    group_of: &impl Fn(Span) -> usize,
+) -> Vec<(usize, Statement)> {
     let equivalent = |c: &crate::notation::Spanned<Connective>| c.value == Connective::Equivalent;
     let whole = statement.connectives.iter().any(equivalent)
         || statement
@@ -228,6 +235,7 @@ fn taken_apart(statement: Statement, group_of: &impl Fn(Span) -> usize) -> Vec<(
     if whole {
         return vec![(group_of(statement.span), statement)];
     }
+    let others = std::mem::take(&mut statement.others);
     let mut apart: Vec<(usize, Statement)> = Vec::new();
     for (at, clause) in statement.clauses.into_iter().enumerate() {
         let Clause::Chain { sides, links } = clause else {
@@ -266,8 +274,10 @@ fn taken_apart(statement: Statement, group_of: &impl Fn(Span) -> usize) -> Vec<(
                             links: vec![*link],
                         }],
                         connectives: Vec::new(),
+                        under: statement.under.clone(),
                         mark: None,
-                        other: None,
+                        others: Vec::new(),
+                        before: Vec::new(),
                         span: pair[0].span.to(pair[1].span),
                     },
                 )),
@@ -280,6 +290,31 @@ fn taken_apart(statement: Statement, group_of: &impl Fn(Span) -> usize) -> Vec<(
     }
     if let Some((_, last)) = apart.last_mut() {
         last.mark = statement.mark;
+    }
+    let within = |outer: Span, inner: Span| outer.start <= inner.start && inner.end <= outer.end;
+    for (_, share) in &mut apart {
+        let own = statement.before.iter();
+        let own = own.filter(|before| within(share.span, before.span));
+        share.before = own.cloned().collect();
+    }
+    for other in others {
+        let shares = taken_apart(other.statement, group_of);
+        if shares.len() != apart.len() {
+            continue;
+        }
+        for ((_, share), (_, statement)) in apart.iter_mut().zip(shares) {
+            if formulas(share) != formulas(&statement) {
+                let span = match within(share.span, other.span) {
+                    true => other.span,
+                    false => share.span,
+                };
+                share.others.push(Other {
+                    choice: other.choice,
+                    span,
+                    statement,
+                });
+            }
+        }
     }
     apart
 }

@@ -1,4 +1,4 @@
-//! What prose supposes: "Let $v_1 = 0$", "taking $v'_2 \neq 0$", "At $\mu = 1$".
+//! What prose supposes: "Let $v_1 = 0$", "taking $v'_2 \neq 0$", "At $\mu = 1$", "Setting $Q = 0$", "For $N = 3$, …".
 //!
 //! A supposition becomes a hypothesis of what follows, so one too many can make anything true.
 //! In doubt nothing is read: not a conclusion drawn in the same sentence ("then", "gives"), not an
@@ -160,6 +160,7 @@ fn introduction(
     let after = |by: usize| tokens.get(index + by).map(|(token, _)| *token);
     let direct = matches!(after(1), Some(Token::Math(_)));
     let that = matches!(after(1), Some(Token::Word("that")));
+    let comma = matches!(after(2), Some(Token::Mark(',')));
     let negated = || {
         let before = index.checked_sub(1).and_then(|before| tokens.get(before));
         matches!(before, Some((Token::Word(word), _))
@@ -174,6 +175,9 @@ fn introduction(
     let introduced = match word {
         "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
         "at" if !begun && direct => Some((SuppositionKind::Let, joined(true))),
+        // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
+        "for" | "when" if !begun && direct && comma => Some((SuppositionKind::Let, joined(true))),
+        "setting" if !begun && direct => Some((SuppositionKind::Let, joined(true))),
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
         "assume" | "suppose" | "assuming" | "supposing" | "taking" => {
             Some((SuppositionKind::Assume, joined(false)))

@@ -152,6 +152,11 @@ const GRAMMAR: &[&str] = &[
     "text",
     "mathrm",
     "operatorname",
+    "num",
+    "qty",
+    "SI",
+    "unit",
+    "si",
     "stackrel",
     "overset",
     "not",
@@ -291,26 +296,6 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         None,
     ),
     ("middle", "`\\middle` is not read", None),
-    (
-        "SI",
-        "quantities with units (`\\SI`) are not read",
-        Some("give the quantity a name, and declare its dimension or its figures"),
-    ),
-    (
-        "qty",
-        "quantities with units (`\\qty`) are not read",
-        Some("give the quantity a name, and declare its dimension or its figures"),
-    ),
-    (
-        "si",
-        "units (`\\si`) are not read",
-        Some("give the unit a name, and declare its dimension"),
-    ),
-    (
-        "unit",
-        "units (`\\unit`) are not read",
-        Some("give the unit a name, and declare its dimension"),
-    ),
     (
         "ang",
         "angles in degrees (`\\ang`) are not read",

@@ -56,14 +56,20 @@ pub(super) fn part_columns(row: &mut [Token]) {
 /// The same for the rows of the environments in a formula that have such columns.
 fn part_inner_columns(raw: &mut [Token]) {
     let mut open: Vec<(bool, usize)> = Vec::new();
+    let mut cases: Vec<bool> = Vec::new();
     for token in raw {
         match token.kind {
             Kind::Begin(name) => {
+                cases.push(is_cases(name));
                 let name = name.trim_end_matches('*');
                 let columns = ["align", "aligned", "alignat", "alignedat", "flalign"];
                 open.push((columns.contains(&name), 0));
             }
-            Kind::Finish(_) => drop(open.pop()),
+            Kind::Char('&') if cases.last() == Some(&true) => token.kind = Kind::Cell,
+            Kind::Finish(_) => {
+                open.pop();
+                cases.pop();
+            }
             Kind::Row => {
                 if let Some((_, cells)) = open.last_mut() {
                     *cells = 0;
@@ -80,6 +86,11 @@ fn part_inner_columns(raw: &mut [Token]) {
             _ => {}
         }
     }
+}
+
+/// The environments whose rows are cases, each with its condition in a second cell, or equations side by side.
+pub(super) fn is_cases(environment: &str) -> bool {
+    matches!(environment, "cases" | "dcases")
 }
 
 /// For every `{`, where its `}` is.
@@ -131,6 +142,19 @@ impl<'s> Folder<'_, 's> {
             }
             let kind = match token.kind {
                 Kind::Char('&') => continue,
+                // `a &= b` in a system of equations.
+                Kind::Cell
+                    if self.relation(at).is_some()
+                        || matches!(
+                            out.last(),
+                            Some(Token {
+                                kind: Kind::Row | Kind::Begin(_),
+                                ..
+                            })
+                        ) =>
+                {
+                    continue;
+                }
                 Kind::Row if self.continues(at) => {
                     while matches!(self.kind(at), Kind::Wide | Kind::Char('&')) {
                         at += 1;

@@ -21,6 +21,8 @@ pub(super) enum Kind<'s> {
     Number(&'s str),
     /// `\name`, without the backslash.
     Command(&'s str),
+    /// `\qty{3}{m}`: a number and a unit, either of which may be empty.
+    Quantity(&'s str, &'s str),
     /// `\text{…}`: words.
     Text(&'s str),
     /// `\mathrm{…}`, `\operatorname{…}`: an upright name.
@@ -37,6 +39,8 @@ pub(super) enum Kind<'s> {
     Row,
     /// `\quad` or `\qquad`
     Wide,
+    /// `&` between a case and its condition. Made by `fold`.
+    Cell,
     /// `\begin{…}`
     Begin(&'s str),
     /// `\end{…}`
@@ -264,7 +268,9 @@ impl<'s> Lexer<'s> {
                 }
             }
             "mathrm" | "operatorname" | "rm" => self.upright(start, name),
-            "num" => self.siunitx_number(start),
+            "num" => self.quantity(start, name, true, false),
+            "qty" | "SI" => self.quantity(start, name, true, true),
+            "unit" | "si" => self.quantity(start, name, false, true),
             "begin" | "end" => {
                 if let Some(environment) = self.argument(start, name) {
                     let begin = name == "begin";
@@ -370,20 +376,30 @@ impl<'s> Lexer<'s> {
         }
     }
 
-    /// `\num{9.81}`: a plain decimal. Powers of ten are written out.
-    fn siunitx_number(&mut self, start: usize) {
-        let Some(text) = self.argument(start, "num").map(str::trim) else {
+    /// `\qty{9.81}{m/s^2}`, `\num{1.6e-19}`, `\unit{m}`, perhaps with options, which only change how it looks.
+    fn quantity(&mut self, start: usize, name: &'s str, number: bool, unit: bool) {
+        self.take(char::is_whitespace);
+        if let Some((options, _)) = self
+            .rest()
+            .strip_prefix('[')
+            .and_then(|r| r.split_once(']'))
+        {
+            self.at += options.len() + 2;
+        }
+        let mut argument = |wanted: bool| match wanted {
+            true => self.argument(start, name).map(str::trim),
+            false => Some(""),
+        };
+        let (Some(number), Some(unit)) = (argument(number), argument(unit)) else {
             return;
         };
-        let (whole, decimals) = text.split_once('.').unwrap_or((text, "0"));
+        let (whole, decimals) = number.split_once('.').unwrap_or((number, "0"));
         let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
-        if digits(whole) && digits(decimals) {
-            return self.push(start, Kind::Number(text));
-        }
-        let span = Span::new(start, self.at);
-        let message = format!("`\\num{{{text}}}` is no plain decimal number");
-        let help = "write the power of ten out: `1.5 \\cdot 10^{3}`".to_owned();
-        self.bad(span, message, Some(help));
+        let kind = match digits(whole) && digits(decimals) && unit.is_empty() {
+            true => Kind::Number(number),
+            false => Kind::Quantity(number, unit),
+        };
+        self.push(start, kind);
     }
 
     fn upright(&mut self, start: usize, name: &'s str) {
@@ -410,6 +426,8 @@ impl<'s> Lexer<'s> {
                 _ => Kind::Upright(text),
             };
             self.push(start, kind);
+        } else if name == "mathrm" && !text.is_empty() && super::unit::read(text).is_ok() {
+            self.push(start, Kind::Quantity("", text));
         } else {
             let span = Span::new(start, self.at);
             self.bad(

@@ -11,6 +11,7 @@
 //!   right after them is refused.
 //! - Braces do not show on the page, so `{a + b} c` is refused.
 //! - `\times` with nothing after it is the author's ✗.
+//! - `f = \begin{cases} a & x < 0 \\ b & x \geq 0 \end{cases}` is two statements, each under its condition.
 //! - `\frac12` is a quotient of two numbers; a decimal is one number; `\sqrt[n]{x}` is `x` to the number `1/n`.
 
 mod commands;
@@ -20,6 +21,7 @@ mod parser;
 mod printer;
 mod read;
 mod statement;
+mod unit;
 
 pub(crate) use commands::is_command;
 pub(crate) use printer::{escape, escape_by};
@@ -29,5 +31,7 @@ pub use printer::{
 };
 pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
 pub use statement::{
-    Clause, Connective, Display, Link, Mark, Side, Spanned, Statement, SyntaxError,
+    Before, BeforeKind, Choice, Clause, Connective, Display, Link, Mark, Other, Side, Spanned,
+    Statement, SyntaxError,
 };
+pub(crate) use unit::measured;

@@ -21,12 +21,62 @@ pub struct Statement {
     pub clauses: Vec<Clause>,
     /// What joins each clause to the next.
     pub connectives: Vec<Spanned<Connective>>,
+    /// The conditions under which it is said: `x < 0` in `a = b \quad \text{if } x < 0`, or of a case.
+    pub under: Vec<Clause>,
     /// The author's own verdict.
     pub mark: Option<Spanned<Mark>>,
     /// The whole statement.
     pub span: Span,
-    /// What it would be with `a/bc` read as `a/(bc)`, and the first place where it is written so.
-    pub other: Option<Box<Spanned<Statement>>>,
+    /// What it would be where a reader has a choice and takes the other way, each way by itself.
+    pub others: Vec<Other>,
+    /// The names that stand before a parenthesis or as a unit after a number, in order.
+    pub before: Vec<Before>,
+}
+
+/// A way to take a place that is not the one taken here; which that is, `docs/notation.md` says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Choice {
+    /// `a/bc` as `a/(bc)`: so many of the factors beside what a stroke divides by stand below it too.
+    Below(u8),
+    /// `\sin x y` as `(\sin x) y`: the argument of a function ends with the first name.
+    FirstName,
+    /// `\ln x^2` as `(\ln x)^2`: a power at the end of an argument is that of the function's value.
+    OfValue,
+    /// `P(t)` as `P \cdot t`.
+    Product,
+}
+
+/// Another reading of a statement.
+#[derive(Clone, Debug)]
+pub struct Other {
+    /// What is chosen otherwise, wherever there is this choice.
+    pub choice: Choice,
+    /// The first place where there is.
+    pub span: Span,
+    /// The statement read so.
+    pub statement: Statement,
+}
+
+/// A name whose neighbour says what it is.
+#[derive(Clone, Debug)]
+pub struct Before {
+    /// The name.
+    pub name: Symbol,
+    /// The name and its neighbour.
+    pub span: Span,
+    /// What it is read as.
+    pub kind: BeforeKind,
+}
+
+/// What a name is read as for its neighbour's sake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BeforeKind {
+    /// A function of what is in the parenthesis after it.
+    Function,
+    /// A factor before a parenthesis.
+    Factor,
+    /// A unit after a number, `5\,\mathrm{km}`.
+    Unit,
 }
 
 /// A clause of a statement.

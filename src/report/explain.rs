@@ -51,7 +51,7 @@ impl Report<'_> {
         text += &format!("  verdict     {verdict}\n");
         text += &self.dimension_lines(entry);
         for note in &entry.notes {
-            if let Some(aside) = self.aside(note) {
+            if let Some(aside) = self.aside(entry.equation, note) {
                 text += &format!("  note        {aside}\n");
             }
         }

@@ -264,7 +264,7 @@ impl Report<'_> {
         let labels = |all: &[usize]| all.iter().map(|&at| self.label(at)).collect();
         let notes = entry.notes.iter().map(|note| NoteView {
             code: note.code(),
-            message: self.aside(note).unwrap_or_default(),
+            message: self.aside(entry.equation, note).unwrap_or_default(),
         });
         EquationView {
             tag: equation.tag.clone(),

@@ -98,7 +98,7 @@ impl Report<'_> {
             !(note.is_quiet() || told)
         };
         let notes = entry.notes.iter().filter(apart);
-        said.extend(notes.filter_map(|note| self.aside(note)));
+        said.extend(notes.filter_map(|note| self.aside(entry.equation, note)));
         said.join("; ")
     }
 
@@ -183,7 +183,7 @@ impl Report<'_> {
     }
 
     /// A note as a clause.
-    pub(super) fn aside(&self, note: &Note) -> Option<String> {
+    pub(super) fn aside(&self, own: usize, note: &Note) -> Option<String> {
         Some(match note {
             Note::RestsOn(failing) => format!("rests on {}", self.references(failing)),
             Note::RestsOnUnproved(open) => {
@@ -221,7 +221,7 @@ impl Report<'_> {
             Note::NumericNotSupported => {
                 "not supported: false for all figures within their bounds".into()
             }
-            Note::OtherReading(..) => "would hold with `a/bc` as `a/(bc)`".into(),
+            Note::OtherReading(other) => self.read_otherwise(own, other),
             Note::GivenUp => "the search broke down: please report this".into(),
             Note::Uncited(sources) => format!("from {}, uncited", self.sources(sources)),
             Note::UnstatedCondition(conditions) => format!(

@@ -34,6 +34,7 @@ pub mod near;
 mod numeric;
 mod place;
 pub mod proof;
+mod reading;
 pub mod remark;
 mod sarif;
 mod scaling;

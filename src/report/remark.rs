@@ -165,7 +165,7 @@ impl Report<'_> {
             });
         };
         for note in &entry.notes {
-            let aside = self.aside(note).unwrap_or_default();
+            let aside = self.aside(entry.equation, note).unwrap_or_default();
             match note {
                 Note::RestsOn(on) => {
                     let fails = self.how_they_fail(on);
@@ -177,6 +177,14 @@ impl Report<'_> {
                     let sources = self.sources(sources);
                     let title = format!(
                         "{} cites nothing; it follows from {sources}",
+                        self.subject(entry)
+                    );
+                    tell(note.code(), title);
+                }
+                Note::OtherReading(other) if !note.is_quiet() => {
+                    let verdict = other.verdict.word();
+                    let title = format!(
+                        "{} is {verdict} as it is read: {aside}",
                         self.subject(entry)
                     );
                     tell(note.code(), title);

@@ -8,7 +8,7 @@ use crate::derivation::{Derivation, goals};
 use crate::dimension::occur;
 use crate::document::Span;
 use crate::kernel::dimension::Form;
-use crate::notation::read_symbol;
+use crate::notation::{measured, read_symbol};
 
 /// A symbol of a page, or the elements of a sequence.
 pub(super) struct Found {
@@ -61,7 +61,11 @@ pub(super) fn symbols(derivation: &Derivation, dimensions: &Dimensions, page: us
                 false => symbol.clone(),
             };
             let element = element_parts(&name).is_some_and(|(own, _)| sequences.contains(&own));
-            if name.name() == "\\pi" || element || !seen.insert(name.clone()) {
+            if name.name() == "\\pi"
+                || measured(&name).is_some()
+                || element
+                || !seen.insert(name.clone())
+            {
                 continue;
             }
             let declares = |page: usize| {

@@ -116,6 +116,10 @@ pub(super) fn plain_statement(statement: &Statement) -> String {
         }
         text += &plain_clause(clause);
     }
+    for (at, condition) in statement.under.iter().enumerate() {
+        text += if at == 0 { " if " } else { " and " };
+        text += &plain_clause(condition);
+    }
     text
 }
 

@@ -188,6 +188,14 @@ impl Checker {
         if equation.kind == Kind::Given {
             return Vec::new();
         }
+        // What a case says counts under its condition only, so it is not put to the test from here.
+        let by_cases = |premise: usize| {
+            let mut statements = derivation.equations[premise].statements().iter();
+            statements.any(|statement| !statement.under.is_empty())
+        };
+        if derivation.premises(at).0.into_iter().any(by_cases) {
+            return Vec::new();
+        }
         let cited = self.cited(at);
         let step = |formula: &Formula| Assumed {
             formula: formula.clone().into(),
@@ -269,7 +277,8 @@ fn asserted(statement: &Statement) -> Vec<Formula> {
         .as_ref()
         .is_some_and(|m| m.value == Mark::Cross);
     let mut connectives = statement.connectives.iter();
-    if crossed || connectives.any(|c| c.value == Connective::Equivalent) {
+    let equivalent = connectives.any(|c| c.value == Connective::Equivalent);
+    if crossed || equivalent || !statement.under.is_empty() {
         return Vec::new();
     }
     let asserted = goals(statement).into_iter().filter(|g| !g.questioned);

@@ -151,7 +151,13 @@ impl Scanner<'_> {
     }
 
     /// A display with its mathematics; what follows is read from `end` on.
-    fn displayed(&mut self, span: Span, body: Span, layout: Option<Box<Layout>>, end: usize) {
+    pub(super) fn displayed(
+        &mut self,
+        span: Span,
+        body: Span,
+        layout: Option<Box<Layout>>,
+        end: usize,
+    ) {
         self.hand_over_prose(span.start);
         self.displays.push(span);
         let quoted = self.quoted(span);
@@ -267,7 +273,7 @@ impl Scanner<'_> {
     }
 
     /// The lines `:label: mom` that a MyST block may begin with: the key, and the rest of the block.
-    fn options(&self, body: Span) -> (Option<String>, Span) {
+    pub(super) fn options(&self, body: Span) -> (Option<String>, Span) {
         let (mut key, mut from) = (None, body.start);
         let text = self.source.get(body.range()).unwrap_or_default();
         for line in text.split_inclusive('\n') {
@@ -360,7 +366,7 @@ impl Scanner<'_> {
 }
 
 /// The layout of a display that has a key.
-fn keyed(body: Span, key: String) -> Box<Layout> {
+pub(super) fn keyed(body: Span, key: String) -> Box<Layout> {
     Box::new(Layout {
         rows: vec![Row {
             pieces: vec![body],

@@ -10,6 +10,7 @@
 //! **Invariant:** every `$$` outside code, comments and front matter lies in a display or in a
 //! problem.
 
+mod colons;
 mod comment;
 mod fences;
 mod inline;
@@ -97,6 +98,8 @@ struct Scanner<'a> {
     problems: Vec<Problem>,
     /// Every `$$` and `\[` display, read or not, in order.
     displays: Vec<Span>,
+    /// The fewest colons of a fence that no line of colons closes any more.
+    open_colons: usize,
     /// The last opening `$$` that nothing closes.
     unclosed: Option<usize>,
     /// The first display in which the outline saw code or HTML begin that ends after it, so that
@@ -132,6 +135,7 @@ impl<'a> Scanner<'a> {
             items: Vec::new(),
             problems: Vec::new(),
             displays: Vec::new(),
+            open_colons: usize::MAX,
             unclosed: None,
             spilt: None,
             disputed: None,
@@ -155,23 +159,6 @@ impl<'a> Scanner<'a> {
             }
         }
         self.hand_over_prose(self.bytes.len());
-    }
-
-    /// `:::{math}`, MyST's other fence, is not read, and must not pass for prose.
-    fn colons(&mut self) {
-        let colons = self.rest().bytes().take_while(|b| *b == b':').count();
-        let span = Span::new(self.at, self.at + colons);
-        let begins = self.rest()[colons..]
-            .trim_start_matches(' ')
-            .starts_with("{math}");
-        if begins {
-            self.problem(
-                span,
-                "an equation between colons is not read",
-                "write it between `$$`, or between ```` ```{math} ```` and ```` ``` ````",
-            );
-        }
-        self.at += colons;
     }
 
     fn rest(&self) -> &'a str {

@@ -14,7 +14,7 @@ impl<'s> Parser<'s> {
             return false;
         }
         match self.peek() {
-            Kind::Number(_) | Kind::Open | Kind::Bad(_) => true,
+            Kind::Number(_) | Kind::Quantity(..) | Kind::Open | Kind::Bad(_) => true,
             Kind::Char('(' | '[') => true,
             Kind::Char('|') => !self.bar,
             Kind::Command(name) => {
@@ -57,6 +57,7 @@ impl<'s> Parser<'s> {
                 self.advance();
                 (number, Shape::Number)
             }
+            Kind::Quantity(number, unit) => return self.quantity(number, unit),
             Kind::Open => return self.braces(),
             Kind::Command("frac" | "tfrac" | "dfrac" | "sfrac") => self.nested(Self::fraction)?,
             Kind::Command("sqrt") => (self.nested(Self::root)?, Shape::Tight),

@@ -1,6 +1,6 @@
 //! Functions: the known ones, `\sin x`, and unknown ones applied to bare symbols, `P(t)`.
 
-use super::{Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
+use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{Expr, Function};
 use crate::notation::commands;
 
@@ -32,6 +32,18 @@ impl Parser<'_> {
         self.end_group(&delimiter, open_span)?;
         match (bare, function.expr) {
             (true, Expr::Symbol(symbol)) => {
+                let single = arguments.len() == 1;
+                if single {
+                    self.choices.push((Choice::Product, self.since(start)));
+                }
+                if single && self.choice == Some(Choice::Product) {
+                    return self.before_factor(start, open, Expr::Symbol(symbol), arguments);
+                }
+                self.before.push(Before {
+                    name: symbol.clone(),
+                    span: self.since(start),
+                    kind: BeforeKind::Function,
+                });
                 let raised = self.peek() == Kind::Char('^');
                 if raised
                     && matches!(arguments.as_slice(), [Expr::Symbol(only)] if only.name().contains(['^', ' ']))
@@ -51,16 +63,51 @@ impl Parser<'_> {
                 "for a product write `\\cdot` before the parenthesis",
             ),
             (false, expr) => {
-                let Some(content) = arguments.pop().filter(|_| arguments.is_empty()) else {
-                    return refuse(
-                        self.since(open),
-                        "the arguments of an unknown function must be bare symbols",
+                if let (Expr::Symbol(name), [Expr::Number(_)]) = (&expr, arguments.as_slice()) {
+                    let message = format!(
+                        "this may be the value of a function `{name}` at a number, or a product"
                     );
-                };
-                self.pending = Some(self.scripts(open, content, Shape::Tight, false)?);
-                Ok(Factor { expr, ..function })
+                    let help = "for a product write `\\cdot` before the parenthesis; give the value of a function at a number a name, such as `x_0`";
+                    return refuse_with(self.since(start), message, help);
+                }
+                if let Expr::Symbol(name) = &expr {
+                    self.before.push(Before {
+                        name: name.clone(),
+                        span: self.since(start),
+                        kind: BeforeKind::Factor,
+                    });
+                }
+                self.before_factor(start, open, expr, arguments)
             }
         }
+    }
+
+    /// A name, read as a factor, and the group after it.
+    fn before_factor(
+        &mut self,
+        start: usize,
+        open: usize,
+        name: Expr,
+        mut group: Vec<Expr>,
+    ) -> Read<Factor> {
+        let Some(content) = group.pop().filter(|_| group.is_empty()) else {
+            return refuse(
+                self.since(open),
+                "the arguments of an unknown function must be bare symbols",
+            );
+        };
+        let span = self
+            .tokens
+            .get(start..open)
+            .and_then(|name| Some(name.first()?.span.to(name.last()?.span)))
+            .unwrap_or(self.body);
+        self.pending = Some(self.scripts(open, content, Shape::Tight, false)?);
+        Ok(Factor {
+            expr: name,
+            shape: Shape::Tight,
+            span,
+            braces: false,
+        })
     }
 
     /// `\sin(x)`, or `\sin 2\pi x`: without parentheses the argument is the run of plain factors, side by side.
@@ -102,7 +149,20 @@ impl Parser<'_> {
                 }
                 group
             }
-            None => self.plain_argument()?,
+            None => {
+                let argument = self.plain_argument()?;
+                if let Expr::Power(base, exponent) = &argument
+                    && matches!(&**exponent, Expr::Number(n) if n.is_integer())
+                    && power.is_none()
+                {
+                    self.choices.push((Choice::OfValue, self.since(start)));
+                    if self.choice == Some(Choice::OfValue) {
+                        let value = Expr::Call(function, base.clone());
+                        return Ok(Expr::Power(Box::new(value), exponent.clone()));
+                    }
+                }
+                argument
+            }
         };
         let call = Expr::Call(function, Box::new(argument));
         Ok(match power {
@@ -113,9 +173,18 @@ impl Parser<'_> {
 
     pub(super) fn plain_argument(&mut self) -> Read<Expr> {
         let help = "put the argument in parentheses";
-        let mut factors = Vec::new();
+        let start = self.at;
+        let mut factors: Vec<Expr> = Vec::new();
         let mut last = None;
         while self.starts_factor() && !self.at_delimiter() && self.is_plain() {
+            // Nobody takes `\sin 2x` for `(\sin 2) x`.
+            if !matches!(factors.as_slice(), [] | [Expr::Number(_)]) {
+                self.choices
+                    .push((Choice::FirstName, self.since(start.saturating_sub(1))));
+                if self.choice == Some(Choice::FirstName) {
+                    break;
+                }
+            }
             let factor = self.factor()?;
             let group = self.pending.take().map(|group| group.span);
             let unclear = factor.braces && (factor.shape == Shape::Loose || self.starts_factor());

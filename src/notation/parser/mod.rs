@@ -1,6 +1,6 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `term` the arithmetic, `atom`, `group` and `function` single factors, `name` whole
+//! `statement` reads what is said, `cases` what is said under conditions, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` numbers with units, `name` whole
 //! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -8,18 +8,20 @@
 
 mod atom;
 mod calculus;
+mod cases;
 mod function;
 mod group;
 mod name;
+mod quantity;
 mod series;
 mod statement;
 mod term;
 
 pub(super) use name::{split_subscript, with_subscript};
 
-use super::SyntaxError;
 use super::commands;
 use super::lexer::{Kind, Token};
+use super::{Before, BeforeKind, Choice, Clause, Side, SyntaxError};
 use crate::algebra::Expr;
 use crate::document::Span;
 
@@ -50,12 +52,23 @@ pub(super) struct Parser<'s> {
     summands: Vec<Span>,
     /// The name that was read last, for braces around nothing but a name: `{v'_1}^2`.
     last_name: Option<LastName>,
-    /// Read what follows a stroke side by side as standing below it: `a/bc` as `a/(bc)`.
-    below: bool,
-    /// The strokes after which this would be another reading.
-    strokes: Vec<Span>,
+    /// What is chosen in the other way here.
+    choice: Option<Choice>,
+    /// The places where there is a choice.
+    choices: Vec<(Choice, Span)>,
+    /// The names that stand before a parenthesis.
+    before: Vec<Before>,
+    /// The cases of the clause that was read last.
+    cases: Vec<Case>,
     /// A group after a name that turned out to be a factor, not an argument: `v_0(1 - \mu)`.
     pending: Option<Factor>,
+}
+
+/// One of the cases of a side: the side there, and when it is that.
+struct Case {
+    side: Side,
+    under: Vec<Clause>,
+    span: Span,
 }
 
 /// A name, and the tokens it was read from.
@@ -132,8 +145,10 @@ impl<'s> Parser<'s> {
             bar: false,
             summands: Vec::new(),
             last_name: None,
-            below: false,
-            strokes: Vec::new(),
+            choice: None,
+            choices: Vec::new(),
+            before: Vec::new(),
+            cases: Vec::new(),
             pending: None,
         }
     }
@@ -250,6 +265,11 @@ impl<'s> Parser<'s> {
                 "`\\quad` separates statements, so it cannot stand inside one",
             ),
             Kind::Row => refuse(span, "a new row cannot start here"),
+            Kind::Cell => refuse_with(
+                span,
+                "a second column is read only beside the cases of one side of a relation",
+                "write `f = \\begin{cases} a & x < 0 \\\\ b & x \\geq 0 \\end{cases}`",
+            ),
             Kind::And => refuse_with(
                 span,
                 "the word `and` stands in the mathematics, where TeX sets it as a product of three symbols",
@@ -269,6 +289,7 @@ impl<'s> Parser<'s> {
             Kind::Open | Kind::BoxClose => refuse(span, "a brace cannot stand here"),
             Kind::Close => refuse(span, "this `}` closes nothing that is open here"),
             Kind::Number(text) => refuse(span, format!("the number `{text}` cannot stand here")),
+            Kind::Quantity(..) => refuse(span, "a quantity with a unit cannot stand here"),
             Kind::Letter(c) => refuse(span, format!("`{c}` cannot stand here")),
             Kind::Upright(text) | Kind::Operator(text) => {
                 refuse(span, format!("`{text}` cannot stand here"))

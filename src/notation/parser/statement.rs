@@ -1,12 +1,15 @@
 //! Statements: chains of relations, joined by implications, labelled and marked.
 
+use std::collections::BTreeSet;
+
 use super::series::hole_of;
 use super::{Kind, Parser, Read, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol};
 use crate::document::Span;
 use crate::notation::commands;
+use crate::notation::fold::is_cases;
 use crate::notation::parser::name::split_subscript;
-use crate::notation::{Clause, Link, Mark, Side, Spanned, Statement};
+use crate::notation::{Choice, Clause, Link, Mark, Other, Side, Spanned, Statement};
 
 /// The environments whose rows are statements.
 const ENVIRONMENTS: &[&str] = &[
@@ -19,6 +22,8 @@ const ENVIRONMENTS: &[&str] = &[
     "gathered",
     "equation",
     "equation*",
+    "cases",
+    "dcases",
 ];
 
 /// Words between statements that say no more than that both are made. "If", "or" and "unless" say something else, and
@@ -66,34 +71,39 @@ fn separates(words: &str) -> bool {
 const MOST_RELATIONS: usize = 500;
 
 /// A place in a chain: a term, or the dots of `u_1 = \dots = u_n`.
-enum Place {
+pub(super) enum Place {
     Side(Side),
     Dots(Span),
 }
 
 impl<'s> Parser<'s> {
-    /// All statements, to the end; with what they would be if what follows a stroke stood below it.
+    /// All statements, to the end, with what they would be where there is a choice, each choice by itself.
     pub(in crate::notation) fn statements(mut self) -> Read<Vec<Statement>> {
         let mut statements = self.all_statements()?;
-        let strokes = std::mem::take(&mut self.strokes);
-        if strokes.is_empty() {
-            return Ok(statements);
-        }
-        let (tokens, errors) = (
-            std::mem::take(&mut self.tokens),
-            std::mem::take(&mut self.errors),
-        );
-        let mut again = Parser::new(tokens, errors, self.body, self.words);
-        again.below = true;
-        let others = again.all_statements().unwrap_or_default();
-        if others.len() == statements.len() {
+        let places = std::mem::take(&mut self.choices);
+        let choices: BTreeSet<Choice> = places.iter().map(|(choice, _)| *choice).collect();
+        for choice in choices {
+            let (tokens, errors) = (
+                std::mem::take(&mut self.tokens),
+                std::mem::take(&mut self.errors),
+            );
+            self = Parser::new(tokens, errors, self.body, self.words);
+            self.choice = Some(choice);
+            let others = self.all_statements().unwrap_or_default();
+            if others.len() != statements.len() {
+                continue;
+            }
             for (statement, other) in statements.iter_mut().zip(others) {
                 let whole = statement.span;
-                let within = |s: &&Span| whole.start <= s.start && s.end <= whole.end;
-                statement.other = strokes
-                    .iter()
-                    .find(within)
-                    .map(|&span| Box::new(Spanned { value: other, span }));
+                let here = |(own, s): &&(Choice, Span)| {
+                    *own == choice && whole.start <= s.start && s.end <= whole.end
+                };
+                let place = places.iter().find(here);
+                statement.others.extend(place.map(|&(_, span)| Other {
+                    choice,
+                    span,
+                    statement: other,
+                }));
             }
         }
         Ok(statements)
@@ -112,7 +122,8 @@ impl<'s> Parser<'s> {
                 self.advance();
                 self.skip_wide();
             }
-            statements.push(self.statement()?);
+            let statement = self.statement()?;
+            statements.extend(self.by_cases(statement)?);
             let mut separated = self.separator()?;
             while let Kind::Finish(name) = self.peek() {
                 match environments.pop() {
@@ -140,7 +151,7 @@ impl<'s> Parser<'s> {
         }
     }
 
-    fn skip_wide(&mut self) -> bool {
+    pub(super) fn skip_wide(&mut self) -> bool {
         let start = self.at;
         while self.peek() == Kind::Wide {
             self.advance();
@@ -226,13 +237,16 @@ impl<'s> Parser<'s> {
                 );
             }
         }
+        let under = self.trailing_conditions(&clauses)?;
         Ok(Statement {
             label,
             clauses,
             connectives,
+            under,
             mark,
             span: self.since(start),
-            other: None,
+            others: Vec::new(),
+            before: std::mem::take(&mut self.before),
         })
     }
 
@@ -256,7 +270,7 @@ impl<'s> Parser<'s> {
         Some(label.to_owned())
     }
 
-    fn clause(&mut self) -> Read<Clause> {
+    pub(super) fn clause(&mut self) -> Read<Clause> {
         while matches!(self.peek(), Kind::Wide | Kind::BoxOpen) {
             self.advance();
         }
@@ -288,6 +302,9 @@ impl<'s> Parser<'s> {
                 let sign = links.last().map_or(self.span(), |link| link.span);
                 return refuse(sign, "a term is missing after this relation sign");
             }
+            if matches!(self.peek(), Kind::Begin(name) if is_cases(name)) {
+                return self.before_cases(places, links);
+            }
             places.push(self.place()?);
         }
         let span = self.since(start);
@@ -317,7 +334,7 @@ impl<'s> Parser<'s> {
         }
     }
 
-    fn place(&mut self) -> Read<Place> {
+    pub(super) fn place(&mut self) -> Read<Place> {
         let start = self.at;
         if let Kind::Command(name) = self.peek()
             && commands::is_dots(name)

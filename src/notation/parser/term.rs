@@ -4,12 +4,14 @@
 //! and run from left to right, so that `1/2m` is `(1/2)m`; powers. A sign at the start of a term holds for all of it:
 //! `-ab` is `-(ab)`. Parentheses are kept: `(a + b) + c` is a sum whose first term is a sum.
 
-use super::{Factor, Kind, Parser, Read, Shape, Term, refuse, refuse_with};
+use super::{Choice, Factor, Kind, Parser, Read, Shape, Term, refuse, refuse_with};
 use crate::algebra::Expr;
-use crate::notation::commands;
+use crate::notation::{commands, measured};
 
 /// How many `/` one term may hold; more than one is hard enough to read.
 const SLASHES: usize = 8;
+/// How many factors beside what a stroke divides by are tried below it.
+const MOST_BELOW: u8 = 4;
 
 impl Parser<'_> {
     /// A sum of terms; a single term is itself.
@@ -116,6 +118,8 @@ impl Parser<'_> {
 
     fn term_inner(&mut self) -> Read<Term> {
         let start = self.at;
+        // The stroke that was read last, and how many factors stand beside what it divides by.
+        let mut stroke: Option<(usize, u8)> = None;
         let mut product = Product::default();
         let mut differential = self.at_differential();
         product.push(self.factor()?)?;
@@ -126,6 +130,7 @@ impl Parser<'_> {
                 Kind::Command("cdot" | "times") | Kind::Char('*') => {
                     self.advance();
                     product.signed = true;
+                    stroke = None;
                     differential |= self.at_differential();
                     product.push(self.factor()?)?;
                 }
@@ -147,19 +152,40 @@ impl Parser<'_> {
                             help,
                         );
                     }
+                    if let Kind::Quantity(number, unit) = self.peek()
+                        && !number.is_empty()
+                        && !unit.is_empty()
+                    {
+                        let message = "whether this unit stands below the stroke is not clear";
+                        return refuse_with(self.span(), message, "write `\\frac{…}{…}`");
+                    }
                     let from = self.at;
-                    let under = match self.below {
-                        true => self.all_below()?,
-                        false => self.factor()?,
+                    if product.is_counted() && self.at_unit() {
+                        let unit = self.plain_unit()?;
+                        product.divide(unit)?;
+                        continue;
+                    }
+                    let under = match self.choice {
+                        Some(Choice::Below(more)) => self.all_below(more)?,
+                        _ => self.factor()?,
                     };
-                    if !self.below && (self.pending.is_some() || self.starts_factor()) {
-                        self.strokes.push(self.since(from - 1));
+                    stroke = Some((from - 1, 0));
+                    if self.pending.is_some() {
+                        self.beside(&mut stroke);
                     }
                     product.divide(under)?;
+                }
+                _ if product.is_counted() && self.at_unit() => {
+                    let unit = self.plain_unit()?;
+                    product.push(unit)?;
                 }
                 _ if self.starts_factor() => {
                     differential |= self.at_differential();
                     product.push(self.factor()?)?;
+                    self.beside(&mut stroke);
+                    if self.pending.is_some() {
+                        self.beside(&mut stroke);
+                    }
                 }
                 _ => break,
             }
@@ -170,15 +196,29 @@ impl Parser<'_> {
 }
 
 impl Parser<'_> {
-    /// The factors side by side after a stroke, as the other reading of `a/bc` has them.
-    fn all_below(&mut self) -> Read<Factor> {
+    /// A factor was read beside what a stroke divides by: it may be meant to stand below the stroke too.
+    fn beside(&mut self, stroke: &mut Option<(usize, u8)>) {
+        if let Some((start, count)) = stroke
+            && *count < MOST_BELOW
+        {
+            *count += 1;
+            let place = (Choice::Below(*count), self.since(*start));
+            self.choices.push(place);
+        }
+    }
+
+    /// What a stroke divides by, and up to so many factors beside it, as another reading of `a/bc` has them.
+    fn all_below(&mut self, more: u8) -> Read<Factor> {
         let start = self.at;
         let mut product = Product::default();
         product.push(self.factor()?)?;
-        product.take_pending(self)?;
-        while self.starts_factor() {
-            product.push(self.factor()?)?;
-            product.take_pending(self)?;
+        let mut left = more;
+        while left > 0 && (self.pending.is_some() || self.starts_factor()) {
+            left -= 1;
+            match self.pending.take() {
+                Some(group) => product.push(group)?,
+                None => product.push(self.factor()?)?,
+            }
         }
         let term = product.finish(self.since(start))?;
         Ok(Factor {
@@ -205,6 +245,11 @@ impl Product {
             Some(group) => self.push(group),
             None => Ok(()),
         }
+    }
+
+    /// Whether what stands before is a number, or a number with a unit, so that upright letters after it are a unit.
+    fn is_counted(&self) -> bool {
+        self.factors.last().is_some_and(|last| counted(&last.expr))
     }
 
     fn push(&mut self, factor: Factor) -> Read<()> {
@@ -301,6 +346,17 @@ pub(super) fn invisible<T>(span: crate::document::Span) -> Read<T> {
         "TeX does not print these braces, so a reader takes this differently",
         "write parentheses",
     )
+}
+
+fn counted(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) => true,
+        Expr::Symbol(symbol) => measured(symbol).is_some(),
+        Expr::Power(base, _) => matches!(&**base, Expr::Number(_)) || counted(base),
+        Expr::Product(factors) => factors.iter().all(counted),
+        Expr::Quotient(over, under) => counted(over) && counted(under),
+        _ => false,
+    }
 }
 
 fn starts_with_number(expr: &Expr) -> bool {

@@ -80,6 +80,13 @@ pub fn latex_statement(statement: &Statement) -> String {
         }
         text.push_str(&latex_clause(clause));
     }
+    for (at, condition) in statement.under.iter().enumerate() {
+        text.push_str(match at {
+            0 => " \\quad \\text{if } ",
+            _ => " \\text{ and } ",
+        });
+        text.push_str(&latex_clause(condition));
+    }
     match statement.mark.as_ref().map(|mark| mark.value) {
         Some(Mark::Tick) => text.push_str(" \\quad \\checkmark"),
         Some(Mark::Cross) => text.push_str(" \\quad \\times"),

@@ -72,6 +72,13 @@ pub fn mathml_statement(statement: &Statement) -> String {
         };
         text += &self::clause(clause);
     }
+    for (at, condition) in statement.under.iter().enumerate() {
+        text += &match at {
+            0 => format!("{WIDE}<mtext>if&#160;</mtext>"),
+            _ => "<mtext>&#160;and&#160;</mtext>".to_owned(),
+        };
+        text += &self::clause(condition);
+    }
     text += &match statement.mark.as_ref().map(|mark| mark.value) {
         Some(Mark::Tick) => format!("{WIDE}<mtext>✓</mtext>"),
         Some(Mark::Cross) => format!("{WIDE}<mtext>✗</mtext>"),

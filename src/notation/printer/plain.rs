@@ -285,7 +285,7 @@ fn letters(mut rest: &str) -> String {
                     text.push('†');
                 } else if command == "star" {
                     text.push('⋆');
-                } else if command == "text" {
+                } else if command == "text" || command == "unit" {
                     waiting.push("");
                     rest = rest.strip_prefix('{').unwrap_or(rest);
                 }

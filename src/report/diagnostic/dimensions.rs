@@ -58,6 +58,7 @@ impl Report<'_> {
             let repaired = repair.map(|repair| (Level::HELP, scaling::repaired(refuted, repair)));
             finding.said.extend(repaired);
         }
+        finding.said.extend(self.other_reading(entry));
         finding.said.extend(replay(self, entry.equation));
         Some(finding)
     }

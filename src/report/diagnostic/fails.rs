@@ -61,6 +61,7 @@ impl Report<'_> {
         ));
         said.extend(repair.map(|repair| (Level::HELP, scaling::repaired(refuted, repair))));
         said.extend(marks(entry));
+        said.extend(self.other_reading(entry));
         said.extend(replay(self, entry.equation));
         Some(Finding {
             level: Level::ERROR,
@@ -109,6 +110,7 @@ impl Report<'_> {
             said.push((Level::HELP, implied::supposing(&entry.missing)));
         }
         said.extend(marks(entry));
+        said.extend(self.other_reading(entry));
         said.extend(replay(self, entry.equation));
         said
     }
@@ -139,10 +141,6 @@ fn marks(entry: &Entry) -> Vec<(Level<'static>, String)> {
             Note::UnstatedCondition(conditions) => {
                 said.push((Level::HELP, implied::supposing(conditions)));
             }
-            Note::OtherReading(..) => said.push((
-                Level::HELP,
-                "it would hold with `a/bc` read as `a/(bc)`; if that is meant, write `\\frac{a}{bc}`".into(),
-            )),
             Note::WrongMark(Mark::Tick) => said.push((
                 Level::NOTE,
                 "the author marks it ✓, as an equation that holds".into(),

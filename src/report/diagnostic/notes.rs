@@ -204,7 +204,7 @@ impl Report<'_> {
             | Note::OutOfScope(_)
             | Note::RestsOnUnproved(_)
             | Note::UnusedPremise(_)
-            | Note::OtherReading(..) => return None,
+            | Note::OtherReading(_) => return None,
         }
         if !matches!(note, Note::DuplicateTag(_) | Note::UnknownCitation(..)) {
             finding.said.extend(replay(self, entry.equation));

@@ -39,7 +39,11 @@ impl Page<'_> {
                 }
             }
         }
-        for aside in entry.notes.iter().filter_map(|note| report.aside(note)) {
+        for aside in entry
+            .notes
+            .iter()
+            .filter_map(|note| report.aside(entry.equation, note))
+        {
             fact("note", words::ticked(&aside));
         }
         if let Some(replay) = report.replay(entry.equation) {

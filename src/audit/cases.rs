@@ -1,0 +1,78 @@
+//! Premises that say something under conditions: `f = a` where `x < 0`.
+//!
+//! A case is a premise where its conditions are known to hold, and no matter where one of them is known not to. Where
+//! neither is known, what is proved without it stands, and what is refuted without it may follow with it all the same.
+
+use crate::algebra::Formula;
+use crate::derivation::{Assumed, Source};
+use crate::search::{self, Effort, Stop};
+
+use super::Outcome;
+use super::judge::{Found, Judge};
+
+impl Judge<'_> {
+    /// Adds the cases that apply under what is assumed. An equation with a case that may bear on the goal and of which
+    /// it is not known whether it applies.
+    pub(super) fn cases(&self, goal: &Formula, assumed: &mut Vec<Assumed>) -> Option<usize> {
+        let mut left_out = Vec::new();
+        let given = assumed.clone();
+        let known = |formula: &Formula| {
+            given.iter().any(|own| *own.formula == *formula) || {
+                let claim = self.derivation.claim(self.at, &given, formula);
+                search::prove_unconditionally(claim, Effort::Full).is_some()
+            }
+        };
+        for (conditions, case) in &self.usable.cases {
+            if conditions.iter().all(known) {
+                assumed.push(case.clone());
+            } else if !conditions.iter().filter_map(denied).any(|d| known(&d)) {
+                left_out.push((conditions, case));
+            }
+        }
+        // What speaks of other symbols altogether is no matter.
+        let mut spoken = goal.free_symbols();
+        spoken.extend(assumed.iter().flat_map(|own| own.formula.free_symbols()));
+        let linked = left_out.iter().find(|(conditions, case)| {
+            let formulas = conditions.iter().chain([&*case.formula]);
+            let mut symbols = formulas.flat_map(Formula::free_symbols);
+            symbols.any(|symbol| spoken.contains(&symbol))
+        });
+        match linked?.1.source {
+            Source::Equation(premise) => Some(premise),
+            _ => None,
+        }
+    }
+
+    /// What is not proved without a case is not refuted either.
+    pub(super) fn without_case(&self, mut found: Found, premise: usize) -> Found {
+        if found.judged.outcome.is_refuted() {
+            let premise = self.derivation.equations[premise].reference();
+            found = Found::open(found.judged);
+            found.judged.outcome = Outcome::Open(Stop {
+                reason: format!(
+                    "{premise} is said by cases, and which of them it is here is not known: suppose one, or go through them"
+                ),
+                ..Stop::default()
+            });
+        }
+        found
+    }
+}
+
+/// The relation that holds just where another does not.
+fn denied(formula: &Formula) -> Option<Formula> {
+    let Formula::Relation {
+        left,
+        relation,
+        right,
+    } = formula
+    else {
+        return None;
+    };
+    let relation = relation.denied()?;
+    Some(Formula::Relation {
+        left: left.clone(),
+        relation,
+        right: right.clone(),
+    })
+}

@@ -1,0 +1,66 @@
+//! Names that are one thing here and another there: a function in `f(x)` and a factor in `f(x + 1)`, a unit in
+//! `5\,\mathrm{m}` and a symbol in `\mathrm{m} v`.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Formula, Symbol};
+use crate::notation::{Before, BeforeKind, SyntaxError};
+
+use super::{Equation, formulas};
+
+/// Refuses the equations of a page in which a name is read as a factor before a parenthesis and elsewhere on the page as a function.
+///
+/// `f(x + 1)` is a product by itself ([docs/notation.md](../../docs/notation.md)). Where the page has `f(x)` too, it is the
+/// value of a function at another place, and a product would be a misreading.
+/// What is read as a unit after a number is refused in the same way where the page has or declares a symbol of that name.
+pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
+    let all = || {
+        let statements = equations.iter().flat_map(|equation| equation.statements());
+        statements.flat_map(|statement| &statement.before)
+    };
+    let of = |kind: BeforeKind| -> BTreeSet<Symbol> {
+        let all = all().filter(|before| before.kind == kind);
+        all.map(|before| before.name.clone()).collect()
+    };
+    let functions = of(BeforeKind::Function);
+    let mut symbols = of(BeforeKind::Unit);
+    if !symbols.is_empty() {
+        let statements = equations.iter().flat_map(|equation| equation.statements());
+        let formulas: Vec<Formula> = statements.flat_map(formulas).collect();
+        let free: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::free_symbols).collect();
+        symbols.retain(|name| declared(name) || free.contains(name));
+    }
+    if functions.is_empty() && symbols.is_empty() {
+        return;
+    }
+    for equation in equations {
+        let mut before = equation.statements().iter().flat_map(|s| &s.before);
+        let doubtful = before.find(|before| match before.kind {
+            BeforeKind::Function => false,
+            BeforeKind::Factor => functions.contains(&before.name),
+            BeforeKind::Unit => symbols.contains(&before.name),
+        });
+        let Some(Before { name, span, kind }) = doubtful.cloned() else {
+            continue;
+        };
+        let (message, help) = match kind {
+            BeforeKind::Unit => (
+                format!(
+                    "whether `{name}` is a unit here, or the symbol of that name, is not clear"
+                ),
+                "write `\\qty{…}{…}` for a quantity, or `\\cdot` before a symbol".to_owned(),
+            ),
+            _ => (
+                format!("whether the function `{name}` is applied here, or a factor, is not clear"),
+                format!(
+                    "for a product write `{name} \\cdot (…)`; a function is read only with bare symbols as its arguments"
+                ),
+            ),
+        };
+        equation.statements = Err(SyntaxError {
+            span,
+            message,
+            help: Some(help),
+        });
+    }
+}

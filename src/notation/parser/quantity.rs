@@ -1,0 +1,115 @@
+//! Numbers with units: `\qty{9.81}{m/s^2}`, and `9.81\,\mathrm{m}` as far as that can only be a unit.
+//!
+//! A reader sees digits and upright letters, so neither a power nor a stroke may stand directly beside a quantity.
+
+use super::{Before, BeforeKind, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
+use crate::algebra::{BigRational, Expr, Symbol};
+use crate::notation::unit::{self, Unit};
+use num_traits::{One, Signed};
+
+impl Parser<'_> {
+    /// `\qty{3}{m}`, `\num{1e3}` or `\unit{m}`.
+    pub(super) fn quantity(&mut self, number: &str, of: &str) -> Read<Factor> {
+        let (start, span) = (self.at, self.span());
+        self.advance();
+        let value = match (number, unit::number(number)) {
+            ("", _) if !of.is_empty() => None,
+            (_, Some(value)) => Some(value),
+            (text, None) => {
+                let help = "digits with a decimal point are read, and a power of ten: `1.6e-19`";
+                return refuse_with(span, format!("`{text}` is not read as a number"), help);
+            }
+        };
+        let unit = match unit::read(of) {
+            Ok(unit) => unit,
+            Err(message) => {
+                let help = "give the quantity a name, and declare its dimension or its figures";
+                return refuse_with(span, message, help);
+            }
+        };
+        let expr = product(value.as_ref(), &unit);
+        if let (Expr::Symbol(_), None) = (&expr, &value) {
+            return self.scripts(start, expr, Shape::Tight, false);
+        }
+        if matches!(self.peek(), Kind::Char('^' | '_' | '\'')) {
+            let help = "put the quantity in parentheses";
+            return refuse_with(self.span(), "what this belongs to is not clear", help);
+        }
+        let negative = value.as_ref().is_some_and(BigRational::is_negative);
+        let shape = match (negative, &value) {
+            (true, _) => Shape::Loose,
+            (false, Some(_)) => Shape::Number,
+            (false, None) => Shape::Tight,
+        };
+        Ok(Factor {
+            expr,
+            shape,
+            span: self.since(start),
+            braces: negative,
+        })
+    }
+
+    /// Whether upright letters that can be a unit stand here, and nothing that makes a name of them.
+    pub(super) fn at_unit(&self) -> bool {
+        let named = matches!(self.kind(self.at + 1), Kind::Char('_' | '\'' | '('));
+        matches!(self.peek(), Kind::Upright(text) if unit::is_symbol(text)) && !named
+    }
+
+    /// `\mathrm{km}` after a number, with its power. Whether the page has a symbol of that name is looked at later.
+    pub(super) fn plain_unit(&mut self) -> Read<Factor> {
+        let start = self.at;
+        let Kind::Upright(text) = self.peek() else {
+            return self.no_term();
+        };
+        self.advance();
+        let Ok(unit) = unit::read(text) else {
+            return self.unexpected();
+        };
+        self.before.push(Before {
+            name: Symbol::new(format!("\\text{{{text}}}")),
+            span: self.since(start),
+            kind: BeforeKind::Unit,
+        });
+        let mut expr = product(None, &unit);
+        if self.peek() == Kind::Char('^') {
+            let span = self.span();
+            match self.superscript()?.power {
+                Some(power) => expr = Expr::Power(Box::new(expr), Box::new(power)),
+                None => return refuse(span, "a mark on a unit is not read"),
+            }
+        }
+        Ok(Factor {
+            expr,
+            shape: Shape::Tight,
+            span: self.since(start),
+            braces: false,
+        })
+    }
+}
+
+/// A number of a unit as a term.
+fn product(value: Option<&BigRational>, unit: &Unit) -> Expr {
+    let number = match value {
+        Some(value) => value * &unit.number,
+        None => unit.number.clone(),
+    };
+    let mut factors = Vec::new();
+    if value.is_some() || !number.is_one() || unit.factors().next().is_none() {
+        factors.push(Expr::Number(number.abs()));
+    }
+    for (base, power) in unit.factors() {
+        let base = Expr::Symbol(base);
+        factors.push(match power {
+            1 => base,
+            power => Expr::Power(Box::new(base), Box::new(Expr::integer(power))),
+        });
+    }
+    let expr = match factors.len() {
+        1 => factors.remove(0),
+        _ => Expr::Product(factors),
+    };
+    match number.is_negative() {
+        true => Expr::Negate(Box::new(expr)),
+        false => expr,
+    }
+}
