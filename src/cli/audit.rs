@@ -25,7 +25,7 @@ pub(super) fn audit(derivation: &Derivation, args: &Args, gate: &Gate, paths: &[
         None => None,
     };
     let text = view(&report, comparison.as_ref(), args, gate, &here)?;
-    Ok((text, fails(&report, comparison.as_ref(), gate)))
+    Ok((text.into(), fails(&report, comparison.as_ref(), gate)))
 }
 
 /// Reads the baseline, or writes it.

@@ -20,5 +20,5 @@ pub(super) fn init(paths: &[PathBuf], stdin: Option<&str>, format: Format) -> Do
         .help("`cradle-verify check --format json` has every equation for programs"));
     }
     let derivation = input::derivation(paths, stdin)?;
-    Ok((declarations(&derivation), false))
+    Ok((declarations(&derivation).into(), false))
 }

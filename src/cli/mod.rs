@@ -60,12 +60,8 @@ pub fn main() -> ExitCode {
     {
         return watch::watch(&args, paths);
     }
-    let done = run::run(&args).and_then(|(text, found)| {
-        // A picture has gone to its file already.
-        let drawn = matches!(args.command, Some(args::Command::Plot(_)));
-        if !(drawn && args.output.is_some()) {
-            output::deliver(&text, &args)?;
-        }
+    let done = run::run(&args).and_then(|(content, found)| {
+        output::deliver(&content, &args)?;
         Ok(found)
     });
     match done {

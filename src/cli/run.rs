@@ -1,4 +1,4 @@
-//! What each command does: text for standard output, and whether anything was found.
+//! What each command does: what it makes, and whether anything was found.
 
 use std::path::PathBuf;
 
@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::args::{Args, Builtin, Command, Format, Gate};
+use super::output::Content;
 use super::{Failure, audit, halves, html, init, input, manual, plot, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
@@ -15,7 +16,7 @@ use crate::proofs;
 use crate::report::graph::Graph;
 use crate::report::{Report, codes};
 
-pub(super) type Done = Result<(String, bool), Failure>;
+pub(super) type Done = Result<(Content, bool), Failure>;
 
 /// Does what is asked.
 pub(super) fn run(args: &Args) -> Done {
@@ -97,8 +98,8 @@ pub(super) fn run(args: &Args) -> Done {
             paths,
             stdin_filename,
         }) => init::init(paths, stdin_filename.as_deref(), args.format),
-        Some(Command::Completions { shell }) => Ok((manual::completions(*shell), false)),
-        Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?, false)),
+        Some(Command::Completions { shell }) => Ok((manual::completions(*shell).into(), false)),
+        Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?.into(), false)),
         Some(Command::Scenario {
             before,
             after,
@@ -118,7 +119,7 @@ pub(super) fn run(args: &Args) -> Done {
                 Format::Json => pretty(&simulation.json())?,
                 other => return Err(no_audit(other)),
             };
-            Ok((text, false))
+            Ok((text.into(), false))
         }
         Some(Command::Plot(figure)) => Ok((
             plot::plot(figure, args.format, args.output.as_deref())?,
@@ -127,7 +128,7 @@ pub(super) fn run(args: &Args) -> Done {
         Some(Command::Table { materials }) => {
             let materials = materials.read()?;
             let table = halves::halves(&proofs::checker(), &materials, args.format)?;
-            Ok((table, false))
+            Ok((table.into(), false))
         }
     }
 }
@@ -194,7 +195,7 @@ fn graph(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
         Format::Svg => graph.svg(),
         other => return Err(no_audit(other)),
     };
-    Ok((text, report.findings() > 0))
+    Ok((text.into(), report.findings() > 0))
 }
 
 fn shown(paths: &[PathBuf]) -> Vec<String> {
@@ -236,12 +237,12 @@ fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) 
         paths,
     };
     let entries = || all.iter().flat_map(|&at| audit.of_equation(at));
-    let text = match args.format {
+    let text: String = match args.format {
         Format::Human => all.iter().map(|&at| report.explain(at)).collect(),
         Format::Json => pretty(&report.json_of(&all))?,
         other => return Err(no_audit(other)),
     };
-    Ok((text, entries().any(|entry| entry.is_finding())))
+    Ok((text.into(), entries().any(|entry| entry.is_finding())))
 }
 
 /// What a code means, as docs/notes.md says it.
@@ -260,7 +261,7 @@ fn meaning(code: &str, text: &str, format: Format) -> Done {
         }))?,
         other => return Err(no_audit(other)),
     };
-    Ok((shown, false))
+    Ok((shown.into(), false))
 }
 
 /// A format that lists what an audit finds, asked of what is none.
@@ -285,7 +286,7 @@ fn judged(asked: &Scenario, format: Format) -> Done {
         Format::Json => pretty(&scenario::json(&outcome))?,
         other => return Err(no_audit(other)),
     };
-    Ok((text, !scenario::holds(&outcome)))
+    Ok((text.into(), !scenario::holds(&outcome)))
 }
 
 fn built_in(letter: &str) -> Result<Scenario, Failure> {

@@ -30,7 +30,7 @@ pub fn watch(args: &Args, paths: &[PathBuf]) -> ExitCode {
         if terminal {
             let _ = output::data(CLEAR, super::args::Color::Always);
         }
-        match done.and_then(|(text, _)| output::deliver(&text, args)) {
+        match done.and_then(|(content, _)| output::deliver(&content, args)) {
             Ok(true) => {}
             Ok(false) => return ExitCode::SUCCESS,
             // The file may just be being written: what is wrong now may be right in a moment.
