@@ -5,6 +5,7 @@
 
 pub mod args;
 mod audit;
+mod config;
 mod csv;
 mod file;
 mod halves;
@@ -32,6 +33,8 @@ pub struct Failure {
     pub message: String,
     /// What to do instead.
     pub help: Option<String>,
+    /// What is wrong in a file that was read, in its own text; stands before the sentence.
+    pub excerpt: Option<String>,
 }
 
 impl Failure {
@@ -40,6 +43,7 @@ impl Failure {
         Failure {
             message: message.into(),
             help: None,
+            excerpt: None,
         }
     }
 

@@ -119,6 +119,9 @@ pub fn talk(failure: &Failure, color: Color) {
     let mut stream = AutoStream::new(std::io::stderr().lock(), color.into());
     let red = AnsiColor::Red.on_default().bold();
     let cyan = AnsiColor::Cyan.on_default().bold();
+    if let Some(excerpt) = &failure.excerpt {
+        let _ = write!(stream, "{}", tamed(excerpt));
+    }
     // Where standard error is closed there is nobody to tell.
     let _ = writeln!(stream, "{red}error{red:#}: {}", failure.message);
     if let Some(help) = &failure.help {

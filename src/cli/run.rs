@@ -7,7 +7,8 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::args::{Args, Builtin, Command, Format, Gate};
-use super::output::Content;
+use super::config::{self, Configs};
+use super::output::{self, Content};
 use super::{Failure, audit, halves, html, init, input, manual, plot, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
@@ -57,6 +58,12 @@ pub(super) fn run(args: &Args) -> Done {
         )
         .help("`cradle-verify --builtin corrected`, or `cradle-verify explain P5 --builtin corrected`"));
     }
+    if (args.config.is_some() || args.no_config) && !reads_documents(args) {
+        return Err(Failure::new(
+            "`--config` and `--no-config` are for documents of your own, and this reads none",
+        )
+        .help("`cradle-verify check` audits the `files` of a `cradle.toml`"));
+    }
     match &args.command {
         None => {
             let (derivation, shown) = inside(args);
@@ -68,8 +75,8 @@ pub(super) fn run(args: &Args) -> Done {
             gate,
             watch: _,
         }) => {
-            let derivation = input::derivation(paths, stdin_filename.as_deref())?;
-            audit::audit(&derivation, args, gate, &shown(paths))
+            let (derivation, shown) = read(args, paths, stdin_filename.as_deref())?;
+            audit::audit(&derivation, args, gate, &shown)
         }
         Some(Command::Explain {
             label,
@@ -91,13 +98,19 @@ pub(super) fn run(args: &Args) -> Done {
             stdin_filename,
         }) => {
             let (derivation, shown) = asked_for(args, paths, stdin_filename.as_deref())?;
-            let is_report = paths.is_empty() && args.builtin.unwrap_or_default() == Builtin::Report;
+            let is_report = speaks_of_what_is_inside(args)
+                && args.builtin.unwrap_or_default() == Builtin::Report;
             html::report(derivation, args, &shown, is_report)
         }
         Some(Command::Init {
             paths,
             stdin_filename,
-        }) => init::init(paths, stdin_filename.as_deref(), args.format),
+            toml,
+        }) => {
+            init::possible(args, *toml)?;
+            let (derivation, _) = read(args, paths, stdin_filename.as_deref())?;
+            Ok((init::init(&derivation, &shown(paths), *toml).into(), false))
+        }
         Some(Command::Completions { shell }) => Ok((manual::completions(*shell).into(), false)),
         Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?.into(), false)),
         Some(Command::Scenario {
@@ -151,8 +164,18 @@ fn speaks_of_what_is_inside(args: &Args) -> bool {
                 stdin_filename,
                 ..
             },
-        ) => paths.is_empty() && stdin_filename.is_none(),
+        ) => paths.is_empty() && stdin_filename.is_none() && args.config.is_none(),
         Some(_) => false,
+    }
+}
+
+fn reads_documents(args: &Args) -> bool {
+    match &args.command {
+        Some(Command::Check { .. } | Command::Init { .. }) => true,
+        Some(Command::Explain { .. } | Command::Graph { .. } | Command::Report { .. }) => {
+            !speaks_of_what_is_inside(args)
+        }
+        _ => false,
     }
 }
 
@@ -173,10 +196,37 @@ fn asked_for(
     paths: &[PathBuf],
     stdin_filename: Option<&str>,
 ) -> Result<(Derivation, Vec<String>), Failure> {
-    Ok(match paths.is_empty() && stdin_filename.is_none() {
-        true => inside(args),
-        false => (input::derivation(paths, stdin_filename)?, shown(paths)),
-    })
+    match speaks_of_what_is_inside(args) {
+        true => Ok(inside(args)),
+        false => read(args, paths, stdin_filename),
+    }
+}
+
+/// The documents that are named, or those that a configuration lists, each with what stands beside it; and how they are
+/// asked for.
+fn read(
+    args: &Args,
+    paths: &[PathBuf],
+    stdin_filename: Option<&str>,
+) -> Result<(Derivation, Vec<String>), Failure> {
+    let mut configs = Configs::new(args);
+    let mut asked = shown(paths);
+    let (files, listing) = match paths.is_empty() && stdin_filename.is_none() {
+        true => {
+            let (files, config) = configs.listed()?;
+            (files, Some(config))
+        }
+        false => (paths.to_vec(), args.config.clone()),
+    };
+    if let Some(config) = listing {
+        asked.extend(["--config".to_owned(), config.display().to_string()]);
+    }
+    if args.no_config {
+        asked.push("--no-config".into());
+    }
+    let derivation = input::derivation(&files, stdin_filename, &mut configs)?;
+    output::say(&config::unmet(&derivation));
+    Ok((derivation, asked))
 }
 
 /// What rests on what.
@@ -242,7 +292,7 @@ fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) 
         Format::Json => pretty(&report.json_of(&all))?,
         other => return Err(no_audit(other)),
     };
-    Ok((text.into(), entries().any(|entry| entry.is_finding())))
+    Ok((text.into(), entries().any(|entry| report.is_finding(entry))))
 }
 
 /// What a code means, as docs/notes.md says it.
