@@ -78,6 +78,8 @@
 //! [`proofs::pages`] has such a handle for each page of the report on Newton's cradle that ships inside;
 //! [`proofs::report`] is all of it together, which is what the bare command audits.
 //!
+//! [`config`] reads what an author has declared once for several documents, in a `cradle.toml` beside them.
+//!
 //! # Whom to believe
 //!
 //! [`search`] is clever and believed by nobody. [`kernel::check`] is the one place where a
@@ -98,6 +100,7 @@
 pub mod algebra;
 pub mod audit;
 pub mod cli;
+pub mod config;
 pub mod cradle;
 pub mod derivation;
 pub mod dimension;

@@ -104,7 +104,7 @@ impl Judge<'_> {
         let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
         let obligation = search::pose(claim);
         let decision = match &obligation {
-            Ok(posed) => search::decide_posed(posed, &self.auditor.hints()),
+            Ok(posed) => search::decide_within(posed, &self.auditor.hints(), self.points()),
             Err(reject) => search::hopeless(reject.clone()),
         };
         match decision {
@@ -206,6 +206,12 @@ impl Judge<'_> {
             }
         }
         found
+    }
+
+    /// How many choices of values may be tried, where the author limits that.
+    fn points(&self) -> Option<usize> {
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        page.beside.as_ref()?.budget.points
     }
 
     /// Leaves out every hypothesis that a proof does without, the last first. `posed` is the claim that was proved.

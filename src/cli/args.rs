@@ -39,6 +39,12 @@ pub struct Args {
     /// Work with this many threads, at most 8; without it, as many as there are processors. The result is the same.
     #[arg(long, global = true, value_name = "NUMBER")]
     pub jobs: Option<NonZeroUsize>,
+    /// Take this `cradle.toml`, for all documents, instead of the nearest one to each.
+    #[arg(long, global = true, value_name = "FILE")]
+    pub config: Option<PathBuf>,
+    /// Take no `cradle.toml`.
+    #[arg(long, global = true, conflicts_with = "config")]
+    pub no_config: bool,
     /// What makes the audit of the built-in report fail.
     #[command(flatten)]
     pub gate: Gate,
@@ -131,8 +137,9 @@ pub enum Command {
     },
     /// Audit Markdown or LaTeX documents and Jupyter notebooks of your own, read together as one derivation.
     Check {
-        /// Files, directories (every `.md`, `.markdown`, `.tex` and `.ipynb` in them), or `-` for standard input.
-        #[arg(required = true, value_name = "PATH")]
+        /// Files, directories (every `.md`, `.markdown`, `.tex` and `.ipynb` in them), or `-` for standard input; without any,
+        /// the `files` of `cradle.toml`.
+        #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
         /// What standard input is called in findings.
         #[arg(long, value_name = "NAME")]
@@ -146,7 +153,7 @@ pub enum Command {
     },
     /// Show what rests on what, and what falls with each equation that fails: in words, or as `--format dot`, `json` or `svg`.
     Graph {
-        /// Files, directories or `-`; without any, the built-in report.
+        /// Files, directories or `-`; without any, the built-in report, or the `files` of `--config`.
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
         /// What standard input is called in findings.
@@ -155,7 +162,7 @@ pub enum Command {
     },
     /// Write the whole audit as one page for a browser: the documents, every verdict, its evidence, what rests on what.
     Report {
-        /// Files, directories or `-`; without any, the built-in report.
+        /// Files, directories or `-`; without any, the built-in report, or the `files` of `--config`.
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
         /// What standard input is called in findings.
@@ -167,7 +174,7 @@ pub enum Command {
         /// The number (`23`) or name of an equation, or the code of a verdict or note (`miscited`).
         #[arg(value_name = "EQUATION|CODE")]
         label: String,
-        /// Where it stands; without it, the built-in report.
+        /// Where it stands; without it, the built-in report, or the `files` of `--config`.
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
         /// What standard input is called in findings.
@@ -176,9 +183,12 @@ pub enum Command {
     },
     /// List the symbols of documents, and print the declarations that are left to make, to be pasted and completed.
     Init {
-        /// Files, directories or `-`.
-        #[arg(required = true, value_name = "FILE")]
+        /// Files, directories or `-`; without any, the `files` of `cradle.toml`.
+        #[arg(value_name = "FILE")]
         paths: Vec<PathBuf>,
+        /// Write a `cradle.toml` instead of comments.
+        #[arg(long)]
+        toml: bool,
         /// What standard input is called, and what it is written in.
         #[arg(long, value_name = "NAME")]
         stdin_filename: Option<String>,

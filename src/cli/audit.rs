@@ -7,7 +7,6 @@ use super::run::{Done, no_audit, pretty};
 use super::{Failure, file, output, progress};
 use crate::derivation::Derivation;
 use crate::report::baseline::{Baseline, Comparison};
-use crate::report::codes::{self, Level};
 use crate::report::remark::Known;
 use crate::report::{Report, github, short};
 
@@ -25,7 +24,7 @@ pub(super) fn audit(derivation: &Derivation, args: &Args, gate: &Gate, paths: &[
         None => None,
     };
     let text = view(&report, comparison.as_ref(), args, gate, &here)?;
-    Ok((text, fails(&report, comparison.as_ref(), gate)))
+    Ok((text.into(), fails(&report, comparison.as_ref(), gate)))
 }
 
 /// Reads the baseline, or writes it.
@@ -39,7 +38,10 @@ fn compared(
     if update {
         let baseline = report.baseline(here);
         file::replace(path, baseline.written())?;
-        output::say(&format!("wrote {shown}: {}\n", baseline.size()));
+        output::say(&format!(
+            "wrote {shown}: {}\n",
+            report.size_of_baseline(here)
+        ));
         return Ok(report.compared(&baseline, here));
     }
     let text = std::fs::read_to_string(path).map_err(|error| match error.kind() {
@@ -100,13 +102,7 @@ fn fails(report: &Report<'_>, comparison: Option<&Comparison>, gate: &Gate) -> b
     let least = gate.fail_on.level();
     if let Some(comparison) = comparison {
         let mut differences = comparison.differences.iter();
-        return differences.any(|d| gate.strict_baseline || d.change.fails(least));
+        return differences.any(|d| gate.strict_baseline || d.fails(least));
     }
-    let Some(least) = least else {
-        return false;
-    };
-    let grave = |code: &str| codes::level(code) >= Some(least);
-    let mut entries = report.audit.entries.iter();
-    report.unread() > 0 && Level::Error >= least
-        || entries.any(|entry| report.codes(entry).into_iter().any(grave))
+    least.is_some() && report.gravest() >= least
 }

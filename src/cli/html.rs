@@ -33,7 +33,7 @@ pub(super) fn report(
     };
     let page = report.html(&pictures);
     let found = report.findings() > 0;
-    Ok((page, found))
+    Ok((page.into(), found))
 }
 
 /// The figures and the table that are drawn from the report's own equations.

@@ -1,24 +1,32 @@
 //! `init`: the declarations that documents lack.
 
-use std::path::PathBuf;
+use super::Failure;
+use super::args::{Args, Format};
+use crate::derivation::Derivation;
+use crate::report::{configuration, declarations};
 
-use super::args::Format;
-use super::run::Done;
-use super::{Failure, input};
-use crate::report::declarations;
-
-/// The symbols of documents with what is left to declare, as text that can be pasted into them.
-///
-/// # Errors
-/// A document that cannot be read; a format for programs.
-pub(super) fn init(paths: &[PathBuf], stdin: Option<&str>, format: Format) -> Done {
-    if format != Format::Human {
-        return Err(Failure::new(format!(
-            "`init` writes comments to be pasted into a document, not `--format {}`",
+/// Nothing is written for programs, and nothing that somebody has written is replaced.
+pub(super) fn possible(args: &Args, toml: bool) -> Result<(), Failure> {
+    let written =
+        |path: &std::path::PathBuf| std::fs::metadata(path).is_ok_and(|own| own.len() > 0);
+    if let Some(path) = args.output.as_ref().filter(|path| toml && written(path)) {
+        let failure = Failure::new(format!("`{}` has something in it already", path.display()));
+        return Err(failure.help("leave out `-o`, and add what is printed"));
+    }
+    match args.format {
+        Format::Human => Ok(()),
+        format => Err(Failure::new(format!(
+            "`init` writes declarations to be completed by their author, not `--format {}`",
             format.word()
         ))
-        .help("`cradle-verify check --format json` has every equation for programs"));
+        .help("`cradle-verify check --format json` has every equation for programs")),
     }
-    let derivation = input::derivation(paths, stdin)?;
-    Ok((declarations(&derivation), false))
+}
+
+/// The symbols of documents with what is left to declare: as comments that can be pasted into them, or as a `cradle.toml`.
+pub(super) fn init(derivation: &Derivation, files: &[String], toml: bool) -> String {
+    match toml {
+        true => configuration(derivation, files),
+        false => declarations(derivation),
+    }
 }

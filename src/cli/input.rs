@@ -3,12 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
-use crate::derivation::Derivation;
+use crate::derivation::{Beside, Derivation};
 use crate::document::{Document, Library, decode, in_order};
 
 use super::Failure;
+use super::config::Configs;
 
 /// What standard input is called where nothing else is said.
 const STANDARD_INPUT: &str = "standard input";
@@ -45,7 +46,11 @@ impl Library for Disk {
 ///
 /// # Errors
 /// A path that is not there, a directory without documents, a file that is not text.
-pub fn derivation(paths: &[PathBuf], stdin: Option<&str>) -> Result<Derivation, Failure> {
+pub fn derivation(
+    paths: &[PathBuf],
+    stdin: Option<&str>,
+    configs: &mut Configs,
+) -> Result<Derivation, Failure> {
     if stdin.is_some() && !paths.iter().any(|path| path == Path::new("-")) {
         return Err(
             Failure::new("`--stdin-filename` names standard input, which is not read")
@@ -54,6 +59,17 @@ pub fn derivation(paths: &[PathBuf], stdin: Option<&str>) -> Result<Derivation, 
     }
     let files = files(paths)?;
     let stdin = stdin.unwrap_or(STANDARD_INPUT);
+    let beside = files.iter().map(|file| {
+        let name = if file == Path::new("-") {
+            Path::new(stdin)
+        } else {
+            file
+        };
+        Ok(configs
+            .of(name)?
+            .map(|found| Arc::clone(&found.config.beside)))
+    });
+    let beside: Vec<Option<Arc<Beside>>> = beside.collect::<Result<_, Failure>>()?;
     let read = in_order(&files, |file| {
         let disk = Disk::default();
         let documents = read(file, stdin, &disk)?;
@@ -75,13 +91,14 @@ pub fn derivation(paths: &[PathBuf], stdin: Option<&str>) -> Result<Derivation, 
             by.any(|&other| other != at && !(at < other && read[at].1.contains(&own[other])))
         })
         .collect();
-    let documents = read.into_iter().zip(taken_in);
-    let documents = documents.filter(|(_, taken_in)| !taken_in);
-    Ok(Derivation::new(
-        documents
-            .flat_map(|((documents, _), _)| documents)
-            .collect(),
-    ))
+    let documents = read.into_iter().zip(taken_in).zip(beside);
+    let documents = documents.filter(|((_, taken_in), _)| !taken_in);
+    // What a document takes in, it takes in with what stands beside itself.
+    let documents = documents.flat_map(|(((documents, _), _), beside)| {
+        let own = move |document| (document, beside.clone());
+        documents.into_iter().map(own)
+    });
+    Ok(Derivation::beside(documents.collect()))
 }
 
 /// The files at some paths, each once, in reading order.
@@ -114,6 +131,22 @@ fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
     if !about.is_dir() {
         return Ok(vec![path.to_owned()]);
     }
+    let found = below(path)?;
+    match found.is_empty() {
+        true => Err(Failure::new(format!(
+            "there is no Markdown document in `{}`, no LaTeX document and no notebook",
+            path.display()
+        ))
+        .help("documents are files whose names end in `.md`, `.markdown`, `.tex` or `.ipynb`")),
+        false => Ok(found),
+    }
+}
+
+/// All documents below a directory, sorted.
+///
+/// # Errors
+/// A directory that cannot be read.
+pub(super) fn below(path: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut found = Vec::new();
     let mut open = vec![path.to_owned()];
     while let Some(folder) = open.pop() {
@@ -131,14 +164,7 @@ fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
         }
     }
     found.sort();
-    match found.is_empty() {
-        true => Err(Failure::new(format!(
-            "there is no Markdown document in `{}`, no LaTeX document and no notebook",
-            path.display()
-        ))
-        .help("documents are files whose names end in `.md`, `.markdown`, `.tex` or `.ipynb`")),
-        false => Ok(found),
-    }
+    Ok(found)
 }
 
 fn ending(path: &Path) -> Option<String> {

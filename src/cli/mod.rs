@@ -5,6 +5,7 @@
 
 pub mod args;
 mod audit;
+mod config;
 mod csv;
 mod file;
 mod halves;
@@ -32,6 +33,8 @@ pub struct Failure {
     pub message: String,
     /// What to do instead.
     pub help: Option<String>,
+    /// What is wrong in a file that was read, in its own text; stands before the sentence.
+    pub excerpt: Option<String>,
 }
 
 impl Failure {
@@ -40,6 +43,7 @@ impl Failure {
         Failure {
             message: message.into(),
             help: None,
+            excerpt: None,
         }
     }
 
@@ -63,12 +67,8 @@ pub fn main() -> ExitCode {
     {
         return watch::watch(&args, paths);
     }
-    let done = run::run(&args).and_then(|(text, found)| {
-        // A picture has gone to its file already.
-        let drawn = matches!(args.command, Some(args::Command::Plot(_)));
-        if !(drawn && args.output.is_some()) {
-            output::deliver(&text, &args)?;
-        }
+    let done = run::run(&args).and_then(|(content, found)| {
+        output::deliver(&content, &args)?;
         Ok(found)
     });
     match done {

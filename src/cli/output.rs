@@ -19,12 +19,35 @@ impl From<Color> for ColorChoice {
     }
 }
 
-/// Writes data where it was asked for; whether anybody reads on.
+/// What a command makes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Text, which may have colours in it.
+    Text(String),
+    /// A picture that is no text: written as it is.
+    Bytes(Vec<u8>),
+}
+
+impl From<String> for Content {
+    fn from(text: String) -> Self {
+        Content::Text(text)
+    }
+}
+
+/// Writes what a command makes where it was asked for; whether anybody reads on.
 ///
 /// # Errors
 /// It cannot be written, for another reason than that nobody reads on.
-pub fn deliver(text: &str, args: &Args) -> Result<bool, Failure> {
-    let text = tamed(text);
+pub fn deliver(content: &Content, args: &Args) -> Result<bool, Failure> {
+    let text = match content {
+        Content::Text(text) => tamed(text),
+        Content::Bytes(bytes) => {
+            return match &args.output {
+                Some(path) => file::replace(path, bytes).map(|()| true),
+                None => written(bytes),
+            };
+        }
+    };
     let Some(path) = &args.output else {
         return data(&text, args.color);
     };
@@ -63,22 +86,26 @@ fn is_color(text: &str) -> bool {
     rest.trim_start_matches(inside).starts_with('m')
 }
 
-/// Writes data to standard output; whether anybody reads on.
+/// Writes text to standard output, with its colours where they are wanted; whether anybody reads on.
 ///
 /// # Errors
 /// It cannot be written, for another reason than that nobody reads on.
 pub fn data(text: &str, color: Color) -> Result<bool, Failure> {
-    let mut stdout = std::io::stdout().lock();
     let color = match color.into() {
-        ColorChoice::Auto => AutoStream::choice(&stdout),
+        ColorChoice::Auto => AutoStream::choice(&std::io::stdout()),
         choice => choice,
     };
     // Colours are taken out piece by piece; in the buffer, so that not every piece is a call to the system.
     let mut buffer = AutoStream::new(Vec::with_capacity(text.len()), color);
-    let written = buffer
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.write_all(&buffer.into_inner()))
-        .and_then(|()| stdout.flush());
+    // A buffer takes all that there is room for.
+    let _ = buffer.write_all(text.as_bytes());
+    written(&buffer.into_inner())
+}
+
+/// Writes to standard output; whether anybody reads on.
+fn written(bytes: &[u8]) -> Result<bool, Failure> {
+    let mut stdout = std::io::stdout().lock();
+    let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
     match written {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::new(format!(
             "standard output could not be written: {error}"
@@ -92,6 +119,9 @@ pub fn talk(failure: &Failure, color: Color) {
     let mut stream = AutoStream::new(std::io::stderr().lock(), color.into());
     let red = AnsiColor::Red.on_default().bold();
     let cyan = AnsiColor::Cyan.on_default().bold();
+    if let Some(excerpt) = &failure.excerpt {
+        let _ = write!(stream, "{}", tamed(excerpt));
+    }
     // Where standard error is closed there is nobody to tell.
     let _ = writeln!(stream, "{red}error{red:#}: {}", failure.message);
     if let Some(help) = &failure.help {

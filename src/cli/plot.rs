@@ -7,7 +7,8 @@ use serde_json::{Value, json};
 
 use super::Failure;
 use super::args::Format;
-use super::{csv, file};
+use super::csv;
+use super::output::Content;
 use crate::cradle::parse_exact;
 use crate::figures::{self, Figure, FigureError, Material, rounded};
 use crate::proofs;
@@ -81,10 +82,10 @@ enum Kind {
     Csv,
 }
 
-/// Draws a figure: text for standard output, which is empty where a file was written.
+/// Draws a figure.
 ///
-/// The ending of the file says what it holds: .svg, .png, .pdf, or .json and .csv for the numbers.
-pub(super) fn plot(plot: &Plot, format: Format, file: Option<&Path>) -> Result<String, Failure> {
+/// The ending of the file that it goes to says what it is: .svg, .png, .pdf, or .json and .csv for the numbers.
+pub(super) fn plot(plot: &Plot, format: Format, file: Option<&Path>) -> Result<Content, Failure> {
     // What cannot be written is not drawn first.
     let kind = kind(file, format)?;
     let checker = proofs::checker();
@@ -101,21 +102,13 @@ pub(super) fn plot(plot: &Plot, format: Format, file: Option<&Path>) -> Result<S
         Plot::Lithotripsy => ("lithotripsy", figures::lithotripsy(&checker)),
     };
     let figure = figure.map_err(failed)?;
-    let bytes = match kind {
-        Kind::Svg => figures::svg(&figure.scene).into_bytes(),
-        Kind::Png => figures::png(&figure.scene).map_err(failed)?,
-        Kind::Pdf => figures::pdf(&figure.scene).map_err(failed)?,
-        Kind::Json => super::run::pretty(&json(name, &figure))?.into_bytes(),
-        Kind::Csv => table(&figure).into_bytes(),
-    };
-    match file {
-        Some(path) => {
-            file::replace(path, &bytes)?;
-            Ok(String::new())
-        }
-        None => String::from_utf8(bytes)
-            .map_err(|_| Failure::new("a picture of this kind does not go to a terminal")),
-    }
+    Ok(match kind {
+        Kind::Svg => figures::svg(&figure.scene).into(),
+        Kind::Png => Content::Bytes(figures::png(&figure.scene).map_err(failed)?),
+        Kind::Pdf => Content::Bytes(figures::pdf(&figure.scene).map_err(failed)?),
+        Kind::Json => super::run::pretty(&json(name, &figure))?.into(),
+        Kind::Csv => table(&figure).into(),
+    })
 }
 
 pub(super) fn failed(error: FigureError) -> Failure {

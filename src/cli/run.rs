@@ -1,4 +1,4 @@
-//! What each command does: text for standard output, and whether anything was found.
+//! What each command does: what it makes, and whether anything was found.
 
 use std::path::PathBuf;
 
@@ -7,6 +7,8 @@ use num_rational::BigRational;
 use num_traits::One;
 
 use super::args::{Args, Builtin, Command, Format, Gate};
+use super::config::{self, Configs};
+use super::output::{self, Content};
 use super::{Failure, audit, halves, html, init, input, manual, plot, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
@@ -15,7 +17,7 @@ use crate::proofs;
 use crate::report::graph::Graph;
 use crate::report::{Report, codes};
 
-pub(super) type Done = Result<(String, bool), Failure>;
+pub(super) type Done = Result<(Content, bool), Failure>;
 
 /// Does what is asked.
 pub(super) fn run(args: &Args) -> Done {
@@ -56,6 +58,12 @@ pub(super) fn run(args: &Args) -> Done {
         )
         .help("`cradle-verify --builtin corrected`, or `cradle-verify explain P5 --builtin corrected`"));
     }
+    if (args.config.is_some() || args.no_config) && !reads_documents(args) {
+        return Err(Failure::new(
+            "`--config` and `--no-config` are for documents of your own, and this reads none",
+        )
+        .help("`cradle-verify check` audits the `files` of a `cradle.toml`"));
+    }
     match &args.command {
         None => {
             let (derivation, shown) = inside(args);
@@ -67,8 +75,8 @@ pub(super) fn run(args: &Args) -> Done {
             gate,
             watch: _,
         }) => {
-            let derivation = input::derivation(paths, stdin_filename.as_deref())?;
-            audit::audit(&derivation, args, gate, &shown(paths))
+            let (derivation, shown) = read(args, paths, stdin_filename.as_deref())?;
+            audit::audit(&derivation, args, gate, &shown)
         }
         Some(Command::Explain {
             label,
@@ -90,15 +98,21 @@ pub(super) fn run(args: &Args) -> Done {
             stdin_filename,
         }) => {
             let (derivation, shown) = asked_for(args, paths, stdin_filename.as_deref())?;
-            let is_report = paths.is_empty() && args.builtin.unwrap_or_default() == Builtin::Report;
+            let is_report = speaks_of_what_is_inside(args)
+                && args.builtin.unwrap_or_default() == Builtin::Report;
             html::report(derivation, args, &shown, is_report)
         }
         Some(Command::Init {
             paths,
             stdin_filename,
-        }) => init::init(paths, stdin_filename.as_deref(), args.format),
-        Some(Command::Completions { shell }) => Ok((manual::completions(*shell), false)),
-        Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?, false)),
+            toml,
+        }) => {
+            init::possible(args, *toml)?;
+            let (derivation, _) = read(args, paths, stdin_filename.as_deref())?;
+            Ok((init::init(&derivation, &shown(paths), *toml).into(), false))
+        }
+        Some(Command::Completions { shell }) => Ok((manual::completions(*shell).into(), false)),
+        Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?.into(), false)),
         Some(Command::Scenario {
             before,
             after,
@@ -118,7 +132,7 @@ pub(super) fn run(args: &Args) -> Done {
                 Format::Json => pretty(&simulation.json())?,
                 other => return Err(no_audit(other)),
             };
-            Ok((text, false))
+            Ok((text.into(), false))
         }
         Some(Command::Plot(figure)) => Ok((
             plot::plot(figure, args.format, args.output.as_deref())?,
@@ -127,7 +141,7 @@ pub(super) fn run(args: &Args) -> Done {
         Some(Command::Table { materials }) => {
             let materials = materials.read()?;
             let table = halves::halves(&proofs::checker(), &materials, args.format)?;
-            Ok((table, false))
+            Ok((table.into(), false))
         }
     }
 }
@@ -150,8 +164,18 @@ fn speaks_of_what_is_inside(args: &Args) -> bool {
                 stdin_filename,
                 ..
             },
-        ) => paths.is_empty() && stdin_filename.is_none(),
+        ) => paths.is_empty() && stdin_filename.is_none() && args.config.is_none(),
         Some(_) => false,
+    }
+}
+
+fn reads_documents(args: &Args) -> bool {
+    match &args.command {
+        Some(Command::Check { .. } | Command::Init { .. }) => true,
+        Some(Command::Explain { .. } | Command::Graph { .. } | Command::Report { .. }) => {
+            !speaks_of_what_is_inside(args)
+        }
+        _ => false,
     }
 }
 
@@ -172,10 +196,37 @@ fn asked_for(
     paths: &[PathBuf],
     stdin_filename: Option<&str>,
 ) -> Result<(Derivation, Vec<String>), Failure> {
-    Ok(match paths.is_empty() && stdin_filename.is_none() {
-        true => inside(args),
-        false => (input::derivation(paths, stdin_filename)?, shown(paths)),
-    })
+    match speaks_of_what_is_inside(args) {
+        true => Ok(inside(args)),
+        false => read(args, paths, stdin_filename),
+    }
+}
+
+/// The documents that are named, or those that a configuration lists, each with what stands beside it; and how they are
+/// asked for.
+fn read(
+    args: &Args,
+    paths: &[PathBuf],
+    stdin_filename: Option<&str>,
+) -> Result<(Derivation, Vec<String>), Failure> {
+    let mut configs = Configs::new(args);
+    let mut asked = shown(paths);
+    let (files, listing) = match paths.is_empty() && stdin_filename.is_none() {
+        true => {
+            let (files, config) = configs.listed()?;
+            (files, Some(config))
+        }
+        false => (paths.to_vec(), args.config.clone()),
+    };
+    if let Some(config) = listing {
+        asked.extend(["--config".to_owned(), config.display().to_string()]);
+    }
+    if args.no_config {
+        asked.push("--no-config".into());
+    }
+    let derivation = input::derivation(&files, stdin_filename, &mut configs)?;
+    output::say(&config::unmet(&derivation));
+    Ok((derivation, asked))
 }
 
 /// What rests on what.
@@ -194,7 +245,7 @@ fn graph(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
         Format::Svg => graph.svg(),
         other => return Err(no_audit(other)),
     };
-    Ok((text, report.findings() > 0))
+    Ok((text.into(), report.findings() > 0))
 }
 
 fn shown(paths: &[PathBuf]) -> Vec<String> {
@@ -236,12 +287,12 @@ fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) 
         paths,
     };
     let entries = || all.iter().flat_map(|&at| audit.of_equation(at));
-    let text = match args.format {
+    let text: String = match args.format {
         Format::Human => all.iter().map(|&at| report.explain(at)).collect(),
         Format::Json => pretty(&report.json_of(&all))?,
         other => return Err(no_audit(other)),
     };
-    Ok((text, entries().any(|entry| entry.is_finding())))
+    Ok((text.into(), entries().any(|entry| report.is_finding(entry))))
 }
 
 /// What a code means, as docs/notes.md says it.
@@ -260,7 +311,7 @@ fn meaning(code: &str, text: &str, format: Format) -> Done {
         }))?,
         other => return Err(no_audit(other)),
     };
-    Ok((shown, false))
+    Ok((shown.into(), false))
 }
 
 /// A format that lists what an audit finds, asked of what is none.
@@ -285,7 +336,7 @@ fn judged(asked: &Scenario, format: Format) -> Done {
         Format::Json => pretty(&scenario::json(&outcome))?,
         other => return Err(no_audit(other)),
     };
-    Ok((text, !scenario::holds(&outcome)))
+    Ok((text.into(), !scenario::holds(&outcome)))
 }
 
 fn built_in(letter: &str) -> Result<Scenario, Failure> {

@@ -1,12 +1,13 @@
 //! Audits again whenever a document changes. Files are looked at a few times a second: their names, times and lengths.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, SystemTime};
 
 use super::args::Args;
+use super::config::{self, Configs};
 use super::{Failure, input, output, refuse, run};
 
 /// How long is waited between two looks.
@@ -25,30 +26,47 @@ pub fn watch(args: &Args, paths: &[PathBuf]) -> ExitCode {
     }
     let terminal = std::io::stdout().is_terminal() && args.output.is_none();
     loop {
-        let before = look(paths);
+        let before = look(args, paths);
         let done = run::run(args);
         if terminal {
             let _ = output::data(CLEAR, super::args::Color::Always);
         }
-        match done.and_then(|(text, _)| output::deliver(&text, args)) {
+        match done.and_then(|(content, _)| output::deliver(&content, args)) {
             Ok(true) => {}
             Ok(false) => return ExitCode::SUCCESS,
             // The file may just be being written: what is wrong now may be right in a moment.
             Err(failure) => output::talk(&failure, args.color),
         }
-        let documents = crate::cli::input::files(paths).map_or(0, |files| files.len());
+        let documents = documents(args, paths).len();
         let plural = if documents == 1 { "" } else { "s" };
         output::say(&format!(
             "watching {documents} document{plural}; Ctrl-C ends\n"
         ));
-        while look(paths) == before {
+        while look(args, paths) == before {
             std::thread::sleep(PAUSE);
         }
     }
 }
 
-fn look(paths: &[PathBuf]) -> Look {
-    let files = input::files(paths).unwrap_or_default();
+/// The documents that are watched; none while something is wrong with what lists them.
+fn documents(args: &Args, paths: &[PathBuf]) -> Vec<PathBuf> {
+    let listed = match paths.is_empty() {
+        true => Configs::new(args).listed().map(|(files, _)| files),
+        false => Ok(paths.to_vec()),
+    };
+    listed
+        .and_then(|paths| input::files(&paths))
+        .unwrap_or_default()
+}
+
+/// What can be seen of the documents and of what stands beside them.
+fn look(args: &Args, paths: &[PathBuf]) -> Look {
+    let mut files = documents(args, paths);
+    let folders: BTreeSet<PathBuf> = files
+        .iter()
+        .filter_map(|file| Some(file.parent()?.to_owned()))
+        .collect();
+    files.extend(config::candidates(args, &folders));
     let seen = |file: &PathBuf| {
         let about = std::fs::metadata(file).ok()?;
         Some((about.modified().ok()?, about.len()))

@@ -4,6 +4,7 @@
 //! [`Equation`]: what it states, what kind of statement it is, and what it is said to rest on. From these
 //! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
 
+mod beside;
 mod checker;
 mod equation;
 mod names;
@@ -19,6 +20,7 @@ use crate::document::{Citation, Document, Premise, Span, in_order};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
 use crate::notation::{Spanned, measured};
 
+pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
 pub use page::{Datum, Local, Page, Premises};
@@ -80,6 +82,11 @@ pub struct Unknown {
 impl Derivation {
     /// Reads documents as one derivation, in the given order.
     pub fn new(documents: Vec<Document>) -> Self {
+        Derivation::beside(documents.into_iter().map(|own| (own, None)).collect())
+    }
+
+    /// Reads documents as one derivation, each with what stands beside it.
+    pub fn beside(documents: Vec<(Document, Option<Arc<Beside>>)>) -> Self {
         let mut derivation = Derivation {
             pages: Vec::new(),
             equations: Vec::new(),
@@ -89,8 +96,12 @@ impl Derivation {
             pages_of: BTreeMap::new(),
             neighbours: Vec::new(),
         };
-        let documents = documents.into_iter().enumerate();
-        for (page, equations) in in_order(documents, |(at, own)| page::read_page(own, at)) {
+        let documents = documents.into_iter().map(|(mut own, beside)| {
+            own.beside = beside.as_ref().map(|beside| Arc::clone(&beside.file));
+            (own, beside)
+        });
+        let read = |(at, (own, beside))| page::read_page(own, beside, at);
+        for (page, equations) in in_order(documents.enumerate(), read) {
             derivation.pages.push(page);
             derivation.equations.extend(equations);
         }

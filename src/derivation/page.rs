@@ -10,6 +10,7 @@ use crate::document::{
 use crate::kernel::Domain;
 use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
 
+use super::beside::{Beside, Clash, Place};
 use super::equation::{conditions, formulas};
 use super::{Equation, Kind, names, rows};
 
@@ -32,6 +33,14 @@ pub struct Page {
     pub locals: Vec<Local>,
     /// What could not be read, besides equations.
     pub problems: Vec<Problem>,
+    /// Where each declared symbol is declared, what stands beside the document first.
+    pub declared: BTreeMap<Symbol, Vec<Place>>,
+    /// What stands beside the document and holds in it too.
+    pub beside: Option<Arc<Beside>>,
+    /// Which of what that names as given was found here, by position.
+    pub given: BTreeSet<usize>,
+    /// What the document says otherwise.
+    pub clashes: Vec<Clash>,
 }
 
 /// Figures for a symbol: between what numbers its value lies, in SI units, and who says so.
@@ -78,12 +87,18 @@ struct Between {
     from: Option<Vec<Spanned<Premise>>>,
     name: Option<String>,
     numeric: Option<Option<BigRational>>,
+    /// What says that the display is derived.
+    derives: Option<Span>,
     cited: Vec<Citation>,
 }
 
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
 /// [`settle_definitions`] says whether it is the first to speak of it.
-pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equation>) {
+pub(super) fn read_page(
+    document: Document,
+    beside: Option<Arc<Beside>>,
+    number: usize,
+) -> (Page, Vec<Equation>) {
     let mut page = Page {
         title: String::new(),
         domains: BTreeMap::new(),
@@ -92,19 +107,31 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
         euler: BTreeSet::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),
+        declared: BTreeMap::new(),
+        given: BTreeSet::new(),
+        clashes: Vec::new(),
         document,
+        beside,
     };
     // What a preamble declares was told of where it stands.
     let inherited = std::mem::take(&mut page.document.inherited);
+    let items = std::mem::take(&mut page.document.items);
+    if let Some(beside) = page.beside.clone() {
+        let mut own = page.clone();
+        own.declarations(&inherited);
+        own.declarations(&items);
+        page.take_up(&beside, &own);
+    }
     page.declarations(&inherited);
     page.figures(&inherited);
     page.problems.clone_from(&page.document.problems);
     page.document.inherited = inherited;
-    let items = std::mem::take(&mut page.document.items);
     page.declarations(&items);
     page.figures(&items);
     let mut ahead = rows::read_ahead(&page.document.source, &items).into_iter();
     let mut equations: Vec<Equation> = Vec::new();
+    // Of each equation, what says that it is derived.
+    let mut derived: Vec<Option<Span>> = Vec::new();
     let mut active: Vec<usize> = Vec::new();
     let mut between = Between::default();
     let (mut level, mut section) = (0, String::new());
@@ -130,6 +157,11 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
             }
             Item::Directives { clauses, .. } => {
                 for clause in clauses {
+                    if let Directive::Derived | Directive::From(_) | Directive::Numeric(_) =
+                        &clause.value
+                    {
+                        between.derives = Some(clause.span);
+                    }
                     match &clause.value {
                         Directive::Given => between.given = true,
                         Directive::Derived => between.derived = true,
@@ -169,6 +201,7 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
                     let stated = said.derived || said.numeric.is_some();
                     let may_define = kind == Kind::Derived && !stated && said.from.is_none();
                     let defines = (0..statements().count()).filter(|_| may_define).collect();
+                    derived.push(said.derives);
                     equations.push(Equation {
                         page: number,
                         tag: part.tag,
@@ -209,6 +242,9 @@ pub(super) fn read_page(document: Document, number: usize) -> (Page, Vec<Equatio
     names::refuse(&mut equations, |name| {
         page.domains.contains_key(name) || page.dimensions.contains_key(name)
     });
+    if let Some(beside) = page.beside.clone() {
+        page.give(&beside, &mut equations, &derived);
+    }
     page.problems.sort_by_key(|p| p.span);
     page.document.items = items;
     (page, equations)
@@ -289,11 +325,11 @@ impl Page {
                 let Directive::Symbols { names, attributes } = &clause.value else {
                     continue;
                 };
-                let dimension = self.dimension(attributes);
+                let dimension = dimension_of(attributes, &mut self.problems);
                 for &span in names {
                     match read_symbol(self.document.text(span)) {
                         Ok(symbol) => {
-                            self.declare(symbol.clone(), attributes);
+                            self.declare(symbol.clone(), span, attributes);
                             self.declare_dimension(symbol, span, dimension.as_ref());
                         }
                         Err(error) => self.complain_at(span, error),
@@ -362,37 +398,12 @@ impl Page {
         self.problems.push(Problem::new(span, message, help));
     }
 
-    /// The dimension among the attributes of a declaration; a second one is a problem.
-    fn dimension(&mut self, attributes: &[Spanned<Attribute>]) -> Option<Dimension> {
-        let mut read: Option<Dimension> = None;
-        for attribute in attributes {
-            let Attribute::Dimension(text) = &attribute.value else {
-                continue;
-            };
-            match dimension::parse(text) {
-                Ok(own) if read.as_ref().is_some_and(|other| *other != own) => {
-                    self.problems.push(Problem::new(
-                        attribute.span,
-                        format!("`{text}` is a second dimension"),
-                        "a declaration has one dimension; write a product with a space, `M L`",
-                    ));
-                }
-                Ok(own) => read = Some(own),
-                Err(error) => {
-                    let start = attribute.span.start;
-                    let span = Span::new(start + error.at.start, start + error.at.end);
-                    self.problems.push(Problem {
-                        span,
-                        message: error.message,
-                        help: Some(dimension_help(error.word.as_deref())),
-                    });
-                }
-            }
-        }
-        read
-    }
-
-    fn declare_dimension(&mut self, symbol: Symbol, span: Span, dimension: Option<&Dimension>) {
+    pub(super) fn declare_dimension(
+        &mut self,
+        symbol: Symbol,
+        span: Span,
+        dimension: Option<&Dimension>,
+    ) {
         let Some(dimension) = dimension else {
             return;
         };
@@ -408,7 +419,16 @@ impl Page {
         self.dimensions.insert(symbol, dimension.clone());
     }
 
-    fn declare(&mut self, symbol: Symbol, attributes: &[Spanned<Attribute>]) {
+    pub(super) fn declare(
+        &mut self,
+        symbol: Symbol,
+        span: Span,
+        attributes: &[Spanned<Attribute>],
+    ) {
+        let is_dimension = |a: &Spanned<Attribute>| matches!(a.value, Attribute::Dimension(_));
+        let dimension = attributes.iter().any(is_dimension);
+        let places = self.declared.entry(symbol.clone()).or_default();
+        places.push(Place { span, dimension });
         let domain = self.domains.entry(symbol.clone()).or_default();
         let at = |bound: &Bound| (bound.value.clone(), bound.strict);
         let number = |n: i32, strict| (crate::algebra::BigRational::from_integer(n.into()), strict);
@@ -517,6 +537,15 @@ impl Page {
         of_elements(&self.domains, sequence)
     }
 
+    /// The name by which the page declares a symbol, or the elements of a sequence: `u` is declared as `u_i`.
+    pub fn declared_name(&self, symbol: &Symbol) -> Option<&Symbol> {
+        let own = self.declared.get_key_value(symbol);
+        own.map(|(name, _)| name).or_else(|| {
+            let (name, _) = elements_of(&self.declared, symbol)?;
+            Some(name)
+        })
+    }
+
     /// The dimension of the elements of a sequence: that declared for `u_i`, for `u`, or for `u_1`.
     pub fn element_dimension(&self, sequence: &Symbol) -> Option<&Dimension> {
         let element = || self.dimensions.get(&element_symbol(sequence, 1));
@@ -528,11 +557,50 @@ impl Page {
 
 /// What is declared for `u_i`, whatever the index is called.
 fn of_elements<'a, T>(declared: &'a BTreeMap<Symbol, T>, sequence: &Symbol) -> Option<&'a T> {
+    elements_of(declared, sequence).map(|(_, value)| value)
+}
+
+fn elements_of<'a, T>(
+    declared: &'a BTreeMap<Symbol, T>,
+    sequence: &Symbol,
+) -> Option<(&'a Symbol, &'a T)> {
     let prefix = format!("{sequence}_");
     let is_index = |rest: &str| rest.len() == 1 && rest.chars().all(|c| c.is_ascii_lowercase());
     let mut declared = declared.iter();
-    let found = declared.find(|(s, _)| s.name().strip_prefix(&prefix).is_some_and(is_index));
-    found.map(|(_, value)| value)
+    declared.find(|(s, _)| s.name().strip_prefix(&prefix).is_some_and(is_index))
+}
+
+/// The dimension among the attributes of a declaration; what is none, and a second one, are problems.
+pub(super) fn dimension_of(
+    attributes: &[Spanned<Attribute>],
+    problems: &mut Vec<Problem>,
+) -> Option<Dimension> {
+    let mut read: Option<Dimension> = None;
+    for attribute in attributes {
+        let Attribute::Dimension(text) = &attribute.value else {
+            continue;
+        };
+        match dimension::parse(text) {
+            Ok(own) if read.as_ref().is_some_and(|other| *other != own) => {
+                problems.push(Problem::new(
+                    attribute.span,
+                    format!("`{text}` is a second dimension"),
+                    "a declaration has one dimension; write a product with a space, `M L`",
+                ));
+            }
+            Ok(own) => read = Some(own),
+            Err(error) => {
+                let start = attribute.span.start;
+                let span = Span::new(start + error.at.start, start + error.at.end);
+                problems.push(Problem {
+                    span,
+                    message: error.message,
+                    help: Some(dimension_help(error.word.as_deref())),
+                });
+            }
+        }
+    }
+    read
 }
 
 /// What to write instead of what is no dimension.

@@ -38,6 +38,21 @@ const BOUNDS: [(&str, bool, bool); 14] = [
     ("<", false, true),
 ];
 
+/// Reads a declaration that stands by itself, `NAMES: ATTRIBUTES`, by the grammar of a `symbols` clause: the names and what
+/// they are declared to be, as far as that can be read, and what is wrong with the rest.
+pub(crate) fn declaration(source: &str) -> (Vec<Span>, Vec<Spanned<Attribute>>, Vec<Problem>) {
+    let whole = trim(source, Span::new(0, source.len()));
+    let mut problems = Vec::new();
+    match symbols(source, whole, whole, &mut problems) {
+        Ok(Directive::Symbols { names, attributes }) => (names, attributes, problems),
+        Ok(_) => (Vec::new(), Vec::new(), problems),
+        Err(problem) => {
+            problems.push(problem);
+            (Vec::new(), Vec::new(), problems)
+        }
+    }
+}
+
 /// Reads the rest of a `symbols` clause. One wrong attribute does not hide the others.
 pub(super) fn symbols(
     source: &str,

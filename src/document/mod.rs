@@ -29,6 +29,7 @@ mod supposition;
 
 use std::sync::Arc;
 
+pub(crate) use attribute::declaration;
 pub(crate) use in_order::in_order;
 pub use in_order::{threads, use_threads};
 pub use item::{
@@ -59,6 +60,8 @@ pub struct Document {
     pub is_latex: bool,
     /// Where the text comes from. Documents of one LaTeX run share it.
     pub origin: Arc<Origin>,
+    /// A file beside it that speaks of it too; its places are those past the end of the text.
+    pub beside: Option<Arc<File>>,
 }
 
 impl Document {
@@ -75,6 +78,7 @@ impl Document {
             inherited: Vec::new(),
             problems: reading.problems,
             is_latex: false,
+            beside: None,
         }
     }
 
@@ -100,12 +104,22 @@ impl Document {
 
     /// The file that a span comes from, and where in it.
     pub fn written_at(&self, span: Span) -> (&File, Span) {
+        let past = self.source.len() + 1;
+        if let (Some(file), Some(start)) = (&self.beside, span.start.checked_sub(past)) {
+            return (file, Span::new(start, span.end.saturating_sub(past)));
+        }
         let (file, span) = self.origin.of(span);
         // There is always a first file.
         (
             self.origin.files.get(file).unwrap_or(&self.origin.files[0]),
             span,
         )
+    }
+
+    /// A place in the file beside it as a place of the document.
+    pub fn beside_at(&self, span: Span) -> Span {
+        let past = self.source.len() + 1;
+        Span::new(past + span.start, past + span.end)
     }
 
     /// The path, line and column of a span, for an editor to go to.

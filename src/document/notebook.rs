@@ -68,6 +68,7 @@ pub(super) fn read(path: String, text: &str) -> Result<Document, NotANotebook> {
         source: source.into(),
         items,
         inherited: Vec::new(),
+        beside: None,
         problems,
         is_latex: false,
         origin: Arc::new(origin),

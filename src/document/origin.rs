@@ -17,7 +17,8 @@ pub struct File {
 }
 
 impl File {
-    pub(super) fn new(path: impl Into<String>, source: impl Into<Arc<str>>) -> File {
+    /// A file of this path and text.
+    pub fn new(path: impl Into<String>, source: impl Into<Arc<str>>) -> File {
         let source = source.into();
         File {
             path: path.into(),

@@ -9,7 +9,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::Report;
-use super::codes::{self, Level};
+use super::codes::Level;
 use super::place::relative;
 use super::remark::{Known, Subject};
 use super::words::count;
@@ -52,6 +52,9 @@ pub struct Difference {
     /// How it differs.
     #[serde(flatten)]
     pub change: Change,
+    /// How grave what is new about it is.
+    #[serde(skip)]
+    pub level: Option<Level>,
 }
 
 /// How a statement differs from what is recorded.
@@ -104,6 +107,16 @@ impl Report<'_> {
         }
     }
 
+    /// How many statements a baseline of this records, and how many findings.
+    pub fn size_of_baseline(&self, here: &Path) -> String {
+        let lines = self.lines_now(here);
+        let remarks = lines.iter().flat_map(|(remarks, _)| remarks);
+        let level = |(subject, code): &(Subject, &str)| self.level(self.page_of(*subject), code);
+        let findings = remarks.filter(|remark| level(remark) > Some(Level::Note));
+        let statements = count(lines.len(), "statement");
+        format!("{statements}, {}", count(findings.count(), "finding"))
+    }
+
     fn lines_now(&self, here: &Path) -> Vec<(Vec<(Subject, &'static str)>, Line)> {
         let mut lines = Vec::new();
         for remark in self.remarks(here, &Known::new()) {
@@ -148,15 +161,19 @@ impl Report<'_> {
             differences: Vec::new(),
             remarks: Known::new(),
         };
-        let mut changed: Vec<(Line, Change)> = Vec::new();
+        let mut changed: Vec<(Line, Change, Option<Level>)> = Vec::new();
         for (remarks, now) in self.lines_now(here) {
             let was = recorded.remove(now.fingerprint.as_str());
             let before = was.map_or(&[][..], |was| &was.codes);
             let new = without(&now.codes, before);
+            let mut gravest = None;
             for &(subject, code) in &remarks {
+                let level = self.level(self.page_of(subject), code);
                 if !new.iter().any(|own| own == code) {
                     comparison.remarks.insert((subject, code));
-                    comparison.known += usize::from(codes::level(code) > Some(Level::Note));
+                    comparison.known += usize::from(level > Some(Level::Note));
+                } else {
+                    gravest = gravest.max(level);
                 }
             }
             let gone = without(before, &now.codes);
@@ -165,15 +182,15 @@ impl Report<'_> {
                 && was != is
             {
                 let (was, is) = (was.clone(), is.clone());
-                changed.push((now.clone(), Change::Verdict { was, is }));
+                changed.push((now.clone(), Change::Verdict { was, is }, None));
             }
             if !new.is_empty() {
-                changed.push((now.clone(), Change::New { codes: new }));
+                changed.push((now.clone(), Change::New { codes: new }, gravest));
             } else if was.is_none() {
-                changed.push((now.clone(), Change::Added));
+                changed.push((now.clone(), Change::Added, None));
             }
             if !gone.is_empty() {
-                changed.push((now, Change::Gone { codes: gone }));
+                changed.push((now, Change::Gone { codes: gone }, None));
             }
         }
         for line in recorded.into_values() {
@@ -183,17 +200,18 @@ impl Report<'_> {
                     codes: line.codes.clone(),
                 },
             };
-            changed.push((line.clone(), change));
+            changed.push((line.clone(), change, None));
         }
-        changed.sort_by_cached_key(|(line, change)| {
+        changed.sort_by_cached_key(|(line, change, _)| {
             let (path, before, number, after, fingerprint) = line.order();
             (path, before, number, after, change.rank(), fingerprint)
         });
-        let differences = changed.into_iter().map(|(line, change)| Difference {
+        let differences = changed.into_iter().map(|(line, change, level)| Difference {
             path: line.path,
             equation: line.equation,
             statement: line.statement,
             change,
+            level,
         });
         comparison.differences = differences.collect();
         comparison
@@ -263,28 +281,20 @@ impl Baseline {
         }
         serde_json::from_str(text).map_err(|error| format!("is no baseline: {error}"))
     }
-
-    /// How many statements are recorded, and how many findings.
-    pub fn size(&self) -> String {
-        let codes = self.statements.iter().flat_map(|line| &line.codes);
-        let findings = codes.filter(|code| codes::level(code) > Some(Level::Note));
-        let statements = count(self.statements.len(), "statement");
-        format!("{statements}, {}", count(findings.count(), "finding"))
-    }
 }
 
-impl Change {
+impl Difference {
     /// Whether it makes a run fail at a level. What was proved and is not any more is as grave as an error.
     pub fn fails(&self, fail_on: Option<Level>) -> bool {
-        match (self, fail_on) {
-            (Change::New { codes }, Some(level)) => {
-                codes.iter().any(|code| codes::level(code) >= Some(level))
-            }
+        match (&self.change, fail_on) {
+            (Change::New { .. }, Some(level)) => self.level >= Some(level),
             (Change::Verdict { was, is }, Some(_)) => was == "holds" && is == "undecided",
             _ => false,
         }
     }
+}
 
+impl Change {
     /// What was there is told before what is.
     fn rank(&self) -> usize {
         match self {

@@ -59,6 +59,7 @@ pub const CODES: &[(&str, Option<Level>)] = &[
     ("other-reading", Some(Level::Note)),
     ("unreadable-premise", Some(Level::Warning)),
     ("numeric-not-supported", Some(Level::Warning)),
+    ("clashing-declaration", Some(Level::Warning)),
     ("given-up", Some(Level::Error)),
 ];
 

@@ -1,6 +1,8 @@
 //! What is left to declare, page by page: a comment that lists the symbols, and a `check:` comment that may be pasted as it
 //! is and completed.
 //!
+//! The same as a `cradle.toml` is in `configuration`.
+//!
 //! Pasted as it is, it says nothing that the equations do not say already: a dimension that they give is written down,
 //! and what they leave open is `real`. A dimension that would make an equation disagree is not proposed.
 
@@ -12,7 +14,8 @@ use crate::derivation::Derivation;
 use crate::dimension::declared_name;
 use crate::kernel::dimension::Form;
 
-use super::dimension::{called, declared};
+use super::beside::place_beside;
+use super::dimension::{declared, every_name};
 use super::settling::settling;
 use super::symbols::{Found, symbols};
 use super::{place, words};
@@ -20,8 +23,37 @@ use super::{place, words};
 /// A dimension that can be declared: of which symbol of which page.
 type Proposal = (usize, Symbol, Dimension);
 
+/// What there is to say of a page: its symbols in a list, and what is left to declare.
+pub(super) struct Listed {
+    pub lines: Vec<String>,
+    pub clauses: Vec<Clause>,
+}
+
+/// A declaration that is proposed.
+pub(super) struct Clause {
+    pub symbol: Symbol,
+    /// What it is declared to be.
+    pub text: String,
+    /// What is known of it is its dimension; otherwise nothing is, and the text is a place to fill in.
+    pub is_known: bool,
+}
+
 /// The symbols of each page with what is left to declare, in the comments of its format.
 pub fn declarations(derivation: &Derivation) -> String {
+    let pages = derivation.pages.iter().zip(listed(derivation));
+    let texts = pages.map(|(page, listed)| {
+        let clause = |own: &Clause| format!("symbols {}: {}", own.symbol, own.text);
+        let clauses: Vec<String> = listed.clauses.iter().map(clause).collect();
+        match page.document.is_latex {
+            true => in_latex(&listed.lines, &clauses),
+            false => in_markdown(&listed.lines, &clauses),
+        }
+    });
+    texts.collect::<Vec<_>>().join("\n")
+}
+
+/// What there is to say of each page.
+pub(super) fn listed(derivation: &Derivation) -> Vec<Listed> {
     let dimensions = Dimensions::inferred(derivation);
     let pages = 0..derivation.pages.len();
     let found: Vec<Vec<Found>> = pages
@@ -41,11 +73,11 @@ pub fn declarations(derivation: &Derivation) -> String {
         .into_iter()
         .map(|(page, symbol, _)| (page, symbol))
         .collect();
-    let texts = found.iter().enumerate().map(|(page, symbols)| {
+    let pages = found.iter().enumerate().map(|(page, symbols)| {
         let is_proposed = |symbol: &Found| proposed.contains(&(page, symbol.name.clone()));
         of_page(derivation, &dimensions, page, symbols, &is_proposed)
     });
-    texts.collect::<Vec<_>>().join("\n")
+    pages.collect()
 }
 
 /// Where another page speaks of a symbol, a word here would hide what it says.
@@ -87,7 +119,7 @@ fn of_page(
     page: usize,
     symbols: &[Found],
     is_inferred: &dyn Fn(&Found) -> bool,
-) -> String {
+) -> Listed {
     let document = &derivation.pages[page].document;
     let rows: Vec<(String, String, String)> = symbols
         .iter()
@@ -97,7 +129,7 @@ fn of_page(
             (
                 name,
                 format!("{path}:{}", at.line),
-                said(derivation, dimensions, symbol),
+                said(derivation, dimensions, page, symbol),
             )
         })
         .collect();
@@ -121,20 +153,29 @@ fn of_page(
     }
     lines.extend(settled(symbols));
 
-    let mut clauses: Vec<String> = Vec::new();
+    let mut clauses: Vec<Clause> = Vec::new();
     for symbol in symbols.iter().filter(|s| is_inferred(s)) {
         let form = symbol.dimension.as_ref().map(|(form, _)| form);
         clauses.extend(form.and_then(|form| {
             let name = form.dimension().and_then(declared_name);
             let text = name.or_else(|| declared(form))?;
-            Some(format!("symbols {}: {text}", symbol.name))
+            Some(Clause {
+                symbol: symbol.name.clone(),
+                text,
+                is_known: true,
+            })
         }));
     }
     let open = symbols.iter().filter(|s| {
         let silent = !s.declared && is_proposed(s) && !is_inferred(s);
         silent && !matches!(s.dimension, Some((_, true)))
     });
-    let open: Vec<String> = open.map(|s| format!("symbols {}: real", s.name)).collect();
+    let open = open.map(|s| Clause {
+        symbol: s.name.clone(),
+        text: "real".into(),
+        is_known: false,
+    });
+    let open: Vec<Clause> = open.collect();
     lines.push(match (clauses.is_empty(), open.is_empty()) {
         // A second declaration that says nothing would not help.
         (true, true) if symbols.iter().any(|s| s.declared && lacks_dimension(s)) => {
@@ -148,10 +189,7 @@ fn of_page(
             .into(),
     });
     clauses.extend(open);
-    match document.is_latex {
-        true => in_latex(&lines, &clauses),
-        false => in_markdown(&lines, &clauses),
-    }
+    Listed { lines, clauses }
 }
 
 fn lacks_dimension(symbol: &Found) -> bool {
@@ -162,22 +200,24 @@ fn lacks_dimension(symbol: &Found) -> bool {
     known.is_none()
 }
 
-/// What is known of a symbol, in words.
-fn said(derivation: &Derivation, dimensions: &Dimensions, symbol: &Found) -> String {
-    let name = |form: &Form| called(form, &dimensions.unknowns);
+/// What is known of a symbol, in words: where a dimension has several usual names, all of them.
+fn said(derivation: &Derivation, dimensions: &Dimensions, page: usize, symbol: &Found) -> String {
+    let name = |form: &Form| every_name(form, &dimensions.unknowns);
     let known = match &symbol.dimension {
         Some((form, _)) if form.dimension().is_none() => None,
         known => known.as_ref(),
     };
+    let at = place_beside(&derivation.pages[page], &symbol.name);
+    let at = at.map_or(String::new(), |place| format!(" in {place}"));
     match (symbol.declared, symbol.elsewhere, known) {
-        (true, _, Some((form, true))) => format!("declared: {}", name(form)),
+        (true, _, Some((form, true))) => format!("declared{at}: {}", name(form)),
         (true, _, Some((form, false))) => {
             format!(
-                "declared without a dimension; the equations give {}",
+                "declared{at} without a dimension; the equations give {}",
                 name(form)
             )
         }
-        (true, _, None) => "declared without a dimension; none follows".into(),
+        (true, _, None) => format!("declared{at} without a dimension; none follows"),
         (false, Some(other), _) => format!(
             "not declared here, but in {}",
             derivation.pages[other].document.path

@@ -10,8 +10,8 @@ use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Level, Rende
 use crate::audit::{Entry, Note, Verdict};
 use crate::document::{File, Span};
 
-use super::Report;
 use super::remark::{Known, Subject};
+use super::{Report, codes};
 
 /// One finding, before it is laid out.
 pub(super) struct Finding {
@@ -49,17 +49,19 @@ impl Report<'_> {
     fn all_findings(&self, known: &Known) -> Vec<Finding> {
         let is_new = |subject: Subject, code: &'static str| !known.contains(&(subject, code));
         let elsewhere = self.elsewhere().into_iter();
-        let elsewhere = elsewhere.filter(|(subject, finding)| is_new(*subject, finding.code));
+        let elsewhere = elsewhere
+            .filter(|(subject, finding)| is_new(*subject, finding.code) && self.is_grave(finding));
         let mut all: Vec<Finding> = elsewhere.map(|(_, finding)| finding).collect();
         let mut told: Vec<&[usize]> = Vec::new();
         for (at, entry) in self.audit.entries.iter().enumerate() {
             let is_new = |code: &'static str| is_new(Subject::Entry(at), code);
             for note in entry.notes.iter().filter(|note| is_new(note.code())) {
                 if let Note::RestsOn(on) = note
+                    && self.is_to_mend(entry, note)
                     && !told.contains(&on.as_slice())
                 {
                     told.push(on);
-                    all.push(self.resting(on));
+                    all.push(self.leveled(self.resting(on)));
                 }
             }
             all.extend(self.of_entry(entry).into_iter().filter(|f| is_new(f.code)));
@@ -68,10 +70,15 @@ impl Report<'_> {
         all
     }
 
-    /// What is found besides equations: what could not be read, and suppositions that differ in dimension.
+    /// What there is to remark besides equations: what could not be read, suppositions that differ in dimension, and
+    /// what is declared otherwise beside the document.
     pub(super) fn elsewhere(&self) -> Vec<(Subject, Finding)> {
         let mut all = Vec::new();
         for (number, page) in self.derivation.pages.iter().enumerate() {
+            for clash in &page.clashes {
+                let finding = self.clashing(number, clash);
+                all.push((Subject::Page(number, clash.own.start), finding));
+            }
             for problem in &page.problems {
                 let (message, help) = (problem.message.clone(), problem.help.clone());
                 let finding = unreadable(number, problem.span, message, help);
@@ -82,24 +89,63 @@ impl Report<'_> {
             let finding = self.ill_supposed(page, at, conflict);
             all.push((Subject::Page(page, finding.primary.0.start), finding));
         }
+        all.retain(|(_, finding)| self.level(finding.page, finding.code).is_some());
+        for (_, finding) in &mut all {
+            self.level_out(finding);
+        }
         all
     }
 
-    /// What is found of an entry, but for what it rests on, which is told together with others.
-    pub(super) fn of_entry(&self, entry: &Entry) -> Vec<Finding> {
-        let mut all = Vec::new();
-        let fails = entry.is_wrong() && !entry.fails_as_marked();
-        match entry.verdict {
-            Verdict::Fails if fails => all.extend(self.failing(entry)),
-            Verdict::IllDimensioned if fails => all.extend(self.ill_dimensioned(entry)),
-            _ => {}
-        }
-        let apart = |note: &&Note| {
-            let elsewhere = matches!(note, Note::RestsOn(_));
-            note.is_finding() && !elsewhere && !(fails && super::belongs_to_failing(note))
+    /// Whether a finding is to be mended, rather than to be known.
+    pub(super) fn is_grave(&self, finding: &Finding) -> bool {
+        self.level(finding.page, finding.code) > Some(codes::Level::Note)
+    }
+
+    /// Gives a finding the level that its code has on its page.
+    fn level_out(&self, finding: &mut Finding) {
+        finding.level = match self.level(finding.page, finding.code) {
+            Some(codes::Level::Error) => Level::ERROR,
+            Some(codes::Level::Warning) => Level::WARNING,
+            Some(codes::Level::Note) | None => Level::NOTE,
         };
-        for note in entry.notes.iter().filter(apart) {
-            all.extend(self.noted(entry, note));
+    }
+
+    pub(super) fn leveled(&self, mut finding: Finding) -> Finding {
+        self.level_out(&mut finding);
+        finding
+    }
+
+    /// What is to be mended about an entry, but for what it rests on, which is told together with others.
+    pub(super) fn of_entry(&self, entry: &Entry) -> Vec<Finding> {
+        let mut all = self.remarked(entry, codes::Level::Warning);
+        all.retain(|finding| finding.code != "rests-on");
+        all
+    }
+
+    /// Each remark on an entry, from a level on.
+    pub(super) fn remarked(&self, entry: &Entry, least: codes::Level) -> Vec<Finding> {
+        let mut all = Vec::new();
+        if self.level_of_verdict(entry) >= Some(least) {
+            match entry.verdict {
+                Verdict::Fails => all.extend(self.failing(entry)),
+                Verdict::IllDimensioned => all.extend(self.ill_dimensioned(entry)),
+                _ => {}
+            }
+        }
+        let told = |note: &&Note| self.level_of_note(entry, note) >= Some(least);
+        for note in entry.notes.iter().filter(told) {
+            if !matches!(note, Note::RestsOn(_)) {
+                all.extend(self.noted(entry, note));
+            }
+        }
+        for note in entry.notes.iter().filter(told) {
+            all.extend(self.told_shortly(entry, note));
+        }
+        if entry.verdict == Verdict::Undecided && self.level_of_verdict(entry) >= Some(least) {
+            all.push(self.left_open(entry));
+        }
+        for finding in &mut all {
+            self.level_out(finding);
         }
         all
     }
@@ -131,7 +177,7 @@ impl Report<'_> {
 }
 
 /// A part of a file with marks in it.
-fn snippet<'a>(
+pub(super) fn snippet<'a>(
     file: &'a File,
     marks: &[(AnnotationKind, Span, &str)],
 ) -> Snippet<'a, Annotation<'a>> {

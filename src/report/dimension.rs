@@ -57,6 +57,14 @@ pub(super) fn called(form: &Form, unknowns: &[Symbol]) -> String {
     }
 }
 
+/// The same, by every usual name that a dimension has: `Energy or Torque`.
+pub(super) fn every_name(form: &Form, unknowns: &[Symbol]) -> String {
+    match form.dimension().map(names_of).unwrap_or_default() {
+        names if names.len() > 1 => names.join(" or "),
+        _ => called(form, unknowns),
+    }
+}
+
 /// Dimensions one under another, equal bases in one column, with their names.
 pub(super) fn columns(rows: &[(String, &Form)], unknowns: &[Symbol]) -> Vec<String> {
     let width = |texts: &mut dyn Iterator<Item = usize>| texts.max().unwrap_or(0);

@@ -1,5 +1,6 @@
 //! One equation in full: what was understood, what it was judged from, and the evidence to check by hand.
 
+use crate::algebra::Symbol;
 use crate::audit::{Entry, Judged, Outcome, Without, without_each};
 use crate::derivation::Source;
 use crate::kernel::{Claim, Refuted};
@@ -47,7 +48,7 @@ impl Report<'_> {
         };
         let word = entry.verdict.word();
         let verdict = format!("{} {word}{numeric}", style::sign(entry.verdict));
-        let verdict = paint(style::of(entry), &verdict);
+        let verdict = paint(style::of(entry, self.is_finding(entry)), &verdict);
         text += &format!("  verdict     {verdict}\n");
         text += &self.dimension_lines(entry);
         for note in &entry.notes {
@@ -63,7 +64,7 @@ impl Report<'_> {
         }
         text += &self.numeric_lines(entry);
         for (step, judged) in entry.judged.iter().enumerate() {
-            text += &self.explain_step(judged, step, entry.judged.len());
+            text += &self.explain_step(entry, step);
             text += &self.without(entry, judged);
         }
         if !entry.missing.is_empty() {
@@ -114,7 +115,8 @@ impl Report<'_> {
         text
     }
 
-    fn explain_step(&self, judged: &Judged, step: usize, steps: usize) -> String {
+    fn explain_step(&self, entry: &Entry, step: usize) -> String {
+        let (judged, steps) = (&entry.judged[step], entry.judged.len());
         let shown = plain_formula(&judged.goal.formula);
         let head = match steps {
             1 => format!("To show: {shown}"),
@@ -157,8 +159,12 @@ impl Report<'_> {
                 paint(DIM, &self.origin(assumed.source))
             );
         }
-        for line in claim.map(domains).unwrap_or_default() {
-            text += &format!("      {line}   {}\n", paint(DIM, "declared"));
+        for (symbol, line) in claim.map(domains).unwrap_or_default() {
+            let declared = match self.declared_beside(entry, judged, symbol) {
+                Some(place) => format!("declared, {place}"),
+                None => "declared".into(),
+            };
+            text += &format!("      {line}   {}\n", paint(DIM, &declared));
         }
         if text.ends_with("From\n") {
             text += "      nothing: it must hold for all values\n";
@@ -188,8 +194,8 @@ impl Report<'_> {
     }
 }
 
-/// The declared domains that a claim uses.
-pub(super) fn domains(claim: &Claim) -> Vec<String> {
+/// The declared domains that a claim uses, each with whose it is.
+pub(super) fn domains(claim: &Claim) -> Vec<(&Symbol, String)> {
     let symbols = claim.domains.iter().map(|(s, d)| (words::symbol(s), s, d));
     let elements = claim
         .sequences
@@ -211,7 +217,7 @@ pub(super) fn domains(claim: &Claim) -> Vec<String> {
             said.push(format!("{name} constant"));
         }
         if !said.is_empty() {
-            lines.push(said.join(", "));
+            lines.push((symbol, said.join(", ")));
         }
     }
     lines

@@ -244,10 +244,21 @@ impl Report<'_> {
                     help: problem.help.clone(),
                 }
             });
+            let clashes = page.clashes.iter().map(|clash| {
+                let finding = self.clashing(at, clash);
+                let (file, place) = file_of(&page.document, clash.own);
+                ProblemView {
+                    file,
+                    line: place.line,
+                    column: place.column,
+                    message: finding.title,
+                    help: None,
+                }
+            });
             documents.push(DocumentView {
                 path: page.document.path.clone(),
                 equations,
-                problems: problems.chain(supposed).collect(),
+                problems: problems.chain(supposed).chain(clashes).collect(),
             });
         }
         AuditView {

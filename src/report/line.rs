@@ -50,7 +50,7 @@ impl Report<'_> {
         let headline = shortened(&self.headline(entry), room);
         let line = format!(
             "  {name:<names$}  {} {headline}",
-            paint(style::of(entry), &verdict)
+            paint(style::of(entry, self.is_finding(entry)), &verdict)
         );
         line.trim_end().to_owned() + "\n"
     }
@@ -78,7 +78,7 @@ impl Report<'_> {
                 Some(numeric) => Some(numeric::headline(numeric)),
                 None => undecided(entry),
             }),
-            Verdict::Holds if entry.notes.iter().all(Note::is_quiet) => {
+            Verdict::Holds if !entry.notes.iter().any(|note| self.is_in_line(entry, note)) => {
                 said.push(self.holds_from(entry));
             }
             Verdict::IllDimensioned => {
@@ -95,7 +95,7 @@ impl Report<'_> {
         // The line of a numeric claim says so itself.
         let apart = |note: &&Note| {
             let told = matches!(note, Note::NumericNotSupported) && unsupported(entry);
-            !(note.is_quiet() || told)
+            self.is_in_line(entry, note) && !told
         };
         let notes = entry.notes.iter().filter(apart);
         said.extend(notes.filter_map(|note| self.aside(entry.equation, note)));

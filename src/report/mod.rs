@@ -6,15 +6,21 @@
 //! for programs; `html` is all of it as a page for a browser. `words` has what all of them say alike.
 //!
 //! The views for editors and for continuous integration list a [`remark::Remark`] each: `short`, `github`, `sarif` and
-//! `junit`. `codes` says how grave each is, `baseline` which are known.
+//! `junit`. `baseline` says which are known.
+//!
+//! `codes` says how grave each code is, `levels` how grave an author wants it; `amiss` lays out what is wrong with an
+//! author's configuration, `beside` where a document says otherwise than that.
 //!
 //! `declarations` is for authors: what is left to declare, from `symbols` and what `settling` finds.
 //!
 //! Every view is a `String` with colours in it; whoever prints it leaves them out where they are not wanted.
 
 mod algebraic;
+mod amiss;
 pub mod baseline;
+mod beside;
 pub mod codes;
+mod configuration;
 mod declarations;
 pub mod diagnostic;
 mod dimension;
@@ -29,6 +35,7 @@ pub mod human;
 pub mod implied;
 mod json;
 mod junit;
+mod levels;
 pub mod line;
 pub mod near;
 mod numeric;
@@ -45,9 +52,11 @@ pub mod summary;
 mod symbols;
 mod words;
 
-use crate::audit::{Audit, Entry, Note};
+use crate::audit::{Audit, Note};
 use crate::derivation::Derivation;
 
+pub use amiss::amiss;
+pub use configuration::configuration;
 pub use declarations::declarations;
 pub use fix::Fix;
 pub use github::github;
@@ -67,7 +76,8 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// How many findings there are, places that could not be read included.
     pub fn findings(&self) -> usize {
-        self.unread() + self.audit.entries.iter().map(findings_of).sum::<usize>()
+        let entries = self.audit.entries.iter();
+        self.unread() + entries.map(|entry| self.findings_of(entry)).sum::<usize>()
     }
 
     /// How much there is to mend besides equations, on all pages.
@@ -76,12 +86,21 @@ impl Report<'_> {
         pages.map(|page| self.problems(page)).sum()
     }
 
-    /// How much there is to mend on a page besides equations: what could not be read, and suppositions that compare
-    /// what differs in dimension.
+    /// How much there is to mend on a page besides equations: what could not be read, suppositions that compare
+    /// what differs in dimension, and what is declared otherwise beside the document.
     fn problems(&self, page: usize) -> usize {
+        let own = self.derivation.pages.get(page);
         let supposed = self.audit.dimensions.suppositions.keys();
         let supposed = supposed.filter(|(own, _)| *own == page).count();
-        self.derivation.pages[page].problems.len() + supposed
+        let numbers = [
+            ("unreadable", own.map_or(0, |page| page.problems.len())),
+            ("ill-dimensioned", supposed),
+            (beside::CODE, own.map_or(0, |page| page.clashes.len())),
+        ];
+        let told = numbers.into_iter().filter(|(code, number)| {
+            *number > 0 && self.level(page, code) > Some(codes::Level::Note)
+        });
+        told.map(|(_, number)| number).sum()
     }
 
     /// What to type to see an equation's evidence in full.
@@ -96,13 +115,6 @@ impl Report<'_> {
         }
         Some(command)
     }
-}
-
-/// How many things there are to mend about one entry: what belongs to its failing is counted with that.
-fn findings_of(entry: &Entry) -> usize {
-    let fails = entry.is_wrong() && !entry.fails_as_marked();
-    let apart = |note: &&Note| note.is_finding() && !(fails && belongs_to_failing(note));
-    usize::from(fails) + entry.notes.iter().filter(apart).count()
 }
 
 /// Said together with a counterexample rather than by itself.

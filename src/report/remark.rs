@@ -10,7 +10,7 @@ use crate::audit::{Entry, Note, Verdict};
 use crate::document::{Position, Span};
 
 use super::Report;
-use super::codes::{self, Level};
+use super::codes::Level;
 use super::diagnostic::Finding;
 use super::fingerprint::{Fingerprints, spaced};
 use super::fix::Fix;
@@ -45,8 +45,8 @@ pub struct Remark {
     pub path: String,
     /// Where it starts and ends; the end is the first place that is no part of it.
     pub place: (Position, Position),
-    /// What else there is to see: places with what they are.
-    pub context: Vec<((Position, Position), String)>,
+    /// What else there is to see: paths and places with what they are.
+    pub context: Vec<(String, (Position, Position), String)>,
     /// The evidence and what to do: names and texts.
     pub said: Vec<(String, String)>,
     /// A repair that a program can apply.
@@ -61,13 +61,16 @@ impl Report<'_> {
     /// All remarks in the order of their places; paths are told from `here`.
     pub fn remarks(&self, here: &Path, known: &Known) -> Vec<Remark> {
         let mut found: Vec<(Subject, Finding, Level)> = Vec::new();
+        let mut add = |subject: Subject, finding: Finding| {
+            let level = self.level(finding.page, finding.code);
+            found.extend(level.map(|level| (subject, finding, level)));
+        };
         for (subject, finding) in self.elsewhere() {
-            found.push((subject, finding, Level::Error));
+            add(subject, finding);
         }
         for (at, entry) in self.audit.entries.iter().enumerate() {
-            for finding in self.about(entry) {
-                let level = codes::level(finding.code).unwrap_or(Level::Warning);
-                found.push((Subject::Entry(at), finding, level));
+            for finding in self.remarked(entry, Level::Note) {
+                add(Subject::Entry(at), finding);
             }
         }
         found.sort_by_key(|(_, finding, _)| (finding.page, finding.primary.0.start));
@@ -104,7 +107,10 @@ impl Report<'_> {
                     .context
                     .iter()
                     .filter(|(span, _)| *span != finding.primary.0)
-                    .map(|(span, text)| (place(*span), text.clone()))
+                    .map(|(span, text)| {
+                        let path = relative(document.place(*span).0, here);
+                        (path, place(*span), text.clone())
+                    })
                     .collect(),
                 said: finding.said_plainly(),
                 fix: fix.map(|fix| (fix.clone(), place(fix.span))),
@@ -119,12 +125,12 @@ impl Report<'_> {
     /// The codes of all that is remarked on an entry, sorted: those to mend, and those to know.
     pub fn codes(&self, entry: &Entry) -> Vec<&'static str> {
         let mut codes: Vec<&'static str> = Vec::new();
-        let wrong = entry.is_wrong() && !entry.fails_as_marked();
-        if wrong {
+        if self.level_of_verdict(entry).is_some() {
             codes.push(entry.verdict.word());
         }
+        let wrong = entry.is_wrong() && !entry.fails_as_marked();
         let apart = |note: &&Note| !(wrong && super::belongs_to_failing(note));
-        let told = |note: &&Note| !note.is_quiet();
+        let told = |note: &&Note| self.is_in_line(entry, note);
         codes.extend(
             entry
                 .notes
@@ -133,74 +139,63 @@ impl Report<'_> {
                 .filter(told)
                 .map(Note::code),
         );
-        if self.is_left_open(entry) {
-            codes.push(Verdict::Undecided.word());
-        }
         codes.sort_unstable();
         codes
     }
 
-    /// Undecided, and no other remark says why.
-    fn is_left_open(&self, entry: &Entry) -> bool {
-        let said = entry.notes.iter().any(Note::is_finding);
-        entry.verdict == Verdict::Undecided && !entry.is_supported() && !said
+    /// A note that needs no more than a sentence, as a finding.
+    pub(super) fn told_shortly(&self, entry: &Entry, note: &Note) -> Option<Finding> {
+        let title = match note {
+            Note::RestsOn(on) => {
+                let fails = self.how_they_fail(on);
+                let on = self.references(on);
+                format!("{} rests on {on}, which {fails}", self.subject(entry))
+            }
+            Note::Uncited(sources) => {
+                let sources = self.sources(sources);
+                format!(
+                    "{} cites nothing; it follows from {sources}",
+                    self.subject(entry)
+                )
+            }
+            Note::OtherReading(other) => {
+                let verdict = other.verdict.word();
+                let aside = self.aside(entry.equation, note).unwrap_or_default();
+                format!(
+                    "{} is {verdict} as it is read: {aside}",
+                    self.subject(entry)
+                )
+            }
+            Note::OutOfScope(_) | Note::RestsOnUnproved(_) | Note::UnusedPremise(_) => {
+                let aside = self.aside(entry.equation, note).unwrap_or_default();
+                format!("{} {aside}", self.subject(entry))
+            }
+            _ => return None,
+        };
+        Some(self.in_a_sentence(entry, note.code(), title))
     }
 
-    /// Each remark on an entry as a finding.
-    fn about(&self, entry: &Entry) -> Vec<Finding> {
-        let mut all = self.of_entry(entry);
+    /// That an entry is undecided, as a finding.
+    pub(super) fn left_open(&self, entry: &Entry) -> Finding {
+        let reason = self.headline(entry);
+        let colon = if reason.is_empty() { "" } else { ": " };
+        let title = format!("{} is undecided{colon}{reason}", self.subject(entry));
+        self.in_a_sentence(entry, Verdict::Undecided.word(), title)
+    }
+
+    fn in_a_sentence(&self, entry: &Entry, code: &'static str, title: String) -> Finding {
         let equation = self.equation(entry.equation);
         let whole = self.statement(entry).map_or(equation.body, |s| s.span);
-        let mut tell = |code: &'static str, title: String| {
-            all.push(Finding {
-                level: annotate_snippets::Level::NOTE,
-                code,
-                title,
-                page: equation.page,
-                primary: (whole, String::new()),
-                context: Vec::new(),
-                said: super::diagnostic::replay(self, entry.equation)
-                    .into_iter()
-                    .collect(),
-            });
-        };
-        for note in &entry.notes {
-            let aside = self.aside(entry.equation, note).unwrap_or_default();
-            match note {
-                Note::RestsOn(on) => {
-                    let fails = self.how_they_fail(on);
-                    let on = self.references(on);
-                    let title = format!("{} rests on {on}, which {fails}", self.subject(entry));
-                    tell(note.code(), title);
-                }
-                Note::Uncited(sources) => {
-                    let sources = self.sources(sources);
-                    let title = format!(
-                        "{} cites nothing; it follows from {sources}",
-                        self.subject(entry)
-                    );
-                    tell(note.code(), title);
-                }
-                Note::OtherReading(other) if !note.is_quiet() => {
-                    let verdict = other.verdict.word();
-                    let title = format!(
-                        "{} is {verdict} as it is read: {aside}",
-                        self.subject(entry)
-                    );
-                    tell(note.code(), title);
-                }
-                Note::OutOfScope(_) | Note::RestsOnUnproved(_) => {
-                    tell(note.code(), format!("{} {aside}", self.subject(entry)));
-                }
-                _ => {}
-            }
+        Finding {
+            level: annotate_snippets::Level::NOTE,
+            code,
+            title,
+            page: equation.page,
+            primary: (whole, String::new()),
+            context: Vec::new(),
+            said: super::diagnostic::replay(self, entry.equation)
+                .into_iter()
+                .collect(),
         }
-        if self.is_left_open(entry) {
-            let reason = self.headline(entry);
-            let colon = if reason.is_empty() { "" } else { ": " };
-            let title = format!("{} is undecided{colon}{reason}", self.subject(entry));
-            tell(Verdict::Undecided.word(), title);
-        }
-        all
     }
 }

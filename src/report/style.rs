@@ -26,11 +26,11 @@ pub(super) fn sign(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The colour of an entry's verdict.
-pub(super) fn of(entry: &Entry) -> Style {
+/// The colour of an entry's verdict; whether there is something to mend about it is said by the caller.
+pub(super) fn of(entry: &Entry, is_finding: bool) -> Style {
     match entry.verdict {
         Verdict::Given => DIM,
-        Verdict::Holds if entry.is_finding() => WARN,
+        Verdict::Holds if is_finding => WARN,
         Verdict::Holds => GOOD,
         _ if entry.fails_as_marked() => DIM,
         Verdict::Fails | Verdict::IllDimensioned => BAD,

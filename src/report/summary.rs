@@ -38,13 +38,13 @@ impl Report<'_> {
             let of_page = |e: &&Entry| self.equation(e.equation).page == at;
             let entries: Vec<&Entry> = self.audit.entries.iter().filter(of_page).collect();
             text += &format!("  {title:<width$}");
-            text += &cells(&entries, self.problems(at));
+            text += &self.cells(&entries, self.problems(at));
         }
         if pages.len() > 1 {
             let problems = (0..pages.len()).map(|page| self.problems(page)).sum();
             let entries: Vec<&Entry> = self.audit.entries.iter().collect();
             text += &paint(BOLD, &format!("  {:<width$}", "all pages"));
-            text += &cells(&entries, problems);
+            text += &self.cells(&entries, problems);
         }
         text + "\n" + &self.closing()
     }
@@ -81,11 +81,20 @@ impl Report<'_> {
             }
         }
         let first = format!("Of {total}, {}.", list(told));
+        let wrong = asserted(Verdict::Fails) + asserted(Verdict::IllDimensioned);
         let second = match (findings, open) {
+            (0, _) if wrong > 0 => {
+                // A configuration may call it a note; it is wrong all the same.
+                let those = if wrong == 1 { "is" } else { "are" };
+                format!(
+                    "{} {those} wrong, which is a note here and no finding.",
+                    count(wrong, "statement")
+                )
+            }
             (0, 0) => "Nothing is amiss.".to_owned(),
             (0, _) => "Nothing was found amiss, but what is undecided was not checked.".to_owned(),
             _ => {
-                let mut some = entries.iter().filter(|e| e.is_finding());
+                let mut some = entries.iter().filter(|e| self.is_finding(e));
                 let replay = some
                     .find_map(|e| self.replay(e.equation))
                     .map_or(String::new(), |replay| {
@@ -97,18 +106,19 @@ impl Report<'_> {
         };
         format!("{first}\n{}\n", paint(BOLD, &second))
     }
-}
 
-fn cells(entries: &[&Entry], problems: usize) -> String {
-    let of = |verdict| entries.iter().filter(|e| e.verdict == verdict).count();
-    let findings = problems + entries.iter().map(|e| super::findings_of(e)).sum::<usize>();
-    let numbers = Verdict::ALL.map(of).into_iter().chain([findings]);
-    let cells = numbers.zip(HEAD).map(|(number, head)| {
-        let width = head.len();
-        match number {
-            0 => format!("  {:>width$}", "–"),
-            _ => format!("  {number:>width$}"),
-        }
-    });
-    cells.collect::<String>() + "\n"
+    fn cells(&self, entries: &[&Entry], problems: usize) -> String {
+        let of = |verdict| entries.iter().filter(|e| e.verdict == verdict).count();
+        let own = entries.iter().map(|e| self.findings_of(e));
+        let findings = problems + own.sum::<usize>();
+        let numbers = Verdict::ALL.map(of).into_iter().chain([findings]);
+        let cells = numbers.zip(HEAD).map(|(number, head)| {
+            let width = head.len();
+            match number {
+                0 => format!("  {:>width$}", "–"),
+                _ => format!("  {number:>width$}"),
+            }
+        });
+        cells.collect::<String>() + "\n"
+    }
 }

@@ -111,6 +111,16 @@ pub fn hopeless(reject: Reject) -> Decision {
 
 /// The same for a claim that was read before.
 pub fn decide_posed(obligation: &Obligation, hints: &[Assignment]) -> Decision {
+    decide_within(obligation, hints, None)
+}
+
+/// The same with at most so many choices of values tried for a counterexample. Proofs are looked for as always, so a
+/// smaller number can leave undecided what is refuted with a larger one, and nothing else.
+pub fn decide_within(
+    obligation: &Obligation,
+    hints: &[Assignment],
+    most: Option<usize>,
+) -> Decision {
     let mut stop = Stop {
         reason: "no proof and no counterexample was found".into(),
         ..Stop::default()
@@ -129,7 +139,9 @@ pub fn decide_posed(obligation: &Obligation, hints: &[Assignment]) -> Decision {
     let quick = if inequality { QUICK / 8 } else { QUICK };
     let mut points = refute::Points::new(obligation);
     let mut known = None;
-    for (effort, budget) in [(Effort::Light, quick), (Effort::Full, EARNEST)] {
+    let quick = most.map_or(quick, |most| quick.min(most));
+    let earnest = most.map_or(EARNEST, |most| most - quick);
+    for (effort, budget) in [(Effort::Light, quick), (Effort::Full, earnest)] {
         // Where a counterexample is known, only a simpler one is worth looking for.
         if known.is_none() {
             match prove(obligation, effort) {

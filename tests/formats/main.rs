@@ -2,6 +2,7 @@
 
 mod baseline;
 mod codes;
+mod config;
 mod guide;
 mod input;
 mod junit;

@@ -92,7 +92,7 @@ fn check(value: &Value, schema: &Value, root: &Value, place: &str, found: &mut V
             // Texts with a pattern are not written; if one ever is, this must learn the pattern.
             "pattern" => fault(format!("{value} would have to match {rule}")),
             "properties" | "additionalProperties" => {}
-            "$schema" | "id" | "title" | "description" | "default" | "definitions" => {}
+            "$schema" | "$defs" | "id" | "title" | "description" | "default" | "definitions" => {}
             other => panic!("{place}: the schema uses `{other}`"),
         }
     }

@@ -83,6 +83,7 @@ pub(super) fn documents(assembled: Assembled) -> Vec<Document> {
             problems: Vec::new(),
             is_latex: true,
             origin: origin.clone(),
+            beside: None,
         };
         while let Some(item) = items.next_if(|item| item.span().start < end) {
             document.items.push(item);
@@ -104,6 +105,7 @@ pub(super) fn documents(assembled: Assembled) -> Vec<Document> {
             problems: Vec::new(),
             is_latex: true,
             origin,
+            beside: None,
         });
     }
     documents

@@ -40,9 +40,9 @@ impl Tone {
         }
     }
 
-    fn of(entry: &Entry) -> Tone {
+    fn of(entry: &Entry, is_finding: bool) -> Tone {
         match Tone::of_verdict(entry.verdict) {
-            Tone::Good if entry.is_finding() => Tone::Mixed,
+            Tone::Good if is_finding => Tone::Mixed,
             Tone::Bad if entry.fails_as_marked() => Tone::Crossed,
             tone => tone,
         }
@@ -87,7 +87,7 @@ impl Page<'_> {
             _ => "<span class=\"tag\"></span>".to_owned(),
         };
         let (sign, word) = report.told(entry);
-        let tone = Tone::of(entry).class();
+        let tone = Tone::of(entry, report.is_finding(entry)).class();
         let marked = match entry.fails_as_marked() {
             true => " <span class=\"aside\">as the author says</span>",
             false => "",

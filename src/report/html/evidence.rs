@@ -61,13 +61,14 @@ impl Page<'_> {
         if !numeric.is_empty() {
             text += &preformatted(&words::uncoloured(&numeric));
         }
-        for (step, judged) in entry.judged.iter().enumerate() {
-            text += &self.step(judged, step, entry.judged.len());
+        for step in 0..entry.judged.len() {
+            text += &self.step(entry, step);
         }
         text + &self.repair(entry)
     }
 
-    fn step(&self, judged: &Judged, step: usize, steps: usize) -> String {
+    fn step(&self, entry: &Entry, step: usize) -> String {
+        let (judged, steps) = (&entry.judged[step], entry.judged.len());
         let head = match steps {
             1 => "To show".to_owned(),
             _ => format!("Step {} of {steps}", step + 1),
@@ -112,12 +113,12 @@ impl Page<'_> {
                 (None, shown)
             }
         };
-        text += &self.premises(judged, claim);
+        text += &self.premises(entry, judged, claim);
         text + &evidence + "</div>\n"
     }
 
     /// What the claim was judged from, each with a way to where it stands.
-    fn premises(&self, judged: &Judged, claim: Option<&Claim>) -> String {
+    fn premises(&self, entry: &Entry, judged: &Judged, claim: Option<&Claim>) -> String {
         let mut items: Vec<String> = Vec::new();
         for assumed in &judged.assumed {
             let from = match assumed.source {
@@ -138,9 +139,11 @@ impl Page<'_> {
                 "<span class=\"wide\">{formula}</span> <span class=\"from\">{from}</span>"
             ));
         }
-        for line in claim.map(explain::domains).unwrap_or_default() {
+        for (symbol, line) in claim.map(explain::domains).unwrap_or_default() {
+            let place = self.report.declared_beside(entry, judged, symbol);
+            let place = place.map_or(String::new(), |place| format!(", {}", escape(&place)));
             items.push(format!(
-                "{} <span class=\"from\">declared</span>",
+                "{} <span class=\"from\">declared{place}</span>",
                 escape(&line)
             ));
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::audit::Note;
 use crate::notation::escape;
-use crate::report::codes::{self, Level};
+use crate::report::codes::Level;
 use crate::report::diagnostic::Finding;
 
 use super::words;
@@ -33,15 +33,17 @@ impl Page<'_> {
     fn found(&self) -> Vec<(Finding, Option<usize>)> {
         let report = self.report;
         let elsewhere = report.elsewhere().into_iter();
+        let elsewhere = elsewhere.filter(|(_, finding)| report.is_grave(finding));
         let mut found: Vec<(Finding, Option<usize>)> =
             elsewhere.map(|(_, finding)| (finding, None)).collect();
         let mut told: BTreeSet<&[usize]> = BTreeSet::new();
         for entry in &report.audit.entries {
             for note in &entry.notes {
                 if let Note::RestsOn(on) = note
+                    && report.is_to_mend(entry, note)
                     && told.insert(on)
                 {
-                    found.push((report.resting(on), Some(entry.equation)));
+                    found.push((report.leveled(report.resting(on)), Some(entry.equation)));
                 }
             }
             let own = report.of_entry(entry).into_iter();
@@ -56,7 +58,8 @@ impl Page<'_> {
             Some(at) => self.anchors.equation(at).to_owned(),
             None => anchors::document(finding.page),
         };
-        let level = codes::level(finding.code).unwrap_or(Level::Warning);
+        let level = self.report.level(finding.page, finding.code);
+        let level = level.unwrap_or(Level::Warning);
         let mut text = format!(
             "<li class=\"finding {level}\"><p><span class=\"code\">{}</span> <a href=\"#{target}\">{}</a></p>\n",
             finding.code,

@@ -2,6 +2,7 @@
 
 use crate::audit::{Entry, Verdict};
 use crate::notation::escape;
+use crate::report::Report;
 
 use super::entry::Tone;
 use super::words;
@@ -75,7 +76,7 @@ impl Page<'_> {
             text += &format!(
                 "<tr><th scope=\"row\"><a href=\"#{}\">{title}</a></th>{}</tr>\n",
                 anchors::document(at),
-                cells(entries, report.problems(at))
+                cells(report, entries, report.problems(at))
             );
         }
         text += "</tbody>\n";
@@ -83,7 +84,7 @@ impl Page<'_> {
             let entries: Vec<&Entry> = report.audit.entries.iter().collect();
             text += &format!(
                 "<tfoot><tr><th scope=\"row\">all documents</th>{}</tr></tfoot>\n",
-                cells(&entries, report.unread())
+                cells(report, &entries, report.unread())
             );
         }
         text + "</table></div>\n</section>\n"
@@ -99,13 +100,10 @@ impl Page<'_> {
     }
 }
 
-fn cells(entries: &[&Entry], problems: usize) -> String {
+fn cells(report: &Report<'_>, entries: &[&Entry], problems: usize) -> String {
     let of = |verdict| entries.iter().filter(|e| e.verdict == verdict).count();
-    let findings = problems
-        + entries
-            .iter()
-            .map(|e| crate::report::findings_of(e))
-            .sum::<usize>();
+    let own = entries.iter().map(|e| report.findings_of(e));
+    let findings = problems + own.sum::<usize>();
     let numbers = Verdict::ALL.map(of).into_iter().chain([findings]);
     let cell = |number: usize| match number {
         0 => "<td class=\"none\">0</td>".to_owned(),

@@ -64,12 +64,12 @@ impl Report<'_> {
             .context
             .iter()
             .enumerate()
-            .map(|(at, (place, text))| {
+            .map(|(at, (path, place, text))| {
                 let text = Text { text: text.clone() };
                 Location {
                     id: Some(at + 1),
                     message: Some(text),
-                    ..located(&remark.path, *place)
+                    ..located(path, *place)
                 }
             });
         let fixes = remark.fix.iter().map(|(fix, place)| Repair {

@@ -1,0 +1,90 @@
+//! What stands in a `cradle.toml` beside documents: where a document says otherwise, and where a symbol is declared that a
+//! document does not declare itself.
+
+use annotate_snippets::Level;
+
+use crate::algebra::Symbol;
+use crate::audit::{Entry, Judged};
+use crate::derivation::{About, Clash, Page, Source};
+
+use super::Report;
+use super::diagnostic::Finding;
+use super::words;
+
+/// The code of a clash.
+pub(super) const CODE: &str = "clashing-declaration";
+
+impl Report<'_> {
+    /// A clash as a finding.
+    pub(super) fn clashing(&self, page: usize, clash: &Clash) -> Finding {
+        let there = self.place_of(page, clash.beside);
+        let (title, here, said) = match &clash.about {
+            About::Dimension(symbol) => (
+                format!(
+                    "`{}` has another dimension here than at {there}",
+                    words::symbol(symbol)
+                ),
+                "this counts in the document",
+                "one symbol, one dimension: give one of the two another name, or leave out one declaration",
+            ),
+            About::Domain(symbol) => (
+                format!(
+                    "`{}` is allowed values here that {there} rules out",
+                    words::symbol(symbol)
+                ),
+                "this counts in the document",
+                "a document may narrow what the file says of a symbol; leave out one of the two, or make them agree",
+            ),
+            About::Euler(symbol) => (
+                format!(
+                    "`{}` is Euler's number either here or at {there}, and not in both",
+                    words::symbol(symbol)
+                ),
+                "this counts in the document",
+                "a letter is a number or a quantity: give one of the two another name",
+            ),
+            About::Given(label) => (
+                format!("`{label}` is derived here, and given by {there}"),
+                "this counts",
+                "leave out one of the two",
+            ),
+        };
+        Finding {
+            level: Level::WARNING,
+            code: CODE,
+            title,
+            page,
+            primary: (clash.own, here.to_owned()),
+            context: vec![(clash.beside, "the file says otherwise".to_owned())],
+            said: vec![(Level::HELP, said.to_owned())],
+        }
+    }
+
+    /// The place in a configuration at which a symbol, or the elements of a sequence, are declared for a step: as
+    /// [`crate::derivation::Derivation::claim`] has it, by the page of the step or else by that of a premise.
+    pub(super) fn declared_beside(
+        &self,
+        entry: &Entry,
+        judged: &Judged,
+        symbol: &Symbol,
+    ) -> Option<String> {
+        let own = self.equation(entry.equation).page;
+        let others = judged.assumed.iter().filter_map(|a| match a.source {
+            Source::Equation(premise) => Some(self.equation(premise).page),
+            Source::Local(page, _) => Some(page),
+            Source::Step => None,
+        });
+        let mut pages = std::iter::once(own).chain(others);
+        pages.find_map(|at| {
+            let page = &self.derivation.pages[at];
+            let name = page.declared_name(symbol)?;
+            Some(place_beside(page, name))
+        })?
+    }
+}
+
+/// The place in a configuration at which a symbol is declared, if a page has it declared there alone.
+pub(super) fn place_beside(page: &Page, symbol: &Symbol) -> Option<String> {
+    let (path, at) = page.document.place(page.declared_beside(symbol)?);
+    Some(format!("{path}:{}:{}", at.line, at.column))
+}

@@ -1,0 +1,160 @@
+//! What is left to declare, as a `cradle.toml` to be completed.
+//!
+//! Beside several documents a declaration holds in all of them, so only that is proposed which all that speak of a symbol
+//! leave to be said alike; the rest is a comment. Saved as it is, it changes no verdict.
+
+use std::collections::BTreeMap;
+
+use crate::algebra::Symbol;
+use crate::derivation::{Derivation, Page};
+use crate::dimension::{names_of, parse};
+
+use super::declarations::{Clause, listed};
+use super::{place, words};
+
+/// The symbols of all pages, and a table of what is left to declare. `files` are the documents as they are asked for; they
+/// are listed where no configuration lists them already.
+pub fn configuration(derivation: &Derivation, files: &[String]) -> String {
+    let pages = listed(derivation);
+    let mut text = String::new();
+    for page in &pages {
+        for line in &page.lines {
+            text += &format!("# {}\n", place::one_line(line));
+        }
+        text += "#\n";
+    }
+    // One that is empty may just be being written.
+    let says = |page: &Page| {
+        page.beside
+            .as_ref()
+            .is_some_and(|own| !own.file.source.trim().is_empty())
+    };
+    let has_one = derivation.pages.iter().any(says);
+    let files: Vec<String> = files
+        .iter()
+        .filter(|file| *file != "-" && !file.contains(['*', '?', '\\']))
+        .map(|file| quoted(file))
+        .collect();
+    match has_one {
+        true => {
+            text += "# There is a cradle.toml already: add to its `[symbols]` what stands below.\n"
+        }
+        false if files.is_empty() => {}
+        false => text += &format!("\nfiles = [{}]\n", files.join(", ")),
+    }
+    let mut of_symbol: BTreeMap<&Symbol, Vec<(usize, &Clause)>> = BTreeMap::new();
+    let mut order: Vec<&Symbol> = Vec::new();
+    for (at, page) in pages.iter().enumerate() {
+        for clause in &page.clauses {
+            let all = of_symbol.entry(&clause.symbol).or_default();
+            if all.is_empty() {
+                order.push(&clause.symbol);
+            }
+            all.push((at, clause));
+        }
+    }
+    let mut rows: Vec<(String, String)> = Vec::new();
+    let mut apart: Vec<String> = Vec::new();
+    for symbol in order {
+        let all = &of_symbol[symbol];
+        let (_, first) = all[0];
+        if all.iter().all(|(_, clause)| clause.text == first.text) {
+            let row = format!("{} = {}", key(symbol.name()), quoted(&first.text));
+            rows.push((row, remark(first)));
+            continue;
+        }
+        let said = all.iter().map(|(at, clause)| {
+            let path = &derivation.pages[*at].document.path;
+            let text = if clause.is_known {
+                clause.text.as_str()
+            } else {
+                "nothing"
+            };
+            format!("{text} in {path}")
+        });
+        let said = words::list(said.collect());
+        apart.push(place::one_line(&format!(
+            "# {}: the equations give {said}; declare it in the documents",
+            symbol.name()
+        )));
+    }
+    if !rows.is_empty() {
+        text += "\n[symbols]\n";
+    }
+    let width = rows.iter().filter(|(_, remark)| !remark.is_empty());
+    let width = width.map(|(row, _)| row.chars().count()).max().unwrap_or(0);
+    for (row, remark) in &rows {
+        text += match remark.is_empty() {
+            true => format!("{row}\n"),
+            false => format!("{row:<width$}  # {remark}\n"),
+        }
+        .as_str();
+    }
+    for line in apart {
+        text += &format!("{line}\n");
+    }
+    text
+}
+
+/// What the author should know of a proposal.
+fn remark(clause: &Clause) -> String {
+    if !clause.is_known {
+        return "says nothing: put a dimension and a domain in its place".into();
+    }
+    let names = parse(&clause.text)
+        .map(|own| names_of(&own))
+        .unwrap_or_default();
+    let others: Vec<String> = names
+        .iter()
+        .skip(1)
+        .map(|name| name.to_lowercase())
+        .collect();
+    match others.is_empty() {
+        true => String::new(),
+        false => format!("or {}, which has the same dimension", others.join(", ")),
+    }
+}
+
+/// A key of TOML.
+fn key(name: &str) -> String {
+    let bare = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-');
+    match !name.is_empty() && name.chars().all(bare) {
+        true => name.to_owned(),
+        false => quoted(name),
+    }
+}
+
+/// A text of TOML, as plainly as can be.
+fn quoted(text: &str) -> String {
+    let plain = |without: &[char]| !text.contains(without) && !text.chars().any(char::is_control);
+    if plain(&['"', '\\']) {
+        return format!("\"{text}\"");
+    }
+    if plain(&['\'']) {
+        return format!("'{text}'");
+    }
+    let mut escaped = String::new();
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => escaped.extend(['\\', c]),
+            c if c.is_control() => escaped += &format!("\\u{:04X}", u32::from(c)),
+            c => escaped.push(c),
+        }
+    }
+    format!("\"{escaped}\"")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_and_texts_are_as_plain_as_can_be() {
+        assert_eq!(key("m_1"), "m_1");
+        assert_eq!(key("\\mu"), "'\\mu'");
+        assert_eq!(key("v'_1"), "\"v'_1\"");
+        assert_eq!(key("\\dot{x}'"), "\"\\\\dot{x}'\"");
+        assert_eq!(quoted("energy"), "\"energy\"");
+        assert_eq!(quoted("a\u{7}"), "\"a\\u0007\"");
+    }
+}
