@@ -7,6 +7,7 @@
 mod dimensions;
 mod entry;
 mod given;
+mod induction;
 mod judge;
 mod numeric;
 mod premise;

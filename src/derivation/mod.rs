@@ -8,6 +8,7 @@ mod checker;
 mod equation;
 mod page;
 mod rows;
+mod running;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -21,6 +22,7 @@ use crate::notation::Spanned;
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, formulas, goals};
 pub use page::{Datum, Local, Page, Premises};
+pub use running::Running;
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
 const LONGEST_RANGE: usize = 1000;
@@ -43,6 +45,8 @@ pub struct Derivation {
     pages_of: BTreeMap<Symbol, Vec<usize>>,
     /// By page, the pages that it cites, and itself.
     neighbours: Vec<BTreeSet<usize>>,
+    /// By page, the indices that run through sequences.
+    running: Vec<Vec<Running>>,
 }
 
 /// A hypothesis with where it comes from.
@@ -87,6 +91,7 @@ impl Derivation {
             mentions: Vec::new(),
             pages_of: BTreeMap::new(),
             neighbours: Vec::new(),
+            running: Vec::new(),
         };
         let documents = documents.into_iter().enumerate();
         for (page, equations) in in_order(documents, |(at, own)| page::read_page(own, at)) {
@@ -124,8 +129,11 @@ impl Derivation {
                     .or_default()
                     .push(page);
             }
+            let equations = &derivation.equations[derivation.equations_of(page)];
+            let running = running::running(&derivation.pages[page], equations);
             derivation.mentions.push(mentions);
             derivation.neighbours.push(neighbours);
+            derivation.running.push(running);
         }
         derivation
     }

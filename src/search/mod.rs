@@ -7,6 +7,7 @@ mod elements;
 mod functions;
 mod ideal;
 mod implied;
+mod induction;
 mod mend;
 mod missing;
 mod point;
@@ -27,6 +28,7 @@ use crate::kernel::{
     Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
 pub use implied::{Implied, implied};
+pub use induction::{prove_for_every, refute_by_first_elements};
 pub use mend::{Change, Mended, mended};
 pub use missing::missing_suppositions;
 pub use prove::Effort;
