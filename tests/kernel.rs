@@ -9,6 +9,8 @@ mod claims;
 mod dimensions;
 #[path = "kernel/functions.rs"]
 mod functions;
+#[path = "kernel/induction.rs"]
+mod induction;
 #[path = "kernel/knowledge.rs"]
 mod knowledge;
 #[path = "kernel/obligations.rs"]

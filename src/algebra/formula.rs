@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 
 use smallvec::{SmallVec, smallvec};
 
-use super::{Expr, Symbol};
+use super::{Expr, Moved, Symbol};
 
 /// How two terms are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -129,6 +129,32 @@ impl Formula {
                 to: change(to),
                 value: value.as_ref().map(change),
             },
+        }
+    }
+
+    /// Whether an index occurs, by itself or in the name of a symbol.
+    pub fn depends_on(&self, index: &Symbol) -> bool {
+        let own = match self {
+            Formula::Relation { .. } => false,
+            Formula::AllEqual { sequence, .. } => Expr::Symbol(sequence.clone()).depends_on(index),
+        };
+        own || self.terms().iter().any(|term| term.depends_on(index))
+    }
+
+    /// The same relation for another value of an index; `None` as for [`Expr::moved`].
+    pub fn moved(&self, index: &Symbol, to: Moved) -> Option<Formula> {
+        match self {
+            formula if !formula.depends_on(index) => Some(formula.clone()),
+            Formula::Relation {
+                left,
+                relation,
+                right,
+            } => Some(Formula::Relation {
+                left: left.moved(index, to)?,
+                relation: *relation,
+                right: right.moved(index, to)?,
+            }),
+            Formula::AllEqual { .. } => None,
         }
     }
 

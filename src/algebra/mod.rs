@@ -13,6 +13,7 @@ mod expr;
 mod formula;
 mod fraction;
 mod function;
+mod indexed;
 mod lower;
 mod monomial;
 mod polynomial;
@@ -29,6 +30,7 @@ pub use expr::{Expr, Function, LimitPoint};
 pub use formula::{Formula, Relation};
 pub use fraction::{Fraction, factors, product};
 pub use function::{Functions, SineCosine, multiplied};
+pub use indexed::{Moved, Place, element_at, running_symbol};
 pub use lower::{
     Conditions, LowerError, Lowering, element_parts, element_symbol, expr_of, expr_of_atom,
     expr_of_fraction, power_sum, product_of, raised,

@@ -150,7 +150,7 @@ impl Lowering<'_> {
             Atom::Symbol(symbol) => powers.naturals.get(symbol).copied(),
             _ => None,
         };
-        let (mut natural, mut at_least_one) = (true, true);
+        let mut natural = true;
         for (monomial, coefficient) in exponent.terms() {
             if monomial.is_one() && !coefficient.is_integer() {
                 return Ok(None);
@@ -163,13 +163,10 @@ impl Lowering<'_> {
                 _ => None,
             };
             natural &= known.is_some();
-            at_least_one &= known == Some(true);
         }
+        // With a natural exponent there is a value for every base, for 0^0 is 1 as it is at points.
         if !natural {
             self.conditions.positive.insert(sign_of_fraction(base)?);
-        } else if !at_least_one && base.as_constant().is_none() {
-            // 0^0 is left alone.
-            self.conditions.nonzero.insert(base.numerator().clone());
         }
         let mut value = Fraction::from(Rational::one());
         for (monomial, coefficient) in exponent.terms() {

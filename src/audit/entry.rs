@@ -1,7 +1,7 @@
 use crate::algebra::Formula;
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::document::Span;
-use crate::kernel::{Model, Proven, Refuted, Scales, ScalesNot};
+use crate::kernel::{HoldsForEvery, Model, Proven, Refuted, Scales, ScalesNot};
 use crate::notation::{Mark, SyntaxError};
 use crate::search::{Implied, Mended, Repair, Stop};
 
@@ -95,6 +95,8 @@ pub enum Outcome {
     Defined,
     /// The kernel's proof.
     Proven(Box<Proven>),
+    /// The kernel's proof for every element of a sequence.
+    ForEvery(Box<HoldsForEvery>),
     /// The kernel's counterexample.
     Refuted(Box<Refuted>),
     /// The kernel's proof of a scaling relation.
@@ -108,7 +110,10 @@ pub enum Outcome {
 impl Outcome {
     /// Whether the kernel has seen it proved.
     pub fn is_proven(&self) -> bool {
-        matches!(self, Outcome::Proven(_) | Outcome::Scales(_))
+        matches!(
+            self,
+            Outcome::Proven(_) | Outcome::ForEvery(_) | Outcome::Scales(_)
+        )
     }
 
     /// Whether the kernel has seen it refuted.

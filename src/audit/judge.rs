@@ -107,6 +107,16 @@ impl Judge<'_> {
             Ok(posed) => search::decide_within(posed, &self.auditor.hints(), self.points()),
             Err(reject) => search::hopeless(reject.clone()),
         };
+        let condition = match &decision {
+            Decision::Proven { conditions, .. } => Some(!conditions.is_empty()),
+            _ => None,
+        };
+        if condition != Some(false) {
+            let condition = condition.is_some();
+            if self.for_every(goal, &assumed, premises, condition, &mut found) {
+                return found;
+            }
+        }
         match decision {
             Decision::Proven {
                 derived,
@@ -157,39 +167,8 @@ impl Judge<'_> {
                         || !self.strengthen(goal, &assumed, premises, &mut found)
                             && self.rescue(goal, &attempts, &FARTHER, &mut found)
                 };
-                if !settled && let Outcome::Refuted(refuted) = &found.judged.outcome {
-                    let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-                    found.implied = search::implied(&claim).map(Box::new);
-                    // Where only a factor is wrong, the author's own words are kept already.
-                    if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {
-                        let witness = refuted.witness();
-                        let mended =
-                            search::mended(&claim, witness, &self.auditor.hints(), values_at);
-                        found.mended = mended.map(Box::new);
-                    }
-                    if let Some((conditions, _)) =
-                        search::missing_conditions(&claim, refuted.witness(), &self.auditor.hints())
-                    {
-                        found.conditions = conditions;
-                    } else if found.mended.is_none()
-                        && found
-                            .implied
-                            .as_ref()
-                            .is_none_or(|i| i.restates() && !i.is_multiple())
-                    {
-                        let elsewhere = self.later(premises);
-                        let hints = self.auditor.hints();
-                        let missing = search::missing_suppositions(
-                            &claim,
-                            refuted.witness(),
-                            &elsewhere,
-                            &hints,
-                            values_at,
-                        );
-                        if let Some((all, _)) = missing {
-                            (found.missing, found.implied) = (all, None);
-                        }
-                    }
+                if !settled {
+                    self.instead(goal, &assumed, premises, &mut found);
                 }
             }
             Decision::Open(stop) => {
@@ -212,6 +191,50 @@ impl Judge<'_> {
     fn points(&self) -> Option<usize> {
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         page.beside.as_ref()?.budget.points
+    }
+
+    /// Looks for what holds in the place of what was refuted: a consequence, a mended formula, or what was not said.
+    pub(super) fn instead(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        let Outcome::Refuted(refuted) = &found.judged.outcome else {
+            return;
+        };
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        found.implied = search::implied(&claim).map(Box::new);
+        // Where only a factor is wrong, the author's own words are kept already.
+        if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {
+            let witness = refuted.witness();
+            let mended = search::mended(&claim, witness, &self.auditor.hints(), values_at);
+            found.mended = mended.map(Box::new);
+        }
+        if let Some((conditions, _)) =
+            search::missing_conditions(&claim, refuted.witness(), &self.auditor.hints())
+        {
+            found.conditions = conditions;
+        } else if found.mended.is_none()
+            && found
+                .implied
+                .as_ref()
+                .is_none_or(|i| i.restates() && !i.is_multiple())
+        {
+            let elsewhere = self.later(premises);
+            let hints = self.auditor.hints();
+            let missing = search::missing_suppositions(
+                &claim,
+                refuted.witness(),
+                &elsewhere,
+                &hints,
+                values_at,
+            );
+            if let Some((all, _)) = missing {
+                (found.missing, found.implied) = (all, None);
+            }
+        }
     }
 
     /// Leaves out every hypothesis that a proof does without, the last first. `posed` is the claim that was proved.

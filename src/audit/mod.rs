@@ -8,6 +8,7 @@ mod cases;
 mod dimensions;
 mod entry;
 mod given;
+mod induction;
 mod judge;
 mod numeric;
 mod premise;

@@ -1,12 +1,14 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::algebra::Formula;
-use crate::derivation::{Assumed, Derivation, Kind, Source, conditions, formulas, is_open};
+use crate::algebra::{Formula, Symbol};
+use crate::derivation::{
+    Assumed, Derivation, Kind, Running, Source, conditions, formulas, is_open,
+};
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
 
-use super::Entry;
+use super::{Entry, Note, Outcome};
 
 /// What an equation offers to those that cite it.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +19,8 @@ pub struct Offer {
     pub cases: Vec<(Vec<Formula>, Arc<Formula>)>,
     /// The local hypotheses that its derivation used, itself or through its premises: page and position.
     pub under: BTreeSet<(usize, usize)>,
+    /// Which formulas, by position, are true for every value of an index that runs on the page.
+    pub throughout: BTreeSet<(usize, Symbol)>,
 }
 
 impl Offer {
@@ -30,7 +34,24 @@ impl Offer {
                 false => (offer.cases).extend(own.map(|own| (conditions(statement), own))),
             }
         }
+        for running in derivation.running(derivation.equations[at].page) {
+            for (position, formula) in offer.formulas.iter().enumerate() {
+                if derivation.is_given_throughout(at, formula, running) {
+                    let index = running.index.clone();
+                    offer.throughout.insert((position, index));
+                }
+            }
+        }
         offer
+    }
+
+    /// Whether a formula that is offered is true for every value of an index.
+    pub fn is_throughout(&self, formula: &Formula, index: &Symbol) -> bool {
+        let mut positions = self.throughout.iter().filter(|(_, own)| own == index);
+        positions.any(|(position, _)| {
+            let own = self.formulas.get(*position);
+            own.is_some_and(|own| **own == *formula)
+        })
     }
 
     /// What is offered by an equation once judged: all that it asserts, be it true or not. What it only
@@ -58,9 +79,13 @@ impl Offer {
                 let proven = judged.outcome.is_proven();
                 if proven || !(crossed || judged.goal.questioned) {
                     let own = judged.goal.formula.clone().into();
-                    match statement.under.is_empty() {
-                        true => offer.formulas.push(own),
-                        false => offer.cases.push((conditions(statement), own)),
+                    if statement.under.is_empty() {
+                        let position = offer.formulas.len();
+                        let all = throughout(derivation, at, entry, &offers).into_iter();
+                        offer.throughout.extend(all.map(|index| (position, index)));
+                        offer.formulas.push(own);
+                    } else {
+                        offer.cases.push((conditions(statement), own));
                     }
                 }
                 for assumed in &judged.assumed {
@@ -79,6 +104,37 @@ impl Offer {
         }
         offer
     }
+}
+
+/// The running indices for every value of which a statement is shown: each link is proved, and from nothing that is
+/// said of one value alone or may depend on it unseen.
+fn throughout<'a>(
+    derivation: &Derivation,
+    at: usize,
+    entry: &Entry,
+    offers: &impl Fn(usize) -> Option<&'a Offer>,
+) -> Vec<Symbol> {
+    let conditional = |n: &Note| matches!(n, Note::UnstatedCondition(_));
+    if entry.notes.iter().any(conditional) {
+        return Vec::new();
+    }
+    let fine = |running: &&Running| {
+        let said = |assumed: &Assumed| match assumed.source {
+            Source::Step => !running.ties(&assumed.formula) || entry.judged.len() > 1,
+            Source::Local(..) => !running.ties(&assumed.formula),
+            Source::Equation(premise) => {
+                let offer = offers(premise);
+                !running.ties(&assumed.formula)
+                    || offer.is_some_and(|o| o.is_throughout(&assumed.formula, &running.index))
+            }
+        };
+        entry.judged.iter().all(|judged| match judged.outcome {
+            Outcome::Defined => derivation.is_given_throughout(at, &judged.goal.formula, running),
+            _ => judged.outcome.is_proven() && judged.assumed.iter().all(said),
+        })
+    };
+    let running = derivation.running(derivation.equations[at].page).iter();
+    running.filter(fine).map(|r| r.index.clone()).collect()
 }
 
 /// The premises that an equation may use, and those that it may not.

@@ -10,6 +10,7 @@ mod equation;
 mod names;
 mod page;
 mod rows;
+mod running;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -24,6 +25,7 @@ pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
 pub use page::{Datum, Local, Page, Premises};
+pub use running::Running;
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
 const LONGEST_RANGE: usize = 1000;
@@ -46,6 +48,8 @@ pub struct Derivation {
     pages_of: BTreeMap<Symbol, Vec<usize>>,
     /// By page, the pages that it cites, and itself.
     neighbours: Vec<BTreeSet<usize>>,
+    /// By page, the indices that run through sequences.
+    running: Vec<Vec<Running>>,
 }
 
 /// A hypothesis with where it comes from.
@@ -95,6 +99,7 @@ impl Derivation {
             mentions: Vec::new(),
             pages_of: BTreeMap::new(),
             neighbours: Vec::new(),
+            running: Vec::new(),
         };
         let documents = documents.into_iter().map(|(mut own, beside)| {
             own.beside = beside.as_ref().map(|beside| Arc::clone(&beside.file));
@@ -136,8 +141,11 @@ impl Derivation {
                     .or_default()
                     .push(page);
             }
+            let equations = &derivation.equations[derivation.equations_of(page)];
+            let running = running::running(&derivation.pages[page], equations);
             derivation.mentions.push(mentions);
             derivation.neighbours.push(neighbours);
+            derivation.running.push(running);
         }
         derivation
     }

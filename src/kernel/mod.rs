@@ -16,8 +16,10 @@
 //! | [`Algebraic`] | the same, modulo a polynomial with one root between two numbers |
 //! | [`ScalingProof`] | exponents of the goal = Σ rational · exponents of a premise |
 //! | [`Situations`] | evaluate in both: premises true, the goal's sides grow differently |
+//! | [`Reasoning`] | the claims at the first indices and from one to the next, each with its certificate |
 //!
-//! [`check`] judges relations between numbers at one point, [`check_scaling`] relations between two situations.
+//! [`check`] judges relations between numbers at one point, [`check_scaling`] relations between two situations,
+//! [`check_for_every`] relations between the elements of sequences.
 
 mod algebraic;
 mod certificate;
@@ -25,6 +27,7 @@ mod claim;
 pub mod dimension;
 mod functions;
 mod in_pi;
+mod induction;
 mod knowledge;
 mod obligation;
 mod powers;
@@ -44,6 +47,10 @@ pub use certificate::{
 pub use claim::{Claim, Domain, Hypothesis, Standing};
 pub(crate) use functions::pi_is_the_number;
 pub use in_pi::in_powers_of_pi;
+pub use induction::{
+    ForEvery, HoldsForEvery, Instance, Part, PartOrigin, ProvenPart, Reasoning, at_the_index,
+    check_for_every, refute_for_every,
+};
 pub use knowledge::Knowledge;
 pub use obligation::Obligation;
 pub use problem::{Origin, Problem};

@@ -144,6 +144,20 @@ pub enum Reject {
     NotAProduct(Expr),
     /// What the hypothesis with this position speaks of is spoken of elsewhere, or may have no value.
     NotSetAside(usize),
+    /// The index is not known to run through all whole numbers from one on.
+    NoRun(Symbol),
+    /// The hypothesis with this position is not said of every index.
+    NotThroughout(usize),
+    /// A premise is used at an index for which it is not said.
+    OutOfRange(usize),
+    /// What is said cannot be said of another index.
+    Unmovable,
+    /// This symbol may be another number for another index.
+    MayRun(Symbol),
+    /// An induction begins nowhere.
+    NoBase,
+    /// Values up to some index are not known to go on for ever.
+    MayEnd,
     /// A bound on the size of the computation was exceeded.
     TooLarge,
 }
@@ -179,6 +193,13 @@ impl fmt::Display for Reject {
             Reject::DivisionByZero => "division by an expression that is always 0",
             Reject::NotAProduct(_) => "a term of a scaling relation is no product of powers",
             Reject::NotSetAside(_) => "a premise that is set aside may matter",
+            Reject::NoRun(_) => "the index is not known to run through all whole numbers",
+            Reject::NotThroughout(_) => "a premise is not said of every index",
+            Reject::OutOfRange(_) => "a premise is used where it is not said",
+            Reject::Unmovable => "what is said cannot be said of another index",
+            Reject::MayRun(_) => "a symbol may depend on the index",
+            Reject::NoBase => "the induction has no base",
+            Reject::MayEnd => "the sequence may not go on",
             Reject::TooLarge => "the expression is too large to expand",
         })
     }

@@ -129,6 +129,10 @@ impl Report<'_> {
                 return text;
             }
             Outcome::Proven(proven) => (Some(proven.claim()), self.proof(judged, proven)),
+            Outcome::ForEvery(holds) => {
+                let lines = self.proof_for_every(judged, holds);
+                (Some(&holds.claim().claim), lines)
+            }
             Outcome::Refuted(refuted) => (Some(refuted.claim()), witness(refuted)),
             Outcome::Scales(proven) => (Some(proven.claim()), self.scaling_proof(judged, proven)),
             Outcome::ScalesNot(refuted, repair) => {
@@ -170,7 +174,7 @@ impl Report<'_> {
             text += "      nothing: it must hold for all values\n";
         }
         text += match &judged.outcome {
-            Outcome::Proven(_) | Outcome::Scales(_) => "    Proof\n",
+            Outcome::Proven(_) | Outcome::ForEvery(_) | Outcome::Scales(_) => "    Proof\n",
             Outcome::Refuted(_) | Outcome::ScalesNot(..) => "    Counterexample\n",
             _ => "    Outcome\n",
         };

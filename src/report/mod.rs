@@ -33,6 +33,7 @@ pub mod graph;
 pub mod html;
 pub mod human;
 pub mod implied;
+mod induction;
 mod json;
 mod junit;
 mod levels;

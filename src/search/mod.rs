@@ -9,6 +9,7 @@ mod elements;
 mod functions;
 mod ideal;
 mod implied;
+mod induction;
 mod mend;
 mod missing;
 mod point;
@@ -32,6 +33,7 @@ use crate::kernel::{
 };
 pub use algebraic::without_rational_points;
 pub use implied::{Implied, implied};
+pub use induction::{prove_for_every, refute_by_first_elements};
 pub use mend::{Change, Mended, mended};
 pub use missing::missing_suppositions;
 pub use prove::Effort;

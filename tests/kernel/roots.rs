@@ -123,9 +123,8 @@ fn symbolic_power_is_taken_apart_for_naturals_or_a_positive_base() {
         ..natural()
     };
     assert_eq!(read(doubled().domain("n", counting())), Ok(()));
-    // Nobody has said what 0^0 is.
-    let from_zero = read(doubled().domain("n", natural()));
-    assert!(matches!(from_zero, Err(Reject::MayVanish(_))));
+    // 0^0 is 1, as it is at points.
+    assert_eq!(read(doubled().domain("n", natural())), Ok(()));
     assert_eq!(read(doubled().domain("b", positive())), Ok(()));
     assert!(read(doubled()).is_err());
     // At n = −1 and b = 0 it would be 1 = 0 · b^(−1).
@@ -135,6 +134,19 @@ fn symbolic_power_is_taken_apart_for_naturals_or_a_positive_base() {
     // Broken in one place.
     let wrong = claim(&[], "b^{n + 2} = b^n b").domain("n", counting());
     assert!(read(wrong).is_err());
+}
+
+#[test]
+fn power_with_exponent_0_says_nothing_of_its_base() {
+    // At n = 0 and b = 0 the premise is true.
+    let goal = claim(&["y = b^n"], r"b \neq 0").domain("n", natural());
+    let p = Proving::new(goal.clone());
+    let nonzero = p.problem.facts.iter().any(|f| f.sign == Sign::NonZero);
+    assert!(!nonzero, "the premise has a value everywhere");
+    assert_eq!(
+        refuted(&goal, point(&[("y", 1), ("b", 0), ("n", 0)])),
+        Ok(())
+    );
 }
 
 #[test]

@@ -14,9 +14,20 @@ use proptest::prelude::*;
 use super::pages::holds;
 use super::physics::*;
 
-const COLLISION: &[&str] = &["N1", "N2", "N3", "N4", "N5", "N6", "N7", "N8"];
+const COLLISION: &[&str] = &[
+    "N1",
+    "N2",
+    "N3",
+    "N4",
+    "something-changes",
+    "N5",
+    "N6",
+    "N7",
+    "N8",
+    "nothing-is-lost",
+];
 const LINE: &[&str] = &[
-    "N9", "N10", "N11", "N12", "N13", "N14", "N15", "N16", "N17", "N18",
+    "N9", "at-first", "at-last", "N10", "N11", "N12", "N13", "N14", "N15", "N16", "N17", "N18",
 ];
 const SPEED: &[&str] = &["P1", "P2", "P3", "P4", "P5", "P6", "P7"];
 const FAMILY: &[&str] = &["F1", "F2", "F3", "F4", "F5", "F6", "F7", "F8", "F9"];
@@ -51,7 +62,7 @@ const DECAY: &[&str] = &[
 ];
 /// True or not as two masses are equal, or two numbers of balls.
 const EQUIVALENT: &[&str] = &["F10", "M9", "M13"];
-/// `D1` and `D3`, evaluated by themselves: they speak of one click more.
+/// `D1` and `D3`, evaluated by themselves: they speak of one click more, or of two.
 const ONE_MORE: &[&str] = &["D1", "D3"];
 
 fn pages() -> &'static Checker {
@@ -95,16 +106,17 @@ proptest! {
         let (a2, b2) = elastic(&m, &m, &a, &b);
         let mut at = Point::new()
             .with_ratio("m", m)
-            .with_ratio("a", a.clone())
-            .with_ratio("b", b.clone())
-            .with_ratio("a'", a2.clone())
-            .with_ratio("b'", b2.clone());
-        for power in 1..=4 {
+            .with_ratio("a_t", a.clone())
+            .with_ratio("b_t", b.clone())
+            .with_ratio("a'_t", a2.clone())
+            .with_ratio("b'_t", b2.clone());
+        for (power, name) in (1..=4).zip(["P", "Q", "R", "T"]) {
             let before = a.pow(power) + b.pow(power);
             let after = a2.pow(power) + b2.pow(power);
             at = at
-                .with_ratio(&format!("S_{power}"), &sums + before)
-                .with_ratio(&format!("S'_{power}"), &sums + after);
+                .with_ratio(&format!("{name}_0"), &sums + before.clone())
+                .with_ratio(&format!("{name}_t"), &sums + before)
+                .with_ratio(&format!("{name}_{{t+1}}"), &sums + after);
         }
         for label in COLLISION {
             prop_assert!(holds(pages(), label, &at), "({})", label);
@@ -121,7 +133,13 @@ proptest! {
             .with("n", cradle.moving)
             .with("k", cradle.after.len())
             .with_ratio("v_0", cradle.v0.clone())
-            .with_list("w", vec![cradle.v0.clone(); cradle.moving])
+            .with_list("w", vec![cradle.v0.clone(); cradle.moving]);
+        let at = (1..=4).zip(["P", "Q", "R", "T"]).fold(at, |at, (power, name)| {
+            let sum = |all: &[BigRational]| all.iter().map(|u| u.pow(power)).sum::<BigRational>();
+            at.with_ratio(&format!("{name}_0"), whole(cradle.moving) * cradle.v0.pow(power))
+                .with_ratio(&format!("{name}_t"), sum(&after))
+        });
+        let at = at
             .with_list("x", shares.collect::<Vec<_>>())
             .with_list("u", after);
         for label in LINE.iter().chain(SPEED) {
@@ -227,16 +245,19 @@ proptest! {
             .with("n", n)
             .with_ratio("m", m.clone())
             .with_ratio("e", e)
+            .with_ratio("c_0", &v0 / whole(2))
+            .with_ratio("w_0", v0.clone())
             .with_ratio("v_0", v0)
             .with_ratio("c_n", centre(&one, &two))
             .with_ratio("w_n", &two - &one)
             .with_ratio("c_{n+1}", centre(&later, &latest))
             .with_ratio("w_{n+1}", &latest - &later)
             .with_ratio("K_n", energy(&one) + energy(&two))
-            .with_ratio("K_{n+1}", energy(&later) + energy(&latest))
             .with_ratio("K_0", first.clone())
+            .with_ratio("E_1", &share * &first)
             .with_ratio("E_n", share.pow(n as i32) * &first)
             .with_ratio("E_{n+1}", share.pow(n as i32 + 1) * &first)
+            .with_ratio("E_{n+2}", share.pow(n as i32 + 2) * &first)
             .with_ratio("E_0", first.abs());
         for label in DECAY.iter().chain(ONE_MORE) {
             prop_assert!(holds(pages(), label, &at), "({})", label);

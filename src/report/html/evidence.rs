@@ -83,6 +83,10 @@ impl Page<'_> {
                     + "<p>It defines a symbol that has not occurred before: nothing to show.</p>\n</div>\n";
             }
             Outcome::Proven(proven) => (Some(proven.claim()), self.proof(judged, proven)),
+            Outcome::ForEvery(holds) => {
+                let lines = self.report.proof_for_every(judged, holds);
+                (Some(&holds.claim().claim), folded("Proof", &lines))
+            }
             Outcome::Refuted(refuted) => (Some(refuted.claim()), counterexample(refuted)),
             Outcome::Scales(proven) => {
                 let lines = self.report.scaling_proof(judged, proven);

@@ -1,0 +1,126 @@
+//! Goals about the elements of sequences, where what is said of every index is needed.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::Symbol;
+use crate::derivation::{Assumed, Goal, Kind, Source};
+use crate::kernel::{ForEvery, HoldsForEvery};
+use crate::search::{self, Effort, Stop};
+
+use super::Outcome;
+use super::judge::{Found, Judge, sources};
+
+/// How many uncited hypotheses a step that does not follow for every index is tried with.
+const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
+
+impl Judge<'_> {
+    /// Settles a goal that does not follow from what its premises say at the index itself, where they say more: by
+    /// other indices, by induction, by a counterexample in first elements; and where that is not found, by leaving it
+    /// open. Values at one index alone would refute what is true of sequences. `false` where no index runs, or where the
+    /// goal follows on some `condition` and no better proof is found.
+    pub fn for_every(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        condition: bool,
+        found: &mut Found,
+    ) -> bool {
+        let claims = self.claims_for_every(goal, assumed);
+        if claims.is_empty() {
+            return false;
+        }
+        for claim in &claims {
+            let Some((holds, used)) = search::prove_for_every(claim) else {
+                continue;
+            };
+            let (kept, least) = self.least_for_every(claim, holds, &used, goal, assumed);
+            if self.is_contradictory(&kept, goal) {
+                found.contradictory = sources(&kept);
+                return true;
+            }
+            found.judged.assumed = kept;
+            found.judged.outcome = Outcome::ForEvery(least.into());
+            return true;
+        }
+        if condition {
+            return false;
+        }
+        // What the author crosses out need not follow from anything else.
+        let marked = self.derivation.equations[self.at].kind == Kind::Marked && goal.questioned;
+        if !marked {
+            let attempts = self.attempts(goal, assumed, premises, None);
+            if self.rescue(goal, &attempts, &NEARBY, found) {
+                return true;
+            }
+        }
+        match claims.iter().find_map(search::refute_by_first_elements) {
+            Some(refuted) => {
+                found.judged.outcome = Outcome::Refuted(refuted.into());
+                if !marked {
+                    self.instead(goal, assumed, premises, found);
+                }
+            }
+            None => {
+                found.judged.outcome = Outcome::Open(Stop {
+                    reason: "neither a proof by induction nor first elements against it were found"
+                        .into(),
+                    ..Stop::default()
+                });
+            }
+        }
+        true
+    }
+
+    /// The goal as a claim about every index, for each index that runs here.
+    fn claims_for_every(&self, goal: &Goal, assumed: &[Assumed]) -> Vec<ForEvery> {
+        if !goal.suppositions.is_empty() {
+            return Vec::new();
+        }
+        let said = |a: &Assumed, index: &Symbol| match a.source {
+            Source::Equation(premise) => {
+                let offer = self.auditor.offer(self.at, premise);
+                match offer {
+                    Some(offer) => offer.is_throughout(&a.formula, index),
+                    None => {
+                        let page = self.derivation.equations[premise].page;
+                        let mut running = self.derivation.running(page).iter();
+                        let given = self.derivation.equations[premise].kind == Kind::Given;
+                        given
+                            && running.any(|running| {
+                                running.index == *index
+                                    && self
+                                        .derivation
+                                        .is_given_throughout(premise, &a.formula, running)
+                            })
+                    }
+                }
+            }
+            _ => false,
+        };
+        self.derivation
+            .for_every(self.at, assumed, &goal.formula, said)
+    }
+
+    /// Leaves out the hypotheses that a proof does without.
+    fn least_for_every(
+        &self,
+        claim: &ForEvery,
+        holds: HoldsForEvery,
+        used: &BTreeSet<usize>,
+        goal: &Goal,
+        assumed: &[Assumed],
+    ) -> (Vec<Assumed>, HoldsForEvery) {
+        let all = assumed.iter().enumerate();
+        let fewer: Vec<Assumed> = all
+            .filter(|(position, _)| used.contains(position))
+            .map(|(_, own)| own.clone())
+            .collect();
+        let mut smaller = self.claims_for_every(goal, &fewer).into_iter();
+        let own = smaller.find(|other| other.index == claim.index);
+        match own.as_ref().and_then(search::prove_for_every) {
+            Some((least, _)) => (fewer, least),
+            None => (assumed.to_vec(), holds),
+        }
+    }
+}
