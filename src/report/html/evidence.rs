@@ -32,8 +32,11 @@ impl Page<'_> {
                 }
             }
             None => {
-                let dimensions: Vec<String> =
-                    report.dimensions(entry).iter().map(|d| escape(d)).collect();
+                let dimensions: Vec<String> = report
+                    .dimensions(entry)
+                    .iter()
+                    .map(|d| words::scripted(d))
+                    .collect();
                 if !dimensions.is_empty() {
                     fact("dimension", dimensions.join("; "));
                 }
@@ -50,7 +53,7 @@ impl Page<'_> {
             let values = explain::assigned(model.point());
             text += &format!(
                 "<p>All that is given with it can be true together, for instance at {}.</p>\n",
-                escape(&values.join(", "))
+                words::scripted(&values.join(", "))
             );
         }
         let numeric = report.numeric_lines(entry);
@@ -87,7 +90,10 @@ impl Page<'_> {
                 let mut shown = folded("Counterexample", &scaling::situations(refuted));
                 if let Some(repair) = repair {
                     let goal = &repair.proven.claim().goal;
-                    shown += &format!("<p>What follows instead is {}.</p>\n", words::formula(goal));
+                    shown += &format!(
+                        "<p>What follows instead is <span class=\"wide\">{}</span>.</p>\n",
+                        words::formula(goal)
+                    );
                     let claim = refuted.claim();
                     let lines = self.report.scaling_proof_of(judged, claim, &repair.proven);
                     shown += &folded("Proof", &lines);
@@ -137,7 +143,7 @@ impl Page<'_> {
         for line in claim.map(explain::domains).unwrap_or_default() {
             items.push(format!(
                 "{} <span class=\"from\">declared</span>",
-                escape(&line)
+                words::scripted(&line)
             ));
         }
         match items.is_empty() {
@@ -167,7 +173,7 @@ impl Page<'_> {
             text += &format!(
                 "<p class=\"repair\">What follows instead is <span class=\"wide\">{}</span>{}.</p>\n",
                 words::formula(&proven.claim().goal),
-                escape(&difference)
+                words::scripted(&difference)
             );
             if let Some((judged, _)) = entry.refuted() {
                 text += &self.proof(judged, proven);
@@ -199,8 +205,8 @@ fn counterexample(refuted: &Refuted) -> String {
         .map(|(name, value)| {
             format!(
                 "<span class=\"value\">{} = {}</span>",
-                escape(&name),
-                escape(&value)
+                words::scripted(&name),
+                words::scripted(&value)
             )
         })
         .collect();
@@ -219,8 +225,8 @@ fn counterexample(refuted: &Refuted) -> String {
         text += &format!(
             "<tr class=\"{truth}\"><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{truth}</td></tr>\n",
             words::formula(formula),
-            escape(&left),
-            escape(&right)
+            words::scripted(&left),
+            words::scripted(&right)
         );
     }
     text + "</tbody>\n</table></div>\n"
