@@ -1,40 +1,16 @@
 //! The program from outside: exit codes, each command, and input that a careless world sends.
 
-use std::io::Write;
+mod common;
+
 use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
+use common::{code, command, err, out, piped, run as program};
 use serde_json::Value;
-
-fn program(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
-        .args(args)
-        .env_remove("NO_COLOR")
-        .output()
-        .unwrap()
-}
-
-fn code(output: &Output) -> i32 {
-    output
-        .status
-        .code()
-        .expect("ended by itself, not by a signal")
-}
-
-fn out(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn err(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
 
 /// A directory of this test's own with one document in it.
 fn page(test: &str, source: &[u8]) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join("page.md");
+    let path = common::folder(test).join("page.md");
     std::fs::write(&path, source).unwrap();
     path
 }
@@ -290,19 +266,8 @@ fn a_directory_is_read_as_one_derivation() {
 
 #[test]
 fn standard_input_is_a_document() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
-        .args(["check", "-"])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child
-        .stdin
-        .take()
-        .unwrap()
-        .write_all(b"<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$")
-        .unwrap();
-    let output = child.wait_with_output().unwrap();
+    let page = "<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$";
+    let output = piped(&["check", "-"], page);
     assert_eq!(code(&output), 1);
     assert!(
         out(&output).contains("standard input:2:"),
@@ -423,7 +388,7 @@ fn colours_are_as_asked() {
 #[cfg(unix)]
 #[test]
 fn a_reader_who_stops_reading_is_no_error() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
+    let mut child = command(&[])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()

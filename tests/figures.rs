@@ -1,6 +1,7 @@
 //! Figures: the numbers in them against the cradle as code and against formulas, the files against their formats, the
 //! commands from outside.
 
+mod common;
 #[path = "figures/numbers.rs"]
 mod numbers;
 #[path = "figures/program.rs"]

@@ -107,29 +107,37 @@ fn the_graph_of_the_report() {
 #[test]
 fn a_drawing_is_legible() {
     of(&proofs::report(), |graph, _| {
-        let svg = graph.svg();
-        let number = |text: &str, key: &str| -> i64 {
-            let rest = &text[text.find(key).expect(key) + key.len()..];
-            rest[..rest.find('"').unwrap()].parse().unwrap()
-        };
-        let (width, height) = (number(&svg, " width=\""), number(&svg, " height=\""));
-        let boxes: Vec<[i64; 4]> = svg
-            .split("<rect class=\"cv-box\"")
-            .skip(1)
-            .map(|r| [" x=\"", " y=\"", " width=\"", " height=\""].map(|key| number(r, key)))
-            .collect();
-        assert!(boxes.len() > 90, "{}", boxes.len());
-        for (at, a) in boxes.iter().enumerate() {
-            assert!(
-                a[0] >= 0 && a[0] + a[2] <= width && a[1] + a[3] <= height,
-                "{a:?}"
-            );
-            for b in boxes[..at].iter().filter(|b| b[3] == 26 && a[3] == 26) {
-                let apart = |i: usize| a[i] + a[i + 2] <= b[i] || b[i] + b[i + 2] <= a[i];
-                assert!(apart(0) || apart(1), "{a:?} on {b:?}");
-            }
+        let linked = graph.svg_linked(&|at| format!("#node-{at}"));
+        for at in 0..graph.nodes.len() {
+            assert_eq!(linked.matches(&format!("href=\"#node-{at}\"")).count(), 1);
         }
+        legible(&graph.svg());
+        legible(&linked);
     });
+}
+
+fn legible(svg: &str) {
+    let number = |text: &str, key: &str| -> i64 {
+        let rest = &text[text.find(key).expect(key) + key.len()..];
+        rest[..rest.find('"').unwrap()].parse().unwrap()
+    };
+    let (width, height) = (number(svg, " width=\""), number(svg, " height=\""));
+    let boxes: Vec<[i64; 4]> = svg
+        .split("<rect class=\"cv-box\"")
+        .skip(1)
+        .map(|r| [" x=\"", " y=\"", " width=\"", " height=\""].map(|key| number(r, key)))
+        .collect();
+    assert!(boxes.len() > 90, "{}", boxes.len());
+    for (at, a) in boxes.iter().enumerate() {
+        assert!(
+            a[0] >= 0 && a[0] + a[2] <= width && a[1] + a[3] <= height,
+            "{a:?}"
+        );
+        for b in boxes[..at].iter().filter(|b| b[3] == 26 && a[3] == 26) {
+            let apart = |i: usize| a[i] + a[i + 2] <= b[i] || b[i] + b[i + 2] <= a[i];
+            assert!(apart(0) || apart(1), "{a:?} on {b:?}");
+        }
+    }
 }
 
 #[test]
@@ -137,8 +145,9 @@ fn names_cannot_break_out_of_a_drawing() {
     let page =
         "# <script>\"&\\\n\n$$ x = \"1 \\tag{<b>\"\\&} $$\n\n$$ y = 2 \\tag{]]>-->\"];} $$\n";
     graph(page, |graph, _| {
-        let svg = graph.svg();
-        assert!(!svg.contains("<script>") && !svg.contains("<b>"), "{svg}");
+        for svg in [graph.svg(), graph.svg_linked(&|_| "#\"><script>".into())] {
+            assert!(!svg.contains("<script>") && !svg.contains("<b>"), "{svg}");
+        }
         for line in graph.dot().lines() {
             let quotes = line.replace("\\\\", "").replace("\\\"", "");
             assert_eq!(quotes.matches('"').count() % 2, 0, "{line}");

@@ -1,16 +1,14 @@
 //! `init`: what it prints can be pasted as it is, and then every verdict is what it was.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
 
+use std::path::{Path, PathBuf};
+
+use common::{root, run};
 use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 use cradle_verify::dimension;
 use cradle_verify::report::{Report, declarations};
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 fn documents(folder: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(root().join(folder)).unwrap();
@@ -120,11 +118,6 @@ fn every_dimension_with_a_name_is_proposed_by_one_that_can_be_declared() {
         let proposed = dimension::declared_name(&own).unwrap();
         assert_eq!(dimension::named(&proposed), Some(own), "{name}: {proposed}");
     }
-}
-
-fn run(args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_cradle-verify"));
-    command.args(args).current_dir(root()).output().unwrap()
 }
 
 #[test]

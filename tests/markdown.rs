@@ -1,7 +1,8 @@
 //! Keys and environments in Markdown, notebooks, and which files `check` reads.
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
+mod common;
+
+use std::path::PathBuf;
 
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Document;
@@ -143,8 +144,7 @@ struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str, files: &[(&str, &str)]) -> Folder {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-        let _ = std::fs::remove_dir_all(&folder);
+        let folder = common::folder(name);
         for (path, text) in files {
             let path = folder.join(path);
             std::fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -154,13 +154,8 @@ impl Folder {
     }
 
     fn check(&self, arguments: &[&str]) -> serde_json::Value {
-        let output = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
-            .current_dir(&self.0)
-            .args(["check", "--format", "json"])
-            .args(arguments)
-            .output()
-            .unwrap();
-        serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{output:?}"))
+        let arguments = [&["check", "--format", "json"], arguments].concat();
+        common::json(&common::run_in(&self.0, &arguments))
     }
 }
 
@@ -203,29 +198,16 @@ fn a_directory_is_read_with_all_kinds_of_documents_and_included_files_once() {
 
 #[test]
 fn the_name_of_standard_input_says_what_it_is_written_in() {
-    use std::io::Write;
-    let mut child = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
-        .args([
-            "check",
-            "-",
-            "--stdin-filename",
-            "notes.tex",
-            "--format",
-            "json",
-        ])
-        .stdin(std::process::Stdio::piped())
-        .stdout(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
+    let arguments = [
+        "check",
+        "-",
+        "--stdin-filename",
+        "notes.tex",
+        "--format",
+        "json",
+    ];
     let text = "\\begin{equation} a = 1 \\end{equation}\n";
-    child
-        .stdin
-        .take()
-        .unwrap()
-        .write_all(text.as_bytes())
-        .unwrap();
-    let output = child.wait_with_output().unwrap();
-    let view: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let view = common::json(&common::piped(&arguments, text));
     assert_eq!(paths(&view), ["notes.tex"]);
     assert_eq!(view["documents"][0]["equations"][0]["tag"], "1");
 }

@@ -2,8 +2,9 @@
 //!
 //! In a block that starts with `$ cradle-verify …`, a line that is just `…` stands for any number of lines.
 
-use std::path::Path;
-use std::process::Command;
+mod common;
+
+use common::root;
 
 const SKIPPED: &str = "…";
 
@@ -11,10 +12,6 @@ struct Example<'a> {
     line: usize,
     command: &'a str,
     shown: Vec<&'a str>,
-}
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
 fn readme() -> String {
@@ -91,12 +88,8 @@ fn each_example_says_what_is_shown() {
     let examples = examples(&page);
     assert!(examples.len() >= 5, "the README has lost its examples");
     for example in examples {
-        let output = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
-            .args(example.command.split_whitespace())
-            .current_dir(root())
-            .output()
-            .unwrap();
-        let said = String::from_utf8(output.stdout).unwrap();
+        let arguments: Vec<&str> = example.command.split_whitespace().collect();
+        let said = common::out(&common::run(&arguments));
         let said: Vec<&str> = said.lines().map(str::trim_end).collect();
         let shown: Vec<&str> = example.shown.iter().map(|line| line.trim_end()).collect();
         if let Some(difference) = difference(&shown, &said) {

@@ -5,7 +5,7 @@ use super::figure::{Figure, Source, caption, verdicts};
 use super::law::Law;
 use super::legend::{self, Key};
 use super::numbers::Numbers;
-use super::panel::{LARGE, Marker, Panel, Range};
+use super::panel::{self, LARGE, Marker, Panel, Range};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Scene, Stroke};
 use super::words::exact;
@@ -95,15 +95,7 @@ fn draw(numbers: &Numbers, equal: &[BigRational], sources: &[Source]) -> Scene {
         (1.5, "1.5"),
         (2.0, "2.0"),
     ];
-    let share_ticks = [
-        (0.0, "0.0"),
-        (0.2, "0.2"),
-        (0.4, "0.4"),
-        (0.6, "0.6"),
-        (0.8, "0.8"),
-        (1.0, "1.0"),
-        (1.2, "1.2"),
-    ];
+    let share_ticks = panel::shares(shares.y);
     let title = Rich::words("Elastic collision with a ball at rest");
     scene.text((panel.left, 26.0), Anchor::Start, LARGE, title);
     panel.grid(&mut scene, &x_ticks, &y_ticks);
@@ -147,7 +139,7 @@ fn draw(numbers: &Numbers, equal: &[BigRational], sources: &[Source]) -> Scene {
         let beside = (place.0 + 9.0, place.1 - 8.0);
         scene.inked(beside, Anchor::Start, 12.0, ink, label);
     }
-    let corner = (panel.right - legend::width(&keys) - 14.0, panel.top + 10.0);
+    let corner = (panel.right - legend::width(&keys) - 9.0, panel.top + 10.0);
     legend::draw(&mut scene, corner, &keys);
     let top = Rich::formula("μ = 1");
     let above = (panel.x_at(1.0), panel.top - 5.0);

@@ -5,7 +5,7 @@ use super::figure::{Figure, Source, caption, verdicts};
 use super::legend::{self, Key};
 use super::material::Material;
 use super::numbers::Numbers;
-use super::panel::{LARGE, Marker, Panel, Range};
+use super::panel::{LARGE, Marker, Panel, Range, shares};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Scene, Stroke};
 use super::words::{exact, rounded};
@@ -79,14 +79,7 @@ fn draw(decay: &Decay, materials: &[Material], numbers: &Numbers, sources: &[Sou
         .and(" collisions");
     scene.text((panel.left, 26.0), Anchor::Start, LARGE, title);
     let x_ticks = [(0.0, "0"), (5.0, "5"), (10.0, "10"), (15.0, "15")];
-    let y_ticks = [
-        (0.0, "0.0"),
-        (0.2, "0.2"),
-        (0.4, "0.4"),
-        (0.6, "0.6"),
-        (0.8, "0.8"),
-        (1.0, "1.0"),
-    ];
+    let y_ticks = shares(panel.y);
     panel.grid(&mut scene, &x_ticks, &y_ticks);
     let between: Vec<f64> = (0..SHOWN).map(|n| n as f64).collect();
     let number = Rich::words("Collision number ").math("n");

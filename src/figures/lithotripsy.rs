@@ -3,7 +3,7 @@ use super::collision::{float, points};
 use super::figure::{Figure, Source, caption, verdicts};
 use super::law::{Law, Standing};
 use super::numbers::Numbers;
-use super::panel::{LARGE, Marker, Panel, Range};
+use super::panel::{LARGE, Marker, Panel, Range, shares};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Scene, Stroke};
 use super::words::exact;
@@ -77,14 +77,7 @@ fn draw(numbers: &Numbers, marks: &[(BigRational, BigRational)], sources: &[Sour
         (1e2, "10²"),
         (1e3, "10³"),
     ];
-    let y_ticks = [
-        (0.0, "0.0"),
-        (0.2, "0.2"),
-        (0.4, "0.4"),
-        (0.6, "0.6"),
-        (0.8, "0.8"),
-        (1.0, "1.0"),
-    ];
+    let y_ticks = shares(panel.y);
     let title =
         Rich::words("From the cradle to the kidney stone: how much of the energy gets across");
     scene.text((panel.left, 26.0), Anchor::Start, LARGE, title);

@@ -54,6 +54,23 @@ impl Range {
 /// Where on an axis something is written.
 pub(super) type Tick<'a> = (f64, &'a str);
 
+/// The ticks of shares, up to a little more than all.
+const SHARES: [Tick<'static>; 7] = [
+    (0.0, "0.0"),
+    (0.2, "0.2"),
+    (0.4, "0.4"),
+    (0.6, "0.6"),
+    (0.8, "0.8"),
+    (1.0, "1.0"),
+    (1.2, "1.2"),
+];
+
+/// The ticks of an axis for shares of a whole, as far as it goes.
+pub(super) fn shares(axis: Range) -> Vec<Tick<'static>> {
+    let on_it = |(value, _): &Tick| *value <= axis.to;
+    SHARES.into_iter().filter(on_it).collect()
+}
+
 /// A rectangle with an axis below it and one at its side.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Panel {

@@ -1,4 +1,5 @@
-//! Pictures as SVG: text stays text, and colours follow the reader's choice of a light or a dark page.
+//! Pictures as SVG: text stays text, and colours follow the reader's choice of a light or a dark page. On paper they
+//! are light.
 
 use std::fmt::Write;
 
@@ -62,7 +63,7 @@ fn style() -> String {
         inks().map(property).collect()
     };
     let mut style = format!(
-        ".cradle-figure{{{}}}@media (prefers-color-scheme:dark){{.cradle-figure{{{}}}}}",
+        ".cradle-figure{{{}}}@media screen and (prefers-color-scheme:dark){{.cradle-figure{{{}}}}}",
         properties(&Palette::LIGHT),
         properties(&Palette::DARK)
     );

@@ -333,13 +333,14 @@ impl<'s> Lexer<'s> {
                 return self.source.get(open + 1..open + offset);
             }
         }
+        let is_long = self.rest().chars().nth(LONGEST_ARGUMENT).is_some();
+        let message = match is_long {
+            true => format!("this brace is not closed within {LONGEST_ARGUMENT} characters"),
+            false => "this brace is never closed".to_owned(),
+        };
         // An unclosed brace would hide the rest of the formula, its `\tag` too: go on behind it.
         self.at = open + 1;
-        self.bad(
-            Span::new(open, open + 1),
-            "this brace is never closed".to_owned(),
-            None,
-        );
+        self.bad(Span::new(open, open + 1), message, None);
         None
     }
 

@@ -1,35 +1,26 @@
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn program(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
-        .args(args)
-        .output()
-        .unwrap()
-}
+use crate::common::{self, code, out, run};
 
 /// What it says, where it does the job.
 fn says(args: &[&str]) -> String {
-    let output = program(args);
-    assert_eq!(output.status.code(), Some(0), "{args:?}: {output:?}");
-    String::from_utf8(output.stdout).unwrap()
+    let output = run(args);
+    assert_eq!(code(&output), 0, "{args:?}: {output:?}");
+    out(&output)
 }
 
 /// What it complains of, where it does not; nothing is on standard output.
 fn complains(args: &[&str]) -> String {
-    let output = program(args);
-    assert_eq!(output.status.code(), Some(2), "{args:?}: {output:?}");
+    let output = run(args);
+    assert_eq!(code(&output), 2, "{args:?}: {output:?}");
     assert!(output.stdout.is_empty(), "{args:?}");
-    String::from_utf8(output.stderr).unwrap()
+    common::err(&output)
 }
 
 fn folder(test: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("figures-{test}"));
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
+    common::folder(&format!("figures-{test}"))
 }
 
 fn files(folder: &Path) -> Vec<String> {

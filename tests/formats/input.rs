@@ -1,7 +1,7 @@
 //! Standard input, files that are written, what is generated from the arguments, and the watch.
 
 use std::io::{BufRead, BufReader};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 use std::sync::atomic::AtomicUsize;
 use std::time::{Duration, Instant};
 
@@ -9,7 +9,7 @@ use cradle_verify::audit::Audit;
 use cradle_verify::proofs;
 use cradle_verify::report::Report;
 
-use crate::{code, err, json, out, piped, run, run_in, well};
+use crate::{code, command, err, json, out, piped, run, run_in, well};
 
 const FALSE: &str = "<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$";
 
@@ -193,8 +193,7 @@ fn completions_and_manual_pages_know_the_commands() {
 #[test]
 fn a_watched_page_is_audited_again_when_it_changes() {
     let (folder, text) = well("watch");
-    let mut child = Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
-        .args(["check", "well.md", "--watch", "--format", "short"])
+    let mut child = command(&["check", "well.md", "--watch", "--format", "short"])
         .current_dir(&folder)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

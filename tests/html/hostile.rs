@@ -1,5 +1,7 @@
 //! Documents that would like to be more than text.
 
+use std::time::{Duration, Instant};
+
 use super::{has_class, page_of, text_of, tree};
 
 const HOSTILE: &str = r#"# <script>alert(1)</script> & "quotes" $\text{<i>}$
@@ -30,12 +32,53 @@ See $\nope{<u>}$ and (2).
 ```
 "#;
 
+/// Documents of which everything is wrong, their names included.
+pub(super) const HOSTILE_PAGES: &[(&str, &str)] = &[
+    ("<b>&\"'.md", HOSTILE),
+    ("b<script>.md", "$$ 1 = 2 \\tag{\u{7}\u{fffe}} $$\n"),
+];
+
+/// Names of so many letters wherever there can be one: in a heading, in text, of a symbol, an equation and a claim.
+pub(super) fn hostile_names(letters: usize) -> String {
+    let long = "W".repeat(letters);
+    format!(
+        "# {long}\n\n{long} and $x_{{\\text{{{long}}}}}$, `{long}`\n\n\
+         <!-- check: symbols x_{{\\text{{{long}}}}}: positive -->\n\n<!-- check: claim {long} -->\n\n\
+         $$ x_{{\\text{{{long}}}}} = 1 $$\n\n\
+         Therefore\n\n$$ x_{{\\text{{{long}}}}}^2 = 3 x_{{\\text{{{long}}}}} \\tag{{{long}}} $$\n\n\
+         ```\n{long}\n```\n\n| {long} |\n|---|\n| {long} |\n"
+    )
+}
+
+#[test]
+fn names_of_ten_thousand_letters_leave_the_page_whole_and_of_their_size() {
+    let start = Instant::now();
+    // The shorter ones are read, and stand in premises, points and proofs; the others are refused.
+    let sizes = [900, 10_000, 20_000].map(|letters| {
+        let page = page_of(&[("names.md", &hostile_names(letters))]);
+        let tree = tree(&page);
+        let equations = tree.descendants().filter(|n| has_class(n, "equation"));
+        assert_eq!(equations.count(), 2);
+        // A name in a drawing is cut, and so is what an address is made of.
+        let drawn = tree.descendants().filter(|n| n.tag_name().name() == "text");
+        drawn.for_each(|n| assert!(text_of(n).chars().count() < 200));
+        for node in tree.descendants() {
+            assert!(node.attribute("id").is_none_or(|id| id.len() < 60));
+        }
+        page.len()
+    });
+    assert!(sizes[0] < 200_000 && sizes[1] < 1_000_000, "{sizes:?}");
+    assert!(sizes[2] < 3 * sizes[1], "{sizes:?}");
+    assert!(
+        start.elapsed() < Duration::from_secs(60),
+        "{:?}",
+        start.elapsed()
+    );
+}
+
 #[test]
 fn nothing_of_a_document_becomes_markup() {
-    let page = page_of(&[
-        ("<b>&\"'.md", HOSTILE),
-        ("b<script>.md", "$$ 1 = 2 \\tag{\u{7}\u{fffe}} $$\n"),
-    ]);
+    let page = page_of(HOSTILE_PAGES);
     let tree = tree(&page);
     let scripts: Vec<_> = tree
         .descendants()

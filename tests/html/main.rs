@@ -1,11 +1,16 @@
 //! The page for a browser: whole, well-formed, and harmless whatever is in the documents.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod browser;
 mod contrast;
 mod formulas;
 mod hash;
 mod hostile;
 mod structure;
+
+use hostile::{HOSTILE_PAGES, hostile_names};
 
 use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
@@ -32,12 +37,21 @@ fn page(derivation: &Derivation) -> String {
 
 /// The page of the report that ships inside, as the program writes it.
 fn built_in() -> String {
-    let done = std::process::Command::new(env!("CARGO_BIN_EXE_cradle-verify"))
-        .arg("report")
-        .output()
-        .unwrap();
-    assert_eq!(done.status.code(), Some(1), "the report has findings");
-    String::from_utf8(done.stdout).unwrap()
+    let done = common::run(&["report"]);
+    assert_eq!(common::code(&done), 1, "the report has findings");
+    common::out(&done)
+}
+
+/// Equations that hold, each with a number and with mathematics in the text before it.
+fn thousands(count: usize) -> String {
+    let one = |at: usize| {
+        format!(
+            "By algebra, for $x_{{{at}}}$,\n\n$$ (x + {at})^2 = x^2 + {} x + {} \\tag{{{at}}} $$\n\n",
+            2 * at,
+            at * at
+        )
+    };
+    (1..=count).map(one).collect()
 }
 
 /// The page as XML, which it is without its first line.

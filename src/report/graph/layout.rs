@@ -5,23 +5,25 @@
 //! stand side by side in reading order as far as there is room. All is in whole units, and the work grows
 //! with the number of statements and edges.
 
+use std::ops::Range;
+
 use super::Graph;
 
 /// Sizes, in units of the drawing.
 pub(super) const NODE_HEIGHT: i64 = 26;
-const ROW: i64 = 38;
-const GAP: i64 = 34;
+const ROW: i64 = 34;
+const GAP: i64 = 28;
 const STRIP_GAP: i64 = 12;
 const PADDING: i64 = 14;
 const TITLE: i64 = 34;
 /// Twice the width of a letter, wide fonts included.
 const LETTER: i64 = 17;
+const WIDE_LETTER: i64 = 26;
 const MOST_LETTERS: usize = 24;
-/// No wider than this are the layers of one strip, unless a single name is.
+/// No wider than this are the layers of one strip, unless a single name is, or less is asked for.
 const STRIP: i64 = 1_080;
 /// Statements that nothing in the document hangs on stand in lines of this width.
 const LOOSE: i64 = 520;
-const WIDTH: i64 = 1_560;
 const BETWEEN_CARDS: i64 = 18;
 
 /// A box.
@@ -51,14 +53,18 @@ pub(super) fn drawn_name(name: &str) -> String {
 }
 
 fn width_of(name: &str) -> i64 {
-    let letters = drawn_name(name).chars().count() as i64;
-    (letters * LETTER / 2 + 32).max(58)
+    let wide = |c: char| matches!(c, 'm' | 'w' | 'M' | 'W');
+    let length = |c: char| if wide(c) { WIDE_LETTER } else { LETTER };
+    let letters: i64 = drawn_name(name).chars().map(length).sum();
+    (letters / 2 + 32).max(58)
 }
 
 impl Layout {
-    pub fn of(graph: &Graph) -> Layout {
+    /// Where everything stands in a drawing that is as wide as is asked for, or wider where a card needs it.
+    pub fn of(graph: &Graph, widest: i64) -> Layout {
+        let strip = STRIP.min(widest - 2 * PADDING);
         let mut layout = Layout {
-            width: WIDTH,
+            width: widest,
             height: 0,
             cards: Vec::new(),
             nodes: vec![Frame::default(); graph.nodes.len()],
@@ -78,8 +84,8 @@ impl Layout {
             if start == end {
                 continue;
             }
-            let (width, height) = card(&mut layout, graph, start, end, edges);
-            if x > 0 && x + width > WIDTH {
+            let (width, height) = card(&mut layout, graph, start..end, edges, strip);
+            if x > 0 && x + width > widest {
                 (x, y) = (0, lowest + BETWEEN_CARDS);
             }
             let frame = Frame {
@@ -118,11 +124,11 @@ enum Item {
 fn card(
     layout: &mut Layout,
     graph: &Graph,
-    start: usize,
-    end: usize,
+    own: Range<usize>,
     edges: &[usize],
+    strip: i64,
 ) -> (i64, i64) {
-    let number = end - start;
+    let (start, number) = (own.start, own.len());
     let mut before: Vec<Vec<usize>> = vec![Vec::new(); number];
     let mut after: Vec<Vec<usize>> = vec![Vec::new(); number];
     for &edge in edges {
@@ -152,7 +158,7 @@ fn card(
         let width = width_of(&graph.nodes[start + own].name);
         widths[depth[own]] = widths[depth[own]].max(width);
     }
-    let strip_of = strips(&widths);
+    let strip_of = strips(&widths, strip);
     // Places are kept free for long edges, as long as there are not too many of them.
     let mut budget = 4 * number + 64;
     for &edge in edges {
@@ -166,11 +172,13 @@ fn card(
         }
     }
     let mut y = TITLE;
-    let mut width = graph.documents[graph.nodes[start].document]
+    let width = graph.documents[graph.nodes[start].document]
         .0
         .chars()
         .count() as i64
         * 8;
+    // A longer title is cut.
+    let mut width = width.min(strip);
     let mut at = 0;
     while at < layers {
         let next = (at..layers)
@@ -235,11 +243,11 @@ fn card(
 }
 
 /// For each layer the strip that it stands in.
-fn strips(widths: &[i64]) -> Vec<usize> {
+fn strips(widths: &[i64], widest: i64) -> Vec<usize> {
     let (mut strip, mut used) = (0, 0);
     let mut all = Vec::with_capacity(widths.len());
     for &width in widths {
-        if used > 0 && used + GAP + width > STRIP {
+        if used > 0 && used + GAP + width > widest {
             (strip, used) = (strip + 1, 0);
         }
         used += width + GAP;

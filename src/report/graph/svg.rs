@@ -4,23 +4,31 @@
 //! reader's choice of light or dark. What fails and what falls is told apart by shape and sign too.
 
 use super::layout::{Frame, Layout, drawn_name};
-use super::{Graph, Node, Status};
+use super::{Graph, Status};
 use crate::notation::escape_by;
 
 const MARGIN: i64 = 20;
+/// Above the cards: a heading and one line of the legend.
 const HEAD: i64 = 74;
+/// From one line of the legend to the next.
+const LEGEND_LINE: i64 = 30;
+/// How wide a drawing of its own is, without its margins.
+const WIDTH: i64 = 1_560;
+/// How wide it is on a page, which has less room and may go on for longer.
+const WIDTH_ON_A_PAGE: i64 = 1_142;
 
 /// `:where` weighs nothing: a page's own rule for `.cv-graph` prevails.
 const STYLE: &str = "\
 :where(.cv-graph){--cv-paper:#ffffff;--cv-card:#f6f8fa;--cv-rim:#d0d7de;--cv-ink:#1f2328;--cv-soft:#57606a;\
 --cv-line:#8c959f;--cv-good:#1a7f37;--cv-bad:#cf222e;--cv-bad-fill:#ffebe9;--cv-warn:#9a6700}\
-@media (prefers-color-scheme:dark){:where(.cv-graph){--cv-paper:#0d1117;--cv-card:#161b22;--cv-rim:#30363d;\
+@media screen and (prefers-color-scheme:dark){:where(.cv-graph){--cv-paper:#0d1117;--cv-card:#161b22;--cv-rim:#30363d;\
 --cv-ink:#e6edf3;--cv-soft:#9198a1;--cv-line:#6e7681;--cv-good:#3fb950;--cv-bad:#ff7b72;--cv-bad-fill:#3c1618;\
 --cv-warn:#d29922}}\
 .cv-graph text{font-family:system-ui,sans-serif;fill:var(--cv-ink)}\
 .cv-graph .cv-page{fill:var(--cv-paper)}\
 .cv-graph .cv-card{fill:var(--cv-card);stroke:var(--cv-rim)}\
 .cv-graph .cv-soft{fill:var(--cv-soft)}\
+.cv-graph .cv-title{stroke:var(--cv-card);stroke-width:4;stroke-linejoin:round;paint-order:stroke}\
 .cv-graph .cv-edge{fill:none;stroke:var(--cv-line);stroke-width:1.2}\
 .cv-graph .cv-far{stroke-opacity:.45;stroke-dasharray:1 3;stroke-linecap:round}\
 .cv-graph .cv-broken{stroke:var(--cv-bad);stroke-width:2;stroke-dasharray:6 3;stroke-opacity:1}\
@@ -36,48 +44,59 @@ const STYLE: &str = "\
 .cv-graph .cv-stands .cv-box{stroke:var(--cv-warn);stroke-dasharray:5 3}\
 .cv-graph .cv-stands .cv-sign{stroke:var(--cv-warn)}\
 .cv-graph .cv-undecided .cv-box{stroke:var(--cv-warn);stroke-dasharray:1 3;stroke-linecap:round}\
-.cv-graph .cv-undecided .cv-sign{stroke:var(--cv-warn)}";
+.cv-graph .cv-undecided .cv-sign{stroke:var(--cv-warn)}\
+.cv-graph a:hover text,.cv-graph a:focus-visible text{text-decoration:underline}";
+
+/// The address of each statement, by position.
+type Address<'a> = &'a dyn Fn(usize) -> String;
 
 impl Graph {
     /// An `<svg>` element, with its size and its own colours, light and dark.
     pub fn svg(&self) -> String {
-        let layout = Layout::of(self);
-        let (width, height) = (layout.width + 2 * MARGIN, layout.height + HEAD + 2 * MARGIN);
+        self.drawing(WIDTH, None)
+    }
+
+    /// The same for a page that has the statements: narrower, without a heading, each statement a link to its address.
+    pub fn svg_linked(&self, address: Address<'_>) -> String {
+        self.drawing(WIDTH_ON_A_PAGE, Some(address))
+    }
+
+    fn drawing(&self, widest: i64, address: Option<Address<'_>>) -> String {
+        let layout = Layout::of(self, widest);
+        let (legend, lines) = legend(self, layout.width + MARGIN);
+        let head = HEAD + (lines - 1) * LEGEND_LINE;
+        let (width, height) = (layout.width + 2 * MARGIN, layout.height + head + 2 * MARGIN);
         let failing = self.nodes.iter().filter(|n| n.status.is_failing()).count();
         let fallen = self.nodes.iter().filter(|n| n.status.is_fallen()).count();
         let told = format!(
             "{} statements, {failing} failing, {fallen} falling with them",
             self.nodes.len()
         );
+        // What is within an image is no link to a screen reader.
+        let role = if address.is_some() { "group" } else { "img" };
         let mut text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"cv-graph\" role=\"img\" width=\"{width}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"cv-graph\" role=\"{role}\" width=\"{width}\" \
              height=\"{height}\" viewBox=\"0 0 {width} {height}\" font-size=\"13\">\n\
              <title>What rests on what</title>\n<desc>{told}</desc>\n<style>{STYLE}</style>\n\
              <rect class=\"cv-page\" width=\"{width}\" height=\"{height}\"/>\n"
         );
-        text += &format!(
-            "<text x=\"{MARGIN}\" y=\"{}\" font-size=\"20\" font-weight=\"600\">What rests on what</text>\n\
-             <text class=\"cv-soft\" x=\"{}\" y=\"{}\">{told}</text>\n",
-            MARGIN + 16,
-            MARGIN + 230,
-            MARGIN + 16
-        );
-        text += &legend(self);
-        text += &format!("<g transform=\"translate({MARGIN} {})\">\n", MARGIN + HEAD);
-        for (document, frame) in &layout.cards {
-            let (title, path) = &self.documents[*document];
-            let title = if title.is_empty() { path } else { title };
-            let room = usize::try_from(frame.width / 7).unwrap_or(0);
+        let line = MARGIN + 16;
+        let beside = match address {
+            Some(_) => MARGIN,
+            None => {
+                text += &format!(
+                    "<text x=\"{MARGIN}\" y=\"{line}\" font-size=\"20\" font-weight=\"600\">What rests on what</text>\n"
+                );
+                MARGIN + 230
+            }
+        };
+        text += &format!("<text class=\"cv-soft\" x=\"{beside}\" y=\"{line}\">{told}</text>\n");
+        text += &legend;
+        text += &format!("<g transform=\"translate({MARGIN} {})\">\n", MARGIN + head);
+        for (_, frame) in &layout.cards {
             text += &format!(
-                "<rect class=\"cv-card\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"8\"/>\n\
-                 <text class=\"cv-soft\" x=\"{}\" y=\"{}\" font-weight=\"600\">{}</text>\n",
-                frame.x,
-                frame.y,
-                frame.width,
-                frame.height,
-                frame.x + 14,
-                frame.y + 21,
-                escaped(&super::shortened(title, room))
+                "<rect class=\"cv-card\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"8\"/>\n",
+                frame.x, frame.y, frame.width, frame.height
             );
         }
         // What is broken is drawn last, over the rest.
@@ -86,10 +105,27 @@ impl Graph {
         for edge in grey.into_iter().chain(red) {
             text += &self.edge(&layout, edge);
         }
-        for (node, frame) in self.nodes.iter().zip(&layout.nodes) {
-            text += &self.drawn(node, *frame);
+        text += &self.titles(&layout);
+        for (at, frame) in layout.nodes.iter().enumerate() {
+            text += &self.drawn(at, *frame, address);
         }
         text + "</g>\n</svg>\n"
+    }
+
+    /// The titles of the cards, to be read over whatever passes below.
+    fn titles(&self, layout: &Layout) -> String {
+        let title = |(document, frame): &(usize, Frame)| {
+            let (title, path) = &self.documents[*document];
+            let title = if title.is_empty() { path } else { title };
+            let room = usize::try_from(frame.width / 7).unwrap_or(0);
+            format!(
+                "<text class=\"cv-soft cv-title\" x=\"{}\" y=\"{}\" font-weight=\"600\">{}</text>\n",
+                frame.x + 14,
+                frame.y + 21,
+                escaped(&super::shortened(title, room))
+            )
+        };
+        layout.cards.iter().map(title).collect()
     }
 
     fn edge(&self, layout: &Layout, edge: usize) -> String {
@@ -145,7 +181,12 @@ impl Graph {
         format!("<path class=\"{class}\" d=\"{path}\"/>\n")
     }
 
-    fn drawn(&self, node: &Node, frame: Frame) -> String {
+    fn drawn(&self, at: usize, frame: Frame, address: Option<Address<'_>>) -> String {
+        let node = &self.nodes[at];
+        let (opening, closing) = match address {
+            Some(address) => (format!("a href=\"{}\"", escaped(&address(at))), "a"),
+            None => ("g".to_owned(), "g"),
+        };
         let mut told = format!("{}: {}, {}", node.name, node.status.words(), node.statement);
         if !node.rests_on.is_empty() {
             let names = node
@@ -156,7 +197,7 @@ impl Graph {
             told += &format!("; rests on {}", names.collect::<Vec<_>>().join(", "));
         }
         format!(
-            "<g class=\"cv-node {}\"><title>{}</title>{}{}<text x=\"{}\" y=\"{}\">{}</text></g>\n",
+            "<{opening} class=\"cv-node {}\"><title>{}</title>{}{}<text x=\"{}\" y=\"{}\">{}</text></{closing}>\n",
             class(node.status),
             escaped(&told),
             shape(node.status, frame),
@@ -236,17 +277,21 @@ fn sign(status: Status, x: i64, y: i64) -> String {
     format!("<path class=\"cv-sign\" d=\"{path}\"/>")
 }
 
-/// A sample of each kind that occurs.
-fn legend(graph: &Graph) -> String {
+/// A sample of each kind that occurs, none further to the right than `end`, and how many lines they take.
+fn legend(graph: &Graph, end: i64) -> (String, i64) {
     let mut text = String::new();
-    let mut x = MARGIN;
+    let (mut x, mut lines) = (MARGIN, 1);
     for status in Status::ALL {
         if !graph.nodes.iter().any(|n| n.status == status) {
             continue;
         }
+        let length = 60 + 8 * status.words().chars().count() as i64;
+        if x > MARGIN && x + length > end {
+            (x, lines) = (MARGIN, lines + 1);
+        }
         let frame = Frame {
             x,
-            y: MARGIN + 34,
+            y: MARGIN + 34 + (lines - 1) * LEGEND_LINE,
             width: 28,
             height: 22,
         };
@@ -259,9 +304,9 @@ fn legend(graph: &Graph) -> String {
             frame.y + 15,
             status.words()
         );
-        x += 60 + 8 * status.words().chars().count() as i64;
+        x += length;
     }
-    text
+    (text, lines)
 }
 
 /// Text between tags: one line, without what may not stand in XML at all.

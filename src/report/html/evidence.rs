@@ -32,8 +32,11 @@ impl Page<'_> {
                 }
             }
             None => {
-                let dimensions: Vec<String> =
-                    report.dimensions(entry).iter().map(|d| escape(d)).collect();
+                let dimensions: Vec<String> = report
+                    .dimensions(entry)
+                    .iter()
+                    .map(|d| words::scripted(d))
+                    .collect();
                 if !dimensions.is_empty() {
                     fact("dimension", dimensions.join("; "));
                 }
@@ -54,7 +57,7 @@ impl Page<'_> {
             let values = explain::assigned(model.point());
             text += &format!(
                 "<p>All that is given with it can be true together, for instance at {}.</p>\n",
-                escape(&values.join(", "))
+                words::scripted(&values.join(", "))
             );
         }
         let numeric = report.numeric_lines(entry);
@@ -96,7 +99,10 @@ impl Page<'_> {
                 let mut shown = folded("Counterexample", &scaling::situations(refuted));
                 if let Some(repair) = repair {
                     let goal = &repair.proven.claim().goal;
-                    shown += &format!("<p>What follows instead is {}.</p>\n", words::formula(goal));
+                    shown += &format!(
+                        "<p>What follows instead is <span class=\"wide\">{}</span>.</p>\n",
+                        words::formula(goal)
+                    );
                     let claim = refuted.claim();
                     let lines = self.report.scaling_proof_of(judged, claim, &repair.proven);
                     shown += &folded("Proof", &lines);
@@ -148,7 +154,7 @@ impl Page<'_> {
             let place = place.map_or(String::new(), |place| format!(", {}", escape(&place)));
             items.push(format!(
                 "{} <span class=\"from\">declared{place}</span>",
-                escape(&line)
+                words::scripted(&line)
             ));
         }
         match items.is_empty() {
@@ -178,7 +184,7 @@ impl Page<'_> {
             text += &format!(
                 "<p class=\"repair\">What follows instead is <span class=\"wide\">{}</span>{}.</p>\n",
                 words::formula(&proven.claim().goal),
-                escape(&difference)
+                words::scripted(&difference)
             );
             if let Some((judged, _)) = entry.refuted() {
                 text += &self.proof(judged, proven);
@@ -210,8 +216,8 @@ fn counterexample(refuted: &Refuted) -> String {
         .map(|(name, value)| {
             format!(
                 "<span class=\"value\">{} = {}</span>",
-                escape(&name),
-                escape(&value)
+                words::scripted(&name),
+                words::scripted(&value)
             )
         })
         .collect();
@@ -233,8 +239,8 @@ fn counterexample(refuted: &Refuted) -> String {
         text += &format!(
             "<tr class=\"{truth}\"><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{truth}</td></tr>\n",
             words::formula(formula),
-            escape(&left),
-            escape(&right)
+            words::scripted(&left),
+            words::scripted(&right)
         );
     }
     text + "</tbody>\n</table></div>\n"

@@ -60,7 +60,7 @@ impl Report<'_> {
              <a class=\"skip\" href=\"#documents\">Skip to the documents</a>\n",
             env!("CARGO_PKG_VERSION")
         );
-        text += &page.head(&title);
+        text += &page.head(&title, pictures);
         text += "<main>\n";
         text += &page.findings();
         text += "<section id=\"documents\" aria-labelledby=\"documents-title\">\n<h2 id=\"documents-title\">Documents</h2>\n";
@@ -104,11 +104,14 @@ impl Page<'_> {
             return String::new();
         }
         let graph = Graph::of(self.report);
+        // A node stands for an entry, at the same position.
+        let entries = &self.report.audit.entries;
+        let address = |at: usize| format!("#{}", self.anchors.equation(entries[at].equation));
         format!(
             "<section id=\"graph\" aria-labelledby=\"graph-title\">\n<h2 id=\"graph-title\">What rests on what</h2>\n\
              <div class=\"scroll drawing\" role=\"region\" aria-label=\"Drawing of what rests on what\" tabindex=\"0\">\n{}</div>\n\
              <details><summary>The same in words</summary>\n<pre>{}</pre></details>\n</section>\n",
-            graph.svg(),
+            graph.svg_linked(&address),
             escape(&words::uncoloured(&graph.text(self.report)))
         )
     }

@@ -1,5 +1,6 @@
 //! Figures and tables that somebody else has made, put on the page.
 
+use super::words::scripted;
 use crate::notation::escape;
 
 /// What is shown besides the documents; nothing, unless somebody has something.
@@ -34,8 +35,12 @@ pub struct Table {
 }
 
 impl Pictures {
+    pub(super) fn is_empty(&self) -> bool {
+        self.figures.is_empty() && self.tables.is_empty()
+    }
+
     pub(super) fn markup(&self) -> String {
-        if self.figures.is_empty() && self.tables.is_empty() {
+        if self.is_empty() {
             return String::new();
         }
         let mut text = String::from(
@@ -43,7 +48,7 @@ impl Pictures {
         );
         for figure in &self.figures {
             text += &format!(
-                "<figure>\n<div class=\"scroll drawing\" role=\"region\" aria-label=\"{}\" tabindex=\"0\">\n{}</div>\n</figure>\n",
+                "<figure>\n<div class=\"scroll drawing close\" role=\"region\" aria-label=\"{}\" tabindex=\"0\">\n{}</div>\n</figure>\n",
                 escape(&figure.title),
                 figure.svg
             );
@@ -60,7 +65,7 @@ impl Table {
             escape(&self.title)
         );
         for name in &self.head {
-            text += &format!("<th scope=\"col\">{}</th>", escape(name));
+            text += &format!("<th scope=\"col\">{}</th>", scripted(name));
         }
         text += "</tr></thead>\n<tbody>\n";
         for row in &self.rows {
@@ -75,7 +80,7 @@ impl Table {
         }
         text += "</tbody>\n</table></div>\n";
         for note in &self.notes {
-            text += &format!("<p class=\"note\">{}</p>\n", escape(note));
+            text += &format!("<p class=\"note\">{}</p>\n", scripted(note));
         }
         text
     }

@@ -4,13 +4,14 @@ use crate::audit::{Entry, Verdict};
 use crate::notation::escape;
 use crate::report::Report;
 
+use super::Pictures;
 use super::entry::Tone;
 use super::words;
 use super::{Page, anchors};
 
 impl Page<'_> {
     /// Title, closing sentences, numbers and the table, in the landmark of a banner.
-    pub(super) fn head(&self, title: &str) -> String {
+    pub(super) fn head(&self, title: &str, pictures: &Pictures) -> String {
         let report = self.report;
         let closing = words::uncoloured(&report.closing());
         let mut lines = closing.lines();
@@ -29,6 +30,9 @@ impl Page<'_> {
                  <a href=\"#documents\">Documents</a>";
         if !report.audit.entries.is_empty() {
             text += " <a href=\"#graph\">What rests on what</a>";
+        }
+        if !pictures.is_empty() {
+            text += " <a href=\"#figures\">Figures and tables</a>";
         }
         text += "</nav>\n<div id=\"filter\"></div>\n";
         text + &self.table()

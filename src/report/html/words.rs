@@ -1,4 +1,4 @@
-//! Text of other views made fit for the page: back-ticks to code, colours left out, formulas set.
+//! Text of other views made fit for the page: back-ticks to code, colours left out, formulas and scripts set.
 
 use crate::algebra::{Expr, Formula};
 use crate::derivation::Page;
@@ -6,6 +6,9 @@ use crate::document::Span;
 use crate::notation::{
     Statement, escape, mathml, mathml_formula, mathml_statement, read_expr, read_formulas,
 };
+
+/// So many bytes of markup are a formula that may be wider than a telephone.
+const LONG: usize = 400;
 
 /// A formula in a line of text.
 pub(super) fn formula(formula: &Formula) -> String {
@@ -28,17 +31,25 @@ pub(super) fn display(statement: &Statement) -> String {
 /// Mathematics in a line of an author's text: set where it can be read, as it was typed where not.
 pub(super) fn inline(source: &str, body: Span) -> String {
     if let Ok(expr) = read_expr(source, body) {
-        return term(&expr);
+        return narrow(term(&expr));
     }
     match read_formulas(source, body) {
         Ok(statements) if !statements.is_empty() => {
             let set: Vec<String> = statements.iter().map(mathml_statement).collect();
-            format!("<math>{}</math>", set.join("<mo>,</mo>"))
+            narrow(format!("<math>{}</math>", set.join("<mo>,</mo>")))
         }
         _ => {
             let typed = source.get(body.range()).unwrap_or_default();
             format!("<code class=\"tex\">{}</code>", escape(typed))
         }
+    }
+}
+
+/// A formula that may be wider than a telephone, in a box of its own in which it scrolls; others stay in the line.
+fn narrow(math: String) -> String {
+    match math.len() > LONG {
+        true => format!("<span class=\"wide\">{math}</span>"),
+        false => math,
     }
 }
 
@@ -72,7 +83,40 @@ pub(super) fn without_math(title: &str) -> String {
     title.replace('$', "")
 }
 
-/// Escaped, what stands between back-ticks as code.
+/// Escaped, `E_{after}` and `v^(3/2)` with their scripts below and above the line.
+pub(super) fn scripted(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    // Up to `done` everything is in `shown`.
+    let mut done = 0;
+    for (at, _) in text.match_indices(['_', '^']) {
+        let hangs_on_something = text[..at].ends_with(|c: char| !c.is_whitespace());
+        if at < done || !hangs_on_something {
+            continue;
+        }
+        if let Some((element, inside, length)) = script(&text[at..]) {
+            shown += &escape(&text[done..at]);
+            shown += &format!("<{element}>{}</{element}>", escape(inside));
+            done = at + length;
+        }
+    }
+    shown + &escape(&text[done..])
+}
+
+/// The script that a text begins with: its element, what is in it, and how long it is with its brackets.
+fn script(text: &str) -> Option<(&'static str, &str, usize)> {
+    let (element, close) = match text.get(..2)? {
+        "_{" => ("sub", '}'),
+        "^{" => ("sup", '}'),
+        "^(" => ("sup", ')'),
+        _ => return None,
+    };
+    // The search ends with what has no place in a script, so that all of them together take one walk over the text.
+    let end = text[2..].find(['{', '}', '(', ')', '\\', '$', '\n'])?;
+    let inside = &text[2..2 + end];
+    (text[2 + end..].starts_with(close) && end > 0).then_some((element, inside, end + 3))
+}
+
+/// Escaped, scripts set, what stands between back-ticks as code.
 pub(super) fn ticked(text: &str) -> String {
     between_ticks(text, |code| format!("<code>{}</code>", escape(code)))
 }
@@ -98,10 +142,10 @@ pub(super) fn ticked_and_set(text: &str) -> String {
 fn between_ticks(text: &str, shown: impl Fn(&str) -> String) -> String {
     let parts: Vec<&str> = text.split('`').collect();
     if parts.len().is_multiple_of(2) {
-        return escape(text);
+        return scripted(text);
     }
     let part = |(at, part): (usize, &&str)| match at % 2 {
-        0 => escape(part),
+        0 => scripted(part),
         _ => shown(part),
     };
     parts.iter().enumerate().map(part).collect()
