@@ -416,6 +416,7 @@ impl Page {
             self.problems.push(no_value(&symbol, span));
         }
     }
+
     /// Reads `e^x` as `\exp(x)`, where e is declared to be Euler's number.
     fn read_exponentials<'a>(&self, statements: impl Iterator<Item = &'a mut Statement>) {
         if self.euler.is_empty() {
