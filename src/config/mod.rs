@@ -66,7 +66,8 @@ impl Config {
         let file = Arc::new(File::new(path, text));
         let mut reader = Reader::new(text);
         let (root, errors) = DeTable::parse_recoverable(text);
-        for error in errors {
+        // One slip makes many: what comes after the first is guesswork.
+        if let Some(error) = errors.first() {
             let at = error.span().unwrap_or_default();
             reader.complain(
                 Span::new(at.start, at.end),

@@ -8,7 +8,7 @@ use crate::document::{Attribute, File, Problem, Span};
 use crate::kernel::Domain;
 use crate::notation::Spanned;
 
-use super::page::{Page, dimension_of};
+use super::page::{Page, dimension_of, is_empty, narrow, no_value};
 use super::{Equation, Kind};
 
 /// What an author has written once for several documents. Spans are places in [`Beside::file`].
@@ -92,10 +92,11 @@ pub struct Place {
 
 impl Beside {
     /// What is wrong with the declarations that only their meaning shows: a dimension that is none, two dimensions of a
-    /// symbol.
+    /// symbol, bounds that leave it no value.
     pub fn problems(&self) -> Vec<Problem> {
         let mut problems = Vec::new();
         let mut known: BTreeMap<&Symbol, crate::algebra::Dimension> = BTreeMap::new();
+        let mut domains: BTreeMap<&Symbol, Domain> = BTreeMap::new();
         let mut told = BTreeSet::new();
         for shared in &self.symbols {
             let mut own = Vec::new();
@@ -103,7 +104,14 @@ impl Beside {
             // Names that share their attributes share what is wrong with them.
             own.retain(|problem: &Problem| told.insert(problem.span));
             problems.extend(own);
-            let Some(dimension) = dimension else { continue };
+            let domain = domains.entry(&shared.symbol).or_default();
+            narrow(domain, &shared.attributes);
+            if is_empty(domain) {
+                problems.push(no_value(&shared.symbol, shared.span));
+            }
+            let Some(dimension) = dimension else {
+                continue;
+            };
             match known.get(&shared.symbol) {
                 Some(before) if *before != dimension => problems.push(Problem::new(
                     shared.span,
@@ -244,13 +252,15 @@ fn narrows(own: &Domain, beside: &Domain) -> bool {
         },
         _ => true,
     };
-    let lower = own.lower.as_ref().or(beside.lower.as_ref());
-    let upper = own.upper.as_ref().or(beside.upper.as_ref());
-    let room = match (lower, upper) {
-        (Some((low, open)), Some((high, closed))) => low < high || low == high && !open && !closed,
-        _ => true,
+    let both = Domain {
+        lower: own.lower.clone().or_else(|| beside.lower.clone()),
+        upper: own.upper.clone().or_else(|| beside.upper.clone()),
+        nonzero: own.nonzero || beside.nonzero,
+        ..Domain::default()
     };
-    within(&own.lower, &beside.lower, true) && within(&own.upper, &beside.upper, false) && room
+    within(&own.lower, &beside.lower, true)
+        && within(&own.upper, &beside.upper, false)
+        && !is_empty(&both)
 }
 
 /// A label without what it may be written with: `(3)`, `claim momentum`.

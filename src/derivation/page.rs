@@ -1,6 +1,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use num_traits::Zero;
+
 use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::nearest::nearest;
@@ -429,29 +431,15 @@ impl Page {
         let dimension = attributes.iter().any(is_dimension);
         let places = self.declared.entry(symbol.clone()).or_default();
         places.push(Place { span, dimension });
+        if attributes.iter().any(|a| a.value == Attribute::Euler) {
+            self.euler.insert(symbol.clone());
+        }
         let domain = self.domains.entry(symbol.clone()).or_default();
-        let at = |bound: &Bound| (bound.value.clone(), bound.strict);
-        let number = |n: i32, strict| (crate::algebra::BigRational::from_integer(n.into()), strict);
-        for attribute in attributes {
-            match &attribute.value {
-                Attribute::Dimension(_) | Attribute::Real => {}
-                Attribute::Positive => domain.lower = Some(number(0, true)),
-                Attribute::Nonnegative => domain.lower = Some(number(0, false)),
-                Attribute::Nonzero => domain.nonzero = true,
-                Attribute::Integer => domain.integer = true,
-                Attribute::Natural => {
-                    domain.integer = true;
-                    domain.lower = Some(number(1, false));
-                }
-                Attribute::Constant => domain.constant = true,
-                Attribute::Euler => {
-                    self.euler.insert(symbol.clone());
-                }
-                Attribute::Interval { lower, upper } => {
-                    domain.lower = lower.as_ref().map(at).or(domain.lower.take());
-                    domain.upper = upper.as_ref().map(at).or(domain.upper.take());
-                }
-            }
+        narrow(domain, attributes);
+        if is_empty(domain) {
+            // From what is nowhere anything would follow.
+            *domain = Domain::default();
+            self.problems.push(no_value(&symbol, span));
         }
     }
 
@@ -568,6 +556,48 @@ fn elements_of<'a, T>(
     let is_index = |rest: &str| rest.len() == 1 && rest.chars().all(|c| c.is_ascii_lowercase());
     let mut declared = declared.iter();
     declared.find(|(s, _)| s.name().strip_prefix(&prefix).is_some_and(is_index))
+}
+
+/// Adds to a domain what attributes say of it.
+pub(super) fn narrow(domain: &mut Domain, attributes: &[Spanned<Attribute>]) {
+    let at = |bound: &Bound| (bound.value.clone(), bound.strict);
+    let number = |n: i32, strict| (BigRational::from_integer(n.into()), strict);
+    for attribute in attributes {
+        match &attribute.value {
+            Attribute::Dimension(_) | Attribute::Real | Attribute::Euler => {}
+            Attribute::Positive => domain.lower = Some(number(0, true)),
+            Attribute::Nonnegative => domain.lower = Some(number(0, false)),
+            Attribute::Nonzero => domain.nonzero = true,
+            Attribute::Integer => domain.integer = true,
+            Attribute::Natural => {
+                domain.integer = true;
+                domain.lower = Some(number(1, false));
+            }
+            Attribute::Constant => domain.constant = true,
+            Attribute::Interval { lower, upper } => {
+                domain.lower = lower.as_ref().map(at).or(domain.lower.take());
+                domain.upper = upper.as_ref().map(at).or(domain.upper.take());
+            }
+        }
+    }
+}
+
+/// Whether the bounds of a domain leave no number between them.
+pub(super) fn is_empty(domain: &Domain) -> bool {
+    match (&domain.lower, &domain.upper) {
+        (Some((low, open)), Some((high, closed))) => {
+            low > high || low == high && (*open || *closed || domain.nonzero && low.is_zero())
+        }
+        _ => false,
+    }
+}
+
+/// What is said of a symbol that no number is declared to be.
+pub(super) fn no_value(symbol: &Symbol, span: Span) -> Problem {
+    let message = format!("no number is all that `{symbol}` is declared to be");
+    let help =
+        "let its bounds leave room between them; until then nothing is known of where it lies";
+    Problem::new(span, message, help)
 }
 
 /// The dimension among the attributes of a declaration; what is none, and a second one, are problems.

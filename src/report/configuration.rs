@@ -30,12 +30,14 @@ pub fn configuration(derivation: &Derivation, files: &[String]) -> String {
             .is_some_and(|own| !own.file.source.trim().is_empty())
     };
     let has_one = derivation.pages.iter().any(says);
+    let proposes = pages.iter().any(|page| !page.clauses.is_empty());
     let files: Vec<String> = files
         .iter()
         .filter(|file| *file != "-" && !file.contains(['*', '?', '\\']))
         .map(|file| quoted(file))
         .collect();
     match has_one {
+        true if !proposes => {}
         true => {
             text += "# There is a cradle.toml already: add to its `[symbols]` what stands below.\n"
         }
