@@ -280,6 +280,16 @@ fn suppositions() {
         ("We do not assume $a = 0$.", vec![]),
         ("Since $\\mu = m_2/m_1$, it vanishes at $\\mu = 1$.", vec![]),
         ("it costs $5 and $6", vec![]),
+        (
+            "Setting $Q = 0$ in (1) gives $a = b$:",
+            vec![(Let, "Q = 0")],
+        ),
+        ("For $N = 3$, the rest is zero.", vec![(Let, "N = 3")]),
+        ("When $v = 0$, (1) becomes $a = b$.", vec![(Let, "v = 0")]),
+        ("At $Q=0$, when it is empty,", vec![(Let, "Q=0")]),
+        ("For $N = 3$ the values are $a = b$.", vec![]),
+        ("For $x > 0$, it grows. For $x < 0$, it falls.", vec![]),
+        ("It vanishes when $v = 0$, as it must.", vec![]),
     ] {
         let found = supposed(text);
         let found: Vec<_> = found

@@ -55,7 +55,7 @@ fn keys_are_written_as_myst_and_as_quarto_write_them_and_cited_so() {
         ]
     );
     let (found, unknown) = premises_of_last(&derivation);
-    assert_eq!(found, [0, 1, 2, 4]);
+    assert_eq!(found, [0, 2, 3, 5]);
     assert_eq!(unknown, ["(eq-none)"]);
 }
 

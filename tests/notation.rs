@@ -451,6 +451,30 @@ fn statements_and_what_separates_them() {
             r"E_{\text{heat}} \gg E_{\text{sound}}",
         ),
         (r"a := b", "a = b"),
+        (
+            r"f = g = \begin{cases} a, & x < 0, \\ b & \text{for } x = 0 \text{ and } y > 0, \\[2pt] -c, & x > 0. \end{cases}",
+            r"f = g ;; g = a \quad \text{if } x < 0 ;; g = b \quad \text{if } x = 0 \text{ and } y > 0 ;; g = -c \quad \text{if } x > 0",
+        ),
+        (
+            r"f = \begin{dcases} a & x < 0 \\ b & \text{otherwise} \end{dcases}",
+            r"f = a \quad \text{if } x < 0 ;; f = b \quad \text{if } x \geq 0",
+        ),
+        (
+            r"\begin{cases} a + b &= c \\ a - b &= d \end{cases}",
+            "a + b = c ;; a - b = d",
+        ),
+        (
+            r"a = b = c \quad \text{if } x \neq 0, \quad d = e",
+            r"a = b = c \quad \text{if } x \neq 0 ;; d = e",
+        ),
+        (
+            r"a = \qty[per-mode = symbol]{-1.5e3}{\kilo\gram\per\cubic\metre\squared} + \SI{2}{MHz}",
+            r"a = -1500 \unit{kg} \unit{m}^{-6} + 2000000 \unit{s}^{-1}",
+        ),
+        (
+            r"a = 5\,\mathrm{km}/\mathrm{h} + 2\,\mathrm{mm^2}",
+            r"a = \frac{5 (1000 \unit{m})}{3600 \unit{s}} + 2 (0.000001 \unit{m}^2)",
+        ),
     ];
     for (source, expected) in cases {
         assert_eq!(printed(source).unwrap_or_default(), expected, "{source}");
@@ -547,9 +571,9 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
     (r"a = b + - c", "-", "two signs stand side by side"),
     (
-        r"a = b \text{ if } c = d",
-        r"\text{ if }",
-        "the words `if` cannot be read here",
+        r"a = b \text{ unless } c = d",
+        r"\text{ unless }",
+        "the words `unless` cannot be read here",
     ),
     (
         r"a = \sin x (b+c)",
@@ -591,9 +615,75 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (r"a = \infty", r"\infty", r"`\infty` is no number"),
     (r"a = x!", "!", "factorials are not read"),
     (
-        r"\begin{cases} a = b \end{cases}",
+        r"\begin{array}{l} a = b \end{array}",
+        r"\begin{array}",
+        "the environment `array` is not read",
+    ),
+    (
+        r"a = \begin{cases} b & c > 0",
         r"\begin{cases}",
-        "the environment `cases` is not read",
+        "the environment `cases` is never ended",
+    ),
+    (
+        r"a = \begin{cases} b & c > 0 \\ d \end{cases}",
+        "d",
+        "when this case applies is not said",
+    ),
+    (
+        r"\begin{cases} a = b & c > 0 \end{cases}",
+        "&",
+        "a second column is read only beside the cases",
+    ),
+    (
+        r"a = b \Rightarrow c = \begin{cases} d & e > 0 \end{cases}",
+        r"a = b \Rightarrow c = \begin{cases} d & e > 0 \end{cases}",
+        "cases are not read in an implication",
+    ),
+    (
+        r"a = b \text{ if } c > 0, d > 0",
+        ",",
+        "whether another condition follows",
+    ),
+    (r"x(0) = a", "x(0)", "this may be the value of a function"),
+    (
+        r"a = \qty{3}{J/kg K}",
+        r"\qty{3}{J/kg K}",
+        "what stands below the stroke",
+    ),
+    (
+        r"a = \qty{3}{furlong}",
+        r"\qty{3}{furlong}",
+        "the unit `furlong` is not known",
+    ),
+    (
+        r"a = \qty{3}{\kilo}",
+        r"\qty{3}{\kilo}",
+        r"a unit is missing after `\kilo`",
+    ),
+    (
+        r"a = \qty{3(1)}{m}",
+        r"\qty{3(1)}{m}",
+        "`3(1)` is not read as a number",
+    ),
+    (
+        r"a = \qty{3}{m^{9999999999}}",
+        r"\qty{3}{m^{9999999999}}",
+        "the power `9999999999` of a unit",
+    ),
+    (
+        r"a = \qty{3}{m}^2",
+        "^",
+        "what this belongs to is not clear",
+    ),
+    (
+        r"a = b/\qty{3}{m}",
+        r"\qty{3}{m}",
+        "whether this unit stands below the stroke",
+    ),
+    (
+        r"a = 2\qty{3}{m}",
+        r"\qty{3}{m}",
+        "two numbers stand side by side",
     ),
     (
         r"\begin{aligned} a = b",

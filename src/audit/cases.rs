@@ -4,18 +4,22 @@
 //! neither is known, what is proved without it stands, and what is refuted without it may follow with it all the same.
 
 use crate::algebra::Formula;
-use crate::derivation::{Assumed, Source};
+use crate::derivation::{Assumed, Goal, Source};
 use crate::search::{self, Effort, Stop};
 
 use super::Outcome;
-use super::judge::{Found, Judge};
+use super::judge::{Found, Judge, step};
 
 impl Judge<'_> {
     /// Adds the cases that apply under what is assumed. An equation with a case that may bear on the goal and of which
     /// it is not known whether it applies.
-    pub(super) fn cases(&self, goal: &Formula, assumed: &mut Vec<Assumed>) -> Option<usize> {
+    ///
+    /// Conditions count as known from the hypotheses in effect and from what the statement itself supposes: both are
+    /// carried along with what is concluded. What other premises say is not asked.
+    pub(super) fn cases(&self, goal: &Goal, assumed: &mut Vec<Assumed>) -> Option<usize> {
         let mut left_out = Vec::new();
-        let given = assumed.clone();
+        let mut given = self.derivation.locals(self.at);
+        given.extend(goal.suppositions.iter().map(step));
         let known = |formula: &Formula| {
             given.iter().any(|own| *own.formula == *formula) || {
                 let claim = self.derivation.claim(self.at, &given, formula);
@@ -30,7 +34,7 @@ impl Judge<'_> {
             }
         }
         // What speaks of other symbols altogether is no matter.
-        let mut spoken = goal.free_symbols();
+        let mut spoken = goal.formula.free_symbols();
         spoken.extend(assumed.iter().flat_map(|own| own.formula.free_symbols()));
         let linked = left_out.iter().find(|(conditions, case)| {
             let formulas = conditions.iter().chain([&*case.formula]);

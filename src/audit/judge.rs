@@ -75,7 +75,7 @@ impl Judge<'_> {
         }
         let left_out = match self.usable.cases.is_empty() {
             true => None,
-            false => self.cases(&goal.formula, &mut assumed),
+            false => self.cases(goal, &mut assumed),
         };
         let found = self.judged(goal, assumed, premises);
         match left_out {

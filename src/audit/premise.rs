@@ -94,6 +94,13 @@ impl Offer {
                             offer.under.insert((page, local));
                         }
                         Source::Equation(premise) => {
+                            // Which case of it applied was known from the hypotheses in effect.
+                            let mut said = derivation.equations[premise].statements().iter();
+                            if said.any(|statement| !statement.under.is_empty()) {
+                                let own = &derivation.equations[at];
+                                let locals = own.locals.iter().map(|&local| (own.page, local));
+                                offer.under.extend(locals);
+                            }
                             let inherited = offers(premise);
                             offer.under.extend(inherited.iter().flat_map(|o| &o.under));
                         }

@@ -117,7 +117,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
                 }
                 if doubtful || active.is_some() && CONCLUDING.contains(&word.as_str()) {
                     active = None;
-                } else if let Some(introduced) = introduction(&word, index, tokens, begun) {
+                } else if let Some(introduced) = introduction(source, &word, index, tokens, begun) {
                     active = Some(introduced);
                 } else if let Some((kind, reach)) = active {
                     active = reach.past_word(&word).map(|reach| (kind, reach));
@@ -152,6 +152,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
 
 /// The supposition that the word at `index` introduces.
 fn introduction(
+    source: &str,
     word: &str,
     index: usize,
     tokens: &[Placed<'_>],
@@ -161,6 +162,10 @@ fn introduction(
     let direct = matches!(after(1), Some(Token::Math(_)));
     let that = matches!(after(1), Some(Token::Word("that")));
     let comma = matches!(after(2), Some(Token::Mark(',')));
+    let value = || match after(1) {
+        Some(Token::Math(body)) => is_value(source.get(body.range()).unwrap_or_default()),
+        _ => false,
+    };
     let negated = || {
         let before = index.checked_sub(1).and_then(|before| tokens.get(before));
         matches!(before, Some((Token::Word(word), _))
@@ -176,8 +181,8 @@ fn introduction(
         "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
         "at" if !begun && direct => Some((SuppositionKind::Let, joined(true))),
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
-        "for" | "when" if !begun && direct && comma => Some((SuppositionKind::Let, joined(true))),
-        "setting" if !begun && direct => Some((SuppositionKind::Let, joined(true))),
+        "for" | "when" if !begun && comma && value() => Some((SuppositionKind::Let, joined(true))),
+        "setting" if !begun && value() => Some((SuppositionKind::Let, joined(true))),
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
         "assume" | "suppose" | "assuming" | "supposing" | "taking" => {
             Some((SuppositionKind::Assume, joined(false)))
@@ -249,6 +254,11 @@ impl Reach {
             }),
         }
     }
+}
+
+/// Whether inline math is one equation. "For $x > 0$, … For $x < 0$, …" goes through cases: neither holds from there on.
+fn is_value(math: &str) -> bool {
+    relates(math) && math.matches('=').count() == 1 && !relates(&math.replace('=', " "))
 }
 
 /// Whether inline math states a relation, and no inference: a relation sign outside braces.

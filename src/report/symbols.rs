@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol, element_parts};
 use crate::audit::Dimensions;
-use crate::derivation::{Derivation, goals};
+use crate::derivation::{Derivation, conditions, goals};
 use crate::dimension::occur;
 use crate::document::Span;
 use crate::kernel::dimension::Form;
@@ -38,6 +38,12 @@ pub(super) fn symbols(derivation: &Derivation, dimensions: &Dimensions, page: us
                 }
                 whole @ Formula::AllEqual { .. } => terms.push((goal.span, whole)),
             }
+        }
+    }
+    for at in derivation.equations_of(page) {
+        for statement in derivation.equations[at].statements() {
+            let under = conditions(statement).into_iter();
+            terms.extend(under.map(|formula| (statement.span, formula)));
         }
     }
     for local in &derivation.pages[page].locals {

@@ -59,7 +59,7 @@ impl Parser<'_> {
                 _ => {
                     let case = self.case(&cases)?;
                     cases.push(case);
-                    if !matches!(self.peek(), Kind::Row | Kind::Finish(_)) {
+                    if !matches!(self.peek(), Kind::Row | Kind::Finish(_) | Kind::End) {
                         return self.unexpected();
                     }
                 }

@@ -128,7 +128,7 @@ fn term_at<'a>(formula: &'a Formula, path: &[usize]) -> Option<&'a Expr> {
 /// Where a term of the `reading`-th formula of a statement stands: the whole summand that it is part of.
 pub(super) fn place(statement: &Statement, reading: usize, path: &[usize]) -> Option<Span> {
     let mut sides: Vec<(Option<&Side>, Option<&Side>, Span)> = Vec::new();
-    for clause in &statement.clauses {
+    for clause in statement.clauses.iter().chain(&statement.under) {
         match clause {
             Clause::Chain { sides: all, links } => {
                 let pairs = links.iter().zip(all.windows(2));
