@@ -41,9 +41,9 @@ pub use review::{Fallen, Review};
 use schedule::Schedule;
 pub use without::{Without, without_each};
 
-/// How much exact arithmetic a statement is worth, in units of [`effort`]: some seconds, where the dearest statement of the
-/// report takes some hundredths of one.
-const MOST_WORK: u64 = 50_000_000;
+/// How much exact arithmetic a statement is worth, in units of [`effort`]: about a second, where all of the
+/// report takes a few hundredths of one.
+const MOST_WORK: u64 = 8_000_000;
 /// How many earlier steps of its statement a step may use, the last ones.
 const MOST_STEPS: usize = 64;
 /// So many of the equations that a step comes from and that fail, or are not proved, are named: the nearest. All of them, for each

@@ -434,6 +434,16 @@ impl Parser<'_> {
         if letter_next && after_command {
             subscript.text.push(' ');
         }
+        // `^2` and a 0 after it are not `^20`.
+        let digit = |text: &str| text.len() == 1 && text.bytes().all(|b| b.is_ascii_digit());
+        let script = subscript.text.rsplit_once(['_', '^']);
+        if piece.starts_with(|c: char| c.is_ascii_digit())
+            && let Some((before, last)) = script
+            && digit(last)
+        {
+            let sign = &subscript.text[before.len()..=before.len()];
+            subscript.text = format!("{before}{sign}{{{last}}}");
+        }
         subscript.text.push_str(&piece);
         Ok(())
     }
