@@ -278,8 +278,9 @@ fn factor(expr: &Expr, last: bool) -> String {
                 || plain
                     .split(|c: char| c.is_whitespace() || "()[]^_".contains(c))
                     .any(hidden);
+            // Not printed anew: integrals in integrals would be printed twice as often at each depth.
             let body = if closed && !is_signed(body) {
-                parentheses(body)
+                enclosed(&plain)
             } else {
                 plain
             };
@@ -302,7 +303,10 @@ fn numeral(number: &BigRational) -> String {
 }
 
 fn parentheses(expr: &Expr) -> String {
-    let inner = latex(expr);
+    enclosed(&latex(expr))
+}
+
+fn enclosed(inner: &str) -> String {
     if ["\\frac", "\\sum", "\\int", "\\left"]
         .iter()
         .any(|tall| inner.contains(tall))
