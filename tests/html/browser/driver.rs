@@ -21,9 +21,9 @@ const ANSWER: Duration = Duration::from_secs(300);
 /// Why something was not done: the driver's words.
 pub type Failure = String;
 
-/// Runs something until there is nothing more to be read.
-const UNTIL_TOLD: &str =
-    "timeout --kill-after=5 \"$@\" </dev/null & cat >/dev/null; kill -TERM $! 2>/dev/null; wait";
+/// Runs something until there is nothing more to be read, or until a signal comes that ends the test too.
+const UNTIL_TOLD: &str = "trap : TERM INT HUP; timeout --kill-after=5 \"$@\" </dev/null & \
+                          cat >/dev/null; kill -TERM $! 2>/dev/null; wait";
 
 /// A browser without a window.
 pub struct Session {
