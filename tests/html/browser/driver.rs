@@ -1,7 +1,8 @@
 //! A browser that is told what to do, through WebDriver: JSON over HTTP to a `chromedriver` of our own.
 //!
 //! Everything has a time limit, and nothing outlives its session: the driver runs under `timeout`, which makes it and
-//! the browser a group of processes and ends the group when it is told to, or after [`LONGEST`].
+//! the browser a group of processes and ends the group after [`LONGEST`], or when a shell tells it to. The shell does so
+//! when its input ends, and that it does even where a test is killed.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
@@ -19,6 +20,10 @@ const ANSWER: Duration = Duration::from_secs(300);
 
 /// Why something was not done: the driver's words.
 pub type Failure = String;
+
+/// Runs something until there is nothing more to be read, or until a signal comes that ends the test too.
+const UNTIL_TOLD: &str = "trap : TERM INT HUP; timeout --kill-after=5 \"$@\" </dev/null & \
+                          cat >/dev/null; kill -TERM $! 2>/dev/null; wait";
 
 /// A browser without a window.
 pub struct Session {
@@ -59,14 +64,14 @@ impl Session {
         let _ = std::fs::remove_dir_all(&profile);
         std::fs::create_dir_all(&profile).map_err(|error| error.to_string())?;
 
-        let mut running = Command::new("timeout")
-            .args(["--kill-after=5", &LONGEST.to_string()])
+        let mut running = Command::new("sh")
+            .args(["-c", UNTIL_TOLD, "sh", &LONGEST.to_string()])
             .arg(driver)
             .args(["--port=0", "--log-level=SEVERE"])
             // Where the browser keeps what it does not keep in its profile.
             .env("HOME", &profile)
             .env("TMPDIR", &profile)
-            .stdin(Stdio::null())
+            .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
@@ -243,19 +248,10 @@ impl Drop for Session {
         if !self.path.is_empty() {
             let _ = self.ask("DELETE", &self.path, None);
         }
-        // `timeout` hands the signal on to its group.
-        let group = self.driver.id().to_string();
-        let _ = Command::new("kill").args(["-TERM", &group]).status();
-        let end = Instant::now() + Duration::from_secs(20);
-        while Instant::now() < end {
-            if !matches!(self.driver.try_wait(), Ok(None)) {
-                return;
-            }
+        drop(self.driver.stdin.take());
+        let end = Instant::now() + Duration::from_secs(30);
+        while matches!(self.driver.try_wait(), Ok(None)) && Instant::now() < end {
             std::thread::sleep(Duration::from_millis(20));
         }
-        let _ = Command::new("kill")
-            .args(["-KILL", "--", &format!("-{group}")])
-            .status();
-        let _ = self.driver.wait();
     }
 }

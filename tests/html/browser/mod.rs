@@ -401,7 +401,10 @@ fn a_browser_has_nothing_to_complain_of() {
         let start = Instant::now();
         let complaints = check(&stage).unwrap_or_else(|failure| vec![failure]);
         println!("{name}: {:.1} s", start.elapsed().as_secs_f64());
-        all.extend(complaints.into_iter().map(|line| format!("{name}: {line}")));
+        for line in complaints {
+            println!("  {line}");
+            all.push(format!("{name}: {line}"));
+        }
     }
     assert!(all.is_empty(), "\n{}", all.join("\n"));
 }
