@@ -143,9 +143,7 @@ impl<'a> Posed<'a> {
                 _ => {}
             }
         }
-        if field.polynomial().degree() > 1 {
-            point.algebraic = Some(own.into());
-        }
+        point.algebraic = Some(own.into());
         let (claim, unfold) = (self.obligation.claim(), self.obligation.unfold());
         complete(claim, unfold, &mut point);
         point

@@ -62,6 +62,9 @@ fn some_unknown() -> Var {
 
 /// The fields of the irrational roots of a polynomial, the simplest first.
 pub fn fields(polynomial: &Univariate) -> Vec<Field> {
+    if polynomial.degree() > 2 * HIGHEST_DEGREE || polynomial.bits() > 2 * LONGEST_BOUND {
+        return Vec::new();
+    }
     let pieces = pieces(polynomial).into_iter();
     let mut all: Vec<Field> = pieces
         .filter(|p| p.degree() <= HIGHEST_DEGREE)

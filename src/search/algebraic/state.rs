@@ -11,6 +11,8 @@ use crate::search::values::candidates;
 
 /// How many of the usual numbers are tried for an unknown.
 const MOST_NUMBERS: usize = 10;
+/// In longer polynomials nothing is put in.
+const MOST_TERMS: usize = 64;
 /// A divisor with more terms is not put in.
 const LONGEST_DIVISOR: usize = 6;
 
@@ -143,6 +145,9 @@ impl State {
     fn with(&self, var: Var, above: &Polynomial, below: &Polynomial) -> Option<State> {
         let put = |polynomial: &Polynomial, even: bool| {
             let degree = polynomial.degree_in(var);
+            if polynomial.len() > MOST_TERMS {
+                return None;
+            }
             if degree == 0 || below.as_constant().is_some_and(|b| b.is_one()) {
                 return polynomial.substitute(var, above).ok();
             }
@@ -342,17 +347,9 @@ impl Search<'_> {
 
 /// The values of all unknowns. `None` where something is divided by 0, or too large.
 fn finished(state: &State) -> Option<(Field, Values)> {
-    let mut values = Values::new();
-    let field = match &state.root {
-        Some((var, field)) => {
-            values.insert(*var, Univariate::unknown());
-            field.clone()
-        }
-        None => {
-            let one = Rational::one();
-            Field::new(Univariate::unknown(), -&one, one).ok()?
-        }
-    };
+    // Rational points are the other search's to find.
+    let (root, field) = state.root.clone()?;
+    let mut values = Values::from([(root, Univariate::unknown())]);
     // What was solved first may depend on what was solved later. Unknowns that are free still are 1.
     for (var, above, below) in state.solved.iter().rev() {
         let mut value = |polynomial: &Polynomial| {
