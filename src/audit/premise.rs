@@ -8,7 +8,7 @@ use crate::derivation::{
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
 
-use super::{Entry, Note, Outcome};
+use super::{Entry, Note};
 
 /// What an equation offers to those that cite it.
 #[derive(Clone, Debug, Default)]
@@ -114,7 +114,8 @@ impl Offer {
 }
 
 /// The running indices for every value of which a statement is shown: each link is proved, and from nothing that is
-/// said of one value alone or may depend on it unseen.
+/// said of one value alone or may depend on it unseen. What is not proved is taken as it is written, as what is given is:
+/// those who cite it are judged from it all the same.
 fn throughout<'a>(
     derivation: &Derivation,
     at: usize,
@@ -135,9 +136,9 @@ fn throughout<'a>(
                     || offer.is_some_and(|o| o.is_throughout(&assumed.formula, &running.index))
             }
         };
-        entry.judged.iter().all(|judged| match judged.outcome {
-            Outcome::Defined => derivation.is_given_throughout(at, &judged.goal.formula, running),
-            _ => judged.outcome.is_proven() && judged.assumed.iter().all(said),
+        entry.judged.iter().all(|judged| match &judged.outcome {
+            outcome if outcome.is_proven() => judged.assumed.iter().all(said),
+            _ => derivation.is_given_throughout(at, &judged.goal.formula, running),
         })
     };
     let running = derivation.running(derivation.equations[at].page).iter();

@@ -40,6 +40,9 @@ pub fn prove_for_every(claim: &ForEvery) -> Option<(HoldsForEvery, BTreeSet<usiz
         all.filter(fits).collect()
     };
     let ahead = last_offset(&claim.claim.goal, &claim.index);
+    if ahead > HIGHEST_NUMBER {
+        return None;
+    }
     let mut near: Vec<Moved> = (0..=ahead.max(1)).map(Moved::By).collect();
     if let Some(last) = last_number(&claim.claim.goal, claim) {
         near.extend((start..=last.min(HIGHEST_NUMBER)).map(Moved::To));

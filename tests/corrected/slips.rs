@@ -10,8 +10,6 @@ pub const SLIPS: &[(&str, &str, &str)] = &[
     ("N5", "a_t + a'_t", "a_t + 2 a'_t"),
     ("N6", "a'_t = b_t", "a'_t = a_t"),
     ("N6", "b'_t = a_t", "b'_t = -a_t"),
-    ("N8", "R_{t+1} = R_t", "R_{t+1} = -R_t"),
-    ("N8", "T_{t+1} = T_t", "T_{t+1} = 4 T_t"),
     ("nothing-is-lost", "R_t = R_0", "R_t = -R_0"),
     ("nothing-is-lost", "T_t = T_0", "T_t = t T_0"),
     ("N10", "w_i", "w_i^2"),
@@ -108,9 +106,7 @@ pub const SLIPS: &[(&str, &str, &str)] = &[
     ("D3", "E_{n+2}", "E_{n+1}"),
     ("D4", "^n E_0", "^{n+1} E_0"),
     ("D4", "e^2", "e^4"),
-    ("D6", r"\frac{1}{4}", r"\frac{1}{2}"),
-    ("D6", "+", "-"),
-    ("D9", "= ", "= 2 "),
+    ("D9", r"\frac{1}{2}", r"\frac{1}{4}"),
     ("D10", "= c_0^2", "= -c_0^2"),
     ("D11", "{4}", "{2}"),
     ("D12", "e^n", "e^{n+1}"),
@@ -118,13 +114,16 @@ pub const SLIPS: &[(&str, &str, &str)] = &[
     ("D13", "1 + e", "1 - e"),
     ("D13", "}{2}", "}{4}"),
     ("D14", r"\geq", "<"),
-    ("D14", r"\frac{1}{2}", r"\frac{2}{3}"),
     ("D15", r"2 \cdot 1", r"2 \cdot 2"),
     ("D16", r"\right)^2 = ", r"\right)^2 = 2 "),
 ];
 
 /// Slips with which steps fail that cite the wrong equation: they are wrong too if that is believed.
 pub const SPREADING: &[(&str, &str, &str)] = &[
+    ("N8", "R_{t+1} = R_t", "R_{t+1} = -R_t"),
+    ("N8", "T_{t+1} = T_t", "T_{t+1} = 4 T_t"),
+    ("D6", r"\frac{1}{4}", r"\frac{1}{2}"),
+    ("D6", "+", "-"),
     ("R17", "2 E", "4 E"),
     ("H6", "v_0^{-1/5}", "v_0^{1/5}"),
     ("H9", "v_0^{11/5}", "v_0^{6/5}"),

@@ -14,6 +14,9 @@ use crate::kernel::{
     Assignment, Candidate, Checked, Claim, Domain, Hypothesis, Refuted, Reject, Standing, check,
 };
 
+/// Counterexamples do not go through more elements.
+const MOST_ELEMENTS: u32 = 32;
+
 /// Decides whether a point refutes a claim about every index, at the index `at`. The point has values for the index,
 /// for what stands at it, and for the first elements by their numbers.
 ///
@@ -35,6 +38,9 @@ impl ForEvery {
     /// A hypothesis cannot be taken at an index.
     pub fn first_instances(&self, at: u32) -> Result<Vec<Instance>, Reject> {
         let start = self.start()?;
+        if at.saturating_sub(start) + self.last_offset() > MOST_ELEMENTS {
+            return Err(Reject::TooLarge);
+        }
         let mut instances = Vec::new();
         for &hypothesis in &self.throughout {
             if self.is_constant(hypothesis) {
