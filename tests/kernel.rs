@@ -3,6 +3,8 @@
 
 #[path = "kernel/claims.rs"]
 mod claims;
+#[path = "kernel/course.rs"]
+mod course;
 #[path = "kernel/dimensions.rs"]
 mod dimensions;
 #[path = "kernel/functions.rs"]

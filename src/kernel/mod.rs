@@ -12,6 +12,7 @@
 //! | [`Proof::Positivity`] | multiplier · goal = Σ nonnegative terms + Σ cofactor · equation |
 //! | [`Proof::BothBounds`] | a ≥ 0 and −a ≥ 0 |
 //! | [`Proof::Square`] | −a² ≥ 0 |
+//! | [`Proof::Larger`] | a ≥ 0 and a² − (a − goal)² ≥ 0 |
 //! | [`Assignment`] | evaluate: premises true, goal false |
 //! | [`ScalingProof`] | exponents of the goal = Σ rational · exponents of a premise |
 //! | [`Situations`] | evaluate in both: premises true, the goal's sides grow differently |
@@ -20,6 +21,7 @@
 
 mod certificate;
 mod claim;
+mod course;
 pub mod dimension;
 mod functions;
 mod in_pi;
@@ -35,8 +37,8 @@ mod verdict;
 mod witness;
 
 pub use certificate::{
-    Assignment, BoundedSeries, Candidate, Certificate, Cofactors, ElementFactor, ElementSide, Fact,
-    Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
+    Assignment, BoundedSeries, Candidate, Certificate, Cofactors, Course, ElementFactor,
+    ElementSide, Fact, Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};
 pub(crate) use functions::pi_is_the_number;

@@ -3,6 +3,7 @@
 //! [`decide`] tries, in order of cost: elimination of linear unknowns; a counterexample in small numbers;
 //! Gröbner bases, sums of squares and products of inequalities; a counterexample in larger numbers.
 
+mod course;
 mod elements;
 mod functions;
 mod ideal;
@@ -499,7 +500,7 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
             all.extend(facts_of(above));
             all
         }
-        Proof::Square(inner) => facts_of(inner),
+        Proof::Square(inner) | Proof::Larger { squares: inner, .. } => facts_of(inner),
     }
 }
 

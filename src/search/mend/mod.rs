@@ -7,6 +7,8 @@ mod edits;
 
 use std::collections::BTreeSet;
 
+use num_traits::Signed;
+
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
 
@@ -18,6 +20,8 @@ use edits::{Edit, edits};
 const MOST_TRIED: usize = 6;
 /// How many of these are tried in earnest.
 const IN_EARNEST: usize = 2;
+/// How many bounds are: none of them is seen at first sight.
+const BOUNDS_IN_EARNEST: usize = 4;
 /// How many choices a search for a further point may try.
 const CHOICES: usize = 120;
 /// Symbols that one may have been mistaken for.
@@ -52,7 +56,8 @@ pub fn mended(
         left.retain(|edit| !printed.is_false(edit, values));
         left.is_empty()
     };
-    if weigh(&evaluate(claim, witness)) {
+    let there = evaluate(claim, witness);
+    if weigh(&there) {
         return None;
     }
     for shift in 0..2 {
@@ -62,16 +67,26 @@ pub fn mended(
             return None;
         }
     }
+    // Of several bounds that hold the nearest true one is the tightest.
+    if is_inequality(&claim.goal) {
+        let letters = |change: &Change| {
+            matches!(
+                change,
+                Change::Symbol { .. } | Change::Factor | Change::Summand
+            )
+        };
+        left.sort_by_cached_key(|edit| (letters(&edit.change), slack(edit, &there), edit.cost));
+    }
     left.truncate(MOST_TRIED);
     let with = |goal: &Formula| Claim {
         goal: goal.clone(),
         ..claim.clone()
     };
     // Sums with a symbolic number of terms are proved at first sight or after a long search.
-    let in_earnest = if claim.sequences.is_empty() {
-        IN_EARNEST
-    } else {
-        0
+    let in_earnest = match is_inequality(&claim.goal) {
+        true if claim.sequences.is_empty() => BOUNDS_IN_EARNEST,
+        false if !claim.sequences.is_empty() => 0,
+        _ => IN_EARNEST,
     };
     for (effort, most) in [(Effort::Light, MOST_TRIED), (Effort::Full, in_earnest)] {
         for edit in left.iter().take(most) {
@@ -88,6 +103,26 @@ pub fn mended(
         }
     }
     None
+}
+
+fn is_inequality(formula: &Formula) -> bool {
+    use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};
+    let Formula::Relation { relation, .. } = formula else {
+        return false;
+    };
+    matches!(relation, Less | LessOrEqual | Greater | GreaterOrEqual)
+}
+
+/// How far apart the sides of an edited inequality are at a point; nothing where only the relation was edited.
+fn slack(edit: &Edit, values: &Values) -> Option<BigRational> {
+    let Formula::Relation { left, right, .. } = &edit.formula else {
+        return None;
+    };
+    if matches!(edit.change, Change::Strict | Change::Relation) {
+        return None;
+    }
+    let (left, right) = (values.value(left).ok()?, values.value(right).ok()?);
+    Some((left - right).abs())
 }
 
 /// The sides of a printed goal at a point, if they have values there.
@@ -174,13 +209,34 @@ fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
     if prove_unconditionally(bare, effort).is_none() {
         return false;
     }
-    // Algebra is put right by algebra; a statement about symbols is not.
-    let algebra = *relation == Relation::Equal
-        && !matches!(change, Change::Symbol { .. })
-        && ![left, right]
-            .iter()
-            .any(|side| matches!(side, Expr::Symbol(_) | Expr::Number(_)));
-    !algebra
+    let bare = |side: &Expr| matches!(side, Expr::Symbol(_) | Expr::Number(_));
+    // Algebra is put right by algebra; a statement about symbols is not. So are bounds that rest on nothing, and
+    // those of which only the relation is wrong.
+    let algebra = (*relation == Relation::Equal && !matches!(change, Change::Symbol { .. })
+        || is_inequality(formula)
+            && (claim.hypotheses.is_empty()
+                || matches!(change, Change::Strict | Change::Relation)))
+        && [&claim.goal, formula]
+            .into_iter()
+            .all(|formula| match formula {
+                Formula::Relation {
+                    left,
+                    relation: Relation::Equal,
+                    right,
+                } => !bare(left) && !bare(right),
+                Formula::Relation { left, right, .. } => !(bare(left) && bare(right)),
+                Formula::AllEqual { .. } => false,
+            });
+    if !algebra || !is_inequality(formula) || matches!(change, Change::Strict | Change::Relation) {
+        return !algebra;
+    }
+    // Of what rests on nothing only the best bound is worth a word: both sides can be equal.
+    let mut reached = claim.clone();
+    reached.hypotheses.push(Hypothesis {
+        formula: Formula::equal(left.clone(), right.clone()).into(),
+        standing: Standing::AtPoint,
+    });
+    model(&reached).is_none()
 }
 
 /// A point on the premises at which nothing is true by chance: the symbols on the right of the goal are different
