@@ -91,18 +91,23 @@ pub fn in_motion(
         let hypothesis = claim.hypotheses.get(at)?;
         crate::kernel::definition(&hypothesis.formula)
     });
-    for (symbol, term) in defined.collect::<Vec<_>>().into_iter().rev() {
-        point.symbols.remove(&symbol);
+    let mut defined: Vec<(Symbol, Expr)> = defined.collect();
+    for (symbol, _) in &defined {
+        point.symbols.remove(symbol);
+    }
+    // One may be defined by another.
+    while let Some(at) = defined.iter().position(|(symbol, term)| {
         let there = Values {
             symbols: point.symbols.clone(),
             slopes: point.derivatives.clone(),
-            higher: point.course.as_ref()?.higher.clone(),
+            higher: point.course.iter().flat_map(|c| c.higher.clone()).collect(),
             still: true,
             ..Values::default()
         };
-        if let Ok(value) = there.value(&term) {
-            point.symbols.insert(symbol, value);
-        }
+        let value = there.value(term).ok();
+        value.is_some_and(|value| point.symbols.insert(symbol.clone(), value).is_none())
+    }) {
+        defined.remove(at);
     }
     Some(point)
 }
