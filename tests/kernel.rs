@@ -5,6 +5,8 @@
 mod algebraic;
 #[path = "kernel/claims.rs"]
 mod claims;
+#[path = "kernel/course.rs"]
+mod course;
 #[path = "kernel/dimensions.rs"]
 mod dimensions;
 #[path = "kernel/functions.rs"]

@@ -32,6 +32,8 @@ pub struct Values {
     pub terms: BTreeMap<Symbol, Expr>,
     /// The value of `ds/dx`, for a symbol `s` that no term gives.
     pub slopes: BTreeMap<(Symbol, Symbol), BigRational>,
+    /// The second derivative of a symbol and those above it, where its slope is given.
+    pub higher: BTreeMap<(Symbol, Symbol), Vec<BigRational>>,
     /// The symbols that depend on no variable.
     pub constants: BTreeSet<Symbol>,
     /// A symbol whose slope is not known does not vary; otherwise that is an error.
@@ -325,10 +327,12 @@ impl Values {
                 (None, None) => Ok(vec![self.element(symbol)?]),
             };
         };
-        let slope = self.slopes.get(&(symbol.clone(), variable.clone()));
+        let key = (symbol.clone(), variable.clone());
+        let slope = self.slopes.get(&key);
+        let higher = self.higher.get(&key).map_or(&[][..], Vec::as_slice);
         let slope = match slope {
             _ if symbol == variable => Some(BigRational::one()),
-            Some(slope) if along.order == 1 => Some(slope.clone()),
+            Some(slope) if along.order <= 1 + higher.len() => Some(slope.clone()),
             // What higher derivatives a symbol has is not said.
             Some(_) => None,
             None if self.constants.contains(symbol) => Some(BigRational::zero()),
@@ -352,6 +356,12 @@ impl Values {
         };
         let mut series = along.constant(value);
         series[1] = slope;
+        // Of Taylor's series the n-th coefficient is the n-th derivative over n!.
+        let mut factorial = BigRational::one();
+        for ((order, coefficient), own) in (2..).zip(series.iter_mut().skip(2)).zip(higher) {
+            factorial *= BigRational::from_integer(BigInt::from(order));
+            *coefficient = own / &factorial;
+        }
         Ok(series)
     }
 

@@ -415,11 +415,10 @@ impl Lowering<'_> {
         if atom == self.atom_of_symbol(variable) {
             return Ok(Rational::one().into());
         }
-        let body = expr_of_atom(&atom);
-        let constant = |s: &Symbol| s != variable && self.constants.contains(s);
-        if !body.has_elements() && body.free_symbols().iter().all(constant) {
+        if self.is_constant(&atom, variable) {
             return Ok(Fraction::default());
         }
+        let body = expr_of_atom(&atom);
         if let Expr::Call(function, argument) = &body
             && let Some(slope) = self.derivative_of_call(*function, argument, variable)?
         {
@@ -440,6 +439,18 @@ impl Lowering<'_> {
             body: body.into(),
             variable: variable.clone(),
         })))
+    }
+
+    /// Whether an unknown is made of declared constants alone, the variable not among them.
+    fn is_constant(&self, atom: &Atom, variable: &Symbol) -> bool {
+        let constant = |s: &Symbol| s != variable && self.constants.contains(s);
+        match atom {
+            Atom::Symbol(symbol) => constant(symbol),
+            atom => {
+                let body = expr_of_atom(atom);
+                !body.has_elements() && body.free_symbols().iter().all(constant)
+            }
+        }
     }
 
     /// An integral by linearity: powers of the variable are integrated, everything else becomes an integral of
@@ -494,15 +505,11 @@ impl Lowering<'_> {
             for &(var, exponent) in monomial.powers() {
                 let own = Monomial::power(var, exponent);
                 let root = power_of(self.atoms.atom(var), variable);
-                match self.atoms.atom(var) {
-                    Atom::Symbol(symbol)
-                        if symbol != variable && self.constants.contains(symbol) =>
-                    {
-                        outside = outside.times(&own);
-                        continue;
-                    }
-                    _ => inside = inside.times(&own),
+                if self.is_constant(self.atoms.atom(var), variable) {
+                    outside = outside.times(&own);
+                    continue;
                 }
+                inside = inside.times(&own);
                 power = power
                     .zip(root)
                     .map(|(all, root)| all + root * Rational::from(exponent));

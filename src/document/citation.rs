@@ -152,6 +152,7 @@ fn range_end(
         Token::Word("to" | "through") => {
             introduction.is_some()
                 || matches!(tokens.get(at.wrapping_sub(1)), Some((Token::Keys(_), _)))
+                || is_wide(tokens, at)
         }
         _ => false,
     };
@@ -164,6 +165,16 @@ fn range_end(
         }
         _ => None,
     }
+}
+
+/// "(1) to (4)" means what lies between them too; "(1) to (2)" may be a step from one to the other.
+fn is_wide(tokens: &[Placed<'_>], at: usize) -> bool {
+    let number = |at: usize| match tokens.get(at) {
+        Some((Token::Tag(tag), _)) => tag.trim().parse::<u32>().ok(),
+        _ => None,
+    };
+    let ends = (number(at.wrapping_sub(1)), number(at + 1));
+    matches!(ends, (Some(first), Some(last)) if last > first.saturating_add(1))
 }
 
 /// Past a comma, "and", "or", "&" or a comma and one of those.

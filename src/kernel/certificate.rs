@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::algebra::{BigRational, Expr, Polynomial, Rational, Symbol};
+use crate::algebra::{BigRational, Expr, Polynomial, Rational, Symbol, TooLarge};
 
 /// What the search hands over. Nothing in here is believed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -114,6 +114,14 @@ pub enum Proof {
     },
     /// `-a² ≥ 0`: the goal is 0. So a vanishing sum of squares makes each of its terms vanish.
     Square(Box<Proof>),
+    /// `a ≥ 0` and `a² − (a − goal)² ≥ 0`: what is taken from `a` has no greater square, so the goal is not negative;
+    /// it is positive where the difference of the squares is.
+    Larger {
+        /// `a`, seen by inspection not to be negative.
+        larger: Polynomial,
+        /// That the difference of the squares has the sign.
+        squares: Box<Proof>,
+    },
 }
 
 /// `coefficient · Π factors · Π squares² · Π series · Π bounded · Π facts`: a product that cannot be negative.
@@ -188,8 +196,10 @@ pub struct Assignment {
     pub symbols: BTreeMap<Symbol, BigRational>,
     /// The elements of each sequence.
     pub sequences: BTreeMap<Symbol, Vec<BigRational>>,
-    /// The value of `ds/dx` at the point, for symbols `s` of which nothing else is said.
+    /// The value of `ds/dx` at the point, for symbols `s` of which nothing else is said, or in a course.
     pub derivatives: BTreeMap<(Symbol, Symbol), BigRational>,
+    /// How everything can move through the point, where laws tie derivatives together.
+    pub course: Option<Course>,
     /// The values of sines, cosines, exponentials and logarithms, by call, in place of a value for the one symbol in
     /// their argument that has none.
     pub functions: BTreeMap<Expr, BigRational>,
@@ -215,6 +225,16 @@ pub struct Algebraic {
     pub roots: BTreeMap<Expr, Vec<BigRational>>,
 }
 
+/// How symbols that are differentiated move through a point.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Course {
+    /// The second derivative of a symbol and those above it, by symbol and variable.
+    pub higher: BTreeMap<(Symbol, Symbol), Vec<BigRational>>,
+    /// For each law that speaks of something that moves, by its position among the hypotheses, what it is to be solved
+    /// for: the highest derivative of a symbol, or a symbol of which no derivative occurs. Each leads one law.
+    pub leads: BTreeMap<usize, Expr>,
+}
+
 impl Certificate {
     /// Every polynomial in it.
     pub fn polynomials(&self) -> Vec<&Polynomial> {
@@ -230,6 +250,17 @@ impl Certificate {
 }
 
 impl Proof {
+    /// `a² − (a − goal)²`, what [`Proof::Larger`] asks the sign of.
+    ///
+    /// # Errors
+    /// It is too large to multiply out.
+    pub fn difference_of_squares(
+        larger: &Polynomial,
+        goal: &Polynomial,
+    ) -> Result<Polynomial, TooLarge> {
+        Ok(larger.pow(2)?.minus(&larger.minus(goal).pow(2)?))
+    }
+
     fn collect_polynomials<'a>(&'a self, all: &mut Vec<&'a Polynomial>) {
         match self {
             Proof::Combination {
@@ -277,6 +308,10 @@ impl Proof {
                 above.collect_polynomials(all);
             }
             Proof::Square(inner) => inner.collect_polynomials(all),
+            Proof::Larger { larger, squares } => {
+                all.push(larger);
+                squares.collect_polynomials(all);
+            }
         }
     }
 }

@@ -12,6 +12,7 @@
 //! | [`Proof::Positivity`] | multiplier · goal = Σ nonnegative terms + Σ cofactor · equation |
 //! | [`Proof::BothBounds`] | a ≥ 0 and −a ≥ 0 |
 //! | [`Proof::Square`] | −a² ≥ 0 |
+//! | [`Proof::Larger`] | a ≥ 0 and a² − (a − goal)² ≥ 0 |
 //! | [`Assignment`] | evaluate: premises true, goal false |
 //! | [`Algebraic`] | the same, modulo a polynomial with one root between two numbers |
 //! | [`ScalingProof`] | exponents of the goal = Σ rational · exponents of a premise |
@@ -24,6 +25,7 @@
 mod algebraic;
 mod certificate;
 mod claim;
+mod course;
 pub mod dimension;
 mod functions;
 mod in_pi;
@@ -41,7 +43,7 @@ mod witness;
 
 pub use algebraic::Field;
 pub use certificate::{
-    Algebraic, Assignment, BoundedSeries, Candidate, Certificate, Cofactors, ElementFactor,
+    Algebraic, Assignment, BoundedSeries, Candidate, Certificate, Cofactors, Course, ElementFactor,
     ElementSide, Fact, Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};

@@ -20,6 +20,8 @@ use crate::algebra::{
 
 /// Multiples of the given angle or exponent are evaluated up to this.
 const HIGHEST_MULTIPLE: u32 = 64;
+/// After so many terms of the series of the arctangent its sums differ by less than 1/20.
+const ARCTANGENT_TERMS: i32 = 9;
 
 /// What is known of `slope · symbol`, in place of a value for the symbol.
 #[derive(Clone, Debug)]
@@ -329,19 +331,27 @@ impl Private {
                 }
                 let (s, c) = (sine.cmp(&Rational::zero()), cosine.cmp(&Rational::zero()));
                 use Ordering::{Equal, Greater, Less};
-                let (from, to) = match (s, c) {
-                    (Equal, Greater) => (0, 0),
-                    (Greater, Greater) => (0, 1),
-                    (Greater, Equal) => (1, 1),
-                    (Greater, Less) => (1, 2),
-                    (Equal, _) => (2, 2),
-                    (Less, Less) => (2, 3),
-                    (Less, Equal) => (3, 3),
-                    (Less, Greater) => (3, 4),
+                // Whole quarters, and what is left of an angle that is no whole number of them.
+                let (before, rest) = match (s, c) {
+                    (Equal, Greater) => (0, None),
+                    (Greater, Greater) => (0, Some((sine.clone(), cosine.clone()))),
+                    (Greater, Equal) => (1, None),
+                    (Greater, Less) => (1, Some((-cosine, sine.clone()))),
+                    (Equal, _) => (2, None),
+                    (Less, Less) => (2, Some((-sine, -cosine))),
+                    (Less, Equal) => (3, None),
+                    (Less, Greater) => (3, Some((cosine.clone(), -sine))),
+                };
+                let (from, to) = match rest {
+                    None => (Rational::zero(), Rational::zero()),
+                    Some((sine, cosine)) => acute(&sine, &cosine),
                 };
                 let quarters = |n: i32| InPi::pi().scaled(&Rational::ratio(n, 2));
                 for turns in [0, -4, 4] {
-                    if within(Some(quarters(from + turns)), Some(quarters(to + turns)))? {
+                    let end = |rest: &Rational| {
+                        quarters(before + turns).plus(&InPi::rational(rest.clone()))
+                    };
+                    if within(Some(end(&from)), Some(end(&to)))? {
                         return Ok(true);
                     }
                 }
@@ -359,6 +369,27 @@ impl Private {
             },
         }
     }
+}
+
+/// Bounds on the angle between 0 and a quarter turn that has a sine and a cosine, both positive.
+///
+/// It is `2 arctan t` with `t = s / (1 + c)` between 0 and 1, and the sums of `t − t³/3 + t⁵/5 − …` lie above and below
+/// the whole by turns. The angle lies strictly between the bounds.
+fn acute(sine: &Rational, cosine: &Rational) -> (Rational, Rational) {
+    let tangent = sine / &(Rational::one() + cosine);
+    let square = &tangent * &tangent;
+    let mut power = tangent.clone();
+    let (mut below, mut above) = (Rational::zero(), tangent);
+    for k in 1..=ARCTANGENT_TERMS {
+        power *= &square;
+        let term = &power / &Rational::from(2 * k + 1);
+        match k % 2 {
+            1 => below = &above - &term,
+            _ => above = &below + &term,
+        }
+    }
+    let two = Rational::from(2);
+    (below * &two, above * two)
 }
 
 /// Whether `slope φ + rest` has a sign for every φ strictly between two ends, or at the only one; no end is

@@ -129,6 +129,14 @@ impl<'a> State<'a> {
                 let sign = Sign::NonNegative;
                 self.proof(&Fact { polynomial, sign }, inner)
             }
+            (Proof::Larger { larger, squares }, Sign::NonNegative | Sign::Positive) => {
+                if !self.knowledge.is_nonnegative(larger) {
+                    return Err(Reject::MayBeNegative(expr_of(larger, &self.problem.atoms)));
+                }
+                let polynomial = Proof::difference_of_squares(larger, goal)?;
+                let sign = fact.sign;
+                self.proof(&Fact { polynomial, sign }, squares)
+            }
             _ => Err(Reject::WrongKind),
         }
     }

@@ -132,6 +132,8 @@ pub enum Reject {
     NoPartner,
     /// A symbol that was left open has to have a value of its own.
     NotPrivate,
+    /// Nothing need move through the point in the way that the laws about derivatives ask.
+    NoCourse,
     /// The hypothesis (or domain condition) with this position is false at the point.
     PremiseFalse(usize),
     /// A value lies outside of the domain of its symbol.
@@ -187,6 +189,7 @@ impl fmt::Display for Reject {
             Reject::NotIsolated(_) => "an interval does not hold one root alone",
             Reject::NoPartner => "a sine has a value without its cosine",
             Reject::NotPrivate => "a symbol that is left open needs a value",
+            Reject::NoCourse => "nothing need move through the point as the premises ask",
             Reject::PremiseFalse(_) => "a premise is false at the point",
             Reject::OutsideDomain => "a value lies outside of its domain",
             Reject::GoalNotFalse => "the goal is not false at the point",

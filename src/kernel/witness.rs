@@ -92,6 +92,7 @@ impl<'a> Point<'a> {
                 return Err(Reject::OutsideDomain);
             }
         }
+        self.course_exists()?;
         self.bounds_are_met()
     }
 
@@ -279,6 +280,7 @@ impl<'a> Point<'a> {
                 let value = self.lowered(&power)?;
                 value.as_constant().ok_or(Reject::NoValue)
             }
+            Expr::Derivative { .. } if self.at.course.is_some() => self.along_the_way(expr),
             Expr::Derivative { body, variable } => match &**body {
                 Expr::Symbol(symbol) => self.derivative(expr, symbol, variable),
                 _ => Err(Reject::NoValue),

@@ -56,6 +56,17 @@ impl<'a> Point<'a> {
             let name = format!("d{}/d{}", words::symbol(symbol), words::symbol(variable));
             all.push((name, number(value)));
         }
+        for ((symbol, variable), higher) in self.at.course.iter().flat_map(|c| &c.higher) {
+            let differentiated = |body: Expr| Expr::Derivative {
+                body: body.into(),
+                variable: variable.clone(),
+            };
+            let mut term = differentiated(Expr::Symbol(symbol.clone()));
+            for value in higher {
+                term = differentiated(term);
+                all.push((plain(&term), number(value)));
+            }
+        }
         for (symbol, parts) in &self.at.in_pi {
             all.push((words::symbol(symbol), plain(&in_powers_of_pi(parts))));
         }

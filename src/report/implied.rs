@@ -68,6 +68,10 @@ fn slip(change: &Change) -> String {
         Change::Exponent => "only an exponent differs".into(),
         Change::Inverted => "only a fraction is upside down".into(),
         Change::Relation => "only the relation is turned round".into(),
+        Change::Strict => "both sides can be equal".into(),
+        Change::Factor => "only a factor differs".into(),
+        Change::Summand => "only a summand differs".into(),
+        Change::Function => "only a function differs".into(),
         Change::Symbol { printed, meant } => format!(
             "only {} stands for {}",
             words::symbol(printed),

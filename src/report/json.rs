@@ -409,6 +409,18 @@ fn values(at: &Assignment) -> BTreeMap<String, ValueView> {
         };
         all.insert(latex(&derivative), ValueView::Number(value.to_string()));
     }
+    for ((symbol, variable), higher) in at.course.iter().flat_map(|c| &c.higher) {
+        let mut derivative = Expr::Symbol(symbol.clone());
+        for value in std::iter::once(None).chain(higher.iter().map(Some)) {
+            derivative = Expr::Derivative {
+                body: derivative.into(),
+                variable: variable.clone(),
+            };
+            if let Some(value) = value {
+                all.insert(latex(&derivative), ValueView::Number(value.to_string()));
+            }
+        }
+    }
     for (call, value) in &at.functions {
         all.insert(latex(call), ValueView::Number(value.to_string()));
     }

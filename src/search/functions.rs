@@ -174,7 +174,31 @@ fn is_open(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
         _ => fact.polynomial.degree_in(var) <= 1,
     });
     let integer = claim.domains.get(symbol).is_some_and(|d| d.integer);
-    bounded && !integer && !pi && problem.goal.polynomial.degree_in(var) == 0
+    bounded
+        && !integer
+        && !pi
+        && !is_torn(claim, problem, symbol)
+        && problem.goal.polynomial.degree_in(var) == 0
+}
+
+/// Whether a symbol stands in an exponential and in a sine, and neither can be without it: then it is left open for
+/// none of them, and 0 is tried.
+fn is_torn(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
+    let excludes_zero = |s: &Symbol| {
+        let zero = crate::algebra::BigRational::from_integer(0.into());
+        claim.domains.get(s).is_some_and(|d| !d.contains(&zero))
+    };
+    let bound = |function: fn(Function) -> bool| {
+        problem.atoms.iter().any(|(_, atom)| {
+            let Atom::Opaque(Expr::Call(own, argument)) = atom else {
+                return false;
+            };
+            let symbols = argument.free_symbols();
+            let mut others = symbols.iter().filter(|s| *s != symbol);
+            function(*own) && symbols.contains(symbol) && others.all(excludes_zero)
+        })
+    };
+    bound(|f| f == Function::Exp) && bound(|f| kind_of(f) == Function::Sin)
 }
 
 /// Writes the values that depend on what was put in for `\pi` as polynomials in it: each equation with π in it is

@@ -26,11 +26,29 @@ impl Ideal {
         Ideal::without(facts, knowledge, |_| true)
     }
 
+    /// Eliminates all unknowns that can be, some of them only once no other is left.
+    pub fn keeping(
+        facts: &[Fact],
+        knowledge: &Knowledge,
+        kept: impl Fn(Var) -> bool,
+    ) -> Result<Self, TooLarge> {
+        let phases: [&dyn Fn(Var) -> bool; 2] = [&|var| !kept(var), &|_| true];
+        Ideal::in_phases(facts, knowledge, &phases)
+    }
+
     /// Eliminates some of the unknowns, as far as they can be.
     pub fn without(
         facts: &[Fact],
         knowledge: &Knowledge,
         unwanted: impl Fn(Var) -> bool,
+    ) -> Result<Self, TooLarge> {
+        Ideal::in_phases(facts, knowledge, &[&unwanted])
+    }
+
+    fn in_phases(
+        facts: &[Fact],
+        knowledge: &Knowledge,
+        phases: &[&dyn Fn(Var) -> bool],
     ) -> Result<Self, TooLarge> {
         let divisors = divisors(facts);
         let mut pending: Vec<Tracked> = facts
@@ -43,16 +61,18 @@ impl Ideal {
             .iter_mut()
             .for_each(|e| e.strip(knowledge, &divisors));
         let mut pivots: Vec<Pivot> = Vec::new();
-        while let Some((at, pivot)) = best_pivot(&pending, knowledge, &unwanted) {
-            pending.remove(at);
-            let var = pivot.var;
-            let speaks = |element: &&mut Tracked| element.polynomial.degree_in(var) > 0;
-            for element in pending.iter_mut().filter(speaks) {
-                *element = element.eliminate(var, &pivot)?;
-                element.strip(knowledge, &divisors);
+        for unwanted in phases {
+            while let Some((at, pivot)) = best_pivot(&pending, knowledge, unwanted) {
+                pending.remove(at);
+                let var = pivot.var;
+                let speaks = |element: &&mut Tracked| element.polynomial.degree_in(var) > 0;
+                for element in pending.iter_mut().filter(speaks) {
+                    *element = element.eliminate(var, &pivot)?;
+                    element.strip(knowledge, &divisors);
+                }
+                pending.retain(|e| !e.polynomial.is_zero());
+                pivots.push(pivot);
             }
-            pending.retain(|e| !e.polynomial.is_zero());
-            pivots.push(pivot);
         }
         Ok(Ideal {
             pivots,

@@ -198,6 +198,7 @@ pub(super) fn scaled(term: &Expr, factor: &Rational) -> Expr {
         return Expr::Negate(scaled(term, &-factor).into());
     }
     match term {
+        Expr::Negate(inner) => Expr::Negate(scaled(inner, factor).into()),
         Expr::Quotient(above, below) => {
             // In lowest terms with the numbers that stand there already.
             let (own, under) = (coefficient(above), coefficient(below));
@@ -216,15 +217,26 @@ pub(super) fn scaled(term: &Expr, factor: &Rational) -> Expr {
         }
         Expr::Product(factors) => {
             let mut factors = factors.clone();
-            let merged = match factors.first().and_then(own_number) {
-                Some(own) => {
-                    factors.remove(0);
-                    factor * own
+            // With the number that stands there already, if it is the only one, or in the fraction.
+            let numbers = factors.iter().filter(|f| own_number(f).is_some()).count();
+            let own = factors.iter().position(|f| own_number(f).is_some());
+            let fraction = factors.iter().position(|f| matches!(f, Expr::Quotient(..)));
+            match (own.filter(|&at| at == 0 || numbers == 1), fraction) {
+                (Some(at), _) => {
+                    let own = own_number(&factors.remove(at)).unwrap_or_else(Rational::one);
+                    let merged = factor * own;
+                    if !merged.is_one() {
+                        factors.insert(at, number(&merged));
+                    }
                 }
-                None => factor.clone(),
-            };
-            if !merged.is_one() {
-                factors.insert(0, number(&merged));
+                (None, Some(at)) if !factor.is_one() => {
+                    factors[at] = scaled(&factors[at], factor);
+                    if own_number(&factors[at]).is_some_and(|own| own.is_one()) {
+                        factors.remove(at);
+                    }
+                }
+                _ if factor.is_one() => {}
+                _ => factors.insert(0, number(factor)),
             }
             match factors.len() {
                 1 => factors.remove(0),

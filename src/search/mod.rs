@@ -5,6 +5,7 @@
 //! numbers.
 
 mod algebraic;
+mod course;
 mod elements;
 mod functions;
 mod ideal;
@@ -533,7 +534,7 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
             all.extend(facts_of(above));
             all
         }
-        Proof::Square(inner) => facts_of(inner),
+        Proof::Square(inner) | Proof::Larger { squares: inner, .. } => facts_of(inner),
     }
 }
 

@@ -69,12 +69,34 @@ pub fn decompose(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decom
     {
         return Some(terms_only(terms));
     }
+    if let Some(found) = squares_by_an_equation(goal, strict, known) {
+        return Some(found);
+    }
     if known.plain_first
         && let Some(found) = plain_combination(goal, strict, known)
     {
         return Some(found);
     }
     combination(goal, strict, known)
+}
+
+/// A sum of squares once an equation has taken the place of the constant: `1/2 − s c` with `s² + c² = 1`.
+fn squares_by_an_equation(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decomposition> {
+    let constant = goal.coefficient(&Monomial::one())?.clone();
+    let equations = known.equations.iter().enumerate();
+    equations
+        .filter(|(_, equation)| equation.multiplier.is_empty())
+        .find_map(|(at, equation)| {
+            let own = equation.polynomial.coefficient(&Monomial::one())?;
+            let weight = &constant / own;
+            let rest = goal.minus(&equation.polynomial.scaled(&weight));
+            let terms = sum_of_squares(&rest)?;
+            let fits = !strict || terms.iter().any(|t| is_strict(t, known.knowledge));
+            fits.then(|| Decomposition {
+                terms,
+                equations: vec![(at, Polynomial::constant(weight))],
+            })
+        })
 }
 
 fn is_strict(term: &PositiveTerm, knowledge: &Knowledge) -> bool {

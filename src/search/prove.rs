@@ -7,7 +7,7 @@ use super::ideal::Ideal;
 use super::positivity::{Known, decompose};
 use super::roots::root_of;
 use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
-use crate::algebra::{Atom, Monomial, Polynomial, Rational, TooLarge};
+use crate::algebra::{Atom, Expr, Function, Monomial, Polynomial, Rational, TooLarge};
 use crate::kernel::{
     BoundedSeries, Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign,
 };
@@ -18,6 +18,8 @@ const HIGHEST_POWER: u32 = 3;
 const MOST_ROUNDS: usize = 3;
 const REDUCTIONS: usize = 2_000;
 const LIGHT_REDUCTIONS: usize = 60;
+/// How often what is compared is squared.
+const DEEPEST_SQUARES: usize = 2;
 
 /// How hard to try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -173,6 +175,9 @@ impl Prover {
             if let Some(element) = impossible {
                 return from_contradiction(element, goal).ok();
             }
+            if let Some(proof) = self.zero_by_dividing(goal) {
+                return Some(proof);
+            }
         }
         if !self.has_inequalities() && self.ideal.rest.is_empty() {
             return None;
@@ -191,6 +196,23 @@ impl Prover {
         }
         let square = bound(goal.pow(2).ok()?.negated());
         Some(Proof::Square(self.sign(&square)?.into()))
+    }
+
+    /// The same with what cannot vanish kept to the end, so that it can be divided out of what is left: two
+    /// resistors have one voltage, and it is none of the conclusion.
+    fn zero_by_dividing(&self, goal: &Polynomial) -> Option<Proof> {
+        let kept = |var| {
+            let power = Monomial::power(var, 1);
+            self.knowledge.monomial_is_nonzero(&power)
+        };
+        let ideal = Ideal::keeping(&self.facts, &self.knowledge, kept).ok()?;
+        let mut reduced = ideal.reduce(goal, false).ok()?;
+        let settled = reduced.polynomial.is_zero()
+            || reduced
+                .normal_form(&ideal.rest, &mut { LIGHT_REDUCTIONS })
+                .is_ok()
+                && reduced.polynomial.is_zero();
+        settled.then(|| combination(&reduced, 1))
     }
 
     fn nonzero(&mut self, goal: &Polynomial, effort: Effort) -> Option<Proof> {
@@ -253,11 +275,49 @@ impl Prover {
     }
 
     fn sign(&mut self, fact: &Fact) -> Option<Proof> {
-        let found = self.sign_by_what_is_known(fact);
-        match found.is_none() && self.add_bounded() {
-            true => self.sign_by_what_is_known(fact),
-            false => found,
+        self.sign_within(fact, DEEPEST_SQUARES)
+    }
+
+    fn sign_within(&mut self, fact: &Fact, depth: usize) -> Option<Proof> {
+        if let Some(found) = self.sign_by_what_is_known(fact) {
+            return Some(found);
         }
+        if self.add_bounded()
+            && let Some(found) = self.sign_by_what_is_known(fact)
+        {
+            return Some(found);
+        }
+        self.larger(fact, depth)
+    }
+
+    /// Where roots and absolute values are compared, their squares may be: of `a − b` with `a ≥ 0` it is enough that
+    /// `a² − b² ≥ 0`.
+    fn larger(&mut self, fact: &Fact, depth: usize) -> Option<Proof> {
+        let depth = depth.checked_sub(1)?;
+        let unsquared = |var| match self.atoms.atom(var) {
+            Atom::Opaque(Expr::Power(..) | Expr::Call(Function::Abs, _)) => true,
+            Atom::Root { .. } => true,
+            _ => false,
+        };
+        if !fact.polynomial.vars().into_iter().any(unsquared) {
+            return None;
+        }
+        let mut larger = Polynomial::zero();
+        for (monomial, coefficient) in fact.polynomial.terms() {
+            let term = Polynomial::term(monomial.clone(), coefficient.clone());
+            if self.knowledge.is_nonnegative(&term) {
+                larger = larger.plus(&term);
+            }
+        }
+        if larger.is_zero() || larger == fact.polynomial {
+            return None;
+        }
+        let squares = Fact {
+            polynomial: Proof::difference_of_squares(&larger, &fact.polynomial).ok()?,
+            sign: fact.sign,
+        };
+        let squares = self.sign_within(&squares, depth)?.into();
+        Some(Proof::Larger { larger, squares })
     }
 
     fn sign_by_what_is_known(&mut self, fact: &Fact) -> Option<Proof> {

@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 use num_traits::{Signed, ToPrimitive};
 
+use super::course::in_motion;
 use super::functions::{in_terms_of_pi, leave_open, needs};
 use super::point::{Target, Tried, Wanted, satisfies};
 use super::unfold::definitions_to_unfold;
@@ -180,10 +181,14 @@ impl<'a> Points<'a> {
                 match tried {
                     Tried::Found(values) => {
                         let point = concrete.assignment(&values);
+                        let posed = &concrete.obligation;
+                        let moving = in_motion(posed.claim(), posed.as_written(), &values, &point);
                         *slot = Slot::Done;
                         let claim = self.obligation.claim();
                         let unfold = self.obligation.unfold();
-                        return restored(claim, unfold, &self.counts, sizes, point);
+                        let mut points = restored(claim, unfold, &self.counts, sizes, point);
+                        points.extend(moving.filter(|_| self.counts.is_empty()));
+                        return points;
                     }
                     Tried::Costlier => {}
                     Tried::Exhausted => *slot = Slot::Done,
@@ -546,7 +551,8 @@ pub fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
     let nothing = BTreeSet::new();
     for (var, expr) in opaque {
         match &expr {
-            Expr::Derivative { body, .. } if matches!(**body, Expr::Symbol(_)) => {}
+            Expr::Derivative { body, .. }
+                if matches!(**body, Expr::Symbol(_) | Expr::Derivative { .. }) => {}
             Expr::Power(base, exponent) => {
                 let Expr::Number(exponent) = &**exponent else {
                     return None;

@@ -38,7 +38,9 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             let (symbol, term) = definition(&formulas[at])?;
             // A value at one point says nothing of how the symbol moves; a count does not move.
             let positive = || claim.domains.get(&symbol).is_some_and(Domain::is_positive);
-            let fits = match found.moving.contains(&symbol) {
+            // What is constant has no slope to be found.
+            let constant = claim.domains.get(&symbol).is_some_and(|d| d.constant);
+            let fits = match found.moving.contains(&symbol) && !constant {
                 true => claim.hypotheses[at].standing == Standing::Identity,
                 false if found.counts.contains(&symbol) => true,
                 false if found.called.contains(&symbol) => true,

@@ -137,10 +137,22 @@ fn angle_lies_in_its_domain() {
         (positive(), &acute, Ok(())),
         (positive(), &obtuse, Ok(())),
         (between((0, 1), (8, 5)), &acute, Ok(())),
-        (between((0, 1), (3, 2)), &acute, Err(Reject::OutsideDomain)),
+        (between((0, 1), (3, 2)), &acute, Ok(())),
+        (between((0, 1), (13, 20)), &acute, Ok(())),
+        (
+            between((0, 1), (16, 25)),
+            &acute,
+            Err(Reject::OutsideDomain),
+        ),
         (between((0, 1), (8, 5)), &obtuse, Err(Reject::OutsideDomain)),
         (between((1, 1), (8, 5)), &acute, Err(Reject::OutsideDomain)),
         (between((3, 2), (22, 7)), &obtuse, Ok(())),
+        (between((12, 5), (5, 2)), &obtuse, Ok(())),
+        (
+            between((5, 2), (22, 7)),
+            &obtuse,
+            Err(Reject::OutsideDomain),
+        ),
     ] {
         let claim = wrong().domain("x", domain.clone());
         assert_eq!(refuted(&claim, with(&[], calls)), verdict, "{domain:?}");
@@ -152,7 +164,9 @@ fn premise_may_bound_an_angle_by_pi() {
     let claim = |premise| claim(&[premise, "x > 0"], "\\sin(x) = \\cos(x)");
     let at = || with(&[], &angle("x", (3, 5), (4, 5)));
     assert_eq!(refuted(&claim("x < \\frac{\\pi}{2}"), at()), Ok(()));
-    let verdict = refuted(&claim("x < \\frac{\\pi}{4}"), at());
+    assert_eq!(refuted(&claim("x < \\frac{\\pi}{4}"), at()), Ok(()));
+    let steeper = with(&[], &angle("x", (4, 5), (3, 5)));
+    let verdict = refuted(&claim("x < \\frac{\\pi}{4}"), steeper);
     assert_eq!(verdict, Err(Reject::OutsideDomain));
 }
 

@@ -202,6 +202,13 @@ fn proof_of_another_kind_than_the_goal_is_rejected() {
             (positivity(), vec![Sign::NonNegative, Sign::Positive]),
             (Proof::Square(positivity().into()), vec![Sign::Zero]),
             (
+                Proof::Larger {
+                    larger: p.p("0"),
+                    squares: positivity().into(),
+                },
+                vec![Sign::NonNegative, Sign::Positive],
+            ),
+            (
                 Proof::BothBounds {
                     below: positivity().into(),
                     above: positivity().into(),
@@ -229,6 +236,47 @@ fn inner_proof_of_another_kind_is_rejected() {
         above: inner.into(),
     };
     assert_eq!(p.checked(proof), Err(Reject::WrongKind));
+}
+
+/// `b ≤ a`, or `b < a`, from `b² ≤ a²`.
+fn smaller_square(premises: &[&str], goal: &str, larger: &str) -> Result<(), Reject> {
+    let p = Proving::new(claim(premises, goal));
+    let term = PositiveTerm {
+        facts: vec![p.hypothesis(0)],
+        ..one()
+    };
+    p.checked(Proof::Larger {
+        larger: p.p(larger),
+        squares: p.positivity(&[], vec![term], &[]).into(),
+    })
+}
+
+#[test]
+fn what_has_no_greater_square_is_no_greater() {
+    let nonnegative = ["b^2 \\leq a^2", "a \\geq 0"];
+    assert_eq!(smaller_square(&nonnegative, "b \\leq a", "a"), Ok(()));
+    let strict = ["b^2 < a^2", "a \\geq 0"];
+    assert_eq!(smaller_square(&strict, "b < a", "a"), Ok(()));
+    assert_eq!(
+        smaller_square(&nonnegative, "b < a", "a"),
+        Err(Reject::NotStrict)
+    );
+    assert_eq!(
+        smaller_square(&["b^2 \\leq a^2"], "b \\leq a", "a"),
+        Err(Reject::MayBeNegative(term("a")))
+    );
+    assert_eq!(
+        smaller_square(&["b^2 \\leq a^2", "b \\geq 0"], "b \\leq a", "a"),
+        Err(Reject::MayBeNegative(term("a")))
+    );
+    assert_eq!(
+        smaller_square(&["b^2 \\leq a^2 + 1", "a \\geq 0"], "b \\leq a", "a"),
+        Err(Reject::IdentityFails)
+    );
+    assert_eq!(
+        smaller_square(&nonnegative, "b \\leq a", "2 a"),
+        Err(Reject::IdentityFails)
+    );
 }
 
 /// `a² + b² ≥ 2ab`.

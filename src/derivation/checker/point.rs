@@ -141,6 +141,11 @@ pub fn values_at(claim: &Claim, at: &Assignment) -> Values {
         symbols: at.symbols.clone(),
         sequences: at.sequences.clone(),
         slopes: at.derivatives.clone(),
+        higher: at
+            .course
+            .as_ref()
+            .map(|c| c.higher.clone())
+            .unwrap_or_default(),
         constants: fixed.map(|(symbol, _)| symbol.clone()).collect(),
         // What the kernel is told nothing of does not vary.
         still: true,

@@ -104,6 +104,24 @@ impl<'a> Written<'a> {
                     indent + 2,
                 );
             }
+            Proof::Larger { larger, squares } => {
+                let (a, b) = (
+                    self.polynomial(larger),
+                    self.polynomial(&larger.minus(&goal)),
+                );
+                let sign = match fact.sign {
+                    Sign::Positive => ">",
+                    _ => "≥",
+                };
+                let text =
+                    format!("{name} = a − b with a = {a} ≥ 0 and b = {b}, for a² {sign} b²:");
+                self.say(indent, &text);
+                if let Ok(polynomial) = Proof::difference_of_squares(larger, &goal) {
+                    let sign = fact.sign;
+                    let fact = Fact { polynomial, sign };
+                    self.step(&fact, squares, "(a² − b²)", indent + 2);
+                }
+            }
             Proof::Square(inner) => {
                 self.say(indent, &format!("{name} = 0, for −{name}² ≥ 0:"));
                 if let Ok(square) = goal.pow(2) {

@@ -1,6 +1,8 @@
 //! The slips of the pen that may have been made: every formula that is one small edit away from a printed one.
 
-use crate::algebra::{BigRational, Expr, Formula, Rational, Relation, Symbol};
+use crate::algebra::{
+    BigRational, Expr, Formula, Function, Rational, Relation, Symbol, product_of,
+};
 
 use super::super::implied::{number, own_number, scaled};
 
@@ -48,10 +50,18 @@ pub enum Change {
         /// As it should be.
         meant: Symbol,
     },
-    /// A fraction upside down.
+    /// A fraction upside down, or a product where there should be a quotient.
     Inverted,
     /// `≤` for `≥`.
     Relation,
+    /// `<` for `≤`.
+    Strict,
+    /// A factor that is missing, or one too many.
+    Factor,
+    /// A summand that is missing, or one too many.
+    Summand,
+    /// One function for another: a sine for a cosine.
+    Function,
 }
 
 /// A formula one edit away.
@@ -96,6 +106,8 @@ pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
     for is_left in [false, true] {
         let side = if is_left { left } else { right };
         editor.whole(side);
+        editor.missing_factor(side);
+        editor.missing_one(side);
         for (change, cost, term) in editor.found.drain(..) {
             let formula = match is_left {
                 true => rebuilt(&term, *relation, right),
@@ -103,7 +115,9 @@ pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
             };
             // What an equation is solved for is less often wrong than what it says of it.
             let solved = matches!((is_left, left), (true, Expr::Symbol(_)));
-            let cost = 4 * cost + u32::from(is_left) + 8 * u32::from(solved);
+            let leading = change == Change::Sign && starts_with_minus(&term);
+            let cost =
+                4 * cost + u32::from(is_left) + 2 * u32::from(leading) + 8 * u32::from(solved);
             all.push(Edit {
                 change,
                 formula,
@@ -113,20 +127,31 @@ pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
             });
         }
     }
-    let turned = match relation {
-        Relation::Less => Some(Relation::Greater),
-        Relation::Greater => Some(Relation::Less),
-        Relation::LessOrEqual => Some(Relation::GreaterOrEqual),
-        Relation::GreaterOrEqual => Some(Relation::LessOrEqual),
+    let loose = match relation {
+        Relation::Less => Some(Relation::LessOrEqual),
+        Relation::Greater => Some(Relation::GreaterOrEqual),
         _ => None,
     };
-    all.extend(turned.map(|turned| Edit {
-        change: Change::Relation,
-        formula: rebuilt(left, turned, right),
-        cost: 4,
-        left_kept: true,
-        right_kept: true,
-    }));
+    let turned = match relation {
+        Relation::Less => vec![Relation::Greater, Relation::GreaterOrEqual],
+        Relation::Greater => vec![Relation::Less, Relation::LessOrEqual],
+        Relation::LessOrEqual => vec![Relation::GreaterOrEqual],
+        Relation::GreaterOrEqual => vec![Relation::LessOrEqual],
+        _ => Vec::new(),
+    };
+    let loose = loose.map(|relation| (Change::Strict, relation)).into_iter();
+    let turned = turned
+        .into_iter()
+        .map(|relation| (Change::Relation, relation));
+    for (at, (change, relation)) in (0..).zip(loose.chain(turned)) {
+        all.push(Edit {
+            change,
+            formula: rebuilt(left, relation, right),
+            cost: 2 + at,
+            left_kept: true,
+            right_kept: true,
+        });
+    }
     let same = |edit: &Edit| match &edit.formula {
         Formula::Relation { left, right, .. } => left == right,
         Formula::AllEqual { .. } => false,
@@ -135,6 +160,17 @@ pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
     all.sort_by_key(|edit| edit.cost);
     all.truncate(MOST_EDITS);
     all
+}
+
+/// Whether a minus is the first that is read of a term: where another sign can be wrong, that is the likelier.
+fn starts_with_minus(term: &Expr) -> bool {
+    match term {
+        Expr::Negate(_) => true,
+        Expr::Sum(items) | Expr::Product(items) => items.first().is_some_and(starts_with_minus),
+        Expr::Quotient(above, _) => starts_with_minus(above),
+        Expr::Power(base, _) => starts_with_minus(base),
+        _ => false,
+    }
 }
 
 fn parts(term: &Expr) -> usize {
@@ -157,6 +193,8 @@ impl Editor<'_> {
         match term {
             Expr::Negate(inner) => self.found.push((Change::Sign, 1, (**inner).clone())),
             Expr::Number(value) if *value == BigRational::from_integer(0.into()) => {}
+            // Nobody writes a minus before a whole sum.
+            Expr::Sum(_) => {}
             term => self
                 .found
                 .push((Change::Sign, 1, Expr::Negate(term.clone().into()))),
@@ -176,6 +214,13 @@ impl Editor<'_> {
             Expr::Negate(inner) => (&**inner, true),
             term => (term, false),
         };
+        if let Some(value) = own_number(term).filter(|v| !v.is_integer()) {
+            let below = BigRational::from_integer(value.denom());
+            for other in [1, -1].map(|step| &below + BigRational::from_integer(step.into())) {
+                let other = Rational::from(value.numer()) / Rational::from(&other);
+                self.found.push((Change::Coefficient, 2, number(&other)));
+            }
+        }
         for (at, (above, below)) in FACTORS.into_iter().enumerate() {
             let factor = BigRational::new(above.into(), below.into());
             let other = scaled(term, &Rational::from(&factor));
@@ -185,6 +230,60 @@ impl Editor<'_> {
             };
             let cost = 2 + u32::from(at >= 6) + u32::from(at >= 12);
             self.found.push((Change::Coefficient, cost, other));
+        }
+    }
+
+    /// What may be missing from a product, or be too much in it.
+    fn product(&mut self, factors: &[Expr]) {
+        let letter = |term: &Expr| match term {
+            Expr::Symbol(_) => true,
+            Expr::Power(base, _) => matches!(**base, Expr::Symbol(_)),
+            _ => false,
+        };
+        for (at, factor) in factors.iter().enumerate() {
+            let mut others = factors.to_vec();
+            others.remove(at);
+            let others = product_of(others);
+            if letter(factor) {
+                self.found.push((Change::Factor, 3, others.clone()));
+            }
+            if own_number(factor).is_none() {
+                let quotient = Expr::Quotient(others.into(), factor.clone().into());
+                self.found.push((Change::Inverted, 4, quotient));
+            }
+        }
+    }
+
+    /// `1 −` or `1 +` before the whole of a side.
+    fn missing_one(&mut self, side: &Expr) {
+        let (term, negative) = match side {
+            Expr::Sum(_) | Expr::Number(_) => return,
+            Expr::Negate(inner) => (&**inner, Expr::Negate(inner.clone())),
+            term => (term, Expr::Negate(term.clone().into())),
+        };
+        let one = || Expr::integer(1);
+        for item in [negative, term.clone()] {
+            let sum = Expr::Sum(vec![one(), item]);
+            self.found.push((Change::Summand, 5, sum));
+        }
+    }
+
+    /// What may be missing before or after a product, a symbol or a quotient.
+    fn missing_factor(&mut self, term: &Expr) {
+        let factors = match term {
+            Expr::Product(factors) => factors.clone(),
+            Expr::Symbol(_) | Expr::Power(..) | Expr::Sum(_) => vec![term.clone()],
+            Expr::Number(value) if *value == BigRational::from_integer(1.into()) => Vec::new(),
+            Expr::Number(_) => vec![term.clone()],
+            _ => return,
+        };
+        for name in self.names {
+            let name = Expr::Symbol(name.clone());
+            // A square is written as one.
+            if !factors.contains(&name) {
+                let all = factors.iter().cloned().chain([name]).collect();
+                self.found.push((Change::Factor, 4, product_of(all)));
+            }
         }
     }
 
@@ -220,24 +319,72 @@ impl Editor<'_> {
                     base => editor.within(base),
                 });
             }
-            Expr::Quotient(above, below) if own_number(term).is_none() => {
+            Expr::Quotient(above, below) => {
                 let inverted = Expr::Quotient(below.clone(), above.clone());
                 self.found.push((Change::Inverted, 3, inverted));
-                self.inside(term, 0, Editor::within);
-                self.inside(term, 1, Editor::within);
+                if own_number(term).is_none() {
+                    self.inside(term, 0, Editor::part);
+                    self.inside(term, 1, Editor::part);
+                }
             }
             Expr::Sum(items) => {
                 for at in 0..items.len() {
-                    self.inside(term, at, Editor::whole);
+                    let mut others = items.clone();
+                    others.remove(at);
+                    if let [only] = others.as_slice() {
+                        others = match only {
+                            Expr::Sum(items) => items.clone(),
+                            only => vec![only.clone()],
+                        };
+                    }
+                    let rest = match others.len() {
+                        1 => others.remove(0),
+                        _ => Expr::Sum(others),
+                    };
+                    self.found.push((Change::Summand, 4, rest));
+                    self.inside(term, at, |editor, item| {
+                        editor.whole(item);
+                        editor.sum_in_brackets(item);
+                        editor.missing_factor(item);
+                    });
                 }
             }
-            Expr::Call(..) => self.inside(term, 0, Editor::whole),
-            Expr::Product(_) | Expr::Negate(_) => {
-                for at in 0..term.children().len() {
-                    self.inside(term, at, Editor::within);
-                }
+            Expr::Call(function, argument) => {
+                let other = match function {
+                    Function::Sin => Some(Function::Cos),
+                    Function::Cos => Some(Function::Sin),
+                    _ => None,
+                };
+                let other = other.map(|f| Expr::Call(f, argument.clone()));
+                self.found
+                    .extend(other.map(|call| (Change::Function, 2, call)));
+                self.inside(term, 0, Editor::whole);
             }
+            Expr::Product(factors) => {
+                for at in 0..factors.len() {
+                    self.inside(term, at, |editor, factor| {
+                        editor.within(factor);
+                        editor.sum_in_brackets(factor);
+                    });
+                }
+                self.product(factors);
+            }
+            Expr::Negate(_) => self.inside(term, 0, Editor::part),
             _ => {}
+        }
+    }
+
+    /// A numerator, a denominator, or what follows a minus.
+    fn part(&mut self, term: &Expr) {
+        self.within(term);
+        self.missing_factor(term);
+    }
+
+    /// A sum within something else may have lost its square.
+    fn sum_in_brackets(&mut self, term: &Expr) {
+        if let Expr::Sum(_) = term {
+            let squared = Expr::Power(term.clone().into(), Expr::integer(2).into());
+            self.found.push((Change::Exponent, 4, squared));
         }
     }
 

@@ -7,6 +7,8 @@ mod edits;
 
 use std::collections::BTreeSet;
 
+use num_traits::Signed;
+
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
 
@@ -18,6 +20,8 @@ use edits::{Edit, edits};
 const MOST_TRIED: usize = 6;
 /// How many of these are tried in earnest.
 const IN_EARNEST: usize = 2;
+/// How many bounds are: none of them is seen at first sight.
+const BOUNDS_IN_EARNEST: usize = 4;
 /// How many choices a search for a further point may try.
 const CHOICES: usize = 120;
 /// Symbols that are given a number of their own.
@@ -56,7 +60,8 @@ pub fn mended(
         left.retain(|edit| !printed.is_false(edit, values));
         left.is_empty()
     };
-    if weigh(&evaluate(claim, witness)) {
+    let there = evaluate(claim, witness);
+    if weigh(&there) {
         return None;
     }
     for hint in hints.iter().filter(|hint| is_admissible(claim, hint)) {
@@ -66,8 +71,9 @@ pub fn mended(
             return None;
         }
     }
-    // Sums with a symbolic number of terms are proved at first sight or after a long search: no longer one for points.
-    let shifts = if claim.sequences.is_empty() { 2 } else { 0 };
+    // What is proved at first sight, or not at all, is not worth a long search for points.
+    let light = !claim.sequences.is_empty() && !is_inequality(&claim.goal);
+    let shifts = if light { 0 } else { 2 };
     for shift in 0..shifts {
         if let Some((pinned, point)) = generic(claim, shift)
             && weigh(&evaluate(&pinned, &point))
@@ -75,15 +81,26 @@ pub fn mended(
             return None;
         }
     }
+    // Of several bounds that hold the nearest true one is the tightest.
+    if is_inequality(&claim.goal) {
+        let letters = |change: &Change| {
+            matches!(
+                change,
+                Change::Symbol { .. } | Change::Factor | Change::Summand
+            )
+        };
+        left.sort_by_cached_key(|edit| (letters(&edit.change), slack(edit, &there), edit.cost));
+    }
     left.truncate(MOST_TRIED);
     let with = |goal: &Formula| Claim {
         goal: goal.clone(),
         ..claim.clone()
     };
-    let in_earnest = if claim.sequences.is_empty() {
-        IN_EARNEST
-    } else {
-        0
+    // Sums with a symbolic number of terms are proved at first sight or after a long search.
+    let in_earnest = match is_inequality(&claim.goal) {
+        true if claim.sequences.is_empty() => BOUNDS_IN_EARNEST,
+        false if !claim.sequences.is_empty() => 0,
+        _ => IN_EARNEST,
     };
     for (effort, most) in [(Effort::Light, MOST_TRIED), (Effort::Full, in_earnest)] {
         for edit in left.iter().take(most) {
@@ -106,6 +123,26 @@ pub fn mended(
 fn is_admissible(claim: &Claim, point: &Assignment) -> bool {
     let mut values = point.symbols.iter();
     values.all(|(symbol, value)| claim.domains.get(symbol).is_none_or(|d| d.contains(value)))
+}
+
+fn is_inequality(formula: &Formula) -> bool {
+    use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};
+    let Formula::Relation { relation, .. } = formula else {
+        return false;
+    };
+    matches!(relation, Less | LessOrEqual | Greater | GreaterOrEqual)
+}
+
+/// How far apart the sides of an edited inequality are at a point; nothing where only the relation was edited.
+fn slack(edit: &Edit, values: &Values) -> Option<BigRational> {
+    let Formula::Relation { left, right, .. } = &edit.formula else {
+        return None;
+    };
+    if matches!(edit.change, Change::Strict | Change::Relation) {
+        return None;
+    }
+    let (left, right) = (values.value(left).ok()?, values.value(right).ok()?);
+    Some((left - right).abs())
 }
 
 /// The sides of a printed goal at a point, if they have values there.
@@ -192,13 +229,34 @@ fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
     if prove_unconditionally(bare, effort).is_none() {
         return false;
     }
-    // Algebra is put right by algebra; a statement about symbols is not.
-    let algebra = *relation == Relation::Equal
-        && !matches!(change, Change::Symbol { .. })
-        && ![left, right]
-            .iter()
-            .any(|side| matches!(side, Expr::Symbol(_) | Expr::Number(_)));
-    !algebra
+    let bare = |side: &Expr| matches!(side, Expr::Symbol(_) | Expr::Number(_));
+    // Algebra is put right by algebra; a statement about symbols is not. So are bounds that rest on nothing, and
+    // those of which only the relation is wrong.
+    let algebra = (*relation == Relation::Equal && !matches!(change, Change::Symbol { .. })
+        || is_inequality(formula)
+            && (claim.hypotheses.is_empty()
+                || matches!(change, Change::Strict | Change::Relation)))
+        && [&claim.goal, formula]
+            .into_iter()
+            .all(|formula| match formula {
+                Formula::Relation {
+                    left,
+                    relation: Relation::Equal,
+                    right,
+                } => !bare(left) && !bare(right),
+                Formula::Relation { left, right, .. } => !(bare(left) && bare(right)),
+                Formula::AllEqual { .. } => false,
+            });
+    if !algebra || !is_inequality(formula) || matches!(change, Change::Strict | Change::Relation) {
+        return !algebra;
+    }
+    // Of what rests on nothing only the best bound is worth a word: both sides can be equal.
+    let mut reached = claim.clone();
+    reached.hypotheses.push(Hypothesis {
+        formula: Formula::equal(left.clone(), right.clone()).into(),
+        standing: Standing::AtPoint,
+    });
+    model(&reached).is_none()
 }
 
 /// A point on the premises at which nothing is true by chance: the symbols on the right of the goal are different

@@ -1,0 +1,224 @@
+//! Points at which derivatives are tied together: whether anything can move through them as the premises ask.
+//!
+//! At a point the premises say what the values of `x`, `dx/dt`, `d²x/dt²` … are; as laws they say it all along the way. So
+//! it is not enough that they are true at the point: there must be functions of the variable that pass through it with
+//! these derivatives and keep every law true around it.
+//!
+//! **Statement.** Let each law that speaks of something that moves be an equation `f = 0`, and let it have an unknown of its
+//! own that it *leads*: the highest derivative of a symbol that occurs, or a symbol no derivative of which occurs. If the
+//! matrix of the partial derivatives of the laws by the unknowns that they lead is regular at the point, then the laws can be solved
+//! for these near the point (implicit functions), what is left is a system of explicit differential equations with
+//! analytic right sides, and it has a solution through every initial point (Cauchy); the symbols that are led by none
+//! move as any polynomial with the given derivatives. What must not be negative, or not vanish, is asked not to be 0 at the
+//! point, so that it has its sign around it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::witness::Point;
+use super::{Origin, Reject, Sign, Standing};
+use crate::algebra::{Atom, Expr, Polynomial, Rational, Symbol, Var, element_parts};
+
+/// A derivative as a symbol, a variable and an order.
+fn derivative(term: &Expr) -> Option<(&Symbol, &Symbol, usize)> {
+    let Expr::Derivative { body, variable } = term else {
+        return None;
+    };
+    match &**body {
+        Expr::Symbol(symbol) => Some((symbol, variable, 1)),
+        inner => {
+            let (symbol, own, order) = derivative(inner)?;
+            (own == variable).then_some((symbol, own, order + 1))
+        }
+    }
+}
+
+/// What moves at a point.
+struct Motion {
+    variable: Symbol,
+    /// The symbols whose derivatives occur, each with the highest order.
+    orders: BTreeMap<Symbol, usize>,
+    /// Everything that may change with the variable, the variable included.
+    moving: BTreeSet<Var>,
+}
+
+impl Point<'_> {
+    /// The value of a derivative at a point that says how everything moves.
+    pub(super) fn along_the_way(&self, term: &Expr) -> Result<Rational, Reject> {
+        let (symbol, variable, order) = derivative(term).ok_or(Reject::NoValue)?;
+        let key = (symbol.clone(), variable.clone());
+        let value = match order {
+            1 => self.at.derivatives.get(&key),
+            order => {
+                let course = self.at.course.as_ref();
+                course.and_then(|c| c.higher.get(&key)?.get(order - 2))
+            }
+        };
+        value.map(Rational::from).ok_or(Reject::NoValue)
+    }
+
+    /// Whether there are functions that pass through the point and keep the laws true around it.
+    pub(super) fn course_exists(&mut self) -> Result<(), Reject> {
+        let at = self.at;
+        let Some(course) = &at.course else {
+            return Ok(());
+        };
+        let problem = self.problem;
+        let mut motion = self.motion()?;
+        if !self.may_move(&motion.variable) {
+            return Err(Reject::NoCourse);
+        }
+        // What is led moves.
+        let mut leads: BTreeMap<usize, Var> = BTreeMap::new();
+        for (&law, term) in &course.leads {
+            let atom = match term {
+                Expr::Symbol(symbol) => {
+                    if !self.may_move(symbol) || motion.orders.contains_key(symbol) {
+                        return Err(Reject::NoCourse);
+                    }
+                    Atom::Symbol(symbol.clone())
+                }
+                term => {
+                    let (symbol, _, order) = derivative(term).ok_or(Reject::NoCourse)?;
+                    if motion.orders.get(symbol) != Some(&order) {
+                        return Err(Reject::NoCourse);
+                    }
+                    Atom::Opaque(term.clone())
+                }
+            };
+            let var = self.atoms.find(&atom).ok_or(Reject::NoCourse)?;
+            if leads.values().any(|own| *own == var)
+                || *term == Expr::Symbol(motion.variable.clone())
+            {
+                return Err(Reject::NoCourse);
+            }
+            motion.moving.insert(var);
+            leads.insert(law, var);
+        }
+        self.nothing_else_moves(&motion)?;
+        let moves = |p: &Polynomial| p.vars().iter().any(|var| motion.moving.contains(var));
+        let mut laws: Vec<(&Polynomial, Var)> = Vec::new();
+        for (fact, origin) in problem.facts.iter().zip(&problem.origins) {
+            if !moves(&fact.polynomial) {
+                continue;
+            }
+            let hypothesis = match origin {
+                Origin::Hypothesis(at) => Some(*at),
+                _ => None,
+            };
+            let standing = hypothesis
+                .and_then(|at| problem.formulas.get(at))
+                .map(|f| f.1);
+            // What is said of the point alone is true there, and that is all.
+            if standing == Some(Standing::AtPoint) {
+                continue;
+            }
+            match (fact.sign, hypothesis.and_then(|at| leads.get(&at))) {
+                (Sign::Zero, Some(&lead)) => laws.push((&fact.polynomial, lead)),
+                (Sign::Zero, None) => return Err(Reject::NoCourse),
+                _ if self.number(&fact.polynomial)?.is_zero() => return Err(Reject::NoCourse),
+                _ => {}
+            }
+        }
+        for value in &problem.integers {
+            if moves(value.numerator()) || value.denominator().any(|(factor, _)| moves(factor)) {
+                return Err(Reject::NoCourse);
+            }
+        }
+        let mut matrix = Vec::with_capacity(laws.len());
+        for (law, _) in &laws {
+            let mut row = Vec::with_capacity(laws.len());
+            for &(_, lead) in &laws {
+                let slope = law.derivative(lead);
+                row.push(self.number(&slope)?.as_rational().ok_or(Reject::NoValue)?);
+            }
+            matrix.push(row);
+        }
+        match is_regular(matrix) {
+            true => Ok(()),
+            false => Err(Reject::NoCourse),
+        }
+    }
+
+    /// The variable and what is differentiated by it.
+    fn motion(&self) -> Result<Motion, Reject> {
+        let mut found: Option<Motion> = None;
+        for (var, atom) in self.atoms.iter() {
+            let Atom::Opaque(term @ Expr::Derivative { .. }) = atom else {
+                continue;
+            };
+            let (symbol, variable, order) = derivative(term).ok_or(Reject::NoCourse)?;
+            let motion = found.get_or_insert_with(|| Motion {
+                variable: variable.clone(),
+                orders: BTreeMap::new(),
+                moving: BTreeSet::new(),
+            });
+            if motion.variable != *variable || symbol == variable || !self.may_move(symbol) {
+                return Err(Reject::NoCourse);
+            }
+            let highest = motion.orders.entry(symbol.clone()).or_default();
+            *highest = order.max(*highest);
+            motion.moving.insert(var);
+        }
+        let mut motion = found.ok_or(Reject::NoCourse)?;
+        let own = motion.orders.keys().chain([&motion.variable]).cloned();
+        let own: Vec<Symbol> = own.collect();
+        motion.moving.extend(
+            own.into_iter()
+                .filter_map(|s| self.atoms.find(&Atom::Symbol(s))),
+        );
+        Ok(motion)
+    }
+
+    /// Whether a symbol may change: it is no count, no element of a sequence, and no number by its domain.
+    fn may_move(&self, symbol: &Symbol) -> bool {
+        let element = element_parts(symbol)
+            .is_some_and(|(sequence, _)| self.problem.sequences.contains(&sequence));
+        let number = self.problem.pi_is_the_number() && symbol.name() == "\\pi";
+        let fixed =
+            self.claim.domains.get(symbol).is_some_and(|d| {
+                d.integer || d.constant || d.lower.is_some() && d.lower == d.upper
+            });
+        !element && !number && !fixed && !self.problem.is_count(symbol)
+    }
+
+    /// Whether no root, function, sum or integral speaks of what moves: these are not followed.
+    fn nothing_else_moves(&self, motion: &Motion) -> Result<(), Reject> {
+        for (var, atom) in self.atoms.iter() {
+            let follows = match atom {
+                Atom::Symbol(_) => true,
+                Atom::Opaque(term) if derivative(term).is_some() => true,
+                Atom::Opaque(term) => term.free_symbols().into_iter().all(|symbol| {
+                    let own = self.atoms.find(&Atom::Symbol(symbol.clone()));
+                    symbol != motion.variable
+                        && !motion.orders.contains_key(&symbol)
+                        && own.is_none_or(|own| !motion.moving.contains(&own))
+                }),
+                _ => false,
+            };
+            if !follows && !motion.moving.contains(&var) {
+                return Err(Reject::NoCourse);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a square matrix can be inverted.
+fn is_regular(mut rows: Vec<Vec<Rational>>) -> bool {
+    let size = rows.len();
+    for at in 0..size {
+        let Some(pivot) = (at..size).find(|&row| !rows[row][at].is_zero()) else {
+            return false;
+        };
+        rows.swap(at, pivot);
+        let (above, below) = rows.split_at_mut(at + 1);
+        let lead = &above[at];
+        for row in below {
+            let factor = &row[at] / &lead[at];
+            for (own, other) in row.iter_mut().zip(lead).skip(at) {
+                *own = &*own - &(other * &factor);
+            }
+        }
+    }
+    true
+}

@@ -1,0 +1,191 @@
+//! Points at which derivatives are tied together: which law says what of what moves.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_traits::Zero;
+
+use crate::algebra::{
+    Atom, Atoms, BigRational, Expr, Formula, Polynomial, Rational, Symbol, Values, Var,
+};
+use crate::kernel::{Assignment, Claim, Course, Fact, Origin, Problem, Sign};
+
+/// How many choices of what a law is solved for are tried.
+const MOST_CHOICES: usize = 200;
+
+/// The same point as one through which things move, where derivatives occur.
+pub fn in_motion(
+    claim: &Claim,
+    problem: &Problem,
+    values: &BTreeMap<Var, Rational>,
+    point: &Assignment,
+) -> Option<Assignment> {
+    let mut point = point.clone();
+    let mut course = Course::default();
+    let said = said_to_move(claim);
+    let mut orders: BTreeMap<Symbol, (usize, Var)> = BTreeMap::new();
+    let mut moving: BTreeSet<Var> = BTreeSet::new();
+    for (var, atom) in problem.atoms.iter() {
+        let Atom::Opaque(term @ Expr::Derivative { variable, .. }) = atom else {
+            continue;
+        };
+        let (symbol, order) = differentiated(term)?;
+        let value = values.get(&var).map_or_else(one, Rational::to_big);
+        // That something moves of which the author does not say so is no objection.
+        if !said.contains(symbol) && !value.is_zero() {
+            return None;
+        }
+        let key = (symbol.clone(), variable.clone());
+        match order {
+            1 => drop(point.derivatives.insert(key, value)),
+            order => {
+                let higher = course.higher.entry(key).or_default();
+                while higher.len() < order - 1 {
+                    higher.push(one());
+                }
+                higher[order - 2] = value;
+            }
+        }
+        moving.insert(var);
+        for name in [symbol, variable] {
+            moving.extend(problem.atoms.find(&Atom::Symbol(name.clone())));
+        }
+        let highest = orders.entry(symbol.clone()).or_insert((0, var));
+        *highest = (order, var).max(*highest);
+    }
+    if moving.is_empty() {
+        return None;
+    }
+    for key in course.higher.keys() {
+        point.derivatives.entry(key.clone()).or_insert_with(one);
+    }
+    let mut laws: Vec<(usize, &Polynomial)> = Vec::new();
+    for (Fact { polynomial, sign }, origin) in problem.facts.iter().zip(&problem.origins) {
+        if let (Sign::Zero, Origin::Hypothesis(at)) = (sign, origin)
+            && !polynomial.is_zero()
+        {
+            laws.push((*at, polynomial));
+        }
+    }
+    let mut choice = Choice {
+        atoms: &problem.atoms,
+        laws,
+        highest: orders.values().map(|own| own.1).collect(),
+        differentiated: orders.keys().cloned().collect(),
+        values,
+        left: MOST_CHOICES,
+    };
+    let leads = choice.extend(BTreeMap::new(), &moving)?;
+    course.leads = leads
+        .into_iter()
+        .map(|(law, var)| {
+            let term = match problem.atoms.atom(var) {
+                Atom::Opaque(term) => term.clone(),
+                atom => crate::algebra::expr_of_atom(atom),
+            };
+            (law, term)
+        })
+        .collect();
+    point.course = Some(course);
+    // What was put in has the value that its definition gives it there.
+    let defined = point.unfold.iter().filter_map(|&at| {
+        let hypothesis = claim.hypotheses.get(at)?;
+        crate::kernel::definition(&hypothesis.formula)
+    });
+    let mut defined: Vec<(Symbol, Expr)> = defined.collect();
+    for (symbol, _) in &defined {
+        point.symbols.remove(symbol);
+    }
+    // One may be defined by another.
+    while let Some(at) = defined.iter().position(|(symbol, term)| {
+        let there = Values {
+            symbols: point.symbols.clone(),
+            slopes: point.derivatives.clone(),
+            higher: point.course.iter().flat_map(|c| c.higher.clone()).collect(),
+            still: true,
+            ..Values::default()
+        };
+        let value = there.value(term).ok();
+        value.is_some_and(|value| point.symbols.insert(symbol.clone(), value).is_none())
+    }) {
+        defined.remove(at);
+    }
+    Some(point)
+}
+
+/// The symbols that are differentiated where the author writes it.
+fn said_to_move(claim: &Claim) -> BTreeSet<Symbol> {
+    let mut found = BTreeSet::new();
+    let mut open: Vec<&Expr> = claim.formulas().flat_map(Formula::terms).collect();
+    while let Some(term) = open.pop() {
+        if let Expr::Derivative { .. } = term
+            && let Some((symbol, _)) = differentiated(term)
+        {
+            found.insert(symbol.clone());
+        }
+        open.extend(term.children());
+    }
+    found
+}
+
+fn one() -> BigRational {
+    BigRational::from_integer(1.into())
+}
+
+/// The symbol that is differentiated, and how often.
+fn differentiated(term: &Expr) -> Option<(&Symbol, usize)> {
+    match term {
+        Expr::Symbol(symbol) => Some((symbol, 0)),
+        Expr::Derivative { body, .. } => {
+            let (symbol, order) = differentiated(body)?;
+            Some((symbol, order + 1))
+        }
+        _ => None,
+    }
+}
+
+struct Choice<'a> {
+    atoms: &'a Atoms,
+    laws: Vec<(usize, &'a Polynomial)>,
+    highest: Vec<Var>,
+    differentiated: BTreeSet<Symbol>,
+    values: &'a BTreeMap<Var, Rational>,
+    left: usize,
+}
+
+impl Choice<'_> {
+    /// Gives each law that speaks of something moving an unknown of its own.
+    fn extend(
+        &mut self,
+        leads: BTreeMap<usize, Var>,
+        moving: &BTreeSet<Var>,
+    ) -> Option<BTreeMap<usize, Var>> {
+        self.left = self.left.checked_sub(1)?;
+        let open = self.laws.iter().find(|(at, law)| {
+            !leads.contains_key(at) && law.vars().iter().any(|var| moving.contains(var))
+        });
+        let Some(&(at, law)) = open else {
+            return Some(leads);
+        };
+        let mut candidates = self.highest.clone();
+        candidates.extend(law.vars().into_iter().filter(|&var| {
+            matches!(self.atoms.atom(var), Atom::Symbol(symbol) if !self.differentiated.contains(symbol))
+        }));
+        for var in candidates {
+            if leads.values().any(|own| *own == var) || law.degree_in(var) == 0 {
+                continue;
+            }
+            let value =
+                |var: Var| Some(self.values.get(&var).cloned().unwrap_or_else(Rational::one));
+            if !matches!(law.derivative(var).evaluate(value), Ok(Some(slope)) if !slope.is_zero()) {
+                continue;
+            }
+            let (mut leads, mut moving) = (leads.clone(), moving.clone());
+            leads.insert(at, var);
+            moving.insert(var);
+            if let Some(found) = self.extend(leads, &moving) {
+                return Some(found);
+            }
+        }
+        None
+    }
+}

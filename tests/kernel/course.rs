@@ -1,0 +1,161 @@
+//! Points through which something moves, and points through which nothing can.
+
+use std::collections::BTreeMap;
+
+use cradle_verify::kernel::{Assignment, Claim, Course, Domain, Reject};
+
+use super::claims::*;
+
+const SECOND: &str = r"\frac{d^2 x}{dt^2}";
+const SLOPE: &str = r"\frac{dx}{dt}";
+
+/// A point with what each law leads, and the second derivative of `x`.
+fn moving(at: Assignment, second: Option<i64>, leads: &[(usize, &str)]) -> Assignment {
+    let second = second.map(|value| ((symbol("x"), symbol("t")), vec![number(value)]));
+    Assignment {
+        course: Some(Course {
+            higher: second.into_iter().collect(),
+            leads: leads.iter().map(|&(law, t)| (law, term(t))).collect(),
+        }),
+        ..at
+    }
+}
+
+/// `x`, and its slope.
+fn at(value: i64, slope: i64) -> Assignment {
+    point(&[("x", value)]).slope("x", "t", slope)
+}
+
+fn oscillator() -> Claim {
+    claim(&[r"\frac{d^2 x}{dt^2} = -x"], r"\frac{d^2 x}{dt^2} = x")
+}
+
+#[test]
+fn law_of_motion_has_a_solution_through_each_point() {
+    for (value, slope) in [(1, 0), (1, 5), (-2, 3)] {
+        let point = moving(at(value, slope), Some(-value), &[(0, SECOND)]);
+        assert_eq!(refuted(&oscillator(), point), Ok(()));
+    }
+    let point = moving(at(0, 1), Some(0), &[(0, SECOND)]);
+    assert_eq!(refuted(&oscillator(), point), Err(Reject::GoalNotFalse));
+    let point = moving(at(1, 0), Some(1), &[(0, SECOND)]);
+    assert_eq!(refuted(&oscillator(), point), Err(Reject::PremiseFalse(0)));
+    let point = moving(at(1, 0), None, &[(0, SECOND)]);
+    assert_eq!(refuted(&oscillator(), point), Err(Reject::NoValue));
+}
+
+#[test]
+fn law_without_an_unknown_of_its_own_is_rejected() {
+    for leads in [
+        &[][..],
+        &[(0, "x")],
+        &[(0, "t")],
+        &[(0, SLOPE)],
+        &[(0, "x^2")],
+    ] {
+        let point = moving(at(1, 0), Some(-1), leads);
+        assert_eq!(
+            refuted(&oscillator(), point),
+            Err(Reject::NoCourse),
+            "{leads:?}"
+        );
+    }
+}
+
+#[test]
+fn what_a_law_holds_still_does_not_move() {
+    for (law, goal) in [
+        ("x = 3", r"\frac{dx}{dt} = 0"),
+        ("x^2 = 9", r"\frac{dx}{dt} = 0"),
+        ("x = 2 + t", r"\frac{dx}{dt} = 1"),
+    ] {
+        for leads in [&[][..], &[(0, SLOPE)], &[(0, "x")], &[(0, "t")]] {
+            let point = point(&[("x", 3), ("t", 1)]).slope("x", "t", 7);
+            let verdict = refuted(&claim(&[law], goal), moving(point, None, leads));
+            assert_eq!(verdict, Err(Reject::NoCourse), "{law}: {leads:?}");
+        }
+    }
+}
+
+#[test]
+fn laws_that_say_the_same_of_one_unknown_are_no_two() {
+    let circle = claim(&["x^2 + y^2 = 1"], r"x \frac{dx}{dt} + y \frac{dy}{dt} = 0");
+    let at = point(&[("x", 1), ("y", 0)]);
+    let at = at.slope("x", "t", 1).slope("y", "t", 0);
+    for leads in [&[][..], &[(0, SLOPE)], &[(0, r"\frac{dy}{dt}")]] {
+        let verdict = refuted(&circle, moving(at.clone(), None, leads));
+        assert_eq!(verdict, Err(Reject::NoCourse));
+    }
+    let twice = claim(&[r"\frac{dx}{dt} = a", r"\frac{dx}{dt} = b"], "a = 2");
+    let at = point(&[("a", 1), ("b", 1)]).slope("x", "t", 1);
+    let both = moving(at.clone(), None, &[(0, SLOPE), (1, SLOPE)]);
+    assert_eq!(refuted(&twice, both), Err(Reject::NoCourse));
+    let apart = moving(at, None, &[(0, SLOPE), (1, "b")]);
+    assert_eq!(refuted(&twice, apart), Ok(()));
+    // Two rows of the matrix are alike.
+    let alike = claim(
+        &[r"\frac{dx}{dt} + b = 2", r"\frac{dx}{dt} + b = 2"],
+        "b = 2",
+    );
+    let at = point(&[("b", 1)]).slope("x", "t", 1);
+    let point = moving(at, None, &[(0, SLOPE), (1, "b")]);
+    assert_eq!(refuted(&alike, point), Err(Reject::NoCourse));
+}
+
+#[test]
+fn bound_is_kept_around_the_point() {
+    let bounded = claim(&[r"x \geq 0"], r"\frac{dx}{dt} \geq 0");
+    assert_eq!(refuted(&bounded, moving(at(1, -1), None, &[])), Ok(()));
+    let edge = refuted(&bounded, moving(at(0, -1), None, &[]));
+    assert_eq!(edge, Err(Reject::NoCourse));
+    let nonnegative = Domain {
+        lower: Some((number(0), false)),
+        ..Domain::default()
+    };
+    let declared = claim(&[], r"\frac{dx}{dt} \geq 0").domain("x", nonnegative);
+    let edge = refuted(&declared, moving(at(0, -1), None, &[]));
+    assert_eq!(edge, Err(Reject::NoCourse));
+}
+
+#[test]
+fn what_is_said_of_the_point_alone_holds_nothing_still() {
+    let claim = claim(&["x = 3"], r"\frac{dx}{dt} = 0").at_point(0);
+    assert_eq!(refuted(&claim, moving(at(3, 7), None, &[])), Ok(()));
+}
+
+#[test]
+fn numbers_and_what_is_not_followed_do_not_move() {
+    let whole = Domain {
+        integer: true,
+        ..Domain::default()
+    };
+    let goal = || claim(&[], r"\frac{dx}{dt} = 0");
+    assert_eq!(
+        refuted(&goal().domain("x", whole), moving(at(3, 7), None, &[])),
+        Err(Reject::NoCourse)
+    );
+    for law in [r"y = \sqrt{x}", r"y = \sin(x)", r"y = \int_0^1 x s \, ds"] {
+        let mut point = moving(at(1, 7), None, &[(0, "y")]);
+        point.symbols.insert(symbol("y"), number(1));
+        let verdict = refuted(&claim(&[law], r"\frac{dx}{dt} = 0"), point);
+        assert!(verdict.is_err(), "{law}");
+    }
+    // Two variables are none.
+    let two = claim(&[], r"\frac{dx}{dt} = \frac{dx}{ds}");
+    let point = at(1, 1).slope("x", "s", 2);
+    assert_eq!(
+        refuted(&two, moving(point, None, &[])),
+        Err(Reject::NoCourse)
+    );
+    // Neither are derivatives of what is constant, or none at all.
+    let nothing = claim(&[], "x = 1");
+    let point = moving(point_of(2), None, &[]);
+    assert_eq!(refuted(&nothing, point), Err(Reject::NoCourse));
+}
+
+fn point_of(value: i64) -> Assignment {
+    Assignment {
+        symbols: BTreeMap::from([(symbol("x"), number(value))]),
+        ..Assignment::default()
+    }
+}
