@@ -501,6 +501,17 @@ By (1) and (2):\n$$ a = F/m \\tag{3} $$\n",
     assert!(json.contains("\"unused-premise\""), "{json}");
 }
 
+/// Whether a text matches one of the patterns that the schemas use.
+fn matches(pattern: &str, text: &str) -> bool {
+    if pattern.starts_with("sqrt") {
+        return text.contains("sqrt(") || text.contains("root of ");
+    }
+    assert_eq!(pattern, "^-?[0-9]+(/[0-9]+)?$");
+    let mut parts = text.strip_prefix('-').unwrap_or(text).split('/');
+    let whole = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+    parts.clone().count() <= 2 && parts.all(whole)
+}
+
 /// The part of JSON Schema that the schemas in docs/ use.
 fn valid(value: &Value, schema: &Value, root: &Value, place: &str) {
     let keys = schema.as_object().unwrap();
@@ -548,16 +559,28 @@ fn valid(value: &Value, schema: &Value, root: &Value, place: &str) {
             }
             "properties" | "additionalProperties" => {}
             "anyOf" => {
-                let text = value.is_string();
-                let choice = &rule.as_array().unwrap()[usize::from(!text)];
-                valid(value, choice, root, place);
+                let resolved = |choice: &Value| match choice.get("$ref").and_then(Value::as_str) {
+                    Some(pointer) => root.pointer(pointer.trim_start_matches('#')).cloned(),
+                    None => Some(choice.clone()),
+                };
+                let fits = |choice: &Value| {
+                    let kind = match value {
+                        Value::String(_) => "string",
+                        Value::Array(_) => "array",
+                        _ => "object",
+                    };
+                    let pattern = choice.get("pattern").and_then(Value::as_str);
+                    let text = value.as_str().unwrap_or_default();
+                    choice["type"] == kind && pattern.is_none_or(|own| matches(own, text))
+                };
+                let mut choices = rule.as_array().unwrap().iter().filter_map(resolved);
+                let choice = choices.find(fits);
+                let choice = choice.unwrap_or_else(|| panic!("{place}: {value} is none of {rule}"));
+                valid(value, &choice, root, place);
             }
             "pattern" => {
-                let text = value.as_str().unwrap().trim_start_matches('-');
-                let exact = text
-                    .split('/')
-                    .all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
-                assert!(exact && text.split('/').count() <= 2, "{place}: {text}");
+                let text = value.as_str().unwrap();
+                assert!(matches(rule.as_str().unwrap(), text), "{place}: {text}");
             }
             "$schema" | "title" | "description" | "$defs" => {}
             other => panic!("the schema uses `{other}`"),

@@ -33,7 +33,7 @@ $$ Q = \frac12 m v^2 - \frac12 (M + m) w^2 \tag{2} $$
 fn a_forgotten_half_is_named() {
     let page = format!(r"{CARTS} $$ Q = \frac{{M m}}{{M + m}} v^2 \tag{{3}} $$");
     let (formula, ratio) = instead(&page);
-    assert_eq!(formula, r"Q = \frac{1}{2} \frac{M m}{M + m} v^2");
+    assert_eq!(formula, r"Q = \frac{M m}{2 (M + m)} v^2");
     assert_eq!(ratio.as_deref(), Some("2"));
 }
 

@@ -121,7 +121,7 @@ fn the_exit_code_is_as_the_level_says() {
         ),
         (
             "note",
-            "<!-- check: derived -->\n$$ \\sin x \\cos x \\leq \\frac{1}{2} \\tag{1} $$\n",
+            "<!-- check: derived -->\n$$ |x + y| \\leq |x| + |y| \\tag{1} $$\n",
         ),
         ("nothing", "<!-- check: law -->\n$$ a = b \\tag{1} $$\n"),
     ];

@@ -158,6 +158,11 @@ fn premise_is_not_used_before_the_first_element() {
 fn premise_at_one_index_is_not_moved() {
     let mut claim = steps(0, "S_n = S_0 + n d");
     claim.throughout.clear();
+    let constant = Domain {
+        constant: true,
+        ..Domain::default()
+    };
+    claim.claim.domains.insert(symbol("d"), constant);
     let base = part(&claim, BASE, 0, &[], &[]).unwrap();
     for moved in [Moved::By(0), Moved::By(1), Moved::To(3)] {
         let step = unproved(&[at(0, moved)]);
@@ -303,7 +308,8 @@ fn against(claim: &ForEvery, number: u32, symbols: &[(&str, i64)]) -> Result<(),
 #[test]
 fn first_elements_refute() {
     let claim = steps(0, "S_n = S_0 + 2 n d");
-    let symbols = [("S_0", 0), ("S_1", 1), ("S_2", 2), ("d", 1)];
+    // What is said at the index itself speaks of the element after the next, too.
+    let symbols = [("S_0", 0), ("S_1", 1), ("S_2", 2), ("S_3", 3), ("d", 1)];
     assert_eq!(against(&claim, 1, &symbols), Ok(()));
     assert_eq!(against(&claim, 0, &symbols), Err(Reject::GoalNotFalse));
 }

@@ -128,11 +128,9 @@ impl ForEvery {
                 // What is declared for `E_{n+1}` alone is not looked at.
                 Some((stem, Place::Running(offset)))
                     if offset != 0
-                        && self
-                            .claim
-                            .domains
-                            .get(symbol)
-                            .is_some_and(|own| self.elements.get(&stem) != Some(own)) =>
+                        && self.claim.domains.get(symbol).is_some_and(|own| {
+                            *own != Domain::default() && self.elements.get(&stem) != Some(own)
+                        }) =>
                 {
                     return Err(Reject::MayEnd);
                 }
