@@ -294,10 +294,12 @@ impl Prover {
     /// `a² − b² ≥ 0`.
     fn larger(&mut self, fact: &Fact, depth: usize) -> Option<Proof> {
         let depth = depth.checked_sub(1)?;
-        let unsquared = |var| match self.atoms.atom(var) {
-            Atom::Opaque(Expr::Power(..) | Expr::Call(Function::Abs, _)) => true,
-            Atom::Root { .. } => true,
-            _ => false,
+        let unsquared = |var| {
+            let atom = self.atoms.atom(var);
+            matches!(
+                atom,
+                Atom::Opaque(Expr::Power(..) | Expr::Call(Function::Abs, _)) | Atom::Root { .. }
+            )
         };
         if !fact.polynomial.vars().into_iter().any(unsquared) {
             return None;

@@ -162,9 +162,9 @@ pub fn roots_in(field: &Field, mut coefficients: Vec<Univariate>) -> Vec<Univari
             // The same equation once more has the same root.
             let own = Univariate::unknown();
             for candidate in [own.clone(), negated(&own)] {
-                let whole = rest.iter().chain([&one]).rev();
-                let value = whole.fold(Some(Univariate::default()), |sum, c| {
-                    Some(field.times(&sum?, &candidate).ok()?.plus(c))
+                let mut whole = rest.iter().chain([&one]).rev();
+                let value = whole.try_fold(Univariate::default(), |sum, c| {
+                    Some(field.times(&sum, &candidate).ok()?.plus(c))
                 });
                 if value.is_some_and(|value| field.sign(&value).is_eq()) {
                     found.push(candidate);
