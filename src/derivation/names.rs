@@ -3,10 +3,81 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::notation::{Before, BeforeKind, SyntaxError};
 
 use super::{Equation, formulas};
+
+/// So many in one display are no accident.
+const FEWEST_DIFFERENTIALS: usize = 2;
+
+/// Refuses the equations of a page with differentials, `dU = T\,dS - p\,dV`: what they mean is not known here, and a product with a
+/// number `d` it is not.
+///
+/// A `d` that is declared, or stands anywhere but before a symbol, is a symbol like others.
+pub(super) fn refuse_differentials(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
+    let said = |equation: &Equation| -> Vec<Formula> {
+        equation.statements().iter().flat_map(formulas).collect()
+    };
+    let said: Vec<Vec<Formula>> = equations.iter().map(said).collect();
+    for d in ["d", "\\text{d}"].map(Symbol::new) {
+        if declared(&d) {
+            continue;
+        }
+        let count = |formulas: &Vec<Formula>| {
+            let mut found = Occurrences::default();
+            for term in formulas.iter().flat_map(Formula::terms) {
+                found.count(term, &d);
+            }
+            found
+        };
+        let all: Vec<Occurrences> = said.iter().map(count).collect();
+        if all.iter().any(|found| found.alone > 0) {
+            continue;
+        }
+        for (equation, found) in equations.iter_mut().zip(&all) {
+            if found.before_a_symbol >= FEWEST_DIFFERENTIALS
+                && let Some(first) = equation.statements().first()
+            {
+                equation.statements = Err(SyntaxError {
+                    span: first.span,
+                    message: "differentials are not understood".to_owned(),
+                    help: Some(format!(
+                        "write a derivative, or an integral; where `{d}` is a number, say `symbols {d}: …`"
+                    )),
+                });
+            }
+        }
+    }
+}
+
+/// Where a symbol stands.
+#[derive(Default)]
+struct Occurrences {
+    before_a_symbol: usize,
+    alone: usize,
+}
+
+impl Occurrences {
+    fn count(&mut self, term: &Expr, d: &Symbol) {
+        let children = term.children();
+        for (at, child) in children.iter().enumerate() {
+            let follows = matches!(children.get(at + 1), Some(Expr::Symbol(_)));
+            match child {
+                Expr::Symbol(own) if own == d => {
+                    match matches!(term, Expr::Product(_)) && follows {
+                        true => self.before_a_symbol += 1,
+                        false => self.alone += 1,
+                    }
+                }
+                child => self.count(child, d),
+            }
+        }
+        if matches!(term, Expr::Symbol(own) if own == d) {
+            self.alone += 1;
+        }
+    }
+}
 
 /// Refuses the equations of a page in which a name is read as a factor before a parenthesis and elsewhere on the page as a function.
 ///
@@ -62,5 +133,32 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
             message,
             help: Some(help),
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::derivation::Derivation;
+
+    fn read(page: &str) -> Vec<bool> {
+        let derivation = Derivation::from_markdown("page.md", page);
+        let read = derivation.equations.iter().map(|e| e.statements.is_ok());
+        read.collect()
+    }
+
+    #[test]
+    fn differentials_are_refused() {
+        assert_eq!(read(r"$$ dU = T\,dS - p\,dV $$"), [false]);
+        assert_eq!(read(r"$$ \mathrm{d}U = T \mathrm{d}S $$"), [false]);
+        // Derivatives and integrals are understood.
+        assert_eq!(read(r"$$ \frac{dU}{dT} = \int_0^T c\, dT $$"), [true]);
+    }
+
+    #[test]
+    fn distance_is_no_differential() {
+        assert_eq!(read("$$ d = v t $$\n$$ d a = d b $$"), [true, true]);
+        let declared = "<!-- check: symbols d: length -->\n$$ d a = d b $$";
+        assert_eq!(read(declared), [true]);
+        assert_eq!(read("$$ F = q d E $$"), [true]);
     }
 }

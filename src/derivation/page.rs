@@ -241,9 +241,10 @@ pub(super) fn read_page(
             }
         }
     }
-    names::refuse(&mut equations, |name| {
-        page.domains.contains_key(name) || page.dimensions.contains_key(name)
-    });
+    let declared =
+        |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
+    names::refuse(&mut equations, declared);
+    names::refuse_differentials(&mut equations, declared);
     if let Some(beside) = page.beside.clone() {
         page.give(&beside, &mut equations, &derived);
     }
