@@ -55,6 +55,9 @@ pub struct Conditions {
     pub nonnegative: BTreeSet<Polynomial>,
     /// What a logarithm or a symbolic power is taken of: it must be positive.
     pub positive: BTreeSet<Polynomial>,
+    /// What a power with a whole exponent that may be negative is taken of: it must not vanish. Where such a power is
+    /// asserted it may all the same, for the exponent need not be negative.
+    pub bases: BTreeSet<Polynomial>,
     /// Terms of which it is not known whether they have a value: a limit that may not exist.
     pub doubtful: BTreeSet<Expr>,
 }
@@ -65,12 +68,17 @@ impl Conditions {
         self.zero.extend(other.zero);
         self.nonnegative.extend(other.nonnegative);
         self.positive.extend(other.positive);
+        self.bases.extend(other.bases);
         self.doubtful.extend(other.doubtful);
     }
 
     /// Every polynomial that some condition is about.
     fn polynomials(&self) -> impl Iterator<Item = &Polynomial> {
-        let signs = self.nonnegative.iter().chain(&self.positive);
+        let signs = self
+            .nonnegative
+            .iter()
+            .chain(&self.positive)
+            .chain(&self.bases);
         self.nonzero.iter().chain(&self.zero).chain(signs)
     }
 }
@@ -243,7 +251,16 @@ impl Lowering<'_> {
             return Ok(value);
         }
         // (-1)^(2·½) and ((-1)^½)² are not the same: a symbolic exponent is not taken apart.
-        self.conditions.positive.insert(sign_of_fraction(&base)?);
+        let written = exponent.as_polynomial();
+        let whole = self
+            .powers
+            .zip(written)
+            .is_some_and(|(powers, exponent)| self.is_whole(exponent, powers));
+        if whole {
+            self.conditions.bases.insert(base.numerator().clone());
+        } else {
+            self.conditions.positive.insert(sign_of_fraction(&base)?);
+        }
         let opaque = Expr::Power(
             expr_of_fraction(&base, self.atoms).into(),
             expr_of_fraction(&exponent, self.atoms).into(),
@@ -472,6 +489,7 @@ impl Lowering<'_> {
         let sure = inner.nonzero.is_empty()
             && inner.zero.is_empty()
             && inner.positive.is_empty()
+            && inner.bases.is_empty()
             && inner.doubtful.is_empty();
         // What is divided by would have to differ from 0 all the way.
         let Some(value) = value.as_polynomial().filter(|_| sure).cloned() else {

@@ -9,8 +9,8 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use super::lower::{LowerError, Lowered, Lowering, sign_of_fraction};
 use super::{
-    Atom, BigInt, BigRational, Expr, Fraction, Monomial, Polynomial, Rational, Symbol, TooLarge,
-    expr_of, expr_of_atom, expr_of_fraction,
+    Atom, BigInt, BigRational, Expr, Fraction, Function, Monomial, Polynomial, Rational, Symbol,
+    TooLarge, expr_of, expr_of_atom, expr_of_fraction,
 };
 
 /// Prime factors of numbers are looked for up to this.
@@ -28,6 +28,13 @@ pub struct Powers {
     pub positive: BTreeSet<Symbol>,
     /// Natural numbers, and whether each is at least 1.
     pub naturals: BTreeMap<Symbol, bool>,
+    /// All whole numbers.
+    pub integers: BTreeSet<Symbol>,
+    /// All symbols that are not 0.
+    pub nonzero: BTreeSet<Symbol>,
+    /// Whether a power with a whole exponent that may be negative is taken apart only where its base is seen not to be 0: what is asserted
+    /// is true for `x^{n-1} = y` at `n = 1` and `x = 0` too.
+    pub cautious: bool,
 }
 
 impl Lowering<'_> {
@@ -155,6 +162,7 @@ impl Lowering<'_> {
             if monomial.is_one() && !coefficient.is_integer() {
                 return Ok(None);
             }
+            natural &= !coefficient.is_negative();
             if monomial.is_one() {
                 continue;
             }
@@ -165,7 +173,13 @@ impl Lowering<'_> {
             natural &= known.is_some();
         }
         // With a natural exponent there is a value for every base, for 0^0 is 1 as it is at points.
-        if !natural {
+        let whole = self.is_whole(exponent, powers);
+        if whole && !natural {
+            if powers.cautious && !self.is_seen_nonzero(base, powers) {
+                return Ok(None);
+            }
+            self.conditions.bases.insert(base.numerator().clone());
+        } else if !natural {
             self.conditions.positive.insert(sign_of_fraction(base)?);
         }
         let mut value = Fraction::from(Rational::one());
@@ -202,6 +216,29 @@ impl Lowering<'_> {
             value = value.times(&factor)?;
         }
         Ok(Some(value))
+    }
+
+    /// Whether an exponent is a whole number, whatever its symbols are.
+    pub(super) fn is_whole(&self, exponent: &Polynomial, powers: &Powers) -> bool {
+        let whole = |atom: &Atom| match atom {
+            Atom::Symbol(symbol) => powers.integers.contains(symbol),
+            Atom::Opaque(Expr::Call(Function::Ceiling | Function::Floor, _)) => true,
+            _ => false,
+        };
+        let mut vars = exponent.vars().into_iter();
+        exponent.terms().all(|(_, c)| c.is_integer()) && vars.all(|v| whole(self.atoms.atom(v)))
+    }
+
+    /// Whether a base is a product of what is declared not to be 0.
+    fn is_seen_nonzero(&self, base: &Fraction, powers: &Powers) -> bool {
+        let nonzero = |atom: &Atom| match atom {
+            Atom::Root { .. } => true,
+            Atom::Symbol(symbol) => powers.nonzero.contains(symbol),
+            _ => false,
+        };
+        let above = base.numerator();
+        let mut vars = above.vars().into_iter();
+        above.len() == 1 && vars.all(|v| nonzero(self.atoms.atom(v)))
     }
 
     /// `base^unit`, factor by factor: for a natural exponent every factor, else those that are positive.

@@ -42,6 +42,12 @@ pub(super) fn powers_of<'a>(
         if let Some(at_least_one) = natural(domain) {
             powers.naturals.insert(symbol.clone(), at_least_one);
         }
+        if domain.integer {
+            powers.integers.insert(symbol.clone());
+        }
+        if !domain.contains(&BigRational::zero()) {
+            powers.nonzero.insert(symbol.clone());
+        }
         if !domain.is_positive() {
             continue;
         }

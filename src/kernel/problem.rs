@@ -142,6 +142,9 @@ impl Problem {
         problem.goal = fact.ok_or(Reject::UnsupportedRelation)?;
         problem.conditions = conditions;
         problem.goal_formula = goal;
+        if let Some(powers) = &mut problem.powers {
+            powers.cautious = true;
+        }
         for (position, (formula, _)) in formulas.iter().enumerate() {
             problem.assume(formula, Origin::Hypothesis(position))?;
         }

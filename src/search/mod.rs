@@ -424,7 +424,8 @@ fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> 
     };
     let mut needs = Vec::new();
     let conditions = &problem.conditions;
-    let nonzero = conditions.nonzero.iter().map(|p| (p, Sign::NonZero));
+    let nonzero = conditions.nonzero.iter().chain(&conditions.bases);
+    let nonzero = nonzero.map(|p| (p, Sign::NonZero));
     let nonnegative = conditions
         .nonnegative
         .iter()

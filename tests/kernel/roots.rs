@@ -1,6 +1,6 @@
 //! Roots and fractional powers: what is known of them, and what is not.
 
-use cradle_verify::kernel::{Claim, Domain, Origin, Reject, Sign};
+use cradle_verify::kernel::{Claim, Domain, Fact, Origin, Reject, Sign};
 
 use super::claims::*;
 
@@ -147,6 +147,35 @@ fn power_with_exponent_0_says_nothing_of_its_base() {
     assert_eq!(
         refuted(&goal, point(&[("y", 1), ("b", 0), ("n", 0)])),
         Err(Reject::PremiseFalse(0))
+    );
+}
+
+#[test]
+fn power_with_a_whole_exponent_says_nothing_of_its_base() {
+    // Each has a value at b = 0 for some exponents, and below 0 for all others.
+    let whole = || Domain {
+        integer: true,
+        ..Domain::default()
+    };
+    for premise in ["y = b^{n m}", "y = b^{n - 1}", "y = b^k", "y = b^{2 k + n}"] {
+        let goal = claim(&[premise], "b > 0")
+            .domain("n", natural())
+            .domain("m", natural())
+            .domain("k", whole());
+        let said = |f: &Fact| matches!(f.sign, Sign::NonZero | Sign::Positive);
+        let facts = Proving::new(goal).problem.facts;
+        assert!(!facts.iter().any(said), "{premise}: {facts:?}");
+    }
+    // What is to be shown must have a value: b may be 0.
+    let quotient = || claim(&[], "b^{k + 1} = b^k b").domain("k", whole());
+    assert!(Proving::new(quotient()).trivially().is_err());
+    let nonzero = Domain {
+        nonzero: true,
+        ..Domain::default()
+    };
+    assert_eq!(
+        Proving::new(quotient().domain("b", nonzero)).trivially(),
+        Ok(())
     );
 }
 

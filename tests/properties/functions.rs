@@ -128,6 +128,7 @@ fn readings() -> [(Option<Functions>, Option<Powers>); 3] {
         roots: BTreeMap::from([(Symbol::new("p"), 2)]),
         positive,
         naturals: BTreeMap::new(),
+        ..Powers::default()
     };
     [
         (None, None),
