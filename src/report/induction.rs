@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::algebra::Moved;
+use num_traits::One;
+
+use crate::algebra::{Moved, Place, Symbol};
 use crate::audit::{Judged, Outcome};
 use crate::derivation::{Assumed, Goal, Source};
-use crate::kernel::{HoldsForEvery, PartOrigin, ProvenPart, Standing};
+use crate::kernel::{Claim, HoldsForEvery, PartOrigin, ProvenPart, Standing};
 use crate::notation::plain_formula;
 use crate::search::Stop;
 
@@ -94,5 +96,60 @@ impl Report<'_> {
             lines.push(format!("  {line}"));
         }
         lines
+    }
+}
+
+/// That a sequence is spoken of before it begins: `c_0 = 1`, where `n` is declared from 1 on, says nothing of `c_1`.
+pub(super) fn before_the_start(claim: &Claim) -> Option<String> {
+    let symbols = claim.free_symbols();
+    let begins = |index: &Symbol| {
+        let domain = claim.domains.get(index).filter(|d| d.integer)?;
+        let (start, _) = domain.lower.as_ref()?;
+        start.is_one().then_some(())
+    };
+    symbols.iter().find_map(|index| {
+        begins(index)?;
+        let places = || symbols.iter().filter_map(|s| Some((s, s.place(index)?)));
+        places().find_map(|(element, (stem, place))| {
+            let runs = |(_, (own, place)): (_, (Symbol, Place))| {
+                own == stem && matches!(place, Place::Running(offset) if offset > 0)
+            };
+            (place == Place::Number(0) && places().any(runs)).then(|| {
+                let element = words::symbol(element);
+                format!(
+                    "`{index}` is declared from 1 on, so nothing says how `{element}` goes on; `{index}: integer, >= 0` begins there"
+                )
+            })
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Audit;
+    use crate::derivation::Derivation;
+
+    use super::*;
+
+    fn said(domain: &str) -> String {
+        let page = format!(
+            "<!-- check: symbols n: {domain} -->\n<!-- check: law -->\n$$ c_{{n+1}} = c_n + 2, \\qquad c_0 = 1 \\tag{{1}} $$\n\nFrom (1)\n\n$$ c_n = 2 n + 1 \\tag{{2}} $$\n"
+        );
+        let derivation = Derivation::from_markdown("page.md", &page);
+        let audit = Audit::of(&derivation);
+        let report = Report {
+            derivation: &derivation,
+            audit: &audit,
+            paths: &[],
+        };
+        report.human(false)
+    }
+
+    #[test]
+    fn where_a_sequence_begins_is_said() {
+        let text = said("natural");
+        assert!(text.contains("nothing says how `c₀` goes on"), "{text}");
+        let text = said("integer, >= 0");
+        assert!(text.contains("Nothing is amiss"), "{text}");
     }
 }

@@ -10,6 +10,7 @@ use crate::notation::{Mark, plain_formula};
 use super::super::Report;
 use super::super::evidence::Point;
 use super::super::implied;
+use super::super::induction;
 use super::super::scaling;
 use super::super::words;
 use super::{Finding, replay};
@@ -104,6 +105,8 @@ impl Report<'_> {
         }
         lines.extend(point.remark());
         said.push((Level::NOTE.with_name("counterexample"), lines.join("\n")));
+        let early = induction::before_the_start(refuted.claim());
+        said.extend(early.map(|text| (Level::HELP, text)));
         let instead = implied::instead(entry);
         said.extend(instead.map(|text| (Level::HELP, text)));
         if !entry.missing.is_empty() {
