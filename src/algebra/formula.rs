@@ -88,6 +88,15 @@ impl Formula {
         }
     }
 
+    /// Whether this says which of two numbers is the greater.
+    pub fn is_inequality(&self) -> bool {
+        use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};
+        let Formula::Relation { relation, .. } = self else {
+            return false;
+        };
+        matches!(relation, Less | LessOrEqual | Greater | GreaterOrEqual)
+    }
+
     /// Both sides, where this is an equation.
     pub fn as_equation(&self) -> Option<(&Expr, &Expr)> {
         match self {

@@ -2,6 +2,7 @@
 
 use num_traits::{One, Zero};
 
+use super::symbol::split_subscript;
 use super::{BigRational, Expr, Symbol, element_symbol};
 
 /// An offset or a number in a subscript has no more figures than this.
@@ -39,7 +40,7 @@ impl Symbol {
 
     /// The name without its subscript, and what that says of an index; `None` where it says nothing.
     pub fn place(&self, index: &Symbol) -> Option<(Symbol, Place)> {
-        let (stem, text) = subscript(self.name())?;
+        let (stem, text) = split_subscript(self.name())?;
         let figures = |text: &str| {
             let plain = text.bytes().all(|b| b.is_ascii_digit()) && text.len() <= MOST_FIGURES;
             // `007` is no number but a name.
@@ -80,24 +81,6 @@ pub fn running_symbol(sequence: &Symbol, index: &Symbol, offset: i64) -> Symbol 
         _ => format!("{sequence}_{{{index}{offset:+}}}"),
     };
     Symbol::new(name)
-}
-
-/// Takes the subscript off a canonical name.
-fn subscript(name: &str) -> Option<(&str, &str)> {
-    let mut depth = 0usize;
-    for (at, c) in name.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth = depth.saturating_sub(1),
-            '_' if depth == 0 => {
-                let (stem, text) = (name.get(..at)?, name.get(at + 1..)?);
-                let inner = text.strip_prefix('{').and_then(|t| t.strip_suffix('}'));
-                return Some((stem, inner.unwrap_or(text)));
-            }
-            _ => {}
-        }
-    }
-    None
 }
 
 /// Whether a letter stands in a subscript, outside of upright text. A run of letters, `in`, may be a word or indices:

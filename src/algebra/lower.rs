@@ -72,14 +72,15 @@ impl Conditions {
         self.doubtful.extend(other.doubtful);
     }
 
+    /// What must not vanish.
+    pub fn divisors(&self) -> impl Iterator<Item = &Polynomial> {
+        self.nonzero.iter().chain(&self.bases)
+    }
+
     /// Every polynomial that some condition is about.
     fn polynomials(&self) -> impl Iterator<Item = &Polynomial> {
-        let signs = self
-            .nonnegative
-            .iter()
-            .chain(&self.positive)
-            .chain(&self.bases);
-        self.nonzero.iter().chain(&self.zero).chain(signs)
+        let signs = self.nonnegative.iter().chain(&self.positive);
+        self.divisors().chain(&self.zero).chain(signs)
     }
 }
 

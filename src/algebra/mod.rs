@@ -42,4 +42,5 @@ pub use polynomial::{Polynomial, TooLarge};
 pub use power::Powers;
 pub use rational::Rational;
 pub use symbol::Symbol;
+pub(crate) use symbol::split_subscript;
 pub use univariate::{Univariate, sum_of_signs};

@@ -26,8 +26,8 @@ pub struct Powers {
     pub roots: BTreeMap<Symbol, u32>,
     /// All positive symbols.
     pub positive: BTreeSet<Symbol>,
-    /// Natural numbers, and whether each is at least 1.
-    pub naturals: BTreeMap<Symbol, bool>,
+    /// Whole numbers that are not negative.
+    pub naturals: BTreeSet<Symbol>,
     /// All whole numbers.
     pub integers: BTreeSet<Symbol>,
     /// All symbols that are not 0.
@@ -153,25 +153,19 @@ impl Lowering<'_> {
         let Some(exponent) = exponent.as_polynomial().filter(|_| !base.is_zero()) else {
             return Ok(None);
         };
-        let own = |atom: &Atom| match atom {
-            Atom::Symbol(symbol) => powers.naturals.get(symbol).copied(),
-            _ => None,
-        };
-        let mut natural = true;
-        for (monomial, coefficient) in exponent.terms() {
-            if monomial.is_one() && !coefficient.is_integer() {
-                return Ok(None);
-            }
-            natural &= !coefficient.is_negative();
-            if monomial.is_one() {
-                continue;
-            }
-            let known = match monomial.powers() {
-                [(var, 1)] if coefficient.is_integer() => own(self.atoms.atom(*var)),
-                _ => None,
-            };
-            natural &= known.is_some();
+        if exponent.terms().any(|(m, c)| m.is_one() && !c.is_integer()) {
+            return Ok(None);
         }
+        let counts = |monomial: &Monomial| match monomial.powers() {
+            [] => true,
+            [(var, 1)] => {
+                matches!(self.atoms.atom(*var), Atom::Symbol(own) if powers.naturals.contains(own))
+            }
+            _ => false,
+        };
+        let natural = exponent
+            .terms()
+            .all(|(m, c)| c.is_integer() && !c.is_negative() && counts(m));
         // With a natural exponent there is a value for every base, for 0^0 is 1 as it is at points.
         let whole = self.is_whole(exponent, powers);
         if whole && !natural {

@@ -39,3 +39,23 @@ impl fmt::Debug for Symbol {
         f.write_str(&self.0)
     }
 }
+
+/// Takes the subscript off a canonical name: `v'_1` is `v'` and `1`.
+pub(crate) fn split_subscript(name: &str) -> Option<(&str, &str)> {
+    let mut depth = 0usize;
+    for (at, c) in name.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            '_' if depth == 0 => {
+                let (stem, text) = (name.get(..at)?, name.get(at + 1..)?);
+                let inner = text
+                    .strip_prefix('{')
+                    .and_then(|text| text.strip_suffix('}'));
+                return Some((stem, inner.unwrap_or(text)));
+            }
+            _ => {}
+        }
+    }
+    None
+}

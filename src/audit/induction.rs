@@ -5,13 +5,10 @@ use std::collections::BTreeSet;
 use crate::algebra::Symbol;
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::kernel::{ForEvery, HoldsForEvery};
-use crate::search::{self, Effort, Stop};
+use crate::search::{self, Stop};
 
 use super::Outcome;
-use super::judge::{Found, Judge, sources};
-
-/// How many uncited hypotheses a step that does not follow for every index is tried with.
-const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
+use super::judge::{Found, Judge, NEARBY, sources};
 
 impl Judge<'_> {
     /// Settles a goal that does not follow from what its premises say at the index itself, where they say more: by

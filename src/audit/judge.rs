@@ -12,7 +12,7 @@ const MOST_RELATIVES: usize = 12;
 const MOST_LATER: usize = 4;
 /// How many uncited hypotheses are added, and how hard is tried: most stale citations mean an equation a few
 /// lines up.
-const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
+pub(super) const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
 const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
 
 /// Judges the goals of one statement.

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::notation::{Before, BeforeKind, SyntaxError};
+use crate::notation::{Before, BeforeKind, Clause, SyntaxError};
 
 use super::{Equation, formulas};
 
@@ -16,22 +16,23 @@ const FEWEST_DIFFERENTIALS: usize = 2;
 ///
 /// A `d` that is declared, or stands anywhere but before a symbol, is a symbol like others.
 pub(super) fn refuse_differentials(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
-    let said = |equation: &Equation| -> Vec<Formula> {
-        equation.statements().iter().flat_map(formulas).collect()
-    };
-    let said: Vec<Vec<Formula>> = equations.iter().map(said).collect();
     for d in ["d", "\\text{d}"].map(Symbol::new) {
         if declared(&d) {
             continue;
         }
-        let count = |formulas: &Vec<Formula>| {
+        let count = |equation: &Equation| {
             let mut found = Occurrences::default();
-            for term in formulas.iter().flat_map(Formula::terms) {
-                found.count(term, &d);
+            let clauses = equation.statements().iter().flat_map(|s| &s.clauses);
+            let sides = clauses.flat_map(|clause| match clause {
+                Clause::Chain { sides, .. } => sides.as_slice(),
+                Clause::AllEqual { value, .. } => value.as_slice(),
+            });
+            for side in sides {
+                found.count(&side.expr, &d);
             }
             found
         };
-        let all: Vec<Occurrences> = said.iter().map(count).collect();
+        let all: Vec<Occurrences> = equations.iter().map(count).collect();
         if all.iter().any(|found| found.alone > 0) {
             continue;
         }
@@ -160,5 +161,7 @@ mod tests {
         let declared = "<!-- check: symbols d: length -->\n$$ d a = d b $$";
         assert_eq!(read(declared), [true]);
         assert_eq!(read("$$ F = q d E $$"), [true]);
+        // In the middle of a chain it stands once.
+        assert_eq!(read("$$ W = q d E = F $$"), [true]);
     }
 }

@@ -3,6 +3,7 @@
 //! Polynomials refer to the unknowns of the [`Problem`](super::Problem) that the kernel makes of the claim,
 //! facts to their position in it.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use crate::algebra::{BigRational, Expr, Polynomial, Rational, Symbol, TooLarge};
@@ -66,6 +67,18 @@ pub enum Sign {
     NonNegative,
     /// > 0
     Positive,
+}
+
+impl Sign {
+    /// Whether a number has the sign, by how it compares with 0.
+    pub fn admits(self, order: Ordering) -> bool {
+        match self {
+            Sign::Zero => order.is_eq(),
+            Sign::NonZero => order.is_ne(),
+            Sign::NonNegative => order.is_ge(),
+            Sign::Positive => order.is_gt(),
+        }
+    }
 }
 
 /// A product of powers of polynomials.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-use super::{Claim, Domain, Fact, Knowledge, Origin, Problem, Reject, Sign};
+use super::{Claim, Fact, Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
     Atom, BigInt, BigRational, Expr, Fraction, Function, Polynomial, Powers, Symbol, element_parts,
 };
@@ -39,11 +39,11 @@ pub(super) fn powers_of<'a>(
         if found.bound.contains(symbol) {
             continue;
         }
-        if let Some(at_least_one) = natural(domain) {
-            powers.naturals.insert(symbol.clone(), at_least_one);
-        }
         if domain.integer {
             powers.integers.insert(symbol.clone());
+            if domain.lower.iter().any(|(bound, _)| !bound.is_negative()) {
+                powers.naturals.insert(symbol.clone());
+            }
         }
         if !domain.contains(&BigRational::zero()) {
             powers.nonzero.insert(symbol.clone());
@@ -61,12 +61,6 @@ pub(super) fn powers_of<'a>(
         }
     }
     Some(powers)
-}
-
-/// Whether a natural number is at least 1.
-fn natural(domain: &Domain) -> Option<bool> {
-    let (bound, _) = domain.lower.as_ref().filter(|_| domain.integer)?;
-    (!bound.is_negative()).then(|| domain.is_positive())
 }
 
 /// Whether there is a power with another exponent than an integer in a term.
@@ -226,7 +220,7 @@ fn about_power(
             facts.push(fact(&left.minus(base.numerator()), Sign::Zero));
             true
         }
-        Expr::Symbol(symbol) => powers.naturals.contains_key(symbol),
+        Expr::Symbol(symbol) => powers.naturals.contains(symbol),
         _ => false,
     };
     if positive {

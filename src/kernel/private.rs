@@ -178,12 +178,7 @@ impl Point<'_> {
     pub(super) fn meets(&mut self, polynomial: &Polynomial, sign: Sign) -> Result<bool, Reject> {
         if self.in_field.is_some() {
             let order = self.sign_in_field(polynomial)?;
-            return Ok(match sign {
-                Sign::Zero => order.is_eq(),
-                Sign::NonZero => order.is_ne(),
-                Sign::NonNegative => order.is_ge(),
-                Sign::Positive => order.is_gt(),
-            });
+            return Ok(sign.admits(order));
         }
         if sign != Sign::Zero
             && let Some(rest) = self.without_private_factors(polynomial, sign)?
@@ -406,12 +401,7 @@ fn keeps_sign(
         && from == to
     {
         let order = at(from)?;
-        return Ok(match sign {
-            Sign::Zero => order.is_eq(),
-            Sign::NonZero => order.is_ne(),
-            Sign::NonNegative => order.is_ge(),
-            Sign::Positive => order.is_gt(),
-        });
+        return Ok(sign.admits(order));
     }
     // A slope that is not 0 keeps what is not negative at the ends positive between them.
     let rising = slope.sign()?;

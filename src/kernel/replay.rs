@@ -42,7 +42,7 @@ impl<'a> State<'a> {
     /// Whether every term of the goal has a value.
     fn definedness(&self) -> Result<(), Reject> {
         let (conditions, atoms) = (&self.problem.conditions, &self.problem.atoms);
-        for divisor in conditions.nonzero.iter().chain(&conditions.bases) {
+        for divisor in conditions.divisors() {
             if !self.knowledge.is_nonzero(divisor) {
                 return Err(Reject::MayVanish(expr_of(divisor, atoms)));
             }

@@ -113,8 +113,7 @@ impl<'a> Point<'a> {
     }
 
     fn is_defined(&mut self, conditions: &Conditions) -> Result<bool, Reject> {
-        let nonzero = conditions.nonzero.iter().chain(&conditions.bases);
-        let nonzero = nonzero.map(|p| (p, Sign::NonZero));
+        let nonzero = conditions.divisors().map(|p| (p, Sign::NonZero));
         let zero = conditions.zero.iter().map(|p| (p, Sign::Zero));
         let nonnegative = conditions.nonnegative.iter();
         let nonnegative = nonnegative.map(|p| (p, Sign::NonNegative));

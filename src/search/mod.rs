@@ -129,17 +129,11 @@ pub fn decide_within(
         ..Stop::default()
     };
     // Elimination decides no inequality: there the proper search comes early.
-    let inequality = matches!(
-        obligation.claim().goal,
-        Formula::Relation {
-            relation: Relation::Less
-                | Relation::LessOrEqual
-                | Relation::Greater
-                | Relation::GreaterOrEqual,
-            ..
-        }
-    );
-    let quick = if inequality { QUICK / 8 } else { QUICK };
+    let quick = if obligation.claim().goal.is_inequality() {
+        QUICK / 8
+    } else {
+        QUICK
+    };
     let mut points = refute::Points::new(obligation);
     let mut known = None;
     let quick = most.map_or(quick, |most| quick.min(most));
@@ -424,8 +418,7 @@ fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> 
     };
     let mut needs = Vec::new();
     let conditions = &problem.conditions;
-    let nonzero = conditions.nonzero.iter().chain(&conditions.bases);
-    let nonzero = nonzero.map(|p| (p, Sign::NonZero));
+    let nonzero = conditions.divisors().map(|p| (p, Sign::NonZero));
     let nonnegative = conditions
         .nonnegative
         .iter()

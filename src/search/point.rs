@@ -408,36 +408,45 @@ impl Search<'_> {
 
     /// The next unknown to try numbers for, and whether an equation ties it down: one of the equation with the fewest unknowns,
     /// for what is wrong with a choice is then soonest seen; without equations, one of a condition.
-    ///
-    /// An equation that alone speaks of an unknown, and is linear in it, can be solved whatever the others are: where any point will
-    /// do it can wait, and so can that unknown.
     fn next_var(&self, state: &State) -> Option<(Var, bool)> {
-        let waits = |var: Var, own: &Rc<Open>| {
-            let mut others = state
-                .equations
-                .iter()
-                .filter(|other| !Rc::ptr_eq(own, other));
-            self.wanted == Wanted::Any
-                && !self.integers.contains(&var)
-                && own.polynomial.degree_in(var) == 1
-                && !others.any(|other| other.has(var))
+        let unknowns = |equation: &&Rc<Open>| equation.vars.0.count_ones();
+        let first = |open: &Rc<Open>| self.order.iter().copied().find(|&var| open.has(var));
+        let urgent = match self.wanted {
+            Wanted::Any => self.urgent(state),
+            Wanted::Simple => None,
         };
-        let own = |open: &Rc<Open>| -> (bool, Option<Var>) {
-            let mut vars = self.order.iter().copied().filter(|&var| open.has(var));
-            let first = vars.clone().next();
-            let asked = vars.clone().find(|&var| !waits(var, open));
-            (vars.any(|var| waits(var, open)), asked.or(first))
+        if let Some(var) = urgent {
+            return Some((var, true));
+        }
+        if let Some(narrowest) = state.equations.iter().min_by_key(unknowns) {
+            return first(narrowest).map(|var| (var, true));
+        }
+        let in_conditions = |var: &&Var| state.conditions.iter().any(|f| f.has(**var));
+        let free = self.order.iter().find(in_conditions);
+        free.map(|&var| (var, false))
+    }
+
+    /// An unknown that cannot wait.
+    ///
+    /// An equation that alone speaks of an unknown, and is linear in it, can be solved whatever the others are: it can wait, and so can
+    /// that unknown. Nothing where all that is left are such unknowns.
+    fn urgent(&self, state: &State) -> Option<Var> {
+        let waits = |var: Var, own: &Rc<Open>| {
+            let mut all = state.equations.iter();
+            !self.integers.contains(&var)
+                && own.polynomial.degree_in(var) == 1
+                && all.all(|other| Rc::ptr_eq(own, other) || !other.has(var))
+        };
+        let own = |open: &Rc<Open>| {
+            let vars = self.order.iter().copied().filter(|&var| open.has(var));
+            let (waiting, asked): (Vec<Var>, Vec<Var>) = vars.partition(|&var| waits(var, open));
+            (!waiting.is_empty(), asked.first().copied())
         };
         let all = state.equations.iter();
         let narrowest = all
             .map(|equation| (own(equation), equation.vars.0.count_ones()))
             .min_by_key(|((waits, _), unknowns)| (*waits, *unknowns));
-        if let Some(((_, var), _)) = narrowest {
-            return var.map(|var| (var, true));
-        }
-        let in_conditions = |var: &&Var| state.conditions.iter().any(|f| f.has(**var));
-        let free = self.order.iter().find(in_conditions);
-        free.map(|&var| (var, false))
+        narrowest.and_then(|((_, asked), _)| asked)
     }
 
     fn finish(&self, state: State) -> Option<BTreeMap<Var, Rational>> {
@@ -568,10 +577,5 @@ fn linear(equations: &[Rc<Open>]) -> Option<(usize, Var, Polynomial)> {
 }
 
 pub fn satisfies(value: &Rational, sign: Sign) -> bool {
-    match sign {
-        Sign::Zero => value.is_zero(),
-        Sign::NonZero => !value.is_zero(),
-        Sign::NonNegative => !value.is_negative(),
-        Sign::Positive => value.is_positive(),
-    }
+    sign.admits(value.cmp(&Rational::zero()))
 }

@@ -127,7 +127,6 @@ fn readings() -> [(Option<Functions>, Option<Powers>); 3] {
     let powers = Powers {
         roots: BTreeMap::from([(Symbol::new("p"), 2)]),
         positive,
-        naturals: BTreeMap::new(),
         ..Powers::default()
     };
     [

@@ -251,11 +251,7 @@ impl Reader {
                     .all(|&v| is_positive(&expr_of_atom(atoms.atom(v))))
         };
         let signs = conditions.nonnegative.iter().chain(&conditions.positive);
-        let mut needed = conditions
-            .nonzero
-            .iter()
-            .chain(&conditions.bases)
-            .chain(signs);
+        let mut needed = conditions.divisors().chain(signs);
         let above = value.numerator();
         let defined = needed.all(positive)
             && conditions.zero.is_empty()

@@ -17,7 +17,7 @@ mod series;
 mod statement;
 mod term;
 
-pub(super) use name::{split_subscript, with_subscript};
+pub(super) use name::with_subscript;
 
 use super::commands;
 use super::lexer::{Kind, Token};

@@ -68,26 +68,6 @@ pub(crate) fn with_subscript(stem: &str, text: &str) -> String {
     }
 }
 
-/// Takes the subscript off a canonical name: `v'_1` is `v'` and `1`.
-pub(crate) fn split_subscript(name: &str) -> Option<(&str, &str)> {
-    let mut depth = 0usize;
-    for (at, c) in name.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth = depth.saturating_sub(1),
-            '_' if depth == 0 => {
-                let (stem, text) = (name.get(..at)?, name.get(at + 1..)?);
-                let inner = text
-                    .strip_prefix('{')
-                    .and_then(|text| text.strip_suffix('}'));
-                return Some((stem, inner.unwrap_or(text)));
-            }
-            _ => {}
-        }
-    }
-    None
-}
-
 /// Words that join statements; in `\text{…}` they are never a symbol.
 const PROSE: &[&str] = &[
     "and",

@@ -4,9 +4,9 @@
 //! For a sum with dots, the term before the dots and the one after them must be the same but for a subscript; the
 //! terms before them must run up from 1 in the same pattern. What does not match is refused, never guessed at.
 
-use super::name::{split_subscript, with_subscript};
+use super::name::with_subscript;
 use super::{Kind, Parser, Read, Term, refuse, refuse_with};
-use crate::algebra::{BigRational, Expr, Relation, Symbol};
+use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
 use crate::document::Span;
 use crate::notation::{Clause, Link, Side, SyntaxError};
 

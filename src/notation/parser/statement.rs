@@ -4,11 +4,10 @@ use std::collections::BTreeSet;
 
 use super::series::hole_of;
 use super::{Kind, Parser, Read, refuse, refuse_with};
-use crate::algebra::{BigRational, Expr, Relation, Symbol};
+use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
 use crate::document::Span;
 use crate::notation::commands;
 use crate::notation::fold::is_cases;
-use crate::notation::parser::name::split_subscript;
 use crate::notation::{Choice, Clause, Link, Mark, Other, Side, Spanned, Statement};
 
 /// The environments whose rows are statements.

@@ -254,7 +254,7 @@ fn subscript(text: &str) -> String {
 
 /// A canonical name as text: `v'_1` is `v′₁`, `\Delta E_{\text{total}}` is `ΔE_{total}`.
 fn name(canonical: &str) -> String {
-    use crate::notation::parser::split_subscript;
+    use crate::algebra::split_subscript;
     match split_subscript(canonical) {
         Some((stem, under)) => format!("{}{}", letters(stem), subscript(&letters(under))),
         None => letters(canonical),

@@ -11,7 +11,9 @@ mod state;
 use std::collections::BTreeMap;
 
 use super::refute::{complete, count_symbols, negation, roots};
-use crate::algebra::{Atom, Atoms, Expr, Function, Polynomial, Rational, Univariate, Var};
+use crate::algebra::{
+    Atom, Atoms, Expr, Function, Monomial, Polynomial, Rational, Univariate, Var,
+};
 use crate::kernel::{Algebraic, Assignment, Fact, Field, Obligation, Sign};
 pub use known::without_rational_points;
 use solve::HIGHEST_DEGREE;
@@ -152,6 +154,13 @@ impl<'a> Posed<'a> {
 
 fn listed(value: &Univariate) -> Vec<crate::algebra::BigRational> {
     value.coefficients().iter().map(Rational::to_big).collect()
+}
+
+/// The same polynomial in an unknown.
+fn polynomial_in(var: Var, value: &Univariate) -> Polynomial {
+    let terms = (0_u32..).zip(value.coefficients());
+    let terms = terms.map(|(k, c)| Polynomial::term(Monomial::power(var, k), c.clone()));
+    terms.fold(Polynomial::zero(), |sum, term| sum.plus(&term))
 }
 
 /// A polynomial in one unknown as such.

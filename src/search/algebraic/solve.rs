@@ -1,6 +1,7 @@
 //! Roots: real ones isolated, and those that a field has.
 
-use crate::algebra::{Monomial, Polynomial, Rational, Univariate, Var, sum_of_signs};
+use super::polynomial_in;
+use crate::algebra::{Rational, Univariate, Var, sum_of_signs};
 use crate::kernel::Field;
 use crate::search::values::{rational_roots, square_root};
 
@@ -47,10 +48,7 @@ fn pieces(polynomial: &Univariate) -> Vec<Univariate> {
 /// The rational roots, as far as they are quickly found.
 pub fn rational(polynomial: &Univariate) -> Vec<Rational> {
     let var = some_unknown();
-    let terms = (0_u32..).zip(polynomial.coefficients());
-    let terms = terms.map(|(k, c)| Polynomial::term(Monomial::power(var, k), c.clone()));
-    let polynomial = terms.fold(Polynomial::zero(), |sum, term| sum.plus(&term));
-    rational_roots(&polynomial, var).unwrap_or_default()
+    rational_roots(&polynomial_in(var, polynomial), var).unwrap_or_default()
 }
 
 /// An unknown of a polynomial in nothing else.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::solve::{fields, rational, roots_in};
-use super::univariate;
+use super::{polynomial_in, univariate};
 use crate::algebra::{Monomial, Polynomial, Rational, Univariate, Var};
 use crate::kernel::{Fact, Field, Sign};
 use crate::search::point::satisfies;
@@ -133,12 +133,7 @@ impl State {
         }
         let (var, field) = self.root.as_ref()?;
         let order = field.sign(&univariate(polynomial, *var)?);
-        Some(match sign {
-            Sign::Zero => order.is_eq(),
-            Sign::NonZero => order.is_ne(),
-            Sign::NonNegative => order.is_ge(),
-            Sign::Positive => order.is_gt(),
-        })
+        Some(sign.admits(order))
     }
 
     /// The same with a quotient in the place of an unknown. `None` where something becomes too large.
@@ -188,12 +183,7 @@ impl State {
     fn with_number(&self, var: Var, value: &Univariate) -> Option<State> {
         let value = match (&self.root, value.as_constant()) {
             (_, Some(number)) => Polynomial::constant(number),
-            (Some((root, _)), None) => {
-                let terms = value.coefficients().iter().zip(0_u32..);
-                terms.fold(Polynomial::zero(), |sum, (c, k)| {
-                    sum.plus(&Polynomial::term(Monomial::power(*root, k), c.clone()))
-                })
-            }
+            (Some((root, _)), None) => polynomial_in(*root, value),
             (None, None) => return None,
         };
         self.with(var, &value, &Polynomial::one())
@@ -243,10 +233,7 @@ impl State {
         };
         let below = univariate(&below, *root)?;
         let inverse = below.inverse_modulo(field.polynomial())?;
-        let terms = inverse.coefficients().iter().zip(0_u32..);
-        let inverse = terms.fold(Polynomial::zero(), |sum, (c, k)| {
-            sum.plus(&Polynomial::term(Monomial::power(*root, k), c.clone()))
-        });
+        let inverse = polynomial_in(*root, &inverse);
         Some((
             self.reduced(above.times(&inverse).ok()?)?,
             Polynomial::one(),

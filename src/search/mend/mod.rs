@@ -72,7 +72,7 @@ pub fn mended(
         }
     }
     // What is proved at first sight, or not at all, is not worth a long search for points.
-    let light = !claim.sequences.is_empty() && !is_inequality(&claim.goal);
+    let light = !claim.sequences.is_empty() && !claim.goal.is_inequality();
     let shifts = if light { 0 } else { 2 };
     for shift in 0..shifts {
         if let Some((pinned, point)) = generic(claim, shift)
@@ -82,7 +82,7 @@ pub fn mended(
         }
     }
     // Of several bounds that hold the nearest true one is the tightest.
-    if is_inequality(&claim.goal) {
+    if claim.goal.is_inequality() {
         let letters = |change: &Change| {
             matches!(
                 change,
@@ -97,7 +97,7 @@ pub fn mended(
         ..claim.clone()
     };
     // Sums with a symbolic number of terms are proved at first sight or after a long search.
-    let in_earnest = match is_inequality(&claim.goal) {
+    let in_earnest = match claim.goal.is_inequality() {
         true if claim.sequences.is_empty() => BOUNDS_IN_EARNEST,
         false if !claim.sequences.is_empty() => 0,
         _ => IN_EARNEST,
@@ -123,14 +123,6 @@ pub fn mended(
 fn is_admissible(claim: &Claim, point: &Assignment) -> bool {
     let mut values = point.symbols.iter();
     values.all(|(symbol, value)| claim.domains.get(symbol).is_none_or(|d| d.contains(value)))
-}
-
-fn is_inequality(formula: &Formula) -> bool {
-    use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};
-    let Formula::Relation { relation, .. } = formula else {
-        return false;
-    };
-    matches!(relation, Less | LessOrEqual | Greater | GreaterOrEqual)
 }
 
 /// How far apart the sides of an edited inequality are at a point; nothing where only the relation was edited.
@@ -233,7 +225,7 @@ fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
     // Algebra is put right by algebra; a statement about symbols is not. So are bounds that rest on nothing, and
     // those of which only the relation is wrong.
     let algebra = (*relation == Relation::Equal && !matches!(change, Change::Symbol { .. })
-        || is_inequality(formula)
+        || formula.is_inequality()
             && (claim.hypotheses.is_empty()
                 || matches!(change, Change::Strict | Change::Relation)))
         && [&claim.goal, formula]
@@ -247,7 +239,7 @@ fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
                 Formula::Relation { left, right, .. } => !(bare(left) && bare(right)),
                 Formula::AllEqual { .. } => false,
             });
-    if !algebra || !is_inequality(formula) || matches!(change, Change::Strict | Change::Relation) {
+    if !algebra || !formula.is_inequality() || matches!(change, Change::Strict | Change::Relation) {
         return !algebra;
     }
     // Of what rests on nothing only the best bound is worth a word: both sides can be equal.

@@ -1,7 +1,7 @@
 //! Canonical names in MathML: `v'_1` is a letter with a prime and an index, `\Delta E_{\text{total}}` two letters.
 
+use crate::algebra::split_subscript;
 use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
-use crate::notation::parser::split_subscript;
 use crate::notation::printer::xml::escape;
 
 /// Accents within accents, deeper than anybody writes.
