@@ -1,4 +1,5 @@
 use std::borrow::Borrow;
+use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
 
@@ -6,8 +7,24 @@ use std::sync::Arc;
 ///
 /// Two symbols are the same when their canonical names are; they are ordered by name, so no output
 /// depends on the order in which a document happened to mention them.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Symbol(Arc<str>);
+
+/// Most symbols that are compared are copies of one another: then no letter has to be looked at.
+impl Ord for Symbol {
+    fn cmp(&self, other: &Symbol) -> Ordering {
+        match Arc::ptr_eq(&self.0, &other.0) {
+            true => Ordering::Equal,
+            false => self.0.cmp(&other.0),
+        }
+    }
+}
+
+impl PartialOrd for Symbol {
+    fn partial_cmp(&self, other: &Symbol) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
 
 impl Symbol {
     /// The symbol of this canonical name. The notation reader makes names canonical; nothing here does.

@@ -1,6 +1,6 @@
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, unconditional, values_at};
-use crate::kernel::{Assignment, Obligation, Proven, Standing};
+use crate::kernel::{Assignment, Obligation, Proven, Reject, Standing};
 use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, Mended, Stop};
 
 use super::premise::{Usable, usable};
@@ -63,6 +63,8 @@ pub(super) struct Attempt {
     cited: Vec<Assumed>,
     /// The likeliest first.
     others: Vec<Assumed>,
+    /// The goal from all of them.
+    posed: Result<Obligation, Reject>,
 }
 
 impl Judge<'_> {
@@ -352,11 +354,15 @@ impl Judge<'_> {
             }
             for cited in choices {
                 let all: Vec<Assumed> = cited.iter().chain(&others).cloned().collect();
-                let claim = self.derivation.claim(self.at, &all, &goal.formula);
+                let posed = search::pose(self.derivation.claim(self.at, &all, &goal.formula));
                 // Where all of it is true and the goal is not, no part of it will do.
-                if !search::is_doomed(claim, &hints) {
+                if !posed.as_ref().is_ok_and(|p| search::is_doomed(p, &hints)) {
                     let others = others.clone();
-                    attempts.push(Attempt { cited, others });
+                    attempts.push(Attempt {
+                        cited,
+                        others,
+                        posed,
+                    });
                 }
             }
         }
@@ -371,7 +377,8 @@ impl Judge<'_> {
         stages: &[(usize, Effort)],
         found: &mut Found,
     ) -> bool {
-        for Attempt { cited, others } in attempts {
+        for attempt in attempts {
+            let Attempt { cited, others, .. } = attempt;
             let mut last = None;
             for &(most, effort) in stages {
                 // Where there are no more of them, the same would be tried again.
@@ -381,14 +388,15 @@ impl Judge<'_> {
                 }
                 let near = others.iter().take(most);
                 let all: Vec<Assumed> = cited.iter().chain(near).cloned().collect();
-                let claim = self.derivation.claim(self.at, &all, &goal.formula);
-                let Ok(posed) = search::pose(claim) else {
+                let fewer = (most < others.len())
+                    .then(|| search::pose(self.derivation.claim(self.at, &all, &goal.formula)));
+                let Ok(posed) = fewer.as_ref().unwrap_or(&attempt.posed) else {
                     continue;
                 };
-                let Some(derived) = search::prove_posed(&posed, effort) else {
+                let Some(derived) = search::prove_posed(posed, effort) else {
                     continue;
                 };
-                let (kept, least) = self.least(all, goal, &posed, derived);
+                let (kept, least) = self.least(all, goal, posed, derived);
                 if self.is_contradictory(&kept, goal) {
                     continue;
                 }

@@ -242,14 +242,11 @@ fn contradiction(premises: &Obligation) -> Option<Proven> {
 
 /// Whether premises like those of a claim hold near one of the `hints` where its goal does not, so that
 /// no proof need be looked for.
-pub fn is_doomed(claim: Claim, hints: &[Assignment]) -> bool {
-    let Ok(obligation) = pose(claim) else {
-        return false;
-    };
-    let points = refute::Points::new(&obligation);
+pub fn is_doomed(obligation: &Obligation, hints: &[Assignment]) -> bool {
+    let points = refute::Points::new(obligation);
     points
         .near(hints)
-        .any(|point| refuted(&obligation, point).is_some())
+        .any(|point| refuted(obligation, point).is_some())
 }
 
 /// What would have to be different from 0 for a refuted claim to follow, with the proof that it then does.
