@@ -240,9 +240,14 @@ impl Entry {
             && !self.notes.iter().any(|n| matches!(n, Note::WrongMark(_)))
     }
 
+    /// The author asserts it, and it is wrong.
+    pub fn is_mistake(&self) -> bool {
+        self.is_wrong() && !self.fails_as_marked()
+    }
+
     /// Whether there is something to mend.
     pub fn is_finding(&self) -> bool {
-        self.is_wrong() && !self.fails_as_marked() || self.notes.iter().any(Note::is_finding)
+        self.is_mistake() || self.notes.iter().any(Note::is_finding)
     }
 
     /// A numeric claim that is true whatever the figures are within their bounds, and of which nothing else is wrong.

@@ -499,7 +499,7 @@ impl Auditor<'_> {
         let mut failing = BTreeSet::new();
         for &premise in premises.iter().filter(|&&p| p < at) {
             for entry in self.entries_of(premise) {
-                if entry.is_wrong() && !entry.fails_as_marked() {
+                if entry.is_mistake() {
                     failing.insert(premise);
                 }
                 failing.extend(&entry.rests_on);

@@ -116,7 +116,7 @@ impl<'a> Review<'a> {
         let at = entry.equation;
         let is_sound = |&premise: &usize| {
             premise < at && {
-                let wrong = |e: &&Entry| e.is_wrong() && !e.fails_as_marked();
+                let wrong = |e: &&Entry| e.is_mistake();
                 let own = || self.audit.of_equation(premise).iter();
                 !own().any(|e| wrong(&e))
                     && (standing.contains(&premise) || own().all(|e| e.rests_on.is_empty()))

@@ -404,28 +404,8 @@ fn nearest(command: &str) -> Option<&'static str> {
     }
     let allowed = if length < 4 { 1 } else { 2 };
     known()
-        .map(|name| (distance(command, name), name))
+        .map(|name| (strsim::osa_distance(command, name), name))
         .filter(|(distance, _)| *distance <= allowed)
         .min()
         .map(|(_, name)| name)
-}
-
-/// Levenshtein's distance: how many letters to add, drop or change.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut next = vec![i + 1];
-        for (j, (&y, window)) in b.iter().zip(row.windows(2)).enumerate() {
-            let [diagonal, above] = window else { continue };
-            let left = next.get(j).copied().unwrap_or(i + 1);
-            next.push(
-                (diagonal + usize::from(x != y))
-                    .min(above + 1)
-                    .min(left + 1),
-            );
-        }
-        row = next;
-    }
-    row.last().copied().unwrap_or(0)
 }

@@ -23,7 +23,7 @@ impl Report<'_> {
 
     /// The level of the verdict of an entry, where that is something to remark.
     pub(super) fn level_of_verdict(&self, entry: &Entry) -> Option<Level> {
-        let remarked = entry.is_wrong() && !entry.fails_as_marked() || self.is_left_open(entry);
+        let remarked = entry.is_mistake() || self.is_left_open(entry);
         let page = self.equation(entry.equation).page;
         match remarked {
             true => self.level(page, entry.verdict.word()),
@@ -34,7 +34,7 @@ impl Report<'_> {
     /// The level of a note of an entry; nothing for what is not told, or told with something else.
     pub(super) fn level_of_note(&self, entry: &Entry, note: &Note) -> Option<Level> {
         let level = self.level(self.equation(entry.equation).page, note.code())?;
-        let wrong = entry.is_wrong() && !entry.fails_as_marked();
+        let wrong = entry.is_mistake();
         let elsewhere = wrong && super::belongs_to_failing(note)
             || matches!(note, Note::CitationsShifted { steps, .. } if steps.is_empty())
             || note.is_quiet() && level == Level::Note;

@@ -128,7 +128,7 @@ impl Report<'_> {
         if self.level_of_verdict(entry).is_some() {
             codes.push(entry.verdict.word());
         }
-        let wrong = entry.is_wrong() && !entry.fails_as_marked();
+        let wrong = entry.is_mistake();
         let apart = |note: &&Note| !(wrong && super::belongs_to_failing(note));
         let told = |note: &&Note| self.is_in_line(entry, note);
         codes.extend(
