@@ -48,6 +48,11 @@ impl Fraction {
         self.as_polynomial()?.as_constant()
     }
 
+    /// The numerator, and the factors of the denominator with their exponents.
+    pub fn into_parts(self) -> (Polynomial, BTreeMap<Polynomial, u32>) {
+        (self.numerator, self.denominator)
+    }
+
     /// The sum.
     pub fn plus(&self, other: &Self) -> Result<Self, TooLarge> {
         if is_spent() {

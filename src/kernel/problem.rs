@@ -489,12 +489,12 @@ fn compared(left: &Fraction, relation: Relation, right: &Fraction) -> Result<Opt
         Relation::LessOrEqual | Relation::GreaterOrEqual => Sign::NonNegative,
         _ => return Ok(None),
     };
-    let mut polynomial = value.numerator().clone();
+    let (mut polynomial, denominator) = value.into_parts();
     if matches!(sign, Sign::Positive | Sign::NonNegative) {
         // P / Q has the sign of P times the factors of Q with an odd exponent.
-        for (factor, exponent) in value.denominator() {
+        for (factor, exponent) in denominator {
             if exponent % 2 == 1 {
-                polynomial = polynomial.times(factor)?;
+                polynomial = polynomial.times(&factor)?;
             }
         }
     }
