@@ -469,8 +469,8 @@ pub fn prove_unconditionally(claim: Claim, effort: Effort) -> Option<Derived> {
 
 /// The same for a claim that was read before.
 pub fn prove_posed(obligation: &Obligation, effort: Effort) -> Option<Derived> {
-    match prove(obligation, effort) {
-        Ok(Some((derived, conditions))) => conditions.is_empty().then_some(derived),
+    match attempt(obligation, effort) {
+        Ok(Attempt::Proof(certificate)) => derived(obligation, certificate),
         _ => None,
     }
 }
