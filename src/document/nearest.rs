@@ -57,23 +57,3 @@ pub(crate) fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Opt
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, word)| word)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn slips_are_counted() {
-        assert_eq!(distance("check", "check"), 0);
-        assert_eq!(distance("chek", "check"), 1);
-        assert_eq!(distance("chekc", "check"), 1);
-        assert_eq!(distance("", "from"), 4);
-        assert_eq!(distance(&"x".repeat(1000), "from"), usize::MAX);
-    }
-
-    #[test]
-    fn the_nearest_is_named_only_when_near() {
-        assert_eq!(nearest("Fomr", &["given", "from"], 2), Some("from"));
-        assert_eq!(nearest("banana", &["given", "from"], 2), None);
-    }
-}
