@@ -98,27 +98,3 @@ fn position(pages: &[(&str, &str)], name: &str) -> Option<usize> {
 pub fn checker() -> Checker {
     Checker::new(report())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_page_of_the_directories_is_embedded_in_order() {
-        for (folder, pages) in [
-            ("proofs/report", PAGES),
-            ("proofs/corrected", corrected::PAGES),
-        ] {
-            let own = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-            let mut names: Vec<String> = std::fs::read_dir(own)
-                .unwrap()
-                .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-                .filter(|name| name.ends_with(".md"))
-                .map(|name| format!("{folder}/{name}"))
-                .collect();
-            names.sort();
-            let embedded: Vec<&str> = pages.iter().map(|page| page.0).collect();
-            assert_eq!(embedded, names);
-        }
-    }
-}

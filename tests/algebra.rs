@@ -1,5 +1,7 @@
 //! The exact algebra against second opinions: `BigRational`, evaluation at points, and a naive evaluator of terms.
 
+mod effort;
+
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};

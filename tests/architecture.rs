@@ -190,6 +190,49 @@ fn nothing_is_unsafe() {
 }
 
 #[test]
+fn no_test_stands_where_none_is_run() {
+    // The crate is not compiled a second time for tests (`[lib] test = false`), so one in it would never run.
+    for line in lines() {
+        for attribute in ["#[test]", "cfg(test", "proptest!"] {
+            let is_there = line.code.contains(attribute);
+            assert!(!is_there, "{}: tests are in `tests/`", line.place);
+        }
+    }
+}
+
+#[test]
+fn every_file_of_tests_is_named_in_the_one_above_it() {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let mut all = Vec::new();
+    files(&tests, &mut all);
+    let sources = all
+        .iter()
+        .filter(|p| p.extension().is_some_and(|e| e == "rs"));
+    for path in sources.filter(|path| !path.ends_with("all.rs")) {
+        let (folder, name) = match path.ends_with("mod.rs") {
+            true => (
+                path.parent().unwrap().parent().unwrap(),
+                path.parent().unwrap(),
+            ),
+            false => (path.parent().unwrap(), path.as_path()),
+        };
+        let above = [
+            folder.join("all.rs"),
+            folder.join("mod.rs"),
+            folder.with_extension("rs"),
+        ];
+        let above = above
+            .iter()
+            .find(|above| above.exists())
+            .expect("a file above");
+        let named = format!("mod {};", name.file_stem().unwrap().to_str().unwrap());
+        let text = std::fs::read_to_string(above).unwrap();
+        let is_named = text.lines().any(|line| line == named);
+        assert!(is_named, "{} lacks `{named}`", above.display());
+    }
+}
+
+#[test]
 fn the_kernel_reads_no_file_and_prints_nothing() {
     for line in lines().iter().filter(|l| l.module == "kernel") {
         for word in [

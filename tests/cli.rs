@@ -1,16 +1,16 @@
 //! The program from outside: exit codes, each command, and input that a careless world sends.
 
-mod common;
-
 use std::path::PathBuf;
 use std::process::{Output, Stdio};
 
-use common::{code, command, err, out, piped, run as program};
+use cradle_verify::cli::progress::bar;
+
+use crate::common::{self, code, command, err, out, piped, run as program};
 use serde_json::Value;
 
 /// A directory of this test's own with one document in it.
 fn page(test: &str, source: &[u8]) -> PathBuf {
-    let path = common::folder(test).join("page.md");
+    let path = common::folder(&format!("cli/{test}")).join("page.md");
     std::fs::write(&path, source).unwrap();
     path
 }
@@ -601,4 +601,14 @@ fn valid(value: &Value, schema: &Value, root: &Value, place: &str) {
             (None, None) => {}
         }
     }
+}
+
+#[test]
+fn the_bar_has_one_length() {
+    for done in [0, 1, 7, 10, 11] {
+        let shown = bar(done, 10);
+        let inside = shown.split(['[', ']']).nth(1).unwrap_or_default();
+        assert_eq!(inside.len(), 30, "{shown}");
+    }
+    assert!(bar(5, 10).starts_with("auditing [===============  "));
 }

@@ -1,7 +1,6 @@
 //! The corrected pages: nothing on them may fail, rest on what fails, or be left undecided; and a slip anywhere is caught
 //! where it is made.
 
-#[path = "corrected/slips.rs"]
 mod slips;
 
 use std::collections::BTreeSet;

@@ -1,5 +1,13 @@
 //! The cradle through its public interface: what every collision obeys, and what the scenarios say for themselves.
 
+mod chain;
+mod collision;
+mod gaps;
+mod laws;
+mod number;
+mod ode;
+mod scenario;
+
 use cradle_verify::cli::scenario::{human, json};
 use cradle_verify::cradle::{
     Chain, ChainError, Law, Limits, Line, Remark, Scenario, efficiency, elastic, energy_loss,

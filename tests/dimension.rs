@@ -10,6 +10,7 @@ use cradle_verify::algebra::{
 use cradle_verify::audit::{Audit, Verdict};
 use cradle_verify::derivation::{Derivation, formulas};
 use cradle_verify::dimension::{names, parse};
+use cradle_verify::kernel::dimension::{Form, comparisons};
 use proptest::prelude::*;
 
 fn dimension(exponents: &[(Base, i32)]) -> Dimension {
@@ -135,6 +136,38 @@ fn an_equation_that_is_wrong_by_itself_poisons_nothing() {
     let declared = [("m", "mass"), ("v", "velocity"), ("x", "length")];
     let equations = ["x q + m = v", "q = m v", "q v = m v^2", "q = x"];
     assert_eq!(guilty(&declared, &equations), [0, 3]);
+}
+
+#[test]
+fn equations_in_any_order_are_solved() {
+    let declared = [("l", "length")];
+    let chain = ["a = b", "b = c^2", "c = l"];
+    let with = |last: &'static str| guilty(&declared, &[&chain[..], &[last]].concat());
+    assert!(with("a = l^2").is_empty());
+    assert_eq!(with("a = l"), [3]);
+}
+
+#[test]
+fn what_an_equation_taught_before_it_disagreed_is_forgotten_and_nothing_else() {
+    let declared = [("m", "mass"), ("v", "velocity"), ("x", "length")];
+    // The second would have b to be x / a.
+    let equations = ["a = m", "b a + x = v", "b = m v", "a = v"];
+    assert_eq!(guilty(&declared, &equations), [1, 3]);
+}
+
+#[test]
+fn what_disagrees_is_traced_to_its_sources_with_their_multipliers() {
+    let equations = ["a = b", "f l^5 = 1", "b = c^2", "c = l", "a^3 l = 1"];
+    let (_, audit) = audit(&page(&[("l", "length".to_owned())], &equations));
+    let conflict = &audit.dimensions.conflicts[&(4, 0)];
+    let parts = conflict.evidence.parts();
+    assert_eq!(parts.len(), 4, "all but the second");
+    let mut total = Form::default();
+    for part in parts {
+        let own = &comparisons(&part.formula, &part.scope)[part.comparison];
+        total.multiply(&own.quotient(), &part.multiplier);
+    }
+    assert_eq!(total.dimension(), Some(&dimension(&[(Base::Length, 7)])));
 }
 
 #[test]

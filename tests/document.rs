@@ -1,7 +1,11 @@
 //! Markdown documents, read end to end.
 
+mod numbers;
+mod outline;
+
 use cradle_verify::document::{
-    Attribute, Directive, Document, Item, Premise, Prose, Span, SuppositionKind, read_bytes,
+    Attribute, Directive, Document, Item, NotUtf8, Premise, Prose, Span, SuppositionKind, decode,
+    read_bytes,
 };
 use proptest::prelude::*;
 
@@ -386,6 +390,8 @@ fn slips_in_directives_are_named_with_their_repair() {
         ("chek: given", "chek", "`check:`"),
         ("Check given", "Check", "`check:`"),
         ("check: gven", "gven", "`given`"),
+        ("chekc: given", "chekc", "`check:`"),
+        ("check: Fomr (2)", "Fomr", "`from`"),
         ("check: let a = 1\nasuming b > 0", "asuming", "`assuming`"),
         ("check: symbols m: postive", "postive", "`positive`"),
         (
@@ -415,6 +421,12 @@ fn slips_in_directives_are_named_with_their_repair() {
         assert_eq!(document.text(problem.span), guilty, "{comment}");
         let said = problem.help.as_deref().unwrap_or_default();
         assert!(said.contains(help), "{comment}: {said}");
+    }
+    for other in ["banana", &"x".repeat(1000)] {
+        let source = format!("<!-- check: {other} -->");
+        let document = read(&source);
+        let help = document.problems[0].help.as_deref().unwrap_or_default();
+        assert!(!help.contains("did you mean"), "{other}: {help}");
     }
     for other in [
         "a note",
@@ -453,6 +465,28 @@ fn bytes_must_be_text() {
             .err(),
         Some(2)
     );
+    assert_eq!(decode(b"a\nb\xff"), Err(NotUtf8 { offset: 3, line: 2 }));
+    assert_eq!(decode(b"a"), Ok("a"));
+}
+
+#[test]
+fn columns_count_characters_on_every_kind_of_line() {
+    let source = "\u{feff}a\r\nδ = 1\rz";
+    let document = read(source);
+    let at = |needle: &str| {
+        let position = document.position(source.find(needle).unwrap());
+        (position.line, position.column)
+    };
+    assert_eq!(at("a"), (1, 1));
+    assert_eq!(at("="), (2, 3));
+    assert_eq!(at("z"), (3, 1));
+}
+
+#[test]
+fn an_offset_past_the_end_or_inside_a_character_is_rounded_down() {
+    let document = read("δ");
+    assert_eq!(document.position(1), document.position(0));
+    assert_eq!(document.position(99).column, 2);
 }
 
 #[test]

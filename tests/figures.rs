@@ -1,12 +1,8 @@
 //! Figures: the numbers in them against the cradle as code and against formulas, the files against their formats, the
 //! commands from outside.
 
-mod common;
-#[path = "figures/numbers.rs"]
 mod numbers;
-#[path = "figures/program.rs"]
 mod program;
-#[path = "figures/writers.rs"]
 mod writers;
 
 use cradle_verify::derivation::{Checker, Derivation};

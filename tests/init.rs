@@ -1,14 +1,12 @@
 //! `init`: what it prints can be pasted as it is, and then every verdict is what it was.
 
-mod common;
-
 use std::path::{Path, PathBuf};
 
-use common::{root, run};
+use crate::common::{root, run};
 use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 use cradle_verify::dimension;
-use cradle_verify::report::{Report, declarations};
+use cradle_verify::report::{Report, configuration, declarations};
 
 fn documents(folder: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(root().join(folder)).unwrap();
@@ -148,4 +146,42 @@ fn the_program_prints_it_and_refuses_as_elsewhere() {
     ]);
     assert_eq!(done.status.code(), Some(0));
     assert_eq!(std::fs::read_to_string(file).unwrap(), text);
+}
+
+#[test]
+fn what_follows_from_others_is_not_asked_for() {
+    let settling = |equations: &[&str]| {
+        let page: String = equations.iter().map(|e| format!("$$ {e} $$\n\n")).collect();
+        let text = declarations(&Derivation::from_markdown("page.md", &page));
+        let is_said = |line: &&str| line.starts_with("The dimension") || line.starts_with("Open");
+        text.lines().find(is_said).unwrap_or_default().to_owned()
+    };
+    assert_eq!(
+        settling(&["v = a t", "q = m^3"]),
+        "The dimensions of `v`, `a` and `q` settle those of `t` and `m`."
+    );
+    assert_eq!(
+        settling(&["a > 0", "t > 0", "m^3 > 0"]),
+        "Open: the dimensions of `a`, `t` and `m`."
+    );
+    assert_eq!(settling(&[]), "");
+}
+
+#[test]
+fn keys_and_texts_of_a_table_are_as_plain_as_can_be() {
+    let page = "<!-- check: symbols E: energy -->\n\n$$ E = m_1 + \\mu + v'_1 + \\dot{x}' $$\n";
+    let derivation = Derivation::from_markdown("page.md", page);
+    let text = configuration(&derivation, &["a\u{7}.md".to_owned()]);
+    for line in [
+        r#"files = ["a\u0007.md"]"#,
+        r#"m_1 = "energy""#,
+        r#"'\mu' = "energy""#,
+        r#""v'_1" = "energy""#,
+        r#""\\dot{x}'" = "energy""#,
+    ] {
+        assert!(
+            text.lines().any(|own| own.starts_with(line)),
+            "{line}: {text}"
+        );
+    }
 }

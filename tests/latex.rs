@@ -1,12 +1,8 @@
 //! LaTeX documents, read end to end: numbers as printed, macros, files, places, and what is refused.
 
-#[path = "latex/hostile.rs"]
 mod hostile;
-#[path = "latex/macros.rs"]
 mod macros;
-#[path = "latex/numbers.rs"]
 mod numbers;
-#[path = "latex/report.rs"]
 mod report;
 
 use std::collections::BTreeMap;

@@ -1,7 +1,6 @@
 //! Keys and environments in Markdown, notebooks, and which files `check` reads.
 
-mod common;
-
+use crate::common;
 use std::path::PathBuf;
 
 use cradle_verify::derivation::Derivation;
@@ -144,7 +143,7 @@ struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str, files: &[(&str, &str)]) -> Folder {
-        let folder = common::folder(name);
+        let folder = common::folder(&format!("markdown/{name}"));
         for (path, text) in files {
             let path = folder.join(path);
             std::fs::create_dir_all(path.parent().unwrap()).unwrap();

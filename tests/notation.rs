@@ -987,3 +987,17 @@ fn time_is_linear_in_length() {
         assert!(start.elapsed().as_secs() < 5, "{piece}");
     }
 }
+
+#[test]
+fn names_on_a_terminal() {
+    for (name, shown) in [
+        ("v'_1", "v′₁"),
+        ("\\Delta E_{\\text{total}}", "ΔE_{total}"),
+        ("\\dot{\\delta}", "δ\u{307}"),
+        ("E^*", "E*"),
+        ("\\eta_{\\max}", "η_{max}"),
+        ("v_{12}", "v₁₂"),
+    ] {
+        assert_eq!(plain(&Expr::Symbol(Symbol::new(name))), shown);
+    }
+}

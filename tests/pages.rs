@@ -303,7 +303,7 @@ fn pages(folder: &str) -> Vec<Page> {
     let files = std::fs::read_dir(folder).expect("the folder of pages");
     let mut paths: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "md"));
-    // `PAGE=lens cargo test --test pages` runs the pages with `lens` in their names.
+    // `PAGE=lens cargo test --test all pages::` runs the pages with `lens` in their names.
     if let Ok(part) = std::env::var("PAGE") {
         paths.retain(|path| path.to_string_lossy().contains(&part));
     }

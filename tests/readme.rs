@@ -2,9 +2,7 @@
 //!
 //! In a block that starts with `$ cradle-verify …`, a line that is just `…` stands for any number of lines.
 
-mod common;
-
-use common::root;
+use crate::common::{self, root};
 
 const SKIPPED: &str = "…";
 

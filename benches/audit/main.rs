@@ -1,4 +1,4 @@
-//! How long an audit takes: `cargo bench`. `docs/performance.md` says what was measured, and how.
+//! How long an audit takes: `cargo bench -p benches`. `docs/performance.md` says what was measured, and how.
 
 mod copies;
 
@@ -71,7 +71,7 @@ fn dimensions_of_copies(bencher: Bencher, copies: usize) {
     bencher.bench(|| Dimensions::of(&derivation));
 }
 
-/// Takes half a minute: `cargo bench -- --ignored thousand`.
+/// Takes half a minute: `cargo bench -p benches -- --ignored thousand`.
 #[divan::bench(ignore, sample_count = 1, sample_size = 1)]
 fn a_thousand_copies_of_the_algebra(bencher: Bencher) {
     let derivation = Derivation::new(copies::documents(1_000));

@@ -36,30 +36,3 @@ pub(super) fn spend(units: usize) {
 pub fn is_spent() -> bool {
     LEFT.get() == 0
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_question_inside_another_has_a_budget_of_its_own() {
-        within(10, || {
-            spend(4);
-            within(3, || {
-                spend(5);
-                assert!(is_spent());
-            });
-            assert!(!is_spent());
-            spend(6);
-            assert!(is_spent());
-        });
-        assert!(!is_spent());
-    }
-
-    #[test]
-    fn a_panic_does_not_leave_its_budget_behind() {
-        let broken = std::panic::catch_unwind(|| within(0, || assert!(!is_spent(), "on purpose")));
-        assert!(broken.is_err());
-        assert!(!is_spent());
-    }
-}

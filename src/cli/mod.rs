@@ -15,7 +15,7 @@ pub mod input;
 mod manual;
 pub mod output;
 pub mod plot;
-mod progress;
+pub mod progress;
 mod run;
 pub mod scenario;
 mod simulate;

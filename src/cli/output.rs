@@ -134,18 +134,3 @@ pub fn say(text: &str) {
     // Where standard error is closed there is nobody to tell.
     let _ = write!(std::io::stderr().lock(), "{text}");
 }
-
-#[cfg(test)]
-mod tests {
-    use super::tamed;
-
-    #[test]
-    fn colours_stay_and_other_commands_do_not() {
-        let own = "\u{1b}[1;31mfails\u{1b}[0m\n\tδ";
-        assert_eq!(tamed(own), own);
-        assert_eq!(
-            tamed("\u{1b}[2J\u{1b}]0;x\u{7}\r\u{9b}31m\u{1b}"),
-            "\u{fffd}[2J\u{fffd}]0;x\u{fffd}\u{fffd}\u{fffd}31m\u{fffd}"
-        );
-    }
-}

@@ -278,37 +278,3 @@ fn is_called(equation: &Equation, label: &str) -> bool {
         || equation.keys.iter().any(|key| key == label)
         || equation.group.iter().any(|own| of_group.contains(own))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::algebra::BigRational;
-
-    fn domain(lower: Option<(i32, bool)>, upper: Option<(i32, bool)>) -> Domain {
-        let bound = |(n, strict): (i32, bool)| (BigRational::from_integer(n.into()), strict);
-        Domain {
-            lower: lower.map(bound),
-            upper: upper.map(bound),
-            ..Domain::default()
-        }
-    }
-
-    #[test]
-    fn what_narrows_agrees_and_what_widens_does_not() {
-        let positive = domain(Some((0, true)), None);
-        let unit = domain(Some((0, false)), Some((1, false)));
-        let high = domain(Some((2, false)), None);
-        assert!(narrows(&positive, &unit));
-        assert!(narrows(&high, &positive));
-        assert!(narrows(&Domain::default(), &unit));
-        assert!(!narrows(&unit, &positive), "0 is let in again");
-        assert!(!narrows(&high, &unit), "nothing is left");
-    }
-
-    #[test]
-    fn labels_are_read_as_they_are_printed() {
-        assert_eq!(bare(" (3) "), "3");
-        assert_eq!(bare("claim momentum"), "momentum");
-        assert_eq!(bare("eq:mom"), "eq:mom");
-    }
-}

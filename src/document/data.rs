@@ -101,32 +101,3 @@ fn figure(text: &str) -> Option<BigRational> {
         false => digits * scale,
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn shown(text: &str) -> Option<String> {
-        bounds(text).map(|(low, high)| format!("{low} {high}"))
-    }
-
-    #[test]
-    fn figures_are_exact() {
-        assert_eq!(
-            shown("[200e9, 215e9]").as_deref(),
-            Some("200000000000 215000000000")
-        );
-        assert_eq!(shown("9.81 ± 0.03").as_deref(), Some("489/50 246/25"));
-        assert_eq!(shown("-1e-2 \\pm 1e-2").as_deref(), Some("-1/50 0"));
-        assert_eq!(shown("1/3").as_deref(), Some("1/3 1/3"));
-    }
-
-    #[test]
-    fn what_is_no_figure_is_refused() {
-        for text in [
-            "", "[2, 1]", "[1 2]", "1 ± -1", "e5", "1e", "1e400", "1e1/2", "x", "[1, 2", "5 GPa",
-        ] {
-            assert_eq!(bounds(text), None, "{text}");
-        }
-    }
-}

@@ -22,16 +22,3 @@ pub(crate) fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Opt
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, word)| word)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_nearest_is_named_only_when_near() {
-        assert_eq!(nearest("Fomr", &["given", "from"], 2), Some("from"));
-        assert_eq!(nearest("form", &["given", "from"], 1), Some("from"));
-        assert_eq!(nearest("banana", &["given", "from"], 2), None);
-        assert_eq!(nearest(&"x".repeat(1000), &["given"], 2), None);
-    }
-}

@@ -118,22 +118,3 @@ impl Origin {
         found.unwrap_or((0, Span::default()))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_place_leads_back_to_the_file_that_it_was_copied_from() {
-        let mut origin = Origin::default();
-        origin.push(0, 0, Span::new(10, 14), true);
-        origin.push(4, 0, Span::new(14, 16), true);
-        origin.push(6, 1, Span::new(3, 8), false);
-        origin.push(20, 0, Span::new(30, 40), true);
-        assert_eq!(origin.pieces.len(), 3);
-        assert_eq!(origin.of(Span::new(1, 5)), (0, Span::new(11, 15)));
-        assert_eq!(origin.of(Span::new(9, 12)), (1, Span::new(3, 8)));
-        assert_eq!(origin.of(Span::new(22, 23)), (0, Span::new(32, 33)));
-        assert_eq!(origin.of(Span::new(5, 22)), (0, Span::new(15, 32)));
-    }
-}

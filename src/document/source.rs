@@ -78,34 +78,3 @@ fn line_starts(bytes: &[u8]) -> Vec<usize> {
     }
     starts
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_count_characters_on_every_kind_of_line() {
-        let source = "\u{feff}a\r\nδ = 1\rz";
-        let lines = Lines::of(source);
-        let at = |needle: &str| {
-            let position = lines.position(source, source.find(needle).unwrap());
-            (position.line, position.column)
-        };
-        assert_eq!(at("a"), (1, 1));
-        assert_eq!(at("="), (2, 3));
-        assert_eq!(at("z"), (3, 1));
-    }
-
-    #[test]
-    fn an_offset_past_the_end_or_inside_a_character_is_rounded_down() {
-        let lines = Lines::of("δ");
-        assert_eq!(lines.position("δ", 1), lines.position("δ", 0));
-        assert_eq!(lines.position("δ", 99).column, 2);
-    }
-
-    #[test]
-    fn bytes_that_are_not_text_are_placed() {
-        assert_eq!(decode(b"a\nb\xff"), Err(NotUtf8 { offset: 3, line: 2 }));
-        assert_eq!(decode(b"a"), Ok("a"));
-    }
-}

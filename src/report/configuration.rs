@@ -145,18 +145,3 @@ fn quoted(text: &str) -> String {
     }
     format!("\"{escaped}\"")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_and_texts_are_as_plain_as_can_be() {
-        assert_eq!(key("m_1"), "m_1");
-        assert_eq!(key("\\mu"), "'\\mu'");
-        assert_eq!(key("v'_1"), "\"v'_1\"");
-        assert_eq!(key("\\dot{x}'"), "\"\\\\dot{x}'\"");
-        assert_eq!(quoted("energy"), "\"energy\"");
-        assert_eq!(quoted("a\u{7}"), "\"a\\u0007\"");
-    }
-}

@@ -47,14 +47,3 @@ fn property(text: &str) -> String {
         .replace(':', "%3A")
         .replace(',', "%2C")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_would_end_a_part_is_escaped() {
-        assert_eq!(property("a,b::c%\n"), "a%2Cb%3A%3Ac%25 ");
-        assert_eq!(message("a::b,\r\n%"), "a::b,%0D%0A%25");
-    }
-}

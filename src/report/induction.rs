@@ -123,33 +123,3 @@ pub(super) fn before_the_start(claim: &Claim) -> Option<String> {
         })
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::audit::Audit;
-    use crate::derivation::Derivation;
-
-    use super::*;
-
-    fn said(domain: &str) -> String {
-        let page = format!(
-            "<!-- check: symbols n: {domain} -->\n<!-- check: law -->\n$$ c_{{n+1}} = c_n + 2, \\qquad c_0 = 1 \\tag{{1}} $$\n\nFrom (1)\n\n$$ c_n = 2 n + 1 \\tag{{2}} $$\n"
-        );
-        let derivation = Derivation::from_markdown("page.md", &page);
-        let audit = Audit::of(&derivation);
-        let report = Report {
-            derivation: &derivation,
-            audit: &audit,
-            paths: &[],
-        };
-        report.human(false)
-    }
-
-    #[test]
-    fn where_a_sequence_begins_is_said() {
-        let text = said("natural");
-        assert!(text.contains("nothing says how `c₀` goes on"), "{text}");
-        let text = said("integer, >= 0");
-        assert!(text.contains("Nothing is amiss"), "{text}");
-    }
-}

@@ -180,16 +180,3 @@ fn escaped(text: &str) -> String {
         _ => None,
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn nothing_ends_an_attribute_or_a_text() {
-        assert_eq!(
-            escaped("a<b>&\"]]>\u{0}\u{1b}[0m\u{ffff}"),
-            "a&lt;b&gt;&amp;&quot;]]&gt;[0m"
-        );
-    }
-}

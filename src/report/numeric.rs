@@ -195,26 +195,3 @@ fn in_digits(value: &BigRational, count: usize, rounded: impl Fn(BigRational) ->
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn decimals_are_rounded_outwards() {
-        let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
-        for (value, below, above) in [
-            (ratio(1, 3), "0.333", "0.334"),
-            (ratio(-1, 3), "−0.334", "−0.333"),
-            (ratio(2, 1), "2", "2"),
-            (ratio(9_999, 10), "999", "1000"),
-            (ratio(123_456, 1), "123000", "124000"),
-            (ratio(215_000_000, 1), "2.15 × 10^8", "2.15 × 10^8"),
-            (ratio(1, 99_000), "1.01 × 10^−5", "1.02 × 10^−5"),
-            (ratio(0, 1), "0", "0"),
-        ] {
-            assert_eq!(decimal(&value, false), below);
-            assert_eq!(decimal(&value, true), above);
-        }
-    }
-}

@@ -54,32 +54,3 @@ pub(super) fn one_line(text: &str) -> String {
 fn unseen(c: char) -> bool {
     c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn paths_are_told_from_one_folder() {
-        let here = Path::new("/home/me/report");
-        for (path, expected) in [
-            ("./a/./b.md", "a/b.md"),
-            ("/home/me/report/a/b.md", "a/b.md"),
-            ("/elsewhere/b.md", "/elsewhere/b.md"),
-            ("../b.md", "../b.md"),
-            ("standard input", "standard input"),
-        ] {
-            assert_eq!(relative(path, here), expected);
-        }
-        assert_eq!(uri("a b/ü%:.md"), "a%20b/%C3%BC%25%3A.md");
-        assert_eq!(uri("/a"), "file:///a");
-    }
-
-    #[test]
-    fn nothing_leaves_its_line() {
-        assert_eq!(
-            one_line("a\r\nb\u{1b}[31m\u{202e}"),
-            "a  b\u{fffd}[31m\u{fffd}"
-        );
-    }
-}

@@ -34,35 +34,3 @@ pub(super) fn settling(open: &[&Form]) -> Vec<usize> {
     }
     chosen
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::algebra::{Dimension, Rational};
-    use crate::kernel::dimension::Unknown;
-
-    fn form(powers: &[(usize, i32)]) -> Form {
-        let unknowns = powers
-            .iter()
-            .map(|&(at, n)| (Unknown(at), Rational::from(n)));
-        Form {
-            known: Dimension::none(),
-            unknowns: unknowns.collect(),
-        }
-    }
-
-    #[test]
-    fn what_follows_from_others_is_not_asked_for() {
-        // v, a, t with a t = v, and m apart.
-        let all = [
-            form(&[(0, 1), (1, 1)]),
-            form(&[(0, 1)]),
-            form(&[(1, 1)]),
-            form(&[(2, 3)]),
-        ];
-        let all: Vec<&Form> = all.iter().collect();
-        assert_eq!(settling(&all), [0, 1, 3]);
-        assert_eq!(settling(&all[1..]), [0, 1, 2]);
-        assert!(settling(&[]).is_empty());
-    }
-}

@@ -1,8 +1,5 @@
 //! The program from outside, for every test that starts it.
 
-// Each test is a crate of its own and uses what it needs.
-#![allow(dead_code)]
-
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::{code, err, folder, json, out, root, run, run_in, well};
+use super::{code, err, folder, json, out, root, run, run_in, well};
 
 const COMPARE: [&str; 4] = ["check", "well.md", "--baseline", "known.json"];
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use cradle_verify::report::codes::{CODES, Level};
 
-use crate::{code, err, folder, json, out, root, run, run_in};
+use super::{code, err, folder, json, out, root, run, run_in};
 
 /// The entries of the reference, read in another way than the program does.
 fn entries() -> Vec<(String, String)> {

@@ -12,8 +12,8 @@ use cradle_verify::report::{Report, amiss, configuration};
 use serde_json::{Value, json};
 use toml::de::{DeTable, DeValue};
 
-use crate::schema::faults;
-use crate::{code, err, folder, json, out, root, run, run_in};
+use super::schema::faults;
+use super::{code, err, folder, json, out, root, run, run_in};
 
 /// A page that a configuration has something to say to: (2) compares what differs in dimension, once dimensions are known.
 const PAGE: &str = "<!-- check: law -->\n$$ s = v t \\tag{1} $$\n\nBy (1),\n\n$$ v = \\frac{s}{t} \\tag{2} $$\n\n\
@@ -463,6 +463,26 @@ fn what_is_narrowed_or_added_is_no_clash() {
 }
 
 #[test]
+fn what_narrows_agrees_and_what_widens_does_not() {
+    for (beside, own, agrees) in [
+        ("in [0, 1]", "positive", true),
+        ("positive", "> 2", true),
+        ("in [0, 1]", "real", true),
+        // 0 is let in again.
+        ("positive", "in [0, 1]", false),
+        // Nothing is left.
+        ("in [0, 1]", "> 2", false),
+    ] {
+        let config = format!("[symbols]\nx = \"{beside}\"\n");
+        let config = Config::read("cradle.toml", &config).unwrap();
+        let page = format!("<!-- check: symbols x: {own} -->\n");
+        let derivation = read("page.md", &page, Some(config.beside));
+        let clashes = &derivation.pages[0].clashes;
+        assert_eq!(clashes.is_empty(), agrees, "{beside}; {own}: {clashes:?}");
+    }
+}
+
+#[test]
 fn explain_says_where_a_declaration_was_found() {
     let config = "[symbols]\na = \"positive\"\nb = \"positive\"\n";
     let page =
@@ -489,7 +509,7 @@ fn equations_are_given_by_number_key_and_name() {
             ("paper.tex", tex),
             (
                 "cradle.toml",
-                "given = [\"eq:f\", \"claim power\", \"(1)\", \"9\"]\n",
+                "given = [\"eq:f\", \"claim power\", \" (1) \", \"9\"]\n",
             ),
         ],
     );
@@ -502,7 +522,7 @@ fn equations_are_given_by_number_key_and_name() {
     );
     assert_eq!(
         err(&output),
-        "note: cradle.toml:1:41: `given` names `9`, and no equation that was read is called so\n"
+        "note: cradle.toml:1:43: `given` names `9`, and no equation that was read is called so\n"
     );
 }
 

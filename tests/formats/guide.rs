@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::{folder, root};
+use super::{folder, root};
 
 /// Commands with what they print; `…` stands for any number of lines.
 fn commands(page: &str) -> Vec<(usize, String, Vec<String>)> {

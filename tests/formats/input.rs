@@ -5,11 +5,14 @@ use std::process::Stdio;
 use std::sync::atomic::AtomicUsize;
 use std::time::{Duration, Instant};
 
+use clap::Parser as _;
 use cradle_verify::audit::Audit;
+use cradle_verify::cli::args::Args;
+use cradle_verify::cli::output::{Content, deliver};
 use cradle_verify::proofs;
 use cradle_verify::report::Report;
 
-use crate::{code, command, err, json, out, piped, run, run_in, well};
+use super::{code, command, err, json, out, piped, run, run_in, well};
 
 const FALSE: &str = "<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$";
 
@@ -127,7 +130,7 @@ fn colours_are_only_for_terminals_or_where_they_are_asked_for() {
 
 #[test]
 fn no_page_commands_a_terminal() {
-    let folder = crate::hostile("hostile-terminal");
+    let folder = super::hostile("hostile-terminal");
     for args in [&["check", "."][..], &["explain", "2", "page.md"]] {
         let text = out(&run_in(&folder, &[args, &["--color", "always"]].concat()));
         for after in text.split('\u{1b}').skip(1) {
@@ -138,6 +141,24 @@ fn no_page_commands_a_terminal() {
         let other = |c: char| c.is_control() && !['\n', '\u{1b}'].contains(&c);
         assert_eq!(text.chars().find(|c| other(*c)), None);
     }
+}
+
+#[test]
+fn colours_stay_and_other_commands_do_not() {
+    let written = |text: &str| {
+        let path = super::folder("commands").join("text.txt");
+        let path = path.to_str().unwrap();
+        let args = ["cradle-verify", "report", "--color", "always", "-o", path];
+        let args = Args::parse_from(args);
+        deliver(&Content::Text(text.to_owned()), &args).unwrap();
+        std::fs::read_to_string(path).unwrap()
+    };
+    let own = "\u{1b}[1;31mfails\u{1b}[0m\n\tδ";
+    assert_eq!(written(own), own);
+    assert_eq!(
+        written("\u{1b}[2J\u{1b}]0;x\u{7}\r\u{9b}31m\u{1b}"),
+        "\u{fffd}[2J\u{fffd}]0;x\u{fffd}\u{fffd}\u{fffd}31m\u{fffd}"
+    );
 }
 
 #[test]

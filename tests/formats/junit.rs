@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::{code, err, hostile, out, run, run_in};
+use super::{code, err, hostile, out, run, run_in};
 
 /// An element's name and attributes, and how deep it is.
 struct Element {
@@ -95,9 +95,9 @@ fn the_report_has_a_suite_for_each_page_and_a_case_for_each_statement() {
     let all = elements(&out(&run(&["--format", "junit"])));
     counted(&all);
     let suites = all.iter().filter(|e| e.name == "testsuite").count();
-    let pages = std::fs::read_dir(crate::root().join("proofs/report")).unwrap();
+    let pages = std::fs::read_dir(super::root().join("proofs/report")).unwrap();
     assert_eq!(suites, pages.count());
-    let json = crate::json(&run(&["--format", "json"]));
+    let json = super::json(&run(&["--format", "json"]));
     let statements: usize = json["documents"]
         .as_array()
         .unwrap()
@@ -111,7 +111,7 @@ fn the_report_has_a_suite_for_each_page_and_a_case_for_each_statement() {
 
 #[test]
 fn each_verdict_has_its_outcome() {
-    let folder = crate::folder("junit-verdicts");
+    let folder = super::folder("junit-verdicts");
     let page = "<!-- check: law -->\n$$ a = b + c \\tag{1} $$\n\nBy (1):\n\n$$ a - b = c \\tag{2} $$\n\nBy (1):\n\n\
         $$ a = c \\tag{3} $$\n\n$$ \\foo = 1 \\tag{4} $$\n\n<!-- check: derived -->\n$$ \\sin x = \\cos x \\tag{5} $$\n";
     std::fs::write(folder.join("page.md"), page).unwrap();

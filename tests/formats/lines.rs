@@ -1,6 +1,6 @@
 //! A line for each remark: `short` and `github`.
 
-use crate::{code, err, hostile, out, run, run_in};
+use super::{code, err, hostile, out, run, run_in};
 
 #[test]
 fn short_lines_of_the_example() {
@@ -38,7 +38,7 @@ fn each_line_of_the_report_is_parsed_and_points_into_its_page() {
     let (mut last, mut levels) = ((String::new(), 0, 0), Vec::new());
     for line in text.lines() {
         let (path, number, column, rest) = parsed(line);
-        let page = std::fs::read_to_string(crate::root().join(&path)).unwrap();
+        let page = std::fs::read_to_string(super::root().join(&path)).unwrap();
         let own = page.lines().nth(number - 1).expect("a line of the page");
         assert!(column >= 1 && column <= own.chars().count() + 1, "{line}");
         let (level, _) = rest.split_once('[').expect("a level and a code");
@@ -84,7 +84,7 @@ fn no_page_can_write_a_line_of_its_own() {
 
 #[test]
 fn a_remark_over_several_lines_has_no_columns_for_github() {
-    let folder = crate::folder("several-lines");
+    let folder = super::folder("several-lines");
     let page = "<!-- check: derived -->\n$$\n1 + 1\n= 3\n$$\n\n<!-- check: derived -->\n$$\nx =\n y \\tag{2} $$\n";
     std::fs::write(folder.join("page.md"), page).unwrap();
     let output = run_in(&folder, &["check", "page.md", "--format", "github"]);

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::schema::faults;
-use crate::{code, err, folder, hostile, json as read, out, run, run_in, well};
+use super::schema::faults;
+use super::{code, err, folder, hostile, json as read, out, run, run_in, well};
 
 fn schema() -> Value {
     serde_json::from_str(include_str!("../schemas/sarif-2.1.0.json")).unwrap()
@@ -38,7 +38,7 @@ fn every_log_is_as_the_schema_says() {
     let schema = schema();
     let folder = hostile("hostile-sarif");
     std::fs::write(folder.join("empty.md"), "").unwrap();
-    let root = crate::root();
+    let root = super::root();
     for (place, args) in [
         (root, &[][..]),
         (root, &["check", "docs/examples/well.md"]),
@@ -72,7 +72,7 @@ fn every_log_is_as_the_schema_says() {
 #[test]
 fn the_schema_is_not_met_by_anything() {
     let schema = schema();
-    let log = sarif(crate::root(), &["check", "docs/examples/well.md"]);
+    let log = sarif(super::root(), &["check", "docs/examples/well.md"]);
     for (pointer, wrong) in [
         ("/version", json!("2.0.0")),
         ("/runs/0/columnKind", json!("bytes")),
@@ -98,7 +98,7 @@ fn the_schema_is_not_met_by_anything() {
 
 #[test]
 fn the_result_of_the_example() {
-    let log = sarif(crate::root(), &["check", "docs/examples/well.md"]);
+    let log = sarif(super::root(), &["check", "docs/examples/well.md"]);
     let text = serde_json::to_string_pretty(&log["runs"][0]["results"]).unwrap();
     insta::assert_snapshot!("sarif", text);
     let result = &results(&log)[0];
@@ -190,7 +190,7 @@ fn a_repair_mends_the_equation_and_leaves_the_others() {
 
 #[test]
 fn every_repair_of_the_report_and_of_the_test_pages_mends_what_it_is_for() {
-    let root = crate::root();
+    let root = super::root();
     let scratch = folder("all-repairs");
     let log = sarif(root, &["check", "tests/pages"]);
     let mut tried = 0;

@@ -11,7 +11,7 @@ use super::{built_in, has_class, page_of, text_of, thousands, tree};
 #[test]
 fn every_link_within_the_page_leads_somewhere_and_every_name_is_used_once() {
     let page = built_in();
-    let tree = tree(&page);
+    let tree = tree(page);
     let names: Vec<&str> = tree
         .descendants()
         .filter_map(|n| n.attribute("id"))
@@ -37,7 +37,7 @@ fn every_link_within_the_page_leads_somewhere_and_every_name_is_used_once() {
 #[test]
 fn every_statement_of_the_drawing_leads_to_its_equation() {
     let page = built_in();
-    let tree = tree(&page);
+    let tree = tree(page);
     let drawing = tree
         .descendants()
         .find(|n| has_class(n, "cv-graph"))
@@ -83,7 +83,7 @@ fn scripts_are_set_where_there_is_no_formula() {
 #[test]
 fn every_statement_of_the_report_is_there_with_its_verdict_in_words() {
     let page = built_in();
-    let tree = tree(&page);
+    let tree = tree(page);
     let derivation = proofs::report();
     let audit = Audit::of(&derivation);
     let shown: Vec<_> = tree
@@ -128,7 +128,7 @@ fn every_statement_of_the_report_is_there_with_its_verdict_in_words() {
 #[test]
 fn what_is_typeset_has_no_latex_left_in_it() {
     let page = built_in();
-    for math in tree(&page)
+    for math in tree(page)
         .descendants()
         .filter(|n| n.tag_name().name() == "math")
     {
@@ -136,7 +136,7 @@ fn what_is_typeset_has_no_latex_left_in_it() {
         assert!(!text.contains(['\\', '{', '}', '$', '_']), "{text}");
         assert!(!text.is_empty());
     }
-    let prose = tree(&page)
+    let prose = tree(page)
         .descendants()
         .filter(|n| n.tag_name().name() == "p")
         .map(text_of)
@@ -147,7 +147,7 @@ fn what_is_typeset_has_no_latex_left_in_it() {
 #[test]
 fn headings_go_down_a_step_at_a_time_and_tables_name_their_columns() {
     let page = built_in();
-    let tree = tree(&page);
+    let tree = tree(page);
     let mut last = 0;
     for node in tree.descendants() {
         let name = node.tag_name().name();
@@ -175,7 +175,7 @@ fn headings_go_down_a_step_at_a_time_and_tables_name_their_columns() {
 #[test]
 fn nothing_is_fetched() {
     let page = built_in();
-    for node in tree(&page).descendants() {
+    for node in tree(page).descendants() {
         assert!(
             !["link", "img", "iframe", "object", "image", "use"].contains(&node.tag_name().name())
         );

@@ -1,6 +1,7 @@
 //! The author's macros and files, and the places of what they stand for.
 
 use cradle_verify::derivation::Derivation;
+use cradle_verify::document::Span;
 
 use super::{article, document_of, equations, problems, read};
 
@@ -272,4 +273,32 @@ fn words_between_statements_part_them() {
     assert_eq!(read[1], r"-: a = b \quad \text{if } c > 0");
     assert_eq!(read[2], r"-: a = 3 \unit{m}");
     assert_eq!(read[3], "-: a = 2.5");
+}
+
+#[test]
+fn a_place_leads_back_to_the_file_that_it_was_copied_from() {
+    let main = "\\documentclass{article}\\newcommand{\\five}{12345}\\begin{document}\nabc % gone\ndef \\input{sub} \\five{} ghi\n\\end{document}";
+    let document = document_of(&[("main.tex", main), ("sub.tex", "one two")]).remove(0);
+    let own = |text: &str| {
+        let start = document.source.find(text).unwrap();
+        let (file, span) = document.written_at(Span::new(start, start + text.len()));
+        (file.path.clone(), file.source[span.range()].to_owned())
+    };
+    let at = |path: &str, text: &str| (path.to_owned(), text.to_owned());
+    assert_eq!(own("bc"), at("main.tex", "bc"));
+    assert_eq!(own("ne tw"), at("sub.tex", "ne tw"));
+    assert_eq!(own("hi"), at("main.tex", "hi"));
+    // What a macro stands for was written where it is used.
+    assert_eq!(own("234"), at("main.tex", "\\five"));
+    assert_eq!(own("45"), own("12345"));
+    // What is put together from several pieces of a file reaches from the first of them to the last.
+    let (start, end) = (
+        document.source.find("bc").unwrap(),
+        document.source.find("ef").unwrap(),
+    );
+    let across = document.written_at(Span::new(start, end + 2)).1;
+    assert_eq!(&main[across.range()], "bc % gone\ndef");
+    let end = document.source.find("hi").unwrap();
+    let around = document.written_at(Span::new(start, end + 2)).1;
+    assert!(main[around.range()].starts_with("bc") && main[around.range()].ends_with("hi"));
 }

@@ -203,3 +203,43 @@ fn a_key_in_a_title_is_no_equation() {
     ));
     assert_eq!(premises(&derivation, "1"), Vec::<String>::new());
 }
+
+#[test]
+fn equations_are_numbered_by_section_from_where_that_is_said() {
+    let source = r"\documentclass{article}\begin{document}
+\begin{equation} a = 1 \end{equation}
+\numberwithin{equation}{section}
+\section{One}\section{Two}
+\begin{equation} b = 1 \end{equation}
+\appendix
+\section{Three}
+\begin{equation} c = 1 \end{equation}
+\end{document}";
+    assert_eq!(numbers(source), "1 2.1 A.1");
+}
+
+#[test]
+fn subequations_share_a_number_by_which_they_are_cited() {
+    let source = article(
+        r"\begin{equation} a = 1 \end{equation}
+\begin{subequations} \label{both}
+\begin{align} b &= 1 \\ c &= 1 \end{align}
+\end{subequations}
+By \eqref{both},
+\begin{equation} d = 1 \end{equation}",
+    );
+    assert_eq!(numbers(&source), "1 2a 2b 3");
+    assert_eq!(premises(&read(&source), "3"), ["2a", "2b"]);
+}
+
+#[test]
+fn a_format_that_refers_to_itself_gives_no_number() {
+    let source = r"\documentclass{article}\begin{document}
+\renewcommand{\theequation}{\theequation}
+\begin{equation} a = 1 \end{equation}
+\renewcommand{\theequation}{\thesection.\roman{equation}}
+\setcounter{equation}{3}
+\begin{equation} b = 1 \end{equation}
+\end{document}";
+    assert_eq!(numbers(source), "- 0.iv");
+}

@@ -70,7 +70,7 @@ fn every_equation_of_the_report_is_found_where_its_author_wrote_it() {
 #[test]
 fn the_report_in_latex_has_nothing_that_cannot_be_read() {
     let derivation = typeset();
-    assert_eq!(crate::problems(&derivation), Vec::<String>::new());
+    assert_eq!(super::problems(&derivation), Vec::<String>::new());
     let unread = derivation
         .equations
         .iter()

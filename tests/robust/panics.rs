@@ -1,7 +1,7 @@
 //! Panics, also those that the program itself gets over.
 
 use std::cell::RefCell;
-use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind};
+use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::{Mutex, Once, PoisonError};
 
 use super::checks::Checked;
@@ -18,7 +18,10 @@ thread_local! {
 /// Tests run side by side, so a panic of a thread without a name may be told of the wrong input, but is told.
 pub fn caught(work: impl FnOnce() -> Checked) -> Checked {
     static HOOK: Once = Once::new();
-    HOOK.call_once(|| std::panic::set_hook(Box::new(note)));
+    HOOK.call_once(|| {
+        let usual = take_hook();
+        set_hook(Box::new(move |info| note(info, &usual)));
+    });
     HERE.take();
     let done = catch_unwind(AssertUnwindSafe(work));
     let mut told = HERE.take();
@@ -30,17 +33,16 @@ pub fn caught(work: impl FnOnce() -> Checked) -> Checked {
     }
 }
 
-/// The test's own failure comes here too, and must be seen.
-fn note(info: &PanicHookInfo<'_>) {
-    let told = info.to_string();
+/// The test's own failure comes here too, and that of every other test, and must be seen.
+fn note(info: &PanicHookInfo<'_>, usual: &dyn Fn(&PanicHookInfo<'_>)) {
     match std::thread::current().name() {
         Some(_) => {
-            eprintln!("{told}");
-            HERE.with_borrow_mut(|all| all.push(told));
+            usual(info);
+            HERE.with_borrow_mut(|all| all.push(info.to_string()));
         }
         None => ELSEWHERE
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
-            .push(told),
+            .push(info.to_string()),
     }
 }

@@ -299,24 +299,3 @@ fn letters(mut rest: &str) -> String {
     }
     text
 }
-
-#[cfg(test)]
-mod tests {
-    use super::name;
-
-    #[test]
-    fn names_on_a_terminal() {
-        let shown = [
-            "v'_1",
-            "\\Delta E_{\\text{total}}",
-            "\\dot{\\delta}",
-            "E^*",
-            "\\eta_{\\max}",
-            "v_{12}",
-        ];
-        assert_eq!(
-            shown.map(name),
-            ["v′₁", "ΔE_{total}", "δ\u{307}", "E*", "η_{max}", "v₁₂"]
-        );
-    }
-}

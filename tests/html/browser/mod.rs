@@ -367,7 +367,7 @@ fn a_browser_has_nothing_to_complain_of() {
     ];
     let hostile = page_of(&[HOSTILE_PAGES, &names].concat());
     for (name, page) in [
-        ("report.html", built_in()),
+        ("report.html", built_in().to_owned()),
         ("hostile.html", hostile),
         ("many.html", page_of(&[("many.md", &thousands(2_000))])),
         ("wrong.html", WRONG.to_owned()),

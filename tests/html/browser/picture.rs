@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use super::Stage;
-use crate::built_in;
-use crate::hash::{base64, sha256};
+use crate::html::built_in;
+use crate::html::hash::{base64, sha256};
 
 /// What the chunk of text in the picture is called.
 const KEYWORD: &[u8] = b"Source\0";
@@ -106,7 +106,7 @@ fn decoded(text: &str) -> Vec<u8> {
 fn the_picture_in_the_documentation_is_of_this_page() {
     let page = built_in();
     if std::env::var_os("REDRAW").is_some() {
-        take(&page);
+        take(page);
     }
     let png = std::fs::read(file()).unwrap();
     let chunks = chunks(&png);
@@ -119,7 +119,7 @@ fn the_picture_in_the_documentation_is_of_this_page() {
         .and_then(|said| std::str::from_utf8(said).ok());
     assert_eq!(
         said,
-        Some(stamp(&page).as_str()),
+        Some(stamp(page).as_str()),
         "docs/figures/report.png is of another page: `docs/figures/redraw` takes it anew"
     );
 }

@@ -1,14 +1,14 @@
 //! The page for a browser: whole, well-formed, and harmless whatever is in the documents.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod browser;
 mod contrast;
 mod formulas;
 mod hash;
 mod hostile;
 mod structure;
+
+use crate::common;
+use std::sync::LazyLock;
 
 use hostile::{HOSTILE_PAGES, hostile_names};
 
@@ -36,10 +36,16 @@ fn page(derivation: &Derivation) -> String {
 }
 
 /// The page of the report that ships inside, as the program writes it.
-fn built_in() -> String {
+fn written() -> String {
     let done = common::run(&["report"]);
     assert_eq!(common::code(&done), 1, "the report has findings");
     common::out(&done)
+}
+
+/// The same, written once for all tests that look at it.
+fn built_in() -> &'static str {
+    static PAGE: LazyLock<String> = LazyLock::new(written);
+    &PAGE
 }
 
 /// Equations that hold, each with a number and with mathematics in the text before it.
@@ -75,7 +81,7 @@ fn text_of(node: roxmltree::Node<'_, '_>) -> String {
 
 #[test]
 fn the_same_input_gives_the_same_bytes() {
-    assert_eq!(built_in(), built_in());
+    assert_eq!(built_in(), written());
     let derivation = proofs::report();
     let alone = Audit::by(&derivation, 1, &Default::default());
     let report = |audit| Report {

@@ -1,7 +1,7 @@
 //! Any file at all ends in an answer or in a clear error: pages damaged at random, and those that once did harm.
 //!
 //! This is what the fuzzer in `fuzz/` does for hours, done for some seconds with nothing but the toolchain, and always with the
-//! same pages. `CRADLE_FUZZ_ROUNDS=100000 CRADLE_FUZZ_SEED=7 cargo test --test robust` goes on for longer, with others.
+//! same pages. `CRADLE_FUZZ_ROUNDS=100000 CRADLE_FUZZ_SEED=7 cargo test --test all robust::` goes on for longer, with others.
 
 mod checks;
 mod harmful;

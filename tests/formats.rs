@@ -1,21 +1,21 @@
 //! The formats for editors and continuous integration, from outside: each is read as its readers read it.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod baseline;
 mod codes;
 mod config;
+mod escapes;
+mod fingerprint;
 mod guide;
 mod input;
 mod junit;
 mod lines;
+mod pattern;
 mod sarif;
 mod schema;
 
 use std::path::PathBuf;
 
-use common::{code, command, err, json, out, piped, root, run, run_in};
+use crate::common::{self, code, command, err, json, out, piped, root, run, run_in};
 
 /// What can go wrong in names and texts, all at once.
 const HOSTILE: &str = "# ]]> <b> & \"\n\n<!-- check: nonsense \u{1b}[31m ]]> ::error::x -->\n\n\

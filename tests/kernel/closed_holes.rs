@@ -1,7 +1,6 @@
-#![allow(dead_code, missing_docs)]
-#[path = "kernel/claims.rs"]
-mod claims;
-use claims::*;
+//! What the kernel once accepted and must not.
+
+use super::claims::*;
 use cradle_verify::algebra::*;
 use cradle_verify::kernel::*;
 

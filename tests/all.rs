@@ -1,0 +1,33 @@
+//! All tests but those of the kernel, a module for each subject: one program is linked, and its files run side by side.
+//!
+//! A new file is named here, or in the file of the folder that it is in. `cargo test --test all latex::` runs one of them. The
+//! tests of the kernel are in `kernel/`, a program of their own, because mutation testing builds them alone.
+
+mod common;
+
+mod algebra;
+mod architecture;
+mod cli;
+mod contact;
+mod corrected;
+mod cradle;
+mod derivation;
+mod dimension;
+mod document;
+mod examples;
+mod figures;
+mod formats;
+mod graph;
+mod html;
+mod implied;
+mod init;
+mod interval;
+mod latex;
+mod markdown;
+mod notation;
+mod pages;
+mod properties;
+mod readme;
+mod repairs;
+mod report;
+mod robust;

@@ -1,0 +1,19 @@
+//! Forged evidence, and the reason for which the kernel rejects it; beside each forgery stands the valid evidence from
+//! which it differs in one thing. `cargo test --test kernel roots::` runs one file.
+
+mod algebraic;
+mod claims;
+mod closed_holes;
+mod course;
+mod dimensions;
+mod functions;
+mod induction;
+mod knowledge;
+mod obligations;
+mod proofs;
+mod readings;
+mod roots;
+mod scaling;
+mod search;
+mod series;
+mod witnesses;
