@@ -193,3 +193,49 @@ fn symbol_that_is_put_in_is_not_read_as_a_power_of_its_root() {
     assert!(read.trivially().is_err());
     assert!(refuted(&goal, point(&[("x", -1), ("z", -1)])).is_err());
 }
+
+#[test]
+fn sign_with_a_whole_exponent_is_1_or_minus_1() {
+    let whole = || Domain {
+        integer: true,
+        ..Domain::default()
+    };
+    for goal in ["(-1)^{2 k} = 1", "(-1)^{2 k + 1} = -1", "(-2)^{2 k} = 4^k"] {
+        let goal = || claim(&[], goal);
+        let says = |proving: Proving| {
+            let facts = &proving.problem.facts;
+            facts.iter().any(|fact| fact.sign == Sign::Zero)
+        };
+        assert!(says(Proving::new(goal().domain("k", whole()))));
+        // For k = 1/2 there is no such power.
+        assert!(!says(Proving::new(goal().domain("k", positive()))));
+    }
+    // What is known of the sign is known of no other base.
+    let other = claim(&[], "(-2 x)^{2 k} = 1").domain("k", whole());
+    let other = other.domain("x", positive());
+    let proving = Proving::new(other);
+    let zero = proving
+        .problem
+        .facts
+        .iter()
+        .filter(|f| f.sign == Sign::Zero);
+    assert_eq!(zero.count(), 1);
+}
+
+#[test]
+fn power_of_0_is_0_where_its_exponent_is_positive() {
+    let power = |domain: Domain, goal: &str| {
+        let claim = claim(&[], goal).domain("n", domain);
+        Proving::new(claim).trivially()
+    };
+    let from_1 = || Domain {
+        lower: Some((number(1), false)),
+        ..natural()
+    };
+    assert_eq!(power(from_1(), "0^n = 0"), Ok(()));
+    assert_eq!(power(natural(), "0^{n + 1} = 0"), Ok(()));
+    // 0^0 is 1, and 0^{-1} is nothing.
+    assert!(power(natural(), "0^n = 0").is_err());
+    assert!(power(from_1(), "0^{n - 1} = 0").is_err());
+    assert!(power(positive(), "0^n = 0").is_err());
+}
