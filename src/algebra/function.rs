@@ -37,13 +37,17 @@ const MOST_TERMS_OF_A_ROOT: usize = 12;
 /// Longer numbers are not factored.
 const MOST_BITS: u64 = 256;
 
-/// What is known of symbols when functions are taken apart; true wherever a term is read with it, at points too.
+/// What is known of symbols in either reading of powers; true wherever a term is read with it, at points too.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Functions {
     /// Whether `\pi` is the number.
     pub pi: bool,
     /// Positive symbols.
     pub positive: BTreeSet<Symbol>,
+    /// Whole numbers that are not negative.
+    pub naturals: BTreeSet<Symbol>,
+    /// All whole numbers.
+    pub integers: BTreeSet<Symbol>,
 }
 
 /// The sine and the cosine of an angle.
@@ -95,6 +99,10 @@ impl Lowering<'_> {
             return Ok(self.angle_of_its_own(value));
         }
         for ((number, unit), (turn, multiple)) in parts.iter().zip(read) {
+            if let Some(cosine) = self.half_turns(number, unit)? {
+                whole = turned(&whole, &(Fraction::default(), cosine))?;
+                continue;
+            }
             let part = match (turn, multiple) {
                 (Some(turn), _) => (self.sine_of_turn(turn)?, self.sine_of_turn(turn + 6)?),
                 (None, multiple) => {
@@ -140,6 +148,37 @@ impl Lowering<'_> {
         let turn = twelfths.is_integer().then(|| twelfths.to_integer())?;
         let turn = turn.mod_floor(&BigInt::from(24)).to_u32()?;
         (turn % 2 == 0 || turn % 3 == 0).then_some(turn)
+    }
+
+    /// The cosine of a whole number of half turns: `cos(k n π)` is `(-1)^{k n}`, and the sine is 0.
+    fn half_turns(
+        &mut self,
+        number: &Rational,
+        unit: &Fraction,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let pi = self.atoms.find(&Atom::Symbol(Symbol::new("\\pi")));
+        let (Some(pi), Some(known)) = (pi, self.functions.filter(|f| f.pi)) else {
+            return Ok(None);
+        };
+        let pi = Polynomial::var(pi);
+        let turns = unit.as_polynomial().and_then(|unit| unit.divided_by(&pi));
+        let Some(turns) = turns.filter(|turns| !turns.vars().is_empty() && number.is_integer())
+        else {
+            return Ok(None);
+        };
+        let whole = |var: &Var| match self.atoms.atom(*var) {
+            Atom::Symbol(symbol) => known.integers.contains(symbol),
+            _ => false,
+        };
+        if turns.len() != 1 || !turns.vars().iter().all(whole) {
+            return Ok(None);
+        }
+        if number.numer().is_even() {
+            return Ok(Some(one()));
+        }
+        let exponent = expr_of(&turns.monic(), self.atoms);
+        let sign = Expr::Power(Expr::integer(-1).into(), exponent.into());
+        self.lower(&sign).map(Some)
     }
 
     fn sine_of_turn(&mut self, twelfths: u32) -> Lowered {
@@ -302,7 +341,7 @@ impl Lowering<'_> {
     }
 
     /// Whether a polynomial is a sum of positive terms.
-    fn is_plainly_positive(&self, polynomial: &Polynomial) -> bool {
+    pub(super) fn is_plainly_positive(&self, polynomial: &Polynomial) -> bool {
         let positive = |var: &Var| match self.atoms.atom(*var) {
             Atom::Root { .. } | Atom::Opaque(Expr::Call(Function::Exp, _)) => true,
             Atom::Symbol(symbol) => self.functions.is_some_and(|f| f.positive.contains(symbol)),

@@ -251,16 +251,11 @@ impl Lowering<'_> {
         {
             return Ok(value);
         }
-        // (-1)^(2·½) and ((-1)^½)² are not the same: a symbolic exponent is not taken apart.
-        let written = exponent.as_polynomial();
-        let whole = self
-            .powers
-            .zip(written)
-            .is_some_and(|(powers, exponent)| self.is_whole(exponent, powers));
-        if whole {
-            self.conditions.bases.insert(base.numerator().clone());
-        } else {
-            self.conditions.positive.insert(sign_of_fraction(&base)?);
+        match exponent.as_polynomial() {
+            Some(exponent) => self.require_base(&base, exponent)?,
+            None => {
+                self.conditions.positive.insert(sign_of_fraction(&base)?);
+            }
         }
         let opaque = Expr::Power(
             expr_of_fraction(&base, self.atoms).into(),
@@ -335,6 +330,11 @@ impl Lowering<'_> {
             return Ok(sum);
         }
         let opaque = Atom::Opaque(whole.clone());
+        if let Some(first) = integer(&first)
+            && let Some(value) = self.running_sum(index, first, &last, body)?
+        {
+            return Ok(value);
+        }
         let (Some(1), Expr::Symbol(count)) = (integer(&first), to) else {
             return Ok(self.atom(opaque));
         };
@@ -487,15 +487,19 @@ impl Lowering<'_> {
         let value = self.lower(body);
         let inner = std::mem::replace(&mut self.conditions, outer);
         let value = value?;
-        let sure = inner.nonzero.is_empty()
+        let still = |&var: &Var| self.is_constant(self.atoms.atom(var), variable);
+        let sure = inner.nonzero.iter().all(|p| p.vars().iter().all(still))
             && inner.zero.is_empty()
             && inner.positive.is_empty()
             && inner.bases.is_empty()
             && inner.doubtful.is_empty();
-        // What is divided by would have to differ from 0 all the way.
-        let Some(value) = value.as_polynomial().filter(|_| sure).cloned() else {
+        // What is divided by and is not constant would have to differ from 0 all the way.
+        if !sure {
             return Ok(self.atom(Atom::Opaque(whole.clone())));
-        };
+        }
+        self.conditions.nonzero.extend(inner.nonzero);
+        let below = self.recip(&value.expanded_denominator()?.into())?;
+        let value = value.numerator();
         let (start, end) = (self.lower(from)?, self.lower(to)?);
         // An even root of the variable needs limits that are not negative; one of something else that moves
         // with it cannot be followed.
@@ -556,7 +560,7 @@ impl Lowering<'_> {
             let factor = Polynomial::term(outside, coefficient.clone());
             sum = sum.plus(&part.times(&factor.into())?)?;
         }
-        Ok(sum)
+        Ok(sum.times(&below)?)
     }
 
     fn limit(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {

@@ -26,10 +26,6 @@ pub struct Powers {
     pub roots: BTreeMap<Symbol, u32>,
     /// All positive symbols.
     pub positive: BTreeSet<Symbol>,
-    /// Whole numbers that are not negative.
-    pub naturals: BTreeSet<Symbol>,
-    /// All whole numbers.
-    pub integers: BTreeSet<Symbol>,
     /// All symbols that are not 0.
     pub nonzero: BTreeSet<Symbol>,
     /// Whether a power with a whole exponent that may be negative is taken apart only where its base is seen not to be 0: what is asserted
@@ -150,24 +146,21 @@ impl Lowering<'_> {
         exponent: &Fraction,
         powers: &Powers,
     ) -> Result<Option<Fraction>, LowerError> {
-        let Some(exponent) = exponent.as_polynomial().filter(|_| !base.is_zero()) else {
+        let Some(exponent) = exponent.as_polynomial() else {
             return Ok(None);
         };
+        if base.is_zero() {
+            // 0^0 is 1.
+            let zero = self.least(exponent).is_some_and(|least| least > 0);
+            return Ok(zero.then(Fraction::default));
+        }
         if exponent.terms().any(|(m, c)| m.is_one() && !c.is_integer()) {
             return Ok(None);
         }
-        let counts = |monomial: &Monomial| match monomial.powers() {
-            [] => true,
-            [(var, 1)] => {
-                matches!(self.atoms.atom(*var), Atom::Symbol(own) if powers.naturals.contains(own))
-            }
-            _ => false,
-        };
-        let natural = exponent
-            .terms()
-            .all(|(m, c)| c.is_integer() && !c.is_negative() && counts(m));
-        // With a natural exponent there is a value for every base, for 0^0 is 1 as it is at points.
-        let whole = self.is_whole(exponent, powers);
+        // With a natural exponent every part has a value for every base, for 0^0 is 1 as it is at points.
+        let natural =
+            self.least(exponent).is_some() && exponent.terms().all(|(_, c)| !c.is_negative());
+        let whole = self.is_whole(exponent);
         if whole && !natural {
             if powers.cautious && !self.is_seen_nonzero(base, powers) {
                 return Ok(None);
@@ -212,10 +205,30 @@ impl Lowering<'_> {
         Ok(Some(value))
     }
 
+    /// What a power with this exponent needs to have a value.
+    ///
+    /// With a natural exponent there is a value for every base, for `0^0` is 1; with another whole one, for every
+    /// base but 0. Elsewhere `((-1)^2)^{1/2}` and `((-1)^{1/2})^2` would not be the same.
+    pub(super) fn require_base(
+        &mut self,
+        base: &Fraction,
+        exponent: &Polynomial,
+    ) -> Result<(), LowerError> {
+        if self.least(exponent).is_some_and(|least| least >= 0) {
+            return Ok(());
+        }
+        if self.is_whole(exponent) {
+            self.conditions.bases.insert(base.numerator().clone());
+        } else {
+            self.conditions.positive.insert(sign_of_fraction(base)?);
+        }
+        Ok(())
+    }
+
     /// Whether an exponent is a whole number, whatever its symbols are.
-    pub(super) fn is_whole(&self, exponent: &Polynomial, powers: &Powers) -> bool {
+    fn is_whole(&self, exponent: &Polynomial) -> bool {
         let whole = |atom: &Atom| match atom {
-            Atom::Symbol(symbol) => powers.integers.contains(symbol),
+            Atom::Symbol(own) => self.functions.is_some_and(|f| f.integers.contains(own)),
             Atom::Opaque(Expr::Call(Function::Ceiling | Function::Floor, _)) => true,
             _ => false,
         };

@@ -40,7 +40,8 @@ impl Judge<'_> {
             found.judged.outcome = Outcome::ForEvery(least.into());
             return true;
         }
-        if condition {
+        // A sum says itself what it is further on, and values at one index refute what is said of it.
+        if condition || claims.iter().all(|claim| claim.throughout.is_empty()) {
             return false;
         }
         // What the author crosses out need not follow from anything else.

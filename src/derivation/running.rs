@@ -1,12 +1,12 @@
 //! Which indices run through sequences, and what is said of every index.
 //!
 //! An index runs on a page that declares it to be a natural number (or an integer from 0 or more on, without an upper
-//! bound and not `constant`) and has a recurrence in it: something given that speaks of an element and of another a fixed
-//! number of places away, as `E_{n+1} = e^2 E_n` does. Where nothing of the kind is given, `v_1` and `v_n` are labels.
+//! bound and not `constant`) and has a recurrence in it: something that speaks of an element and of another a fixed
+//! number of places away, as `E_{n+1} = e^2 E_n` does. Where nothing of the kind is written, `v_1` and `v_n` are labels.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algebra::{Formula, Place, Symbol, running_symbol};
+use crate::algebra::{Expr, Formula, Place, Symbol, mentions_symbol, running_symbol};
 use crate::kernel::{Domain, ForEvery};
 
 use super::{Assumed, Derivation, Equation, Kind, Page, Source, formulas};
@@ -35,12 +35,16 @@ pub(super) fn running(page: &Page, equations: &[Equation]) -> Vec<Running> {
         let given = statements.filter(move |(part, _)| whole || equation.defines.contains(part));
         given.flat_map(|(_, statement)| formulas(statement))
     });
+    let all = || {
+        let statements = equations.iter().flat_map(|equation| equation.statements());
+        statements.flat_map(formulas)
+    };
     let mut indices = indices.map(|(symbol, _)| symbol).peekable();
     if indices.peek().is_none() {
         return Vec::new();
     }
     let given: Vec<Formula> = given.collect();
-    let found = indices.filter(|index| given.iter().any(|f| is_recurrence(f, index)));
+    let found = indices.filter(|index| all().any(|f| is_recurrence(&f, index)));
     let found = found.map(|index| Running {
         index: index.clone(),
         varying: varying(page, &given, index),
@@ -162,11 +166,10 @@ impl Derivation {
         let mut pages: Vec<usize> = std::iter::once(own).chain(others).collect();
         let mut seen = BTreeSet::new();
         pages.retain(|&page| seen.insert(page));
-        let indices: BTreeSet<&Symbol> = pages
-            .iter()
-            .flat_map(|&page| self.running(page))
-            .map(|running| &running.index)
-            .collect();
+        let running = pages.iter().flat_map(|&page| self.running(page));
+        let mut indices: BTreeSet<&Symbol> = running.map(|running| &running.index).collect();
+        let summed = limits_of_sums(goal);
+        indices.extend(&summed);
         let found = indices.into_iter().filter_map(|index| {
             let declared = |page: &usize| self.pages[*page].domains.get(index);
             let runs = |symbol: &Symbol| {
@@ -194,7 +197,7 @@ impl Derivation {
                 .filter(|(_, a)| a.formula.depends_on(index) && alike(a) && is_throughout(a, index))
                 .map(|(position, _)| position)
                 .collect();
-            if throughout.is_empty() {
+            if throughout.is_empty() && !summed.contains(index) {
                 return None;
             }
             let running = pages.iter().flat_map(|&page| self.running(page));
@@ -228,6 +231,25 @@ impl Derivation {
         });
         found.collect()
     }
+}
+
+/// The symbols that say how far the sums of a formula go, where their terms show the index.
+fn limits_of_sums(formula: &Formula) -> BTreeSet<Symbol> {
+    fn collect(term: &Expr, found: &mut BTreeSet<Symbol>) {
+        if let Expr::Series {
+            index, to, body, ..
+        } = term
+            && mentions_symbol(body, index)
+        {
+            found.extend(to.free_symbols());
+        }
+        let children = term.children().into_iter();
+        children.for_each(|child| collect(child, found));
+    }
+    let mut found = BTreeSet::new();
+    let terms = formula.terms().into_iter();
+    terms.for_each(|term| collect(term, &mut found));
+    found
 }
 
 impl Running {

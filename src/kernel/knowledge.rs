@@ -102,7 +102,12 @@ impl Knowledge {
             return true;
         }
         let (content, rest) = split(polynomial);
-        !content.is_one() && self.monomial_is_positive(&content) && self.is_positive(&rest)
+        match content.is_one() {
+            false => self.monomial_is_positive(&content) && self.is_positive(&rest),
+            // a² − b² = (a − b)(a + b)
+            true => difference_of_squares(polynomial)
+                .is_some_and(|factors| factors.iter().all(|factor| self.is_positive(factor))),
+        }
     }
 
     /// Whether a polynomial is known not to be negative.
@@ -124,6 +129,34 @@ impl Knowledge {
                     || self.is_positive(&rest)
                     || self.is_positive(&rest.negated()))
     }
+}
+
+/// The factors of `a² − b²`, for products of unknowns `a` and `b`, up to a positive number.
+fn difference_of_squares(polynomial: &Polynomial) -> Option<[Polynomial; 2]> {
+    let mut terms = polynomial.terms();
+    let (Some(first), Some(second), None) = (terms.next(), terms.next(), terms.next()) else {
+        return None;
+    };
+    let (above, below) = match first.1.is_positive() {
+        true => (first, second),
+        false => (second, first),
+    };
+    if *above.1 != -below.1 || !above.1.is_positive() {
+        return None;
+    }
+    let root = |monomial: &Monomial| {
+        let powers = monomial.powers().iter();
+        powers.fold(Some(Monomial::one()), |root, &(var, exponent)| {
+            let half = exponent
+                .is_multiple_of(2)
+                .then(|| Monomial::power(var, exponent / 2))?;
+            Some(root?.times(&half))
+        })
+    };
+    let (a, b) = (root(above.0)?, root(below.0)?);
+    let term = |monomial| Polynomial::term(monomial, Rational::one());
+    let (a, b) = (term(a), term(b));
+    Some([a.minus(&b), a.plus(&b)])
 }
 
 /// The positive multiple with leading coefficient 1 or −1.

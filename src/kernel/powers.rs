@@ -7,7 +7,8 @@ use num_traits::{One, Signed, Zero};
 
 use super::{Claim, Fact, Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
-    Atom, BigInt, BigRational, Expr, Fraction, Function, Polynomial, Powers, Symbol, element_parts,
+    Atom, BigInt, BigRational, Expr, Fraction, Function, Functions, Polynomial, Powers, Rational,
+    Symbol, element_parts, mentions_symbol,
 };
 
 /// The highest order of a root that a symbol is read as a power of.
@@ -22,14 +23,14 @@ pub(super) fn powers_of<'a>(
     sequences: &BTreeSet<Symbol>,
     counts: &BTreeSet<Symbol>,
     elsewhere: impl Fn(&Symbol) -> bool,
-) -> Option<Powers> {
+) -> Option<(Powers, Functions)> {
     // Most claims have nothing of the kind.
     if !terms.clone().any(has_powers) {
         return None;
     }
     let mut found = Occurrences::default();
     terms.for_each(|term| found.collect(term, Some(1), false));
-    let mut powers = Powers::default();
+    let (mut powers, mut functions) = (Powers::default(), Functions::default());
     for (symbol, domain) in &claim.domains {
         let element = element_parts(symbol).is_some_and(|(s, _)| sequences.contains(&s));
         if element || sequences.contains(symbol) || elsewhere(symbol) {
@@ -40,9 +41,9 @@ pub(super) fn powers_of<'a>(
             continue;
         }
         if domain.integer {
-            powers.integers.insert(symbol.clone());
+            functions.integers.insert(symbol.clone());
             if domain.lower.iter().any(|(bound, _)| !bound.is_negative()) {
-                powers.naturals.insert(symbol.clone());
+                functions.naturals.insert(symbol.clone());
             }
         }
         if !domain.contains(&BigRational::zero()) {
@@ -60,7 +61,8 @@ pub(super) fn powers_of<'a>(
             powers.roots.insert(symbol.clone(), order);
         }
     }
-    Some(powers)
+    functions.positive = powers.positive.clone();
+    Some((powers, functions))
 }
 
 /// Whether there is a power with another exponent than an integer in a term.
@@ -69,6 +71,12 @@ fn has_powers(term: &Expr) -> bool {
         Expr::Power(_, exponent) => constant(exponent).is_none_or(|e| !e.is_integer()),
         // Of what is positive a logarithm can be taken factor by factor.
         Expr::Call(Function::Ln, _) => true,
+        // Sines and cosines of whole numbers of half turns.
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, argument) => {
+            argument.mentions(&Symbol::new("\\pi"))
+        }
+        // In sums over whole numbers every power has a value.
+        Expr::Series { index, body, .. } => mentions_symbol(body, index),
         _ => false,
     };
     here || term.children().into_iter().any(has_powers)
@@ -151,7 +159,7 @@ impl Problem {
     /// root at all, and that there is one must not follow from what is said of it. Each fact can be made true at
     /// every point at which those before it are, whether or not the terms of the goal have a value there.
     pub(super) fn add_facts_about_powers(&mut self) -> Result<(), Reject> {
-        let Some(powers) = self.powers.clone() else {
+        let Some(functions) = self.functions.clone().filter(|_| self.powers.is_some()) else {
             return Ok(());
         };
         let mut knowledge = Knowledge::new(&self.facts);
@@ -179,7 +187,13 @@ impl Problem {
             if !sure || !before(value.numerator()) {
                 continue;
             }
-            for fact in about_power(Polynomial::var(var), &value, &exponent, &powers, &knowledge)? {
+            for fact in about_power(
+                Polynomial::var(var),
+                &value,
+                &exponent,
+                &functions,
+                &knowledge,
+            )? {
                 knowledge.learn(&fact);
                 self.add(fact.polynomial, fact.sign, Origin::Powers);
             }
@@ -191,7 +205,7 @@ fn about_power(
     power: Polynomial,
     base: &Fraction,
     exponent: &Expr,
-    powers: &Powers,
+    functions: &Functions,
     knowledge: &Knowledge,
 ) -> Result<Vec<Fact>, Reject> {
     let mut sign = base.numerator().clone();
@@ -220,9 +234,16 @@ fn about_power(
             facts.push(fact(&left.minus(base.numerator()), Sign::Zero));
             true
         }
-        Expr::Symbol(symbol) => powers.naturals.contains(symbol),
+        Expr::Symbol(symbol) => functions.naturals.contains(symbol),
         _ => false,
     };
+    // (-1)^n is 1 or -1 for a whole number n.
+    let whole = matches!(exponent, Expr::Symbol(symbol) if functions.integers.contains(symbol));
+    if whole && base.as_constant().is_some_and(|b| (-b).is_one()) {
+        let square = power.pow(2)?;
+        let one = Polynomial::constant(Rational::one());
+        facts.push(fact(&square.minus(&one), Sign::Zero));
+    }
     if positive {
         facts.push(fact(&power, Sign::Positive));
         return Ok(facts);

@@ -111,10 +111,10 @@ impl Problem {
             let put_in = |symbol: &Symbol| values.iter().any(|v| v.0 == *symbol);
             powers_of(claim, terms, &sequences, &counts, put_in)
         };
-        let positive = powers.as_ref().map(|p| p.positive.clone());
-        let functions = (pi || positive.is_some()).then(|| Functions {
+        let (powers, functions) = powers.unzip();
+        let functions = (pi || functions.is_some()).then(|| Functions {
             pi,
-            positive: positive.unwrap_or_default(),
+            ..functions.unwrap_or_default()
         });
         let declared = claim.domains.iter().filter(|(_, d)| d.constant);
         let number = pi.then(|| Symbol::new("\\pi"));

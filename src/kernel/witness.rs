@@ -280,6 +280,25 @@ impl<'a> Point<'a> {
                 let value = self.lowered(&power)?;
                 value.as_constant().ok_or(Reject::NoValue)
             }
+            // That every term has a value is among the conditions of what the sum stands in.
+            Expr::Series {
+                index,
+                from,
+                to,
+                body,
+            } if !body.has_elements() => {
+                let (from, to) = (evaluated(from)?, evaluated(to)?);
+                let all = from.is_integer() && to.is_integer() && !from.is_negative();
+                if !all || (&to - &from) < Rational::from(-1) {
+                    return Err(Reject::NoValue);
+                }
+                evaluated(&Expr::Series {
+                    index: index.clone(),
+                    from: Expr::Number(from.to_big()).into(),
+                    to: Expr::Number(to.to_big()).into(),
+                    body: body.clone(),
+                })
+            }
             Expr::Derivative { .. } if self.at.course.is_some() => self.along_the_way(expr),
             Expr::Derivative { body, variable } => match &**body {
                 Expr::Symbol(symbol) => self.derivative(expr, symbol, variable),

@@ -178,6 +178,9 @@ impl Prover {
             if let Some(proof) = self.zero_by_dividing(goal) {
                 return Some(proof);
             }
+            if let Some(proof) = self.zero_by_squares(goal, &basis) {
+                return Some(proof);
+            }
         }
         if !self.has_inequalities() && self.ideal.rest.is_empty() {
             return None;
@@ -213,6 +216,26 @@ impl Prover {
                 .is_ok()
                 && reduced.polynomial.is_zero();
         settled.then(|| combination(&reduced, 1))
+    }
+
+    /// `a = b` from `a² = b²`, where neither is negative: what is a root of something is told by its square.
+    fn zero_by_squares(&self, goal: &Polynomial, basis: &[Tracked]) -> Option<Proof> {
+        let mut sum = Polynomial::zero();
+        for (monomial, coefficient) in goal.terms() {
+            let size = Polynomial::term(monomial.clone(), coefficient.abs());
+            sum = sum.plus(&size);
+        }
+        if goal.len() < 2 || !self.knowledge.is_positive(&sum) {
+            return None;
+        }
+        let mut reduced = self.ideal.reduce(&goal.times(&sum).ok()?, false).ok()?;
+        let settled =
+            reduced.normal_form(basis, &mut { REDUCTIONS }).is_ok() && reduced.polynomial.is_zero();
+        if !settled {
+            return None;
+        }
+        *reduced.multiplier.entry(sum).or_insert(0) += 1;
+        Some(combination(&reduced, 1))
     }
 
     fn nonzero(&mut self, goal: &Polynomial, effort: Effort) -> Option<Proof> {

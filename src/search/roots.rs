@@ -44,6 +44,10 @@ pub fn root_of(element: &Tracked, prover: &Prover) -> Result<Option<(Fact, Proof
             continue;
         };
         let (left, right) = (rooted(&left, order), rooted(&right, order));
+        // The square of something negative is positive too.
+        if !knowledge.is_positive(&left) || !knowledge.is_positive(&right) {
+            continue;
+        }
         let scaled = factor.value.times(&right)?;
         let goal = left.minus(&scaled);
         // (M − k N) Σ = (M^g − c N^g) − (k^g − c) N^g

@@ -142,3 +142,19 @@ fn product_that_does_not_vanish_has_no_factor_that_does() {
     known(&[r"x y - x z \neq 0"]).are(NOT_ZERO, &["x y - x z", "x"]);
     known(&[r"x y \geq 0"]).are(NOTHING, &["x", "y"]);
 }
+
+#[test]
+fn difference_of_squares_has_the_sign_of_both_its_factors() {
+    let known = known(&["x > y", "x > 0", "y > 0"]);
+    known.are(POSITIVE, &["x^2 - y^2", "x^4 - y^4", "3 x^3 - 3 x y^2"]);
+    // The other way round it is negative, which it is not to be taken for positive for; and no square is a cube.
+    known.are(NOT_ZERO, &["y^2 - x^2"]);
+    known.are(NOTHING, &["x^3 - y^3", "x^2 - 2 y^2", "x^2 - z^2"]);
+}
+
+#[test]
+fn difference_of_squares_needs_both_factors() {
+    // −2 < 1, and yet 1 < 4.
+    let known = known(&["x > y", "x > 0"]);
+    known.are(NOTHING, &["x^2 - y^2"]);
+}

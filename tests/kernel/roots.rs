@@ -143,11 +143,10 @@ fn power_with_exponent_0_says_nothing_of_its_base() {
     let p = Proving::new(goal.clone());
     let nonzero = p.problem.facts.iter().any(|f| f.sign == Sign::NonZero);
     assert!(!nonzero, "the premise has a value everywhere");
-    // A point is asked for more: there a symbolic power is one of something positive.
-    assert_eq!(
-        refuted(&goal, point(&[("y", 1), ("b", 0), ("n", 0)])),
-        Err(Reject::PremiseFalse(0))
-    );
+    // 0^0 is 1 at points too, and nothing else.
+    let at = |y| point(&[("y", y), ("b", 0), ("n", 0)]);
+    assert_eq!(refuted(&goal, at(1)), Ok(()));
+    assert_eq!(refuted(&goal, at(0)), Err(Reject::PremiseFalse(0)));
 }
 
 #[test]
@@ -192,4 +191,50 @@ fn symbol_that_is_put_in_is_not_read_as_a_power_of_its_root() {
     assert!(about_z, "the domain of x is kept");
     assert!(read.trivially().is_err());
     assert!(refuted(&goal, point(&[("x", -1), ("z", -1)])).is_err());
+}
+
+#[test]
+fn sign_with_a_whole_exponent_is_1_or_minus_1() {
+    let whole = || Domain {
+        integer: true,
+        ..Domain::default()
+    };
+    for goal in ["(-1)^{2 k} = 1", "(-1)^{2 k + 1} = -1", "(-2)^{2 k} = 4^k"] {
+        let goal = || claim(&[], goal);
+        let says = |proving: Proving| {
+            let facts = &proving.problem.facts;
+            facts.iter().any(|fact| fact.sign == Sign::Zero)
+        };
+        assert!(says(Proving::new(goal().domain("k", whole()))));
+        // For k = 1/2 there is no such power.
+        assert!(!says(Proving::new(goal().domain("k", positive()))));
+    }
+    // What is known of the sign is known of no other base.
+    let other = claim(&[], "(-2 x)^{2 k} = 1").domain("k", whole());
+    let other = other.domain("x", positive());
+    let proving = Proving::new(other);
+    let zero = proving
+        .problem
+        .facts
+        .iter()
+        .filter(|f| f.sign == Sign::Zero);
+    assert_eq!(zero.count(), 1);
+}
+
+#[test]
+fn power_of_0_is_0_where_its_exponent_is_positive() {
+    let power = |domain: Domain, goal: &str| {
+        let claim = claim(&[], goal).domain("n", domain);
+        Proving::new(claim).trivially()
+    };
+    let from_1 = || Domain {
+        lower: Some((number(1), false)),
+        ..natural()
+    };
+    assert_eq!(power(from_1(), "0^n = 0"), Ok(()));
+    assert_eq!(power(natural(), "0^{n + 1} = 0"), Ok(()));
+    // 0^0 is 1, and 0^{-1} is nothing.
+    assert!(power(natural(), "0^n = 0").is_err());
+    assert!(power(from_1(), "0^{n - 1} = 0").is_err());
+    assert!(power(positive(), "0^n = 0").is_err());
 }

@@ -1,8 +1,17 @@
 //! Counterexamples that are none.
 
-use cradle_verify::kernel::{Domain, Reject, check_model};
+use cradle_verify::kernel::{Claim, Domain, Reject, check_model};
 
 use super::claims::*;
+
+/// A whole number from 1 on.
+fn natural() -> Domain {
+    Domain {
+        integer: true,
+        lower: Some((number(1), false)),
+        ..Domain::default()
+    }
+}
 
 #[test]
 fn counterexample_is_accepted() {
@@ -448,4 +457,58 @@ fn model_makes_the_premises_true_whatever_the_goal_says() {
     assert_eq!(untrue, Err(Reject::PremiseFalse(0)));
     let missing = check_model(&claim, point(&[])).map(|_| ());
     assert_eq!(missing, Err(Reject::NoValue));
+}
+
+#[test]
+fn power_with_a_natural_exponent_has_a_value_at_any_base() {
+    let false_one = claim(&[], "x^n = 8").domain("n", natural());
+    assert_eq!(refuted(&false_one, point(&[("x", -2), ("n", 3)])), Ok(()));
+    assert_eq!(refuted(&false_one, point(&[("x", 0), ("n", 3)])), Ok(()));
+    let true_one = claim(&[], "x^n = -8").domain("n", natural());
+    let verdict = refuted(&true_one, point(&[("x", -2), ("n", 3)]));
+    assert_eq!(verdict, Err(Reject::GoalNotFalse));
+}
+
+#[test]
+fn power_of_what_is_not_positive_has_no_value_where_its_exponent_is_any_number() {
+    let verdict = |domain: Domain| {
+        let claim = claim(&[], "x^n = 8").domain("n", domain);
+        refuted(&claim, point(&[("x", -2), ("n", 3)]))
+    };
+    assert_eq!(verdict(Domain::default()), Err(Reject::GoalNotFalse));
+    let below = |claim: Claim, n| refuted(&claim, point(&[("x", 0), ("n", n)]));
+    let whole = || Domain {
+        integer: true,
+        ..Domain::default()
+    };
+    assert_eq!(verdict(whole()), Ok(()));
+    // 1/0 is no number, whatever it is multiplied with.
+    for goal in ["x^n = 8", "0 x^n = 8", "x^{n - 2} = 8", "0 x^{n - 2} = 8"] {
+        let claim = || claim(&[], goal);
+        let declared = claim().domain("n", whole());
+        assert!(below(declared, -1).is_err(), "{goal}");
+        let declared = claim().domain("n", natural());
+        let defined = below(declared, 1).is_ok();
+        assert_eq!(defined, !goal.contains("- 2"), "{goal}");
+    }
+}
+
+#[test]
+fn sum_is_evaluated_term_by_term() {
+    let sum = |goal: &str| claim(&[], goal).domain("n", natural());
+    let at = |n, x| point(&[("n", n), ("x", x)]);
+    let wrong = sum(r"\sum_{i=1}^{n} i^2 x = n^2 x");
+    assert_eq!(refuted(&wrong, at(2, 1)), Ok(()));
+    assert_eq!(refuted(&wrong, at(1, 1)), Err(Reject::GoalNotFalse));
+    let empty = sum(r"\sum_{i=1}^{n-1} x^i = 1");
+    assert_eq!(refuted(&empty, at(1, 3)), Ok(()));
+    // A term that has no value: for i = 2, for x = 0, and where the sum would go backwards.
+    for (goal, n, x) in [
+        (r"\sum_{i=1}^{n} \frac{1}{i - 2} = 1", 3, 1),
+        (r"\sum_{i=1}^{n} \frac{i}{x} = 1", 3, 0),
+        (r"\sum_{i=5}^{n} i = 1", 1, 1),
+        (r"\sum_{i=1}^{n} \frac{i (i - 2)}{i - 2} = 1", 3, 1),
+    ] {
+        assert!(refuted(&sum(goal), at(n, x)).is_err(), "{goal}");
+    }
 }

@@ -123,6 +123,7 @@ fn readings() -> [(Option<Functions>, Option<Powers>); 3] {
     let functions = Functions {
         pi: true,
         positive: positive.clone(),
+        ..Functions::default()
     };
     let powers = Powers {
         roots: BTreeMap::from([(Symbol::new("p"), 2)]),

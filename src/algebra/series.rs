@@ -1,0 +1,219 @@
+//! Sums up to a symbol, of terms with the index in them: `Σ_{i=1}^{n} i²`, `Σ_{i=0}^{n-1} r^i`.
+//!
+//! What does not depend on the index stands before the sum, and the upper limit has no number added to it:
+//!
+//! $$ \sum_{i=a}^{m+c} f(i) = \sum_{i=a}^{m} f(i) + f(m+1) + \dots + f(m+c) \qquad (m \ge a - 1) $$
+//!
+//! and the same with minus for negative `c`. What is left is an unknown, of which no more is known; its values are
+//! found by induction.
+
+use std::collections::BTreeSet;
+
+use num_traits::ToPrimitive;
+
+use super::lower::{LowerError, Lowering};
+use super::{
+    Atom, BigRational, Conditions, Expr, Fraction, Functions, Monomial, Polynomial, Rational,
+    Symbol, Var, expr_of, expr_of_fraction,
+};
+
+/// A limit with a larger number in it is left as it is.
+const FARTHEST: i64 = 8;
+
+/// A sum whose every term has a value, for every number of terms that there may be.
+struct Run<'a> {
+    index: &'a Symbol,
+    first: i64,
+    /// The upper limit without its number, and that.
+    last: Expr,
+    more: i64,
+}
+
+impl Lowering<'_> {
+    /// The sum of `body` from `first` to `last`; `None` where some term may have no value, or where there may be less
+    /// than no terms.
+    pub(super) fn running_sum(
+        &mut self,
+        index: &Symbol,
+        first: i64,
+        last: &Fraction,
+        body: &Expr,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let (Some(functions), Some(last)) = (self.functions, last.as_polynomial()) else {
+            return Ok(None);
+        };
+        let Some(least) = self.least(last).filter(|&l| first >= 0 && l >= first - 1) else {
+            return Ok(None);
+        };
+        if body.has_elements() || has_binder(body) || !mentions_symbol(body, index) {
+            return Ok(None);
+        }
+        let own = |var: &Var| matches!(self.atoms.atom(*var), Atom::Symbol(own) if own == index);
+        if last.vars().iter().any(own) {
+            return Ok(None);
+        }
+        let more = last.terms().find(|(m, _)| m.is_one());
+        let more = more.and_then(|(_, c)| c.numer().to_i64()).unwrap_or(0);
+        let splits = more.abs() <= FARTHEST && least - more >= first - 1;
+        let more = if splits { more } else { 0 };
+        let count = last.minus(&Polynomial::constant(number(first - 1)));
+        let kept = last.minus(&Polynomial::constant(number(more)));
+        let run = Run {
+            index,
+            first,
+            last: expr_of(&kept, self.atoms),
+            more,
+        };
+        // The index is known to be a whole number in the body, and is no unknown of the claim.
+        let known = with_index(functions, index, first);
+        let mut atoms = self.atoms.clone();
+        let mut inside = Lowering {
+            atoms: &mut atoms,
+            sequences: self.sequences,
+            constants: self.constants,
+            powers: self.powers,
+            functions: Some(&known),
+            conditions: Conditions::default(),
+        };
+        let value = inside.lower(body)?;
+        let Some([divisors, bases]) = inside.conditions_outside(index) else {
+            return Ok(None);
+        };
+        // Of no terms at all nothing is learnt.
+        if least < first && !(divisors.is_empty() && bases.is_empty()) {
+            return Ok(None);
+        }
+        for divisor in divisors {
+            let divisor = self.lower(&divisor)?;
+            self.conditions.nonzero.insert(divisor.numerator().clone());
+        }
+        for base in bases {
+            let base = self.lower(&base)?;
+            self.conditions.bases.insert(base.numerator().clone());
+        }
+        let depends = |var: Var| match atoms.atom(var) {
+            Atom::Symbol(own) | Atom::Root { of: own, .. } => own == index,
+            atom => super::expr_of_atom(atom).mentions(index),
+        };
+        let moving = |polynomial: &Polynomial| polynomial.vars().into_iter().any(depends);
+        if value.denominator().any(|(factor, _)| moving(factor)) {
+            let whole = expr_of_fraction(&value, &atoms);
+            return self.sum_of(&run, &whole).map(Some);
+        }
+        let mut sum = Fraction::default();
+        for (monomial, coefficient) in value.numerator().terms() {
+            let powers = monomial.powers().iter();
+            let (own, other): (Vec<_>, Vec<_>) = powers.partition(|&&(var, _)| depends(var));
+            let product = |powers: Vec<&(Var, u32)>, coefficient: &Rational| {
+                let powers = powers.into_iter();
+                let all = powers.fold(Monomial::one(), |all, &(var, exponent)| {
+                    all.times(&Monomial::power(var, exponent))
+                });
+                expr_of(&Polynomial::term(all, coefficient.clone()), &atoms)
+            };
+            let part = match own.is_empty() {
+                true => Fraction::from(count.clone()),
+                false => self.sum_of(&run, &product(own, &Rational::one()))?,
+            };
+            let factor = self.lower(&product(other, coefficient))?;
+            sum = sum.plus(&part.times(&factor)?)?;
+        }
+        let below = Fraction::from(value.expanded_denominator()?);
+        let below = expr_of_fraction(&below, &atoms);
+        let below = self.lower(&below)?;
+        Ok(Some(sum.times(&self.recip(&below)?)?))
+    }
+
+    /// The sum of one term: an unknown up to the limit without its number, and the terms that are left.
+    fn sum_of(&mut self, run: &Run, body: &Expr) -> Result<Fraction, LowerError> {
+        let series = Expr::Series {
+            index: run.index.clone(),
+            from: Expr::integer(run.first).into(),
+            to: run.last.clone().into(),
+            body: body.clone().into(),
+        };
+        let mut sum = self.atom(Atom::Opaque(series));
+        for ahead in run.more.min(0) + 1..=run.more.max(0) {
+            let position = match ahead {
+                0 => run.last.clone(),
+                _ => Expr::Sum(vec![run.last.clone(), Expr::integer(ahead)]),
+            };
+            let term = self.lower(&body.substitute(run.index, &position))?;
+            sum = match run.more > 0 {
+                true => sum.plus(&term)?,
+                false => sum.minus(&term)?,
+            };
+        }
+        Ok(sum)
+    }
+
+    /// The divisors and the bases that a term needs not to be 0 beside what it needs of its index, which it is seen to
+    /// have from the first value on; `None` where it needs anything else.
+    fn conditions_outside(&self, index: &Symbol) -> Option<[Vec<Expr>; 2]> {
+        let conditions = &self.conditions;
+        let others = !conditions.zero.is_empty() || !conditions.doubtful.is_empty();
+        if others || !conditions.nonnegative.is_empty() || !conditions.positive.is_empty() {
+            return None;
+        }
+        let outside = |divisors: &BTreeSet<Polynomial>| {
+            let sure = |divisor: &&Polynomial| {
+                self.is_plainly_positive(divisor)
+                    || self.least(divisor).is_some_and(|least| least > 0)
+            };
+            let others = divisors.iter().filter(|divisor| !sure(divisor));
+            let written = others.map(|divisor| expr_of(divisor, self.atoms));
+            let written = written.map(|own| (!own.mentions(index)).then_some(own));
+            written.collect::<Option<Vec<Expr>>>()
+        };
+        Some([outside(&conditions.nonzero)?, outside(&conditions.bases)?])
+    }
+
+    /// The least value of a sum of multiples of whole numbers that are known not to be negative; `None` for other terms.
+    pub(super) fn least(&self, polynomial: &Polynomial) -> Option<i64> {
+        let known = self.functions?;
+        polynomial.terms().try_fold(0i64, |sum, (monomial, own)| {
+            let own = own.is_integer().then(|| own.numer().to_i64())??;
+            let least = match monomial.powers() {
+                [] => own,
+                [(var, 1)] => match self.atoms.atom(*var) {
+                    Atom::Symbol(symbol) if own > 0 && known.naturals.contains(symbol) => {
+                        own * i64::from(known.positive.contains(symbol))
+                    }
+                    _ => return None,
+                },
+                _ => return None,
+            };
+            sum.checked_add(least)
+        })
+    }
+}
+
+fn number(value: i64) -> Rational {
+    BigRational::from_integer(value.into()).into()
+}
+
+/// What is known in the body of a sum.
+fn with_index(known: &Functions, index: &Symbol, first: i64) -> Functions {
+    let mut known = known.clone();
+    known.naturals.insert(index.clone());
+    known.integers.insert(index.clone());
+    match first > 0 {
+        true => known.positive.insert(index.clone()),
+        false => known.positive.remove(index),
+    };
+    known
+}
+
+/// Whether something is bound in a term: what is put in might be caught.
+fn has_binder(term: &Expr) -> bool {
+    term.binder().is_some() || term.children().into_iter().any(has_binder)
+}
+
+/// Whether a symbol stands in a term by itself, and not as the index of an element.
+pub fn mentions_symbol(term: &Expr, symbol: &Symbol) -> bool {
+    matches!(term, Expr::Symbol(own) if own == symbol)
+        || term
+            .children()
+            .into_iter()
+            .any(|child| mentions_symbol(child, symbol))
+}
