@@ -246,7 +246,15 @@ pub(super) fn read_page(
                 let mut read = read.unwrap_or_else(|| rows::read(source, body, layout.as_deref()));
                 let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
                 page.read_exponentials(statements.flatten());
-                let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
+                // "Torricelli's law @eq-law:" announces what is displayed next.
+                let announces = |cited: &Citation| {
+                    read.iter().any(|part| match cited.key {
+                        true => part.keys.contains(&cited.tag),
+                        false => part.tag.as_ref() == Some(&cited.tag),
+                    })
+                };
+                let alone =
+                    equations.is_empty() && said.cited.iter().all(announces) && said.from.is_none();
                 let of_display = read.len();
                 last = equations.len()..equations.len() + of_display;
                 let mut name = said.name;
