@@ -129,7 +129,7 @@ pub enum SuppositionKind {
     Let,
     /// "Assume", "Suppose", "taking", "provided that": a hypothesis.
     Assume,
-    /// "…, where $k = m \\omega^2$" after a display: the meaning of a symbol in it.
+    /// "…, where $k = m \omega^2$" after a display: the meaning of a symbol in it.
     Define,
 }
 
