@@ -244,7 +244,7 @@ fn citations() {
 
 #[test]
 fn suppositions() {
-    use SuppositionKind::{Assume, Let};
+    use SuppositionKind::{Assume, Define, Let};
     for (text, expected) in [
         (
             "Let $v_1 = v_2 = 0$ and $v_4 = v_0/2$.",
@@ -294,6 +294,27 @@ fn suppositions() {
         ("For $N = 3$ the values are $a = b$.", vec![]),
         ("For $x > 0$, it grows. For $x < 0$, it falls.", vec![]),
         ("It vanishes when $v = 0$, as it must.", vec![]),
+        ("With $g = 10$, the weight is", vec![(Let, "g = 10")]),
+        (
+            "With $a = 1$ and $b = 2$ we have $c = 3$.",
+            vec![(Let, "a = 1"), (Let, "b = 2")],
+        ),
+        ("With $g = 10$ this would be wrong.", vec![]),
+        ("With $g = 10$ it is not zero.", vec![]),
+        ("Is (1) true with $v = 0$? Can it be?", vec![]),
+        ("With $v = 0$, is (1) true?", vec![]),
+        ("For $N = 3$, for example, it is zero.", vec![]),
+        (
+            "where $k = m \\omega^2$ is the stiffness and $M = 2 m$.",
+            vec![(Define, "k = m \\omega^2"), (Define, "M = 2 m")],
+        ),
+        (
+            ", with $k = q$ as before, hence $b = c$.",
+            vec![(Define, "k = q")],
+        ),
+        ("where $k = 2$ is not constant", vec![]),
+        ("This is so where $k = 2$.", vec![]),
+        ("Then, with $k = 2$, it is so.", vec![]),
     ] {
         let found = supposed(text);
         let found: Vec<_> = found

@@ -207,6 +207,17 @@ impl Judge<'_> {
             return;
         };
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        // What the text itself names is likelier meant than that the pen slipped.
+        let mentioned = self.derivation.mentioned(self.at);
+        if !mentioned.is_empty() {
+            let mentioned = mentioned.into_iter().map(|(_, formula)| formula).collect();
+            let (witness, hints) = (refuted.witness(), self.auditor.hints());
+            let missing = search::missing_among(&claim, witness, mentioned, &hints, values_at);
+            if let Some((all, _)) = missing {
+                found.missing = all;
+                return;
+            }
+        }
         found.implied = search::implied(&claim).map(Box::new);
         // Where only a factor is wrong, the author's own words are kept already.
         if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {

@@ -41,6 +41,8 @@ pub struct Equation {
     pub continues: usize,
     /// The hypotheses in effect where it stands, as positions in [`Page::locals`](super::Page::locals).
     pub locals: Vec<usize>,
+    /// Values that the text around it names and does not plainly suppose, unread.
+    pub mentioned: Vec<Span>,
     /// The heading above it.
     pub section: String,
 }

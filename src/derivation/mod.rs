@@ -19,7 +19,7 @@ use std::sync::Arc;
 use crate::algebra::{BigRational, Formula, Relation, Symbol};
 use crate::document::{Citation, Document, Premise, Span, in_order};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
-use crate::notation::{Spanned, measured};
+use crate::notation::{Spanned, measured, read_formulas};
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
@@ -395,6 +395,19 @@ impl Derivation {
             })
         });
         all.collect()
+    }
+
+    /// The values that the text around an equation names without supposing them, with their places.
+    pub fn mentioned(&self, at: usize) -> Vec<(Span, Formula)> {
+        let equation = &self.equations[at];
+        let source = &self.pages[equation.page].document.source;
+        let read = equation.mentioned.iter().filter_map(|&body| {
+            let statements = read_formulas(source, body).ok()?;
+            let plain = statements.iter().filter(|s| s.under.is_empty());
+            let said: Vec<Formula> = plain.flat_map(formulas).collect();
+            Some(said.into_iter().map(move |formula| (body, formula)))
+        });
+        read.flatten().collect()
     }
 
     /// A local hypothesis by its source.

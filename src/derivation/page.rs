@@ -1,13 +1,17 @@
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
+use crate::algebra::{
+    BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, element_symbol,
+};
 use crate::dimension;
 use crate::document::nearest::nearest;
 use crate::document::{
-    Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, SuppositionKind,
+    Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, Supposition,
+    SuppositionKind,
 };
 use crate::kernel::Domain;
 use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
@@ -15,6 +19,9 @@ use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, re
 use super::beside::{Beside, Clash, Place};
 use super::equation::{conditions, formulas};
 use super::{Equation, Kind, names, rows};
+
+/// Of the values that a piece of text names, so many are looked at.
+const MOST_MENTIONED: usize = 6;
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -92,6 +99,36 @@ struct Between {
     /// What says that the display is derived.
     derives: Option<Span>,
     cited: Vec<Citation>,
+    mentioned: Vec<Span>,
+}
+
+/// The symbols of the first so many equations and suppositions of a page, gathered when they are asked for.
+#[derive(Default)]
+struct Known {
+    symbols: BTreeSet<Symbol>,
+    equations: usize,
+    locals: usize,
+}
+
+impl Known {
+    fn learn(&mut self, equations: &[Equation], locals: &[Local]) {
+        for equation in equations.get(self.equations..).unwrap_or_default() {
+            let stated = equation.statements().iter().flat_map(formulas);
+            stated.for_each(|formula| self.occur(&formula));
+        }
+        for local in locals.get(self.locals..).unwrap_or_default() {
+            local
+                .formulas
+                .iter()
+                .for_each(|formula| self.occur(formula));
+        }
+        (self.equations, self.locals) = (equations.len(), locals.len());
+    }
+
+    fn occur(&mut self, formula: &Formula) {
+        self.symbols.extend(formula.free_symbols());
+        self.symbols.extend(formula.sequences());
+    }
 }
 
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
@@ -136,6 +173,9 @@ pub(super) fn read_page(
     let mut derived: Vec<Option<Span>> = Vec::new();
     let mut active: Vec<usize> = Vec::new();
     let mut between = Between::default();
+    // The equations of the display that the text goes on from.
+    let mut last = 0..0;
+    let mut known = Known::default();
     let (mut level, mut section) = (0, String::new());
     for item in &items {
         match item {
@@ -148,14 +188,34 @@ pub(super) fn read_page(
                     page.title = title.clone();
                 }
                 (level, section) = (own, title.clone());
+                last = 0..0;
                 active.retain(|&at| page.locals[at].level < own);
             }
             Item::Prose(prose) => {
                 between.cited.extend(prose.citations.iter().cloned());
-                for supposition in &prose.suppositions {
-                    let is_let = supposition.kind == SuppositionKind::Let;
-                    page.suppose(supposition.body, is_let, level, &mut active, false);
+                let mut mentioned = prose.mentions.clone();
+                for &Supposition { kind, body } in &prose.suppositions {
+                    let is_let = kind == SuppositionKind::Let;
+                    if kind == SuppositionKind::Define
+                        && !page.says_what_is_new(body, &equations, last.clone(), &mut known)
+                    {
+                        mentioned.push(body);
+                        continue;
+                    }
+                    let before = page.locals.len();
+                    page.suppose(body, is_let, level, &mut active, false);
+                    if kind == SuppositionKind::Define {
+                        for equation in &mut equations[last.clone()] {
+                            equation.locals.extend(before..page.locals.len());
+                        }
+                    }
                 }
+                mentioned.truncate(MOST_MENTIONED);
+                for equation in &mut equations[std::mem::take(&mut last)] {
+                    equation.mentioned.extend(&mentioned);
+                }
+                between.mentioned.extend(mentioned);
+                between.mentioned.truncate(MOST_MENTIONED);
             }
             Item::Directives { clauses, .. } => {
                 for clause in clauses {
@@ -186,8 +246,17 @@ pub(super) fn read_page(
                 let mut read = read.unwrap_or_else(|| rows::read(source, body, layout.as_deref()));
                 let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
                 page.read_exponentials(statements.flatten());
-                let alone = equations.is_empty() && said.cited.is_empty() && said.from.is_none();
+                // "Torricelli's law @eq-law:" announces what is displayed next.
+                let announces = |cited: &Citation| {
+                    read.iter().any(|part| match cited.key {
+                        true => part.keys.contains(&cited.tag),
+                        false => part.tag.as_ref() == Some(&cited.tag),
+                    })
+                };
+                let alone =
+                    equations.is_empty() && said.cited.iter().all(announces) && said.from.is_none();
                 let of_display = read.len();
+                last = equations.len()..equations.len() + of_display;
                 let mut name = said.name;
                 for (row, part) in read.into_iter().enumerate() {
                     let statements = || part.statements.iter().flatten();
@@ -235,6 +304,7 @@ pub(super) fn read_page(
                         row,
                         continues: part.continues,
                         locals: active.clone(),
+                        mentioned: said.mentioned.clone(),
                         section: section.clone(),
                     });
                 }
@@ -519,6 +589,54 @@ impl Page {
                 level,
             });
         }
+    }
+
+    /// Whether `s = …` after a display only says what a symbol means that occurs first there. Such an equation can be made
+    /// true whatever the symbols on its right are, as long as none of these is what the display defines by it.
+    fn says_what_is_new(
+        &self,
+        body: Span,
+        equations: &[Equation],
+        last: Range<usize>,
+        known: &mut Known,
+    ) -> bool {
+        let Ok(read) = read_formulas(&self.document.source, body) else {
+            return false;
+        };
+        let said: Vec<Formula> = read.iter().flat_map(formulas).collect();
+        let [
+            Formula::Relation {
+                left: Expr::Symbol(symbol),
+                relation: Relation::Equal,
+                right,
+            },
+        ] = &said[..]
+        else {
+            return false;
+        };
+        let occurs = |formula: &Formula| formula.terms().iter().any(|term| term.mentions(symbol));
+        let defines_it = |equation: &Equation| {
+            equation
+                .statements()
+                .iter()
+                .any(|statement| match &statement.clauses[..] {
+                    [Clause::Chain { sides, .. }, ..] => match sides.first().map(|side| &side.expr)
+                    {
+                        Some(Expr::Symbol(left)) => left == symbol || right.mentions(left),
+                        _ => false,
+                    },
+                    _ => false,
+                })
+        };
+        known.learn(&equations[..last.start], &self.locals);
+        let display = &equations[last];
+        let statements = display.iter().flat_map(Equation::statements);
+        !right.mentions(symbol)
+            && statements
+                .flat_map(formulas)
+                .any(|formula| occurs(&formula))
+            && !known.symbols.contains(symbol)
+            && !display.iter().any(defines_it)
     }
 
     /// The domain of the elements of a sequence: that declared for `u_i`, whatever the index is called.

@@ -84,6 +84,8 @@ pub struct Prose {
     pub citations: Vec<Citation>,
     /// What it supposes, in order.
     pub suppositions: Vec<Supposition>,
+    /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
+    pub mentions: Vec<Span>,
 }
 
 /// Mathematics in a line of text.
@@ -127,6 +129,8 @@ pub enum SuppositionKind {
     Let,
     /// "Assume", "Suppose", "taking", "provided that": a hypothesis.
     Assume,
+    /// "…, where $k = m \omega^2$" after a display: the meaning of a symbol in it.
+    Define,
 }
 
 /// One clause of a `check:` comment.

@@ -102,6 +102,7 @@ fn moved(item: Item, by: usize) -> Item {
             mut math,
             mut citations,
             mut suppositions,
+            mut mentions,
         }) => {
             for inline in &mut math {
                 inline.span = at(inline.span);
@@ -109,6 +110,9 @@ fn moved(item: Item, by: usize) -> Item {
             }
             for citation in &mut citations {
                 citation.span = at(citation.span);
+            }
+            for mention in &mut mentions {
+                *mention = at(*mention);
             }
             for supposition in &mut suppositions {
                 supposition.body = at(supposition.body);
@@ -118,6 +122,7 @@ fn moved(item: Item, by: usize) -> Item {
                 math,
                 citations,
                 suppositions,
+                mentions,
             })
         }
         Item::Display {

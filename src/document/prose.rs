@@ -55,11 +55,13 @@ const LONGEST_TAG: usize = 48;
 /// Reads prose; `inline` and `hidden` are in order.
 pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span]) -> Prose {
     let tokens = tokens(source, span, inline, hidden);
+    let (suppositions, mentions) = supposition::read(source, &tokens);
     Prose {
         span,
         math: inline.to_vec(),
         citations: citation::read(&tokens),
-        suppositions: supposition::read(source, &tokens),
+        suppositions,
+        mentions,
     }
 }
 

@@ -1,11 +1,13 @@
-//! What prose supposes: "Let $v_1 = 0$", "taking $v'_2 \neq 0$", "At $\mu = 1$", "Setting $Q = 0$", "For $N = 3$, …".
+//! What prose supposes: "Let $v_1 = 0$", "taking $v'_2 \neq 0$", "At $\mu = 1$", "Setting $Q = 0$", "With $g = 10$ …",
+//! "For $N = 3$, …", and what a symbol of a display means: "…, where $k = m \omega^2$".
 //!
 //! A supposition becomes a hypothesis of what follows, so one too many can make anything true.
 //! In doubt nothing is read: not a conclusion drawn in the same sentence ("then", "gives"), not an
-//! alternative ("or"), not a condition ("if"), not a negation, not a proof by contradiction.
+//! alternative ("or"), not a condition ("if"), not a negation, not a question, not a proof by contradiction. A value that is
+//! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
 use super::prose::{Placed, Token};
-use super::{Supposition, SuppositionKind};
+use super::{Span, Supposition, SuppositionKind};
 
 /// After these, a sentence no longer supposes.
 const CONCLUDING: [&str; 51] = [
@@ -62,14 +64,53 @@ const CONCLUDING: [&str; 51] = [
     "reduces",
 ];
 /// With these, a sentence supposes nothing that could be used.
-const DOUBTFUL: [&str; 7] = [
+const DOUBTFUL: [&str; 19] = [
     "or",
     "either",
     "if",
     "unless",
     "contradiction",
+    "contradicts",
     "contrary",
     "otherwise",
+    "example",
+    "instance",
+    "wrong",
+    "wrongly",
+    "false",
+    "fails",
+    "fail",
+    "violates",
+    "violated",
+    "impossible",
+    "absurd",
+];
+/// With these besides, a sentence supposes nothing by a mere "with" or "where": they may deny what it names.
+const DENYING: [&str; 9] = [
+    "not", "never", "no", "cannot", "neither", "nor", "would", "were", "without",
+];
+/// Before these, a value is named: supposed or not.
+const NAMING: [&str; 20] = [
+    "with",
+    "where",
+    "for",
+    "when",
+    "at",
+    "if",
+    "since",
+    "because",
+    "as",
+    "while",
+    "setting",
+    "putting",
+    "taking",
+    "inserting",
+    "substituting",
+    "using",
+    "letting",
+    "choosing",
+    "case",
+    "let",
 ];
 /// Before these, an introductory word means its opposite.
 const NEGATING: [&str; 8] = [
@@ -96,32 +137,43 @@ enum Reach {
     },
 }
 
-/// The suppositions in prose, in order.
-pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
+/// The suppositions in prose, in order, and the values that it names besides.
+pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Vec<Span>) {
     let mut found: Vec<Supposition> = Vec::new();
+    let mut mentions: Vec<Span> = Vec::new();
+    let mut named = false;
     let mut sentence = 0;
     let mut begun = false;
     let mut doubtful = false;
     let mut active: Option<(SuppositionKind, Reach)> = None;
-    for (index, &(token, _)) in tokens.iter().enumerate() {
+    // Something in the sentence is introduced by no verb, but by "with" or "where".
+    let mut careful = false;
+    for (index, &(token, span)) in tokens.iter().enumerate() {
         match token {
             Token::Stop => {
+                if source.get(span.range()) == Some("?") {
+                    mentions.extend(found.drain(sentence..).map(|s| s.body));
+                }
+                (named, careful) = (false, false);
                 (sentence, begun, doubtful, active) = (found.len(), false, false, None);
                 continue;
             }
             Token::Word(word) => {
                 let word = word.to_lowercase();
-                if DOUBTFUL.contains(&word.as_str()) {
-                    found.truncate(sentence);
+                let denies = careful && DENYING.contains(&word.as_str());
+                if denies || DOUBTFUL.contains(&word.as_str()) {
+                    mentions.extend(found.drain(sentence..).map(|s| s.body));
                     doubtful = true;
                 }
                 if doubtful || active.is_some() && CONCLUDING.contains(&word.as_str()) {
                     active = None;
                 } else if let Some(introduced) = introduction(source, &word, index, tokens, begun) {
                     active = Some(introduced);
+                    careful = matches!(&*word, "with" | "where");
                 } else if let Some((kind, reach)) = active {
                     active = reach.past_word(&word).map(|reach| (kind, reach));
                 }
+                named = NAMING.contains(&word.as_str()) || named && word == "and";
                 begun = true;
             }
             Token::Math(body) => {
@@ -130,8 +182,12 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
                 if let Some((kind, reach)) = active {
                     if relates(text) {
                         found.push(Supposition { kind, body });
+                        named = false;
                     }
                     active = reach.past_math(relates(text)).map(|reach| (kind, reach));
+                }
+                if named && relates(text) {
+                    mentions.push(body);
                 }
             }
             Token::Mark(',') => {
@@ -147,7 +203,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
             }
         }
     }
-    found
+    mentions.sort();
+    (found, mentions)
 }
 
 /// The supposition that the word at `index` introduces.
@@ -171,6 +228,13 @@ fn introduction(
         matches!(before, Some((Token::Word(word), _))
             if NEGATING.contains(&word.to_lowercase().as_str()))
     };
+    let capital =
+        matches!(tokens[index].0, Token::Word(word) if word.starts_with(char::is_uppercase));
+    // In the middle of a sentence that only a display can have begun.
+    let goes_on = || {
+        let comma = |token: &Placed<'_>| matches!(token.0, Token::Mark(',' | ';'));
+        !capital && tokens[..index].iter().all(comma)
+    };
     let joined = |short| Reach::Joined {
         patience: PATIENCE,
         comma: false,
@@ -183,6 +247,10 @@ fn introduction(
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
         "for" | "when" if !begun && comma && value() => Some((SuppositionKind::Let, joined(true))),
         "setting" if !begun && value() => Some((SuppositionKind::Let, joined(true))),
+        "with" if !begun && capital && value() => Some((SuppositionKind::Let, joined(true))),
+        "where" | "with" if value() && goes_on() => {
+            Some((SuppositionKind::Define, Reach::Sentence))
+        }
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
         "assume" | "suppose" | "assuming" | "supposing" | "taking" => {
             Some((SuppositionKind::Assume, joined(false)))

@@ -145,12 +145,10 @@ fn difference_of_squares(polynomial: &Polynomial) -> Option<[Polynomial; 2]> {
         return None;
     }
     let root = |monomial: &Monomial| {
-        let powers = monomial.powers().iter();
-        powers.fold(Some(Monomial::one()), |root, &(var, exponent)| {
-            let half = exponent
-                .is_multiple_of(2)
-                .then(|| Monomial::power(var, exponent / 2))?;
-            Some(root?.times(&half))
+        let mut powers = monomial.powers().iter();
+        powers.try_fold(Monomial::one(), |root, &(var, exponent)| {
+            let half = exponent.is_multiple_of(2).then_some(exponent / 2)?;
+            Some(root.times(&Monomial::power(var, half)))
         })
     };
     let (a, b) = (root(above.0)?, root(below.0)?);

@@ -68,7 +68,7 @@ impl Report<'_> {
             text += &self.without(entry, judged);
         }
         if !entry.missing.is_empty() {
-            text += &format!("\n  It {}.\n", implied::supposing(&entry.missing));
+            text += &format!("\n  It {}.\n", self.supposing(entry));
         }
         if let Some((instead, proven)) = implied::instead_plainly(entry) {
             text += &format!("\n  Instead, {instead}.\n");

@@ -3,11 +3,12 @@
 
 use crate::algebra::{BigRational, Expr, Formula};
 use crate::audit::Entry;
+use crate::derivation::{Equation, Kind, Premises, formulas};
 use crate::kernel::Proven;
-use crate::notation::{latex_formula, plain, plain_formula};
+use crate::notation::{latex_formula, measured, plain, plain_formula};
 use crate::search::{Change, Implied};
 
-use super::words;
+use super::{Report, words};
 
 /// What should be read, proved, and how what is printed differs.
 struct Instead<'a> {
@@ -58,6 +59,62 @@ pub(super) fn supposing(conditions: &[Formula]) -> String {
         .map(|c| format!("`{}`", latex_formula(c)))
         .collect();
     format!("follows if also {}", words::list(conditions))
+}
+
+impl Report<'_> {
+    /// The same of what an entry misses, and where the text names it.
+    pub(super) fn supposing(&self, entry: &Entry) -> String {
+        let text = supposing(&entry.missing);
+        let mentioned = self.derivation.mentioned(entry.equation);
+        let named = |formula: &Formula| mentioned.iter().find(|(_, said)| said == formula);
+        let Some(places) = entry.missing.iter().map(named).collect::<Option<Vec<_>>>() else {
+            return text;
+        };
+        let Some((span, _)) = places.first() else {
+            return text;
+        };
+        let page = self.equation(entry.equation).page;
+        let said = entry
+            .missing
+            .iter()
+            .map(|c| format!("${}$", latex_formula(c)));
+        format!(
+            "{text}; named at {} and not plainly supposed there: write `Let {}.` before the equation",
+            self.place_of(page, *span),
+            words::list(said.collect()),
+        )
+    }
+
+    /// Where a new symbol makes a law of what is taken for a step: how to say so.
+    pub(super) fn perhaps_law(&self, entry: &Entry) -> Option<String> {
+        let equation = self.equation(entry.equation);
+        let cites_nothing =
+            matches!(&equation.premises, Premises::Cited(cited) if cited.is_empty());
+        if !cites_nothing || equation.kind != Kind::Derived || !entry.missing.is_empty() {
+            return None;
+        }
+        let (judged, _) = entry.refuted()?;
+        let mut new = judged.goal.formula.free_symbols();
+        new.retain(|symbol| measured(symbol).is_none());
+        let before = self.derivation.equations[..entry.equation].iter().rev();
+        for formula in before.flat_map(Equation::statements).flat_map(formulas) {
+            if new.is_empty() {
+                break;
+            }
+            new.retain(|symbol| !formula.terms().iter().any(|term| term.mentions(symbol)));
+        }
+        let symbol = new.first()?;
+        let is_latex = self.derivation.pages[equation.page].document.is_latex;
+        let directive = if is_latex {
+            "% check: law"
+        } else {
+            "<!-- check: law -->"
+        };
+        Some(format!(
+            "nothing before it speaks of {}; if it is a law, a model or a definition, write `{directive}` above it",
+            words::symbol(symbol),
+        ))
+    }
 }
 
 /// What the pen slipped on.

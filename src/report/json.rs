@@ -306,10 +306,7 @@ impl Report<'_> {
             repair: match entry.rescaled() {
                 Some((_, refuted, repair)) => repair.map(|r| scaling::repaired(refuted, r)),
                 None => implied::instead(entry)
-                    .or_else(|| {
-                        let missing = Some(&entry.missing).filter(|all| !all.is_empty());
-                        missing.map(|all| implied::supposing(all))
-                    })
+                    .or_else(|| (!entry.missing.is_empty()).then(|| self.supposing(entry)))
                     .or_else(|| entry.notes.iter().find_map(|note| self.repair(note))),
             },
         }

@@ -61,11 +61,17 @@ impl Report<'_> {
             Some(statement) => latex_statement(statement),
             None => "not read".into(),
         };
-        format!(
-            "  {:<names$}    {}\n",
-            "",
-            paint(DIM, &format!("understood: {text}"))
-        )
+        let line = |text: &str| format!("  {:<names$}    {}\n", "", paint(DIM, text));
+        let equation = self.equation(entry.equation);
+        let locals = equation.locals.iter();
+        let sources: Vec<Source> = locals
+            .map(|&local| Source::Local(equation.page, local))
+            .collect();
+        let mut lines = line(&format!("understood: {text}"));
+        if !sources.is_empty() {
+            lines += &line(&format!("supposed: {}", self.sources(&sources)));
+        }
+        lines
     }
 
     /// What there is to know of an entry, in less than a line.

@@ -28,6 +28,22 @@ pub fn missing_suppositions(
     hints: &[Assignment],
     evaluate: impl Fn(&Claim, &Assignment) -> Values,
 ) -> Option<(Vec<Formula>, Proven)> {
+    let mut candidates: Vec<Formula> = elsewhere.to_vec();
+    // A sign or an order gives no value to a symbol that no premise speaks of.
+    if !defines_afresh(claim, &claim.goal) {
+        candidates.extend(simple(claim));
+    }
+    missing_among(claim, witness, candidates, hints, evaluate)
+}
+
+/// The same among a few candidates.
+pub fn missing_among(
+    claim: &Claim,
+    witness: &Assignment,
+    mut candidates: Vec<Formula>,
+    hints: &[Assignment],
+    evaluate: impl Fn(&Claim, &Assignment) -> Values,
+) -> Option<(Vec<Formula>, Proven)> {
     // With a symbolic number of elements a proof is too long a search for a guess.
     if !claim.sequences.is_empty() {
         return None;
@@ -37,11 +53,6 @@ pub fn missing_suppositions(
         evaluate: &evaluate,
         points: vec![evaluate(claim, witness)],
     };
-    let mut candidates: Vec<Formula> = elsewhere.to_vec();
-    // A sign or an order gives no value to a symbol that no premise speaks of.
-    if !defines_afresh(claim, &claim.goal) {
-        candidates.extend(simple(claim));
-    }
     candidates.retain(|c| *c != claim.goal);
     let mut tried = 0;
     let mut possible: Vec<Formula> = Vec::new();

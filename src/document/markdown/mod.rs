@@ -225,7 +225,7 @@ impl<'a> Scanner<'a> {
         text.push_str(self.source.get(from..title.content.end).unwrap_or_default());
         self.items.push(Item::Heading {
             level: title.level,
-            title: text.trim().to_owned(),
+            title: without_attributes(text.trim()).to_owned(),
             span: self.trimmed(title.span),
         });
         for comment in comments {
@@ -308,5 +308,20 @@ impl<'a> Scanner<'a> {
             start,
             (span.start + text.trim_end_matches(blank).len()).max(start),
         )
+    }
+}
+
+/// A title without the attributes that Pandoc and Quarto let follow it: `Results {#sec:results .unnumbered}`.
+fn without_attributes(title: &str) -> &str {
+    let Some((text, inside)) = title.strip_suffix('}').and_then(|t| t.rsplit_once('{')) else {
+        return title;
+    };
+    let is_attribute =
+        |word: &str| word == "-" || word.starts_with(['#', '.']) || word.contains('=');
+    let mut words = inside.split_whitespace().peekable();
+    let attributes = words.peek().is_some() && words.all(is_attribute);
+    match attributes && (text.is_empty() || text.ends_with(char::is_whitespace)) {
+        true => text.trim_end(),
+        false => title,
     }
 }

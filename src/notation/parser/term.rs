@@ -4,6 +4,8 @@
 //! and run from left to right, so that `1/2m` is `(1/2)m`; powers. A sign at the start of a term holds for all of it:
 //! `-ab` is `-(ab)`. Parentheses are kept: `(a + b) + c` is a sum whose first term is a sum.
 
+use num_traits::Signed;
+
 use super::{Choice, Factor, Kind, Parser, Read, Shape, Term, refuse, refuse_with};
 use crate::algebra::Expr;
 use crate::notation::{commands, measured};
@@ -264,6 +266,16 @@ impl Product {
                 let help =
                     "for a product write `2 \\cdot 3`; a long number is written without spaces";
                 return refuse_with(factor.span, "two numbers stand side by side", help);
+            }
+            if factor.shape == Shape::Tight
+                && matches!(&factor.expr, Expr::Number(n) if n.is_integer() && !n.is_negative())
+            {
+                let help = "for a product write `2 \\cdot 3`; uncertainties in parentheses are not understood";
+                return refuse_with(
+                    factor.span,
+                    "this may be an uncertainty, as in 1.0(2), or a product",
+                    help,
+                );
             }
             if is_numeric_fraction(&factor.expr) && factor.shape == Shape::Tight {
                 let help = "for a product write `2 \\cdot \\frac{1}{2}`";

@@ -110,8 +110,9 @@ impl Report<'_> {
         let instead = implied::instead(entry);
         said.extend(instead.map(|text| (Level::HELP, text)));
         if !entry.missing.is_empty() {
-            said.push((Level::HELP, implied::supposing(&entry.missing)));
+            said.push((Level::HELP, self.supposing(entry)));
         }
+        said.extend(self.perhaps_law(entry).map(|text| (Level::HELP, text)));
         said.extend(marks(entry));
         said.extend(self.other_reading(entry));
         said.extend(replay(self, entry.equation));
