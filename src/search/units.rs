@@ -4,7 +4,12 @@
 //! can be rescaled, and one unknown for each independent rescaling can be taken to be 1, −1 or 0. It is the
 //! physicist's "let m = v₀ = 1".
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::algebra::{Polynomial, Rational, Var};
+
+/// An equation between exponents: the coefficients that are not 0, by the place of the unknown. Most rows name two or three.
+type Row = BTreeMap<usize, Rational>;
 
 /// Unknowns that can be given the values 1, −1 and 0 only: for each a rescaling that leaves the others alone
 /// and multiplies every remaining unknown by an integer power of one factor.
@@ -15,68 +20,84 @@ pub fn unit_choices<'a>(
     order: &[Var],
     fixed: impl Fn(Var) -> bool,
 ) -> Vec<Var> {
-    let column = |var: Var| order.iter().position(|v| *v == var);
-    let width = order.len();
-    let mut rows: Vec<Vec<Rational>> = Vec::new();
-    let blank = || vec![Rational::zero(); width];
-    for (at, &var) in order.iter().enumerate() {
-        if fixed(var) {
-            let mut row = blank();
-            row[at] = Rational::one();
-            rows.push(row);
-        }
+    let place: BTreeMap<Var, usize> = order.iter().enumerate().map(|(at, v)| (*v, at)).collect();
+    let mut rows = Echelon::default();
+    for (_, &at) in place.iter().filter(|(var, _)| fixed(**var)) {
+        rows.insert(Row::from([(at, Rational::one())]));
     }
     // All terms of a polynomial must scale alike.
     for polynomial in polynomials {
-        let mut terms = polynomial.terms().map(|(monomial, _)| {
-            let mut row = blank();
-            for &(var, exponent) in monomial.powers() {
-                if let Some(at) = column(var) {
-                    row[at] = exponent.into();
-                }
-            }
-            row
+        let mut terms = polynomial.terms().map(|(monomial, _)| -> Row {
+            let powers = monomial.powers().iter();
+            powers
+                .filter_map(|(var, exponent)| Some((*place.get(var)?, (*exponent).into())))
+                .collect()
         });
         let Some(first) = terms.next() else {
             continue;
         };
-        for other in terms {
-            rows.push(other.iter().zip(&first).map(|(a, b)| a - b).collect());
+        for mut other in terms {
+            subtract(&mut other, &Rational::one(), &first);
+            rows.insert(other);
         }
     }
-    let pivots = reduce(&mut rows, width);
     // A free column is a rescaling: the unknown itself by the factor, each pivot by what its row says.
-    let free = (0..width).filter(|at| !pivots.contains(at));
-    let whole = |at: &usize| {
-        rows.iter()
-            .take(pivots.len())
-            .all(|row| row[*at].is_integer())
-    };
-    free.filter(whole).map(|at| order[at]).collect()
+    let reduced = rows.reduced();
+    let entries = reduced.values().flatten();
+    let broken: BTreeSet<usize> = entries
+        .filter(|(_, exponent)| !exponent.is_integer())
+        .map(|(at, _)| *at)
+        .collect();
+    let free = (0..order.len()).filter(|at| !reduced.contains_key(at) && !broken.contains(at));
+    free.map(|at| order[at]).collect()
 }
 
-/// Brings rows to reduced echelon form and says which columns lead. The last columns lead first, so that the
-/// first ones stay free.
-fn reduce(rows: &mut [Vec<Rational>], width: usize) -> Vec<usize> {
-    let mut pivots = Vec::new();
-    for column in (0..width).rev() {
-        let done = pivots.len();
-        let Some(at) = (done..rows.len()).find(|&row| !rows[row][column].is_zero()) else {
-            continue;
-        };
-        rows.swap(done, at);
-        let scale = rows[done][column].recip();
-        rows[done].iter_mut().for_each(|x| *x *= &scale);
-        let lead = rows[done].clone();
-        for (other, row) in rows.iter_mut().enumerate() {
-            let factor = row[column].clone();
-            if other != done && !factor.is_zero() {
-                row.iter_mut()
-                    .zip(&lead)
-                    .for_each(|(x, l)| *x -= &(&factor * l));
+/// Independent rows by the column that leads each, with coefficient 1: its last, so that the first columns stay free.
+#[derive(Default)]
+struct Echelon(BTreeMap<usize, Row>);
+
+impl Echelon {
+    fn insert(&mut self, mut row: Row) {
+        while let Some((&column, factor)) = row.last_key_value() {
+            let factor = factor.clone();
+            match self.0.get(&column) {
+                Some(lead) => subtract(&mut row, &factor, lead),
+                None => {
+                    let scale = factor.recip();
+                    row.values_mut().for_each(|x| *x *= &scale);
+                    self.0.insert(column, row);
+                    return;
+                }
             }
         }
-        pivots.push(column);
     }
-    pivots
+
+    /// The same equations, with nothing but free columns in a row besides the one that leads it.
+    fn reduced(self) -> BTreeMap<usize, Row> {
+        let mut done: BTreeMap<usize, Row> = BTreeMap::new();
+        for (column, mut row) in self.0 {
+            let leading: Vec<usize> = row
+                .keys()
+                .filter(|c| done.contains_key(c))
+                .copied()
+                .collect();
+            for other in leading {
+                let factor = row[&other].clone();
+                subtract(&mut row, &factor, &done[&other]);
+            }
+            done.insert(column, row);
+        }
+        done
+    }
+}
+
+/// `row − factor · other`.
+fn subtract(row: &mut Row, factor: &Rational, other: &Row) {
+    for (&column, value) in other {
+        let slot = row.entry(column).or_insert_with(Rational::zero);
+        *slot -= &(factor * value);
+        if slot.is_zero() {
+            row.remove(&column);
+        }
+    }
 }
