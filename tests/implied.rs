@@ -3,6 +3,7 @@
 use cradle_verify::audit::{Audit, Entry, Verdict};
 use cradle_verify::derivation::Derivation;
 use cradle_verify::notation::{latex_formula, plain};
+use cradle_verify::report::Report;
 
 fn last(source: &str) -> Entry {
     let audit = Audit::of(&Derivation::from_markdown("page.md", source));
@@ -70,4 +71,33 @@ $$ x \geq 5 \tag{2} $$
     let entry = last(page);
     assert_eq!(entry.verdict, Verdict::Fails);
     assert!(entry.implied.is_none());
+}
+
+/// The findings on a page, as a person reads them.
+fn findings(source: &str) -> String {
+    let derivation = Derivation::from_markdown("page.md", source);
+    let audit = Audit::of(&derivation);
+    let report = Report {
+        derivation: &derivation,
+        audit: &audit,
+        paths: &[],
+    };
+    anstream::adapter::strip_str(&report.human(false)).to_string()
+}
+
+#[test]
+fn a_law_in_the_middle_of_a_text_is_told_how_to_be_one() {
+    let law = "nothing before it speaks of k; if it is a law, a model or a definition, write `<!-- check: law -->` above it";
+    let spring = "$$ F = a + b \\tag{1} $$\n\nThe spring pulls back:\n\n";
+    let said = findings(&format!("{spring}$$ F = k x \\tag{{2}} $$\n"));
+    assert!(said.contains(law), "{said}");
+    // Neither where something is cited, nor where every symbol has occurred, nor where it is a law.
+    for other in [
+        "From (1):\n\n$$ F = k x \\tag{2} $$\n",
+        "$$ F = a b \\tag{2} $$\n",
+        "<!-- check: law -->\n$$ F = k x \\tag{2} $$\n",
+    ] {
+        let said = findings(&format!("{spring}{other}"));
+        assert!(!said.contains("nothing before it speaks of"), "{said}");
+    }
 }

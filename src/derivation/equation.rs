@@ -1,6 +1,6 @@
 use std::collections::BTreeSet;
 
-use crate::algebra::{BigRational, Expr, Formula, Relation};
+use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use crate::document::Span;
 use crate::notation::{Clause, Connective, Statement, SyntaxError};
 
@@ -29,6 +29,8 @@ pub struct Equation {
     pub kind: Kind,
     /// The statements, by position, whose first link defines a symbol that has not occurred before.
     pub defines: BTreeSet<usize>,
+    /// The symbols of which no equation before speaks.
+    pub introduces: BTreeSet<Symbol>,
     /// Whether the page opens with it and nothing is said of where it comes from.
     pub opens: bool,
     /// It is a numeric claim: how near `≈` is meant, where that is said.

@@ -295,6 +295,7 @@ pub(super) fn read_page(
                         },
                         kind,
                         defines,
+                        introduces: BTreeSet::new(),
                         opens: alone && kind == Kind::Derived && !stated,
                         numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
                         premises: match &said.from {
@@ -333,11 +334,12 @@ fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
     }
 }
 
-/// Leaves only those as definitions whose symbol occurs nowhere before, in reading order.
+/// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, and notes which symbols are new.
 pub(super) fn settle_definitions(equations: &mut [Equation]) {
     let mut seen = BTreeSet::new();
     for equation in equations {
         let mut defines = std::mem::take(&mut equation.defines);
+        let mut introduces = BTreeSet::new();
         let mut case: Option<Symbol> = None;
         for (part, statement) in equation.statements().iter().enumerate() {
             // All cases of a definition define the same symbol.
@@ -347,11 +349,18 @@ pub(super) fn settle_definitions(equations: &mut [Equation]) {
             }
             case = defined.filter(|_| !statement.under.is_empty());
             for formula in formulas(statement) {
-                seen.extend(formula.free_symbols());
-                seen.extend(formula.sequences());
+                for symbol in formula
+                    .free_symbols()
+                    .into_iter()
+                    .chain(formula.sequences())
+                {
+                    if seen.insert(symbol.clone()) {
+                        introduces.insert(symbol);
+                    }
+                }
             }
         }
-        equation.defines = defines;
+        (equation.defines, equation.introduces) = (defines, introduces);
     }
 }
 

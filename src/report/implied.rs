@@ -3,7 +3,7 @@
 
 use crate::algebra::{BigRational, Expr, Formula};
 use crate::audit::Entry;
-use crate::derivation::{Equation, Kind, Premises, formulas};
+use crate::derivation::{Kind, Premises};
 use crate::kernel::Proven;
 use crate::notation::{latex_formula, measured, plain, plain_formula};
 use crate::search::{Change, Implied};
@@ -94,16 +94,9 @@ impl Report<'_> {
             return None;
         }
         let (judged, _) = entry.refuted()?;
-        let mut new = judged.goal.formula.free_symbols();
-        new.retain(|symbol| measured(symbol).is_none());
-        let before = self.derivation.equations[..entry.equation].iter().rev();
-        for formula in before.flat_map(Equation::statements).flat_map(formulas) {
-            if new.is_empty() {
-                break;
-            }
-            new.retain(|symbol| !formula.terms().iter().any(|term| term.mentions(symbol)));
-        }
-        let symbol = new.first()?;
+        let named = judged.goal.formula.free_symbols();
+        let mut new = named.intersection(&equation.introduces);
+        let symbol = new.find(|symbol| measured(symbol).is_none())?;
         let is_latex = self.derivation.pages[equation.page].document.is_latex;
         let directive = if is_latex {
             "% check: law"
