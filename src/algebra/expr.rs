@@ -205,14 +205,18 @@ impl Expr {
         }
     }
 
+    /// Whether the term itself or any part of it is as asked, what is bound included.
+    pub fn any(&self, is: &impl Fn(&Expr) -> bool) -> bool {
+        is(self) || self.children().into_iter().any(|child| child.any(is))
+    }
+
     /// Whether a symbol occurs anywhere, bound or free, as a sequence or as an index too.
     pub fn mentions(&self, symbol: &Symbol) -> bool {
-        let here = match self {
+        self.any(&|part| match part {
             Expr::Symbol(own) | Expr::Apply(own, _) => own == symbol,
             Expr::Element { sequence, index } => sequence == symbol || index == symbol,
-            _ => self.binder() == Some(symbol),
-        };
-        here || self.children().iter().any(|child| child.mentions(symbol))
+            _ => part.binder() == Some(symbol),
+        })
     }
 
     /// What a binder binds its symbol in, and what lies outside of its scope: the limits of a sum or integral,
@@ -334,8 +338,7 @@ impl Expr {
 
     /// Whether an element of a sequence occurs.
     pub fn has_elements(&self) -> bool {
-        matches!(self, Expr::Element { .. })
-            || self.children().iter().any(|child| child.has_elements())
+        self.any(&|part| matches!(part, Expr::Element { .. }))
     }
 
     /// Whether this is the number 1.

@@ -117,12 +117,11 @@ impl Expr {
                     Some((_, Place::Running(_) | Place::Unclear))
                 )
         };
-        let here = match self {
+        self.any(&|part| match part {
             Expr::Symbol(own) | Expr::Apply(own, _) => named(own),
             Expr::Element { sequence, index } => named(sequence) || named(index),
-            _ => self.binder().is_some_and(named),
-        };
-        here || self.children().iter().any(|child| child.depends_on(index))
+            _ => part.binder().is_some_and(named),
+        })
     }
 
     /// The same term for another value of an index; `None` where that cannot be said: under a derivative, in a function

@@ -45,7 +45,9 @@ impl Lowering<'_> {
         let Some(least) = self.least(last).filter(|&l| first >= 0 && l >= first - 1) else {
             return Ok(None);
         };
-        if body.has_elements() || has_binder(body) || !mentions_symbol(body, index) {
+        // What is put in for the index might be caught by something bound.
+        let binds = |part: &Expr| part.binder().is_some();
+        if body.has_elements() || body.any(&binds) || !mentions_symbol(body, index) {
             return Ok(None);
         }
         let own = |var: &Var| matches!(self.atoms.atom(*var), Atom::Symbol(own) if own == index);
@@ -204,16 +206,7 @@ fn with_index(known: &Functions, index: &Symbol, first: i64) -> Functions {
     known
 }
 
-/// Whether something is bound in a term: what is put in might be caught.
-fn has_binder(term: &Expr) -> bool {
-    term.binder().is_some() || term.children().into_iter().any(has_binder)
-}
-
 /// Whether a symbol stands in a term by itself, and not as the index of an element.
 pub fn mentions_symbol(term: &Expr, symbol: &Symbol) -> bool {
-    matches!(term, Expr::Symbol(own) if own == symbol)
-        || term
-            .children()
-            .into_iter()
-            .any(|child| mentions_symbol(child, symbol))
+    term.any(&|part| matches!(part, Expr::Symbol(own) if own == symbol))
 }

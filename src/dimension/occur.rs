@@ -46,11 +46,7 @@ pub fn graded<'a>(formula: &'a Formula, found: &mut impl FnMut(&'a Symbol)) {
             .for_each(|child| walk(child, found));
     }
     fn has_power_of(term: &Expr, index: &Symbol) -> bool {
-        matches!(term, Expr::Power(_, exponent) if exponent.mentions(index))
-            || term
-                .children()
-                .into_iter()
-                .any(|child| has_power_of(child, index))
+        term.any(&|part| matches!(part, Expr::Power(_, exponent) if exponent.mentions(index)))
     }
     formula
         .terms()

@@ -26,12 +26,9 @@ pub(crate) fn pi_is_the_number(claim: &Claim) -> bool {
         sides.is_some_and(|(l, r)| symbol(l) && number(r) || symbol(r) && number(l))
     };
     // An index or a variable of that name is something else.
-    fn binds(term: &Expr, symbol: &Symbol) -> bool {
-        let children = term.children();
-        term.binder() == Some(symbol) || children.iter().any(|child| binds(child, symbol))
-    }
+    let binds = |part: &Expr| part.binder() == Some(&pi);
     let something_else = |formula: &Formula| {
-        let bound = formula.terms().iter().any(|t| binds(t, &pi));
+        let bound = formula.terms().iter().any(|term| term.any(&binds));
         bound || formula.sequences().contains(&pi)
     };
     let mut hypotheses = claim.hypotheses.iter().map(|h| &*h.formula);

@@ -67,7 +67,7 @@ pub(super) fn powers_of<'a>(
 
 /// Whether there is a power with another exponent than an integer in a term.
 fn has_powers(term: &Expr) -> bool {
-    let here = match term {
+    term.any(&|part| match part {
         Expr::Power(_, exponent) => constant(exponent).is_none_or(|e| !e.is_integer()),
         // Of what is positive a logarithm can be taken factor by factor.
         Expr::Call(Function::Ln, _) => true,
@@ -78,8 +78,7 @@ fn has_powers(term: &Expr) -> bool {
         // In sums over whole numbers every power has a value.
         Expr::Series { index, body, .. } => mentions_symbol(body, index),
         _ => false,
-    };
-    here || term.children().into_iter().any(has_powers)
+    })
 }
 
 /// Where symbols occur.

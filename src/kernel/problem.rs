@@ -633,30 +633,24 @@ fn counts(claim: &Claim) -> BTreeSet<Symbol> {
 
 /// Whether a symbol stands where it is differentiated, integrated or taken to a limit, or is what that is done by.
 fn moves(term: &Expr, symbol: &Symbol) -> bool {
-    let here = match term {
+    term.any(&|part| match part {
         Expr::Derivative { .. } | Expr::Limit { .. } | Expr::Integral { .. } => {
-            term.mentions(symbol)
+            part.mentions(symbol)
         }
         _ => false,
-    };
-    here || term.children().iter().any(|child| moves(child, symbol))
+    })
 }
 
 /// Whether a symbol is what is differentiated by, goes to a limit or is integrated over: putting a term in its
 /// place elsewhere would sever the two.
 fn is_variable(term: &Expr, symbol: &Symbol) -> bool {
-    let here = match term {
+    term.any(&|part| match part {
         Expr::Series { .. } => false,
-        _ => term.binder() == Some(symbol),
-    };
-    here || term
-        .children()
-        .iter()
-        .any(|child| is_variable(child, symbol))
+        _ => part.binder() == Some(symbol),
+    })
 }
 
 /// Whether a sum binds an index that occurs in `value`.
 fn captures(term: &Expr, value: &Expr) -> bool {
-    let here = matches!(term, Expr::Series { index, .. } if value.mentions(index));
-    here || term.children().iter().any(|child| captures(child, value))
+    term.any(&|part| matches!(part, Expr::Series { index, .. } if value.mentions(index)))
 }

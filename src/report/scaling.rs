@@ -188,7 +188,7 @@ fn changed(refuted: &ScalesNot) -> String {
     let Formula::Relation { left, right, .. } = &refuted.claim().goal else {
         return String::new();
     };
-    let inside = |term: &Expr, quantity: &Expr| contains(term, quantity);
+    let inside = |term: &Expr, quantity: &Expr| term.any(&|part| part == quantity);
     let on = |test: &dyn Fn(&Expr) -> bool| -> Vec<&(Expr, Size)> {
         growths.iter().filter(|(q, _)| test(q)).collect()
     };
@@ -214,10 +214,6 @@ fn changed(refuted: &ScalesNot) -> String {
             format!("with {}", said.join(", "))
         }
     }
-}
-
-fn contains(term: &Expr, quantity: &Expr) -> bool {
-    term == quantity || term.children().into_iter().any(|c| contains(c, quantity))
 }
 
 /// The factors by which the sides of a relation grow.

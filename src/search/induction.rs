@@ -28,7 +28,8 @@ pub fn prove_for_every(claim: &ForEvery) -> Option<(HoldsForEvery, BTreeSet<usiz
         !claim.is_constant(hypothesis) && (fits(Moved::By(0)) || fits(Moved::By(1)))
     };
     let usable: Vec<usize> = claim.throughout.iter().filter(usable).copied().collect();
-    let sums = claim.claim.goal.terms().into_iter().any(has_sum);
+    let is_sum = |part: &Expr| matches!(part, Expr::Series { .. });
+    let sums = claim.claim.goal.terms().iter().any(|t| t.any(&is_sum));
     if usable.is_empty() && !sums || usable.len() > MOST_THROUGHOUT {
         return None;
     }
@@ -213,9 +214,4 @@ fn last_number(formula: &Formula, claim: &ForEvery) -> Option<u32> {
         _ => None,
     });
     numbers.max()
-}
-
-/// Whether there is a sum in a term.
-fn has_sum(term: &Expr) -> bool {
-    matches!(term, Expr::Series { .. }) || term.children().into_iter().any(has_sum)
 }

@@ -64,11 +64,10 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
 }
 
 fn has_operands(formula: &Formula) -> bool {
-    fn within(term: &Expr) -> bool {
-        let done = matches!(term, Expr::Call(..)) || term.binder().is_some() || is_root(term);
-        done || term.children().into_iter().any(within)
-    }
-    matches!(formula, Formula::AllEqual { .. }) || formula.terms().into_iter().any(within)
+    let is_operand =
+        |part: &Expr| matches!(part, Expr::Call(..)) || part.binder().is_some() || is_root(part);
+    matches!(formula, Formula::AllEqual { .. })
+        || formula.terms().iter().any(|term| term.any(&is_operand))
 }
 
 /// Whether a power is one of a root.

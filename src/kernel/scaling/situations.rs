@@ -349,8 +349,7 @@ impl Both<'_> {
 
 /// Whether an unknown function is applied in a term, or something varies under a binder.
 fn has_unknowns(term: &Expr) -> bool {
-    matches!(term, Expr::Apply(..) | Expr::Derivative { .. })
-        || term.children().into_iter().any(has_unknowns)
+    term.any(&|part| matches!(part, Expr::Apply(..) | Expr::Derivative { .. }))
 }
 
 /// Any real number, 0 perhaps excluded.
