@@ -186,6 +186,13 @@ impl Formula {
         free
     }
 
+    /// The symbols that have a value of their own, and the sequences.
+    pub fn names(&self) -> BTreeSet<Symbol> {
+        let mut names = self.free_symbols();
+        names.append(&mut self.sequences());
+        names
+    }
+
     /// The sequences that occur.
     pub fn sequences(&self) -> BTreeSet<Symbol> {
         fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {

@@ -1,6 +1,6 @@
 //! Whether what is given can all be true together: no audit is vacuous.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
@@ -130,12 +130,7 @@ fn groups(derivation: &Derivation, among: Range<usize>) -> Vec<Vec<usize>> {
         own.enumerate().filter(|(_, e)| is_given(e))
     };
     for (at, equation) in equations() {
-        let mut symbols: BTreeSet<Symbol> = BTreeSet::new();
-        for formula in equation.statements().iter().flat_map(formulas) {
-            symbols.extend(formula.free_symbols());
-            symbols.extend(formula.sequences());
-        }
-        for symbol in symbols {
+        for symbol in equation.symbols() {
             let other = *first.entry(symbol).or_insert(at);
             let (a, b) = (root(&mut parent, at), root(&mut parent, other));
             parent[a.max(b)] = a.min(b);

@@ -211,6 +211,12 @@ impl Equation {
         self.statements.as_deref().unwrap_or_default()
     }
 
+    /// The symbols and sequences that it speaks of.
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        let formulas = self.statements().iter().flat_map(formulas);
+        formulas.flat_map(|formula| formula.names()).collect()
+    }
+
     /// Every relation of the equation: its two sides and what is said of them.
     pub fn relations(&self) -> Vec<(Expr, Relation, Expr)> {
         let goals = self.statements().iter().flat_map(goals);

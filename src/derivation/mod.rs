@@ -6,6 +6,7 @@
 
 mod beside;
 mod checker;
+mod definition;
 mod equation;
 mod names;
 mod page;
@@ -110,7 +111,7 @@ impl Derivation {
             derivation.pages.push(page);
             derivation.equations.extend(equations);
         }
-        page::settle_definitions(&mut derivation.equations);
+        definition::settle(&mut derivation.equations);
         for (at, equation) in derivation.equations.iter().enumerate() {
             let labels = [
                 tag_key(equation.tag.as_deref()),
@@ -128,7 +129,7 @@ impl Derivation {
             let mut mentions: BTreeMap<Symbol, Vec<usize>> = BTreeMap::new();
             let mut neighbours = BTreeSet::from([page]);
             for at in derivation.equations_of(page) {
-                for symbol in symbols(&derivation.equations[at]) {
+                for symbol in derivation.equations[at].symbols() {
                     mentions.entry(symbol).or_default().push(at);
                 }
                 let cited = derivation.premises(at).0.into_iter();
@@ -323,7 +324,7 @@ impl Derivation {
     /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a
     /// symbol, then the rest, each the nearest first.
     pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {
-        let mut wanted = symbols(&self.equations[at]);
+        let mut wanted = self.equations[at].symbols();
         let mut found: BTreeSet<usize> = BTreeSet::new();
         // Twice: what defines the symbols, and what defines those of the definitions.
         for _ in 0..2 {
@@ -337,7 +338,7 @@ impl Derivation {
             }
             wanted = fresh
                 .difference(&found)
-                .flat_map(|&other| symbols(&self.equations[other]))
+                .flat_map(|&other| self.equations[other].symbols())
                 .collect();
             found.extend(fresh);
         }
@@ -487,15 +488,4 @@ fn tag_key(tag: Option<&str>) -> Option<String> {
 
 fn name_key(name: Option<&str>) -> Option<String> {
     name.map(str::to_owned)
-}
-
-/// The symbols and sequences of an equation.
-fn symbols(equation: &Equation) -> BTreeSet<Symbol> {
-    let formulas = equation.statements().iter().flat_map(formulas);
-    let mut all = BTreeSet::new();
-    for formula in formulas {
-        all.extend(formula.free_symbols());
-        all.extend(formula.sequences());
-    }
-    all
 }

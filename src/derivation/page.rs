@@ -1,12 +1,9 @@
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
 use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{
-    BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, element_symbol,
-};
+use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::nearest::nearest;
 use crate::document::{
@@ -17,7 +14,8 @@ use crate::kernel::Domain;
 use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
 
 use super::beside::{Beside, Clash, Place};
-use super::equation::{conditions, formulas};
+use super::definition::Known;
+use super::equation::formulas;
 use super::{Equation, Kind, names, rows};
 
 /// Of the values that a piece of text names, so many are looked at.
@@ -102,37 +100,8 @@ struct Between {
     mentioned: Vec<Span>,
 }
 
-/// The symbols of the first so many equations and suppositions of a page, gathered when they are asked for.
-#[derive(Default)]
-struct Known {
-    symbols: BTreeSet<Symbol>,
-    equations: usize,
-    locals: usize,
-}
-
-impl Known {
-    fn learn(&mut self, equations: &[Equation], locals: &[Local]) {
-        for equation in equations.get(self.equations..).unwrap_or_default() {
-            let stated = equation.statements().iter().flat_map(formulas);
-            stated.for_each(|formula| self.occur(&formula));
-        }
-        for local in locals.get(self.locals..).unwrap_or_default() {
-            local
-                .formulas
-                .iter()
-                .for_each(|formula| self.occur(formula));
-        }
-        (self.equations, self.locals) = (equations.len(), locals.len());
-    }
-
-    fn occur(&mut self, formula: &Formula) {
-        self.symbols.extend(formula.free_symbols());
-        self.symbols.extend(formula.sequences());
-    }
-}
-
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
-/// [`settle_definitions`] says whether it is the first to speak of it.
+/// [`definition::settle`](super::definition::settle) says whether it is the first to speak of it.
 pub(super) fn read_page(
     document: Document,
     beside: Option<Arc<Beside>>,
@@ -197,7 +166,7 @@ pub(super) fn read_page(
                 for &Supposition { kind, body } in &prose.suppositions {
                     let is_let = kind == SuppositionKind::Let;
                     if kind == SuppositionKind::Define
-                        && !page.says_what_is_new(body, &equations, last.clone(), &mut known)
+                        && !known.says_what_is_new(body, &page, &equations, last.clone())
                     {
                         mentioned.push(body);
                         continue;
@@ -332,61 +301,6 @@ fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
         term if is_euler(term) => raised(Expr::integer(1)),
         term => term.map_children(|child| exponentials(child, euler)),
     }
-}
-
-/// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, and notes which symbols are new.
-pub(super) fn settle_definitions(equations: &mut [Equation]) {
-    let mut seen = BTreeSet::new();
-    for equation in equations {
-        let mut defines = std::mem::take(&mut equation.defines);
-        let mut introduces = BTreeSet::new();
-        let mut case: Option<Symbol> = None;
-        for (part, statement) in equation.statements().iter().enumerate() {
-            // All cases of a definition define the same symbol.
-            let defined = defined_symbol(statement, &seen, case.as_ref());
-            if defined.is_none() {
-                defines.remove(&part);
-            }
-            case = defined.filter(|_| !statement.under.is_empty());
-            for formula in formulas(statement) {
-                for symbol in formula
-                    .free_symbols()
-                    .into_iter()
-                    .chain(formula.sequences())
-                {
-                    if seen.insert(symbol.clone()) {
-                        introduces.insert(symbol);
-                    }
-                }
-            }
-        }
-        (equation.defines, equation.introduces) = (defines, introduces);
-    }
-}
-
-/// `s`, of `s = …`, where it has not occurred before, on this page or an earlier one, or in the case before only.
-fn defined_symbol(
-    statement: &Statement,
-    seen: &BTreeSet<Symbol>,
-    case: Option<&Symbol>,
-) -> Option<Symbol> {
-    let Some(Clause::Chain { sides, links }) = statement.clauses.first() else {
-        return None;
-    };
-    let (side, link) = (sides.first()?, links.first()?);
-    let crate::algebra::Expr::Symbol(symbol) = &side.expr else {
-        return None;
-    };
-    let under = conditions(statement);
-    let defines = link.relation == crate::algebra::Relation::Equal
-        && !link.questioned
-        && (!seen.contains(symbol) || case == Some(symbol) && !under.is_empty())
-        && sides.iter().skip(1).all(|side| !side.expr.mentions(symbol))
-        && !under
-            .iter()
-            .flat_map(Formula::terms)
-            .any(|term| term.mentions(symbol));
-    defines.then(|| symbol.clone())
 }
 
 impl Page {
@@ -598,54 +512,6 @@ impl Page {
                 level,
             });
         }
-    }
-
-    /// Whether `s = …` after a display only says what a symbol means that occurs first there. Such an equation can be made
-    /// true whatever the symbols on its right are, as long as none of these is what the display defines by it.
-    fn says_what_is_new(
-        &self,
-        body: Span,
-        equations: &[Equation],
-        last: Range<usize>,
-        known: &mut Known,
-    ) -> bool {
-        let Ok(read) = read_formulas(&self.document.source, body) else {
-            return false;
-        };
-        let said: Vec<Formula> = read.iter().flat_map(formulas).collect();
-        let [
-            Formula::Relation {
-                left: Expr::Symbol(symbol),
-                relation: Relation::Equal,
-                right,
-            },
-        ] = &said[..]
-        else {
-            return false;
-        };
-        let occurs = |formula: &Formula| formula.terms().iter().any(|term| term.mentions(symbol));
-        let defines_it = |equation: &Equation| {
-            equation
-                .statements()
-                .iter()
-                .any(|statement| match &statement.clauses[..] {
-                    [Clause::Chain { sides, .. }, ..] => match sides.first().map(|side| &side.expr)
-                    {
-                        Some(Expr::Symbol(left)) => left == symbol || right.mentions(left),
-                        _ => false,
-                    },
-                    _ => false,
-                })
-        };
-        known.learn(&equations[..last.start], &self.locals);
-        let display = &equations[last];
-        let statements = display.iter().flat_map(Equation::statements);
-        !right.mentions(symbol)
-            && statements
-                .flat_map(formulas)
-                .any(|formula| occurs(&formula))
-            && !known.symbols.contains(symbol)
-            && !display.iter().any(defines_it)
     }
 
     /// The domain of the elements of a sequence: that declared for `u_i`, whatever the index is called.

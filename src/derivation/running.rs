@@ -82,10 +82,7 @@ fn shows_index(page: &Page, formula: &Formula, index: &Symbol) -> bool {
 
 /// The symbols and sequences of a formula that are neither an index nor have it in their names.
 fn plain(formula: &Formula, index: &Symbol) -> BTreeSet<Symbol> {
-    let all = formula
-        .free_symbols()
-        .into_iter()
-        .chain(formula.sequences());
+    let all = formula.names().into_iter();
     let shows = |symbol: &Symbol| {
         let place = symbol.place(index).map(|(_, place)| place);
         symbol == index || matches!(place, Some(Place::Running(_) | Place::Unclear))

@@ -134,10 +134,7 @@ impl ForEvery {
 
     /// The symbols and sequences of a formula that are neither constant nor elements.
     fn plain(&self, formula: &Formula) -> BTreeSet<Symbol> {
-        let all = formula
-            .free_symbols()
-            .into_iter()
-            .chain(formula.sequences());
+        let all = formula.names().into_iter();
         let plain = all.filter(|symbol| {
             let domain = self.claim.domains.get(symbol);
             let element = match symbol.place(&self.index) {
