@@ -9,8 +9,9 @@ use cradle_verify::audit::{Audit, Entry, Verdict};
 use cradle_verify::derivation::Derivation;
 use cradle_verify::notation::plain_formula;
 use cradle_verify::proofs::corrected::{PAGES, corrected};
-use cradle_verify::report::Report;
 use slips::{SLIPS, SPREADING};
+
+use crate::common;
 
 /// `path:line`, the equation, and its name.
 fn place(derivation: &Derivation, at: usize) -> String {
@@ -85,14 +86,9 @@ fn each_page_stands_by_itself() {
 #[test]
 fn what_is_printed() {
     let derivation = corrected();
-    let audit = Audit::of(&derivation);
-    let report = Report {
-        derivation: &derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    assert_eq!(report.findings(), 0);
-    let text = anstream::adapter::strip_str(&report.human(false)).to_string();
+    let (findings, text) = common::reported(&derivation, |r| (r.findings(), r.human(false)));
+    assert_eq!(findings, 0);
+    let text = anstream::adapter::strip_str(&text).to_string();
     insta::assert_snapshot!("human", text);
 }
 

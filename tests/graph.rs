@@ -8,19 +8,15 @@ use cradle_verify::proofs;
 use cradle_verify::report::Report;
 use cradle_verify::report::graph::{Graph, Node, Status};
 
+use crate::common;
+
 /// Looks at the graph of a page.
 fn graph<T>(source: &str, look: impl FnOnce(&Graph, &Report<'_>) -> T) -> T {
     of(&Derivation::from_markdown("page.md", source), look)
 }
 
 fn of<T>(derivation: &Derivation, look: impl FnOnce(&Graph, &Report<'_>) -> T) -> T {
-    let audit = Audit::of(derivation);
-    let report = Report {
-        derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    look(&Graph::of(&report), &report)
+    common::reported(derivation, |report| look(&Graph::of(report), report))
 }
 
 fn node<'a>(graph: &'a Graph, id: &str) -> &'a Node {

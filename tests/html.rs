@@ -26,13 +26,7 @@ fn page_of(documents: &[(&str, &str)]) -> String {
 }
 
 fn page(derivation: &Derivation) -> String {
-    let audit = Audit::of(derivation);
-    let report = Report {
-        derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    report.html(&Pictures::default())
+    common::reported(derivation, |report| report.html(&Pictures::default()))
 }
 
 /// The page of the report that ships inside, as the program writes it.

@@ -3,7 +3,8 @@
 use cradle_verify::audit::{Audit, Entry, Verdict};
 use cradle_verify::derivation::Derivation;
 use cradle_verify::notation::{latex_formula, plain};
-use cradle_verify::report::Report;
+
+use crate::common;
 
 fn last(source: &str) -> Entry {
     let audit = Audit::of(&Derivation::from_markdown("page.md", source));
@@ -76,13 +77,7 @@ $$ x \geq 5 \tag{2} $$
 /// The findings on a page, as a person reads them.
 fn findings(source: &str) -> String {
     let derivation = Derivation::from_markdown("page.md", source);
-    let audit = Audit::of(&derivation);
-    let report = Report {
-        derivation: &derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    anstream::adapter::strip_str(&report.human(false)).to_string()
+    common::human(&derivation)
 }
 
 #[test]

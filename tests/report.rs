@@ -5,33 +5,23 @@ mod algebraic;
 mod induction;
 mod numeric;
 
-use cradle_verify::audit::Audit;
 use cradle_verify::proofs;
-use cradle_verify::report::Report;
+
+use crate::common;
 
 #[test]
 fn the_page_for_people() {
     let derivation = proofs::report();
-    let audit = Audit::of(&derivation);
-    let report = Report {
-        derivation: &derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    let text = anstream::adapter::strip_str(&report.human(false)).to_string();
+    let text = common::human(&derivation);
     insta::assert_snapshot!("human", text);
 }
 
 #[test]
 fn the_page_for_programs() {
     let derivation = proofs::report();
-    let audit = Audit::of(&derivation);
-    let report = Report {
-        derivation: &derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    let text = serde_json::to_string_pretty(&report.json()).unwrap();
+    let text = common::reported(&derivation, |report| {
+        serde_json::to_string_pretty(&report.json()).unwrap()
+    });
     insta::assert_snapshot!("json", text);
 }
 

@@ -4,11 +4,30 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use cradle_verify::audit::Audit;
+use cradle_verify::derivation::Derivation;
+use cradle_verify::report::Report;
 use serde_json::Value;
 
 /// The root of the repository.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// What is seen in the report on a derivation.
+pub fn reported<T>(derivation: &Derivation, look: impl FnOnce(&Report<'_>) -> T) -> T {
+    let audit = Audit::of(derivation);
+    look(&Report {
+        derivation,
+        audit: &audit,
+        paths: &[],
+    })
+}
+
+/// What people read of it, without colours.
+pub fn human(derivation: &Derivation) -> String {
+    let text = reported(derivation, |report| report.human(false));
+    anstream::adapter::strip_str(&text).to_string()
 }
 
 /// The program with its arguments, at the root of the repository, in colours only where it finds a terminal.

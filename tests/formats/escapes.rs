@@ -2,27 +2,19 @@
 
 use std::path::Path;
 
-use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::{Document, Position};
 use cradle_verify::report::codes::Level;
 use cradle_verify::report::remark::{Known, Remark, Subject};
-use cradle_verify::report::{Report, github, short};
+use cradle_verify::report::{github, short};
 use serde_json::json;
+
+use crate::common;
 
 /// A page with one thing to remark on.
 fn page(path: &str) -> Derivation {
     let source = "<!-- check: derived -->\n$$ 1 + 1 = 3 $$\n";
     Derivation::new(vec![Document::markdown(path, source)])
-}
-
-fn looked_at<T>(derivation: &Derivation, look: impl FnOnce(&Report<'_>) -> T) -> T {
-    let audit = Audit::of(derivation);
-    look(&Report {
-        derivation,
-        audit: &audit,
-        paths: &[],
-    })
 }
 
 /// A remark on the first line.
@@ -67,7 +59,7 @@ fn nothing_ends_an_attribute_or_a_text_for_junit() {
     let name = "a<b>&\"]]>\u{0}\u{1b}[0m\u{ffff}";
     let escaped = "a&lt;b&gt;&amp;&quot;]]&gt;[0m";
     let derivation = page("page.md");
-    let text = looked_at(&derivation, |report| {
+    let text = common::reported(&derivation, |report| {
         report.junit(&[remark(name, name)], Some(Level::Error), Path::new("/"))
     });
     assert!(text.contains(&format!("message=\"{escaped}\"")), "{text}");
@@ -90,7 +82,7 @@ fn paths_are_told_from_one_folder_and_are_uris_where_those_are_asked_for() {
         ("a b/ü%:.md", "a b/ü%:.md", "a%20b/%C3%BC%25%3A.md"),
     ] {
         let derivation = page(path);
-        looked_at(&derivation, |report| {
+        common::reported(&derivation, |report| {
             let remarks = report.remarks(here, &Known::new());
             assert_eq!(remarks[0].path, relative);
             let log = json!(report.sarif(&remarks, false));

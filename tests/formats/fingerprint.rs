@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
-use cradle_verify::report::Report;
 use serde_json::Value;
+
+use crate::common;
 
 /// FNV-1a with 64 bits, as it is published.
 fn fnv(bytes: impl IntoIterator<Item = u8>) -> u64 {
@@ -17,13 +17,9 @@ fn fnv(bytes: impl IntoIterator<Item = u8>) -> u64 {
 /// What a baseline records of the statements of a page.
 fn recorded(source: &str) -> Vec<[String; 3]> {
     let derivation = Derivation::from_markdown("page.md", source);
-    let audit = Audit::of(&derivation);
-    let report = Report {
-        derivation: &derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    let baseline = report.baseline(Path::new(".")).written();
+    let baseline = common::reported(&derivation, |report| {
+        report.baseline(Path::new(".")).written()
+    });
     let baseline: Value = serde_json::from_str(&baseline).unwrap();
     let lines = baseline["statements"].as_array().unwrap();
     let line = |line: &Value| {

@@ -1,21 +1,15 @@
 //! What is said where a claim about every element of a sequence is not proved.
 
-use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
-use cradle_verify::report::Report;
+
+use crate::common;
 
 fn said(domain: &str) -> String {
     let page = format!(
         "<!-- check: symbols n: {domain} -->\n<!-- check: law -->\n$$ c_{{n+1}} = c_n + 2, \\qquad c_0 = 1 \\tag{{1}} $$\n\nFrom (1)\n\n$$ c_n = 2 n + 1 \\tag{{2}} $$\n"
     );
     let derivation = Derivation::from_markdown("page.md", &page);
-    let audit = Audit::of(&derivation);
-    let report = Report {
-        derivation: &derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    report.human(false)
+    common::human(&derivation)
 }
 
 #[test]

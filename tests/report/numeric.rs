@@ -1,8 +1,8 @@
 //! Decimals for exact numbers: rounded outwards, so that an interval keeps what is in it.
 
-use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
-use cradle_verify::report::Report;
+
+use crate::common;
 
 /// How an interval is told that a figure lies in.
 fn told(low: &str, high: &str) -> String {
@@ -10,13 +10,8 @@ fn told(low: &str, high: &str) -> String {
         "<!-- check: data x: [{low}, {high}], \"a table\" -->\n\n<!-- check: numeric within 0.01 -->\n$$ x \\approx 1 $$\n"
     );
     let derivation = Derivation::from_markdown("page.md", &page);
-    let audit = Audit::of(&derivation);
-    let report = Report {
-        derivation: &derivation,
-        audit: &audit,
-        paths: &[],
-    };
-    let text = anstream::adapter::strip_str(&report.explain(0)).to_string();
+    let text = common::reported(&derivation, |report| report.explain(0));
+    let text = anstream::adapter::strip_str(&text).to_string();
     let (_, figures) = text.split_once("Figures, in SI units\n").expect(&text);
     let line = figures.lines().next().unwrap();
     let (told, _) = line.split_once("   a table").expect(line);
