@@ -97,21 +97,17 @@
 //! [`figures`] draws what audited equations say, in exact numbers until a place on paper is needed.
 #![forbid(unsafe_code)]
 
-pub mod algebra;
-pub mod audit;
+#[doc(inline)]
+pub use cradle_engine::{
+    algebra, audit, derivation, dimension, document, interval, kernel, notation, search,
+};
+
 pub mod cli;
 pub mod config;
 pub mod cradle;
-pub mod derivation;
-pub mod dimension;
-pub mod document;
 pub mod figures;
-pub mod interval;
-pub mod kernel;
-pub mod notation;
 pub mod proofs;
 pub mod report;
-pub mod search;
 
 /// The README's own example, run as a test.
 #[cfg(doctest)]

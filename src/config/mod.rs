@@ -15,7 +15,7 @@ use toml::Spanned as Toml;
 use toml::de::{DeTable, DeValue};
 
 use crate::derivation::{Beside, Budget, Severity};
-use crate::document::nearest::nearest;
+use crate::document::nearest;
 use crate::document::{File, Problem, Span};
 use crate::notation::Spanned;
 use crate::report::codes::{self, CODES};

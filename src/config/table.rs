@@ -4,7 +4,7 @@ use toml::Spanned as Toml;
 use toml::de::{DeTable, DeValue};
 
 use super::{kind, place, shown};
-use crate::document::nearest::nearest;
+use crate::document::nearest;
 use crate::document::{Problem, Span};
 use crate::notation::Spanned;
 

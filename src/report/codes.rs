@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use crate::document::nearest::nearest;
+use crate::document::nearest;
 
 /// How grave something is; the graver, the greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

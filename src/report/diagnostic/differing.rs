@@ -120,7 +120,7 @@ fn term_at<'a>(formula: &'a Formula, path: &[usize]) -> Option<&'a Expr> {
     let (side, steps) = path.split_first()?;
     let mut term = formula.terms().into_iter().nth(*side)?;
     for step in steps {
-        term = term.children().into_iter().nth(*step)?;
+        term = term.children().nth(*step)?;
     }
     Some(term)
 }

@@ -1,0 +1,370 @@
+use std::collections::BTreeSet;
+
+use num_traits::One;
+
+use super::{BigInt, BigRational, Symbol};
+
+/// The terms directly below a term, in the order of reading.
+#[derive(Clone, Debug)]
+pub struct Children<'a> {
+    /// Those with a place of their own come first; a term has these or those in a list.
+    few: [Option<&'a Expr>; 3],
+    many: std::slice::Iter<'a, Expr>,
+}
+
+impl<'a> Iterator for Children<'a> {
+    type Item = &'a Expr;
+
+    #[inline]
+    fn next(&mut self) -> Option<&'a Expr> {
+        match self.few {
+            [None, ..] => self.many.next(),
+            [first, second, third] => {
+                self.few = [second, third, None];
+                first
+            }
+        }
+    }
+}
+
+/// A mathematical term, as its author structured it. There is no floating point in it: decimals are rationals.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Expr {
+    /// An exact number.
+    Number(BigRational),
+    /// A symbol by its whole name.
+    Symbol(Symbol),
+    /// `u_i`: the element of a sequence at a bound index.
+    Element {
+        /// The sequence, `u`.
+        sequence: Symbol,
+        /// The index: the bound symbol of an enclosing [`Expr::Series`].
+        index: Symbol,
+    },
+    /// A sum of two or more terms.
+    Sum(Vec<Expr>),
+    /// A product of two or more factors.
+    Product(Vec<Expr>),
+    /// `-a`.
+    Negate(Box<Expr>),
+    /// `a / b` or `\frac{a}{b}`.
+    Quotient(Box<Expr>, Box<Expr>),
+    /// `a^b`; a root is a power with a fractional exponent.
+    Power(Box<Expr>, Box<Expr>),
+    /// A known function of one argument.
+    Call(Function, Box<Expr>),
+    /// An unknown function applied to bare symbols: `P(t)`, `F(\delta, \dot\delta)`.
+    Apply(Symbol, Vec<Expr>),
+    /// `\sum_{index=from}^{to} body`.
+    Series {
+        /// The bound index.
+        index: Symbol,
+        /// The first value of the index.
+        from: Box<Expr>,
+        /// The last value of the index.
+        to: Box<Expr>,
+        /// The summand.
+        body: Box<Expr>,
+    },
+    /// `\frac{d}{dx} body`, a total derivative.
+    Derivative {
+        /// What is differentiated.
+        body: Box<Expr>,
+        /// The variable.
+        variable: Symbol,
+    },
+    /// `\lim_{x \to point} body`.
+    Limit {
+        /// What the limit is taken of.
+        body: Box<Expr>,
+        /// The variable that moves.
+        variable: Symbol,
+        /// Where it goes.
+        point: LimitPoint,
+    },
+    /// `\int_{from}^{to} body \, d variable`.
+    Integral {
+        /// The integrand.
+        body: Box<Expr>,
+        /// The variable of integration.
+        variable: Symbol,
+        /// The lower limit.
+        from: Box<Expr>,
+        /// The upper limit.
+        to: Box<Expr>,
+    },
+}
+
+/// Where the variable of a limit goes.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum LimitPoint {
+    /// A finite point.
+    Finite(Box<Expr>),
+    /// `+\infty` or `\infty`.
+    PlusInfinity,
+    /// `-\infty`.
+    MinusInfinity,
+}
+
+/// The functions that the notation knows by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// `\sin`
+    Sin,
+    /// `\cos`
+    Cos,
+    /// `\tan`
+    Tan,
+    /// `\exp`
+    Exp,
+    /// `\ln`, and `\log` without a base
+    Ln,
+    /// `|x|`
+    Abs,
+    /// `\lceil x \rceil`
+    Ceiling,
+    /// `\lfloor x \rfloor`
+    Floor,
+}
+
+impl Expr {
+    /// An integer.
+    pub fn integer(value: impl Into<BigInt>) -> Expr {
+        Expr::Number(BigRational::from_integer(value.into()))
+    }
+
+    /// A symbol by its canonical name.
+    pub fn symbol(name: &str) -> Expr {
+        Expr::Symbol(Symbol::new(name))
+    }
+
+    /// The terms directly below this one.
+    pub fn children(&self) -> Children<'_> {
+        let (few, many): (_, &[Expr]) = match self {
+            Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => ([None; 3], &[]),
+            Expr::Sum(items) | Expr::Product(items) | Expr::Apply(_, items) => ([None; 3], items),
+            Expr::Negate(inner) | Expr::Call(_, inner) | Expr::Derivative { body: inner, .. } => {
+                ([Some(&**inner), None, None], &[])
+            }
+            Expr::Quotient(a, b) | Expr::Power(a, b) => ([Some(&**a), Some(&**b), None], &[]),
+            Expr::Series { from, to, body, .. } | Expr::Integral { from, to, body, .. } => {
+                ([Some(&**from), Some(&**to), Some(&**body)], &[])
+            }
+            Expr::Limit { body, point, .. } => {
+                let point = match point {
+                    LimitPoint::Finite(point) => Some(&**point),
+                    _ => None,
+                };
+                ([Some(&**body), point, None], &[])
+            }
+        };
+        Children {
+            few,
+            many: many.iter(),
+        }
+    }
+
+    /// The same term with each term directly below it replaced.
+    pub fn map_children(&self, mut change: impl FnMut(&Expr) -> Expr) -> Expr {
+        let mut boxed = |inner: &Expr| Box::new(change(inner));
+        match self {
+            Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => self.clone(),
+            Expr::Sum(items) => Expr::Sum(items.iter().map(change).collect()),
+            Expr::Product(items) => Expr::Product(items.iter().map(change).collect()),
+            Expr::Apply(name, items) => {
+                Expr::Apply(name.clone(), items.iter().map(change).collect())
+            }
+            Expr::Negate(inner) => Expr::Negate(boxed(inner)),
+            Expr::Call(function, inner) => Expr::Call(*function, boxed(inner)),
+            Expr::Quotient(a, b) => Expr::Quotient(boxed(a), boxed(b)),
+            Expr::Power(a, b) => Expr::Power(boxed(a), boxed(b)),
+            Expr::Series {
+                index,
+                from,
+                to,
+                body,
+            } => Expr::Series {
+                index: index.clone(),
+                from: boxed(from),
+                to: boxed(to),
+                body: boxed(body),
+            },
+            Expr::Integral {
+                variable,
+                from,
+                to,
+                body,
+            } => Expr::Integral {
+                variable: variable.clone(),
+                from: boxed(from),
+                to: boxed(to),
+                body: boxed(body),
+            },
+            Expr::Derivative { body, variable } => Expr::Derivative {
+                body: boxed(body),
+                variable: variable.clone(),
+            },
+            Expr::Limit {
+                body,
+                variable,
+                point,
+            } => Expr::Limit {
+                body: boxed(body),
+                variable: variable.clone(),
+                point: match point {
+                    LimitPoint::Finite(point) => LimitPoint::Finite(boxed(point)),
+                    other => other.clone(),
+                },
+            },
+        }
+    }
+
+    /// The symbol that a term binds or works on: a sum's index, the variable of a derivative, limit or integral.
+    pub fn binder(&self) -> Option<&Symbol> {
+        match self {
+            Expr::Series { index, .. } => Some(index),
+            Expr::Derivative { variable, .. }
+            | Expr::Limit { variable, .. }
+            | Expr::Integral { variable, .. } => Some(variable),
+            _ => None,
+        }
+    }
+
+    /// Whether the term itself or any part of it is as asked, what is bound included.
+    pub fn any(&self, is: &impl Fn(&Expr) -> bool) -> bool {
+        is(self) || self.children().any(|child| child.any(is))
+    }
+
+    /// Whether a symbol occurs anywhere, bound or free, as a sequence or as an index too.
+    pub fn mentions(&self, symbol: &Symbol) -> bool {
+        self.any(&|part| match part {
+            Expr::Symbol(own) | Expr::Apply(own, _) => own == symbol,
+            Expr::Element { sequence, index } => sequence == symbol || index == symbol,
+            _ => part.binder() == Some(symbol),
+        })
+    }
+
+    /// What a binder binds its symbol in, and what lies outside of its scope: the limits of a sum or integral,
+    /// the point of a limit.
+    pub(crate) fn scope(&self) -> Option<(&Symbol, &Expr, Vec<&Expr>)> {
+        match self {
+            Expr::Series {
+                index: bound,
+                from,
+                to,
+                body,
+            }
+            | Expr::Integral {
+                variable: bound,
+                from,
+                to,
+                body,
+            } => Some((bound, body, vec![from, to])),
+            Expr::Limit {
+                body,
+                variable,
+                point,
+            } => match point {
+                LimitPoint::Finite(point) => Some((variable, body, vec![point])),
+                _ => Some((variable, body, Vec::new())),
+            },
+            _ => None,
+        }
+    }
+
+    /// The symbols that have a value of their own in this term: not indices, not the variables of
+    /// limits and integrals. The variable of a derivative has one: the point at which it is taken.
+    pub fn free_symbols(&self) -> BTreeSet<Symbol> {
+        let mut free = Vec::new();
+        self.collect_free(&mut Vec::new(), &mut free);
+        free.into_iter().cloned().collect()
+    }
+
+    /// Adds the symbols of [`Expr::free_symbols`] to a sorted list.
+    pub(super) fn collect_free<'a>(
+        &'a self,
+        bound: &mut Vec<&'a Symbol>,
+        free: &mut Vec<&'a Symbol>,
+    ) {
+        let mut add = |symbol: &'a Symbol, bound: &[&Symbol]| {
+            if !bound.contains(&symbol)
+                && let Err(at) = free.binary_search(&symbol)
+            {
+                free.insert(at, symbol);
+            }
+        };
+        match self {
+            // Most terms are one of these four, and bind nothing.
+            Expr::Symbol(symbol) => return add(symbol, bound),
+            Expr::Number(_) => return,
+            Expr::Sum(terms) | Expr::Product(terms) => {
+                return terms.iter().for_each(|e| e.collect_free(bound, free));
+            }
+            Expr::Derivative { variable, .. } => add(variable, bound),
+            _ => {}
+        }
+        match self.scope() {
+            Some((own, body, outside)) => {
+                outside
+                    .into_iter()
+                    .for_each(|e| e.collect_free(bound, free));
+                bound.push(own);
+                body.collect_free(bound, free);
+                bound.pop();
+            }
+            None => self.children().for_each(|e| e.collect_free(bound, free)),
+        }
+    }
+
+    /// Puts a term in the place of every free occurrence of a symbol.
+    pub fn substitute(&self, symbol: &Symbol, value: &Expr) -> Expr {
+        match self {
+            Expr::Symbol(own) if own == symbol => value.clone(),
+            // A derivative is taken at a point that cannot be put in under it.
+            Expr::Derivative { variable, .. } if variable == symbol => self.clone(),
+            _ => self.in_scope(symbol, |child| child.substitute(symbol, value)),
+        }
+    }
+
+    /// Puts a term in the place of every occurrence of another, bound symbols in it included.
+    pub fn replace(&self, what: &Expr, value: &Expr) -> Expr {
+        match self == what {
+            true => value.clone(),
+            false => self.map_children(|child| child.replace(what, value)),
+        }
+    }
+
+    /// Changes the terms below, but not the body of a binder of `symbol`.
+    fn in_scope(&self, symbol: &Symbol, change: impl Fn(&Expr) -> Expr) -> Expr {
+        let Some((own, body, _)) = self.scope() else {
+            return self.map_children(change);
+        };
+        let bound = own == symbol;
+        self.map_children(|child| match bound && std::ptr::eq(child, body) {
+            true => child.clone(),
+            false => change(child),
+        })
+    }
+
+    /// The summand of a series at a definite position, from 1: `u_i^2` at 3 is `u_3^2`.
+    pub fn at_index(&self, index: &Symbol, position: u32) -> Expr {
+        match self {
+            Expr::Symbol(own) if own == index => Expr::integer(position),
+            Expr::Element {
+                sequence,
+                index: own,
+            } if own == index => Expr::Symbol(super::element_symbol(sequence, position)),
+            _ => self.in_scope(index, |child| child.at_index(index, position)),
+        }
+    }
+
+    /// Whether an element of a sequence occurs.
+    pub fn has_elements(&self) -> bool {
+        self.any(&|part| matches!(part, Expr::Element { .. }))
+    }
+
+    /// Whether this is the number 1.
+    pub fn is_one(&self) -> bool {
+        matches!(self, Expr::Number(value) if value.is_one())
+    }
+}

@@ -1,0 +1,220 @@
+use std::collections::BTreeSet;
+
+use smallvec::{SmallVec, smallvec};
+
+use super::{Expr, Moved, Symbol};
+
+/// How two terms are related.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Relation {
+    /// `=`
+    Equal,
+    /// `\neq`
+    NotEqual,
+    /// `<`
+    Less,
+    /// `\leq`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `\geq`
+    GreaterOrEqual,
+    /// `\sim`: scales as
+    Scales,
+    /// `\propto`
+    Proportional,
+    /// `\approx`
+    Approximately,
+    /// `\ll`
+    MuchLess,
+    /// `\gg`
+    MuchGreater,
+}
+
+impl Relation {
+    /// The relation that holds between two numbers just where this one does not; none for what is no relation of numbers.
+    pub fn denied(self) -> Option<Relation> {
+        Some(match self {
+            Relation::Equal => Relation::NotEqual,
+            Relation::NotEqual => Relation::Equal,
+            Relation::Less => Relation::GreaterOrEqual,
+            Relation::GreaterOrEqual => Relation::Less,
+            Relation::Greater => Relation::LessOrEqual,
+            Relation::LessOrEqual => Relation::Greater,
+            _ => return None,
+        })
+    }
+}
+
+/// One statement that is true or false at a point.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Formula {
+    /// `left relation right`.
+    Relation {
+        /// The left side.
+        left: Expr,
+        /// How it is related to the right side.
+        relation: Relation,
+        /// The right side.
+        right: Expr,
+    },
+    /// `u_1 = u_2 = \dots = u_to`, and `= value` where one is named.
+    AllEqual {
+        /// The sequence, `u`.
+        sequence: Symbol,
+        /// The index of the last element that is meant.
+        to: Expr,
+        /// The common value, where one is named.
+        value: Option<Expr>,
+    },
+}
+
+impl Formula {
+    /// `left = right`.
+    pub fn equal(left: Expr, right: Expr) -> Formula {
+        Formula::Relation {
+            left,
+            relation: Relation::Equal,
+            right,
+        }
+    }
+
+    /// `term \neq 0`.
+    pub fn nonzero(term: Expr) -> Formula {
+        Formula::Relation {
+            left: term,
+            relation: Relation::NotEqual,
+            right: Expr::integer(0),
+        }
+    }
+
+    /// Whether this says which of two numbers is the greater.
+    pub fn is_inequality(&self) -> bool {
+        use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};
+        let Formula::Relation { relation, .. } = self else {
+            return false;
+        };
+        matches!(relation, Less | LessOrEqual | Greater | GreaterOrEqual)
+    }
+
+    /// Both sides, where this is an equation.
+    pub fn as_equation(&self) -> Option<(&Expr, &Expr)> {
+        match self {
+            Formula::Relation {
+                left,
+                relation: Relation::Equal,
+                right,
+            } => Some((left, right)),
+            _ => None,
+        }
+    }
+
+    /// The terms of the formula.
+    pub fn terms(&self) -> SmallVec<[&Expr; 2]> {
+        match self {
+            Formula::Relation { left, right, .. } => smallvec![left, right],
+            Formula::AllEqual { to, value, .. } => std::iter::once(to).chain(value).collect(),
+        }
+    }
+
+    /// The same formula with each of its terms replaced.
+    pub fn map_terms(&self, mut change: impl FnMut(&Expr) -> Expr) -> Formula {
+        match self {
+            Formula::Relation {
+                left,
+                relation,
+                right,
+            } => Formula::Relation {
+                left: change(left),
+                relation: *relation,
+                right: change(right),
+            },
+            Formula::AllEqual {
+                sequence,
+                to,
+                value,
+            } => Formula::AllEqual {
+                sequence: sequence.clone(),
+                to: change(to),
+                value: value.as_ref().map(change),
+            },
+        }
+    }
+
+    /// Whether an index occurs, by itself or in the name of a symbol.
+    pub fn depends_on(&self, index: &Symbol) -> bool {
+        let own = match self {
+            Formula::Relation { .. } => false,
+            Formula::AllEqual { sequence, .. } => Expr::Symbol(sequence.clone()).depends_on(index),
+        };
+        own || self.terms().iter().any(|term| term.depends_on(index))
+    }
+
+    /// The same relation for another value of an index; `None` as for [`Expr::moved`].
+    pub fn moved(&self, index: &Symbol, to: Moved) -> Option<Formula> {
+        match self {
+            formula if !formula.depends_on(index) => Some(formula.clone()),
+            Formula::Relation {
+                left,
+                relation,
+                right,
+            } => Some(Formula::Relation {
+                left: left.moved(index, to)?,
+                relation: *relation,
+                right: right.moved(index, to)?,
+            }),
+            Formula::AllEqual { .. } => None,
+        }
+    }
+
+    /// The symbols that have a value of their own.
+    pub fn free_symbols(&self) -> BTreeSet<Symbol> {
+        Formula::free_symbols_of(std::iter::once(self))
+            .into_iter()
+            .cloned()
+            .collect()
+    }
+
+    /// The same for several formulas at once, in order.
+    pub fn free_symbols_of<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Vec<&'a Symbol> {
+        let mut free = Vec::new();
+        for formula in formulas {
+            for term in formula.terms() {
+                term.collect_free(&mut Vec::new(), &mut free);
+            }
+        }
+        free
+    }
+
+    /// The symbols that have a value of their own, and the sequences.
+    pub fn names(&self) -> BTreeSet<Symbol> {
+        let mut names = self.free_symbols();
+        names.append(&mut self.sequences());
+        names
+    }
+
+    /// The sequences that occur.
+    pub fn sequences(&self) -> BTreeSet<Symbol> {
+        fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {
+            match expr {
+                Expr::Element { sequence, .. } => {
+                    found.insert(sequence.clone());
+                }
+                // Most terms are one of these four.
+                Expr::Symbol(_) | Expr::Number(_) => {}
+                Expr::Sum(terms) | Expr::Product(terms) => {
+                    terms.iter().for_each(|child| collect(child, found));
+                }
+                _ => expr.children().for_each(|child| collect(child, found)),
+            }
+        }
+        let mut found = BTreeSet::new();
+        self.terms()
+            .into_iter()
+            .for_each(|term| collect(term, &mut found));
+        if let Formula::AllEqual { sequence, .. } = self {
+            found.insert(sequence.clone());
+        }
+        found
+    }
+}

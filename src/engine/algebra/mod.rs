@@ -1,0 +1,48 @@
+//! Exact algebra: the terms that equations are made of, and polynomials over the rationals.
+//!
+//! [`Expr`] and [`Formula`] keep what the author wrote. [`Lowering`] turns a term into a [`Fraction`] of
+//! [`Polynomial`]s in [`Atoms`] and notes what must not vanish on the way. Everything is exact: there is no
+//! floating point here, and every operation that could grow without bound returns [`TooLarge`] instead, as does what is
+//! asked for after all the work allowed for a question is done ([`effort`]).
+
+mod atom;
+mod dimension;
+pub mod effort;
+mod evaluate;
+mod expr;
+mod formula;
+mod fraction;
+mod function;
+mod indexed;
+mod lower;
+mod monomial;
+mod polynomial;
+mod power;
+mod rational;
+mod series;
+mod sum;
+mod symbol;
+mod univariate;
+
+pub use atom::{Atom, Atoms};
+pub use dimension::{Base, Dimension};
+pub use evaluate::{EvaluateError, Sides, Values};
+pub use expr::{Children, Expr, Function, LimitPoint};
+pub use formula::{Formula, Relation};
+pub use fraction::{Fraction, factors, product};
+pub use function::{Functions, SineCosine, multiplied};
+pub use indexed::{Moved, Place, element_at, running_symbol};
+pub use lower::{
+    Conditions, LowerError, Lowering, element_parts, element_symbol, expr_of, expr_of_atom,
+    expr_of_fraction, power_sum, product_of, raised,
+};
+pub use monomial::{Monomial, Var};
+pub use num_bigint::BigInt;
+pub use num_rational::BigRational;
+pub use polynomial::{Polynomial, TooLarge};
+pub use power::Powers;
+pub use rational::Rational;
+pub use series::mentions_symbol;
+pub use symbol::Symbol;
+pub(crate) use symbol::split_subscript;
+pub use univariate::{Univariate, sum_of_signs};

@@ -1,0 +1,421 @@
+use std::cmp::Ordering;
+use std::fmt;
+
+use smallvec::{SmallVec, smallvec};
+
+use super::effort::{is_spent, spend};
+use super::{Monomial, Rational, Var};
+
+/// Products of polynomials beyond these sizes are refused rather than waited for.
+const MOST_TERM_PRODUCTS: usize = 60_000;
+const MOST_TERMS_OF_A_POWER: u64 = 10_000;
+const HIGHEST_EXPONENT_OF_A_SUM: u32 = 256;
+const HIGHEST_DEGREE: u32 = 1 << 20;
+/// A coefficient may grow to this many bits in a power.
+const LONGEST_NUMBER: u64 = 1 << 17;
+
+/// A computation would exceed the bounds on degree, number of terms or size of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLarge;
+
+impl fmt::Display for TooLarge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the expression is too large to expand")
+    }
+}
+
+/// The unknowns of a polynomial; few have more than eight.
+type Vars = SmallVec<[Var; 8]>;
+/// Most polynomials are a single term, which needs no place of its own.
+type Terms = SmallVec<[(Monomial, Rational); 1]>;
+
+/// A polynomial over the rationals in the unknowns of an [`Atoms`](super::Atoms) table.
+///
+/// Canonical by construction: the terms are sorted, none occurs twice and no coefficient is zero, so two
+/// polynomials are equal exactly when their lists of terms are.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct Polynomial {
+    terms: Terms,
+}
+
+impl Polynomial {
+    /// 0.
+    pub fn zero() -> Self {
+        Polynomial::default()
+    }
+
+    /// 1.
+    pub fn one() -> Self {
+        Polynomial::constant(Rational::one())
+    }
+
+    /// A constant.
+    pub fn constant(value: Rational) -> Self {
+        Polynomial::term(Monomial::one(), value)
+    }
+
+    /// One unknown.
+    pub fn var(var: Var) -> Self {
+        Polynomial::term(Monomial::power(var, 1), Rational::one())
+    }
+
+    /// `coefficient · monomial`.
+    pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
+        let terms = match coefficient.is_zero() {
+            true => Terms::new(),
+            false => smallvec![(monomial, coefficient)],
+        };
+        Polynomial { terms }
+    }
+
+    /// The terms from the lowest to the highest.
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
+        self.terms.iter().map(|(m, c)| (m, c))
+    }
+
+    /// How many terms there are.
+    pub fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// Whether this is 0.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// Whether there are no terms, that is, whether this is 0.
+    pub fn is_empty(&self) -> bool {
+        self.is_zero()
+    }
+
+    /// The value, where no unknown occurs.
+    pub fn as_constant(&self) -> Option<Rational> {
+        match self.terms.len() {
+            0 => Some(Rational::zero()),
+            1 => self.coefficient(&Monomial::one()).cloned(),
+            _ => None,
+        }
+    }
+
+    /// The coefficient of a monomial, where it occurs.
+    pub fn coefficient(&self, monomial: &Monomial) -> Option<&Rational> {
+        let found = self.terms.binary_search_by(|(m, _)| m.cmp(monomial));
+        found.ok().map(|at| &self.terms[at].1)
+    }
+
+    /// The highest term.
+    pub fn leading(&self) -> Option<(&Monomial, &Rational)> {
+        self.terms.last().map(|(m, c)| (m, c))
+    }
+
+    /// The total degree; 0 for the zero polynomial.
+    pub fn degree(&self) -> u32 {
+        self.leading().map_or(0, |(m, _)| m.degree())
+    }
+
+    /// The unknowns that occur, in order.
+    pub fn vars(&self) -> Vars {
+        let mut vars = Vars::new();
+        for (monomial, _) in &self.terms {
+            for &(var, _) in monomial.powers() {
+                if let Err(at) = vars.binary_search(&var) {
+                    vars.insert(at, var);
+                }
+            }
+        }
+        vars
+    }
+
+    /// The degree in one unknown.
+    pub fn degree_in(&self, var: Var) -> u32 {
+        self.terms
+            .iter()
+            .map(|(m, _)| m.exponent(var))
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// From terms in any order, equal monomials added up.
+    fn collect(mut terms: Terms) -> Self {
+        terms.sort_by(|a, b| a.0.cmp(&b.0));
+        terms.dedup_by(|next, kept| {
+            let same = next.0 == kept.0;
+            if same {
+                kept.1 += next.1.clone();
+            }
+            same
+        });
+        terms.retain(|term| !term.1.is_zero());
+        Polynomial { terms }
+    }
+
+    /// `self + factor · other`, by merging.
+    fn merged(&self, other: &Self, factor: &Rational) -> Self {
+        // Comparing with 0 is common, and leaves nothing to merge.
+        if other.is_zero() {
+            return self.clone();
+        }
+        if self.is_zero() {
+            return other.scaled(factor);
+        }
+        let (a, b) = (self.terms.as_slice(), other.terms.as_slice());
+        spend(a.len() + b.len());
+        let mut terms = Terms::with_capacity(a.len() + b.len());
+        let (mut i, mut j) = (0, 0);
+        while i < a.len() && j < b.len() {
+            match a[i].0.cmp(&b[j].0) {
+                Ordering::Less => {
+                    terms.push(a[i].clone());
+                    i += 1;
+                }
+                Ordering::Greater => {
+                    terms.push((b[j].0.clone(), factor * &b[j].1));
+                    j += 1;
+                }
+                Ordering::Equal => {
+                    let sum = &a[i].1 + factor * &b[j].1;
+                    if !sum.is_zero() {
+                        terms.push((a[i].0.clone(), sum));
+                    }
+                    i += 1;
+                    j += 1;
+                }
+            }
+        }
+        for term in &a[i..] {
+            terms.push(term.clone());
+        }
+        for (m, c) in &b[j..] {
+            terms.push((m.clone(), factor * c));
+        }
+        Polynomial { terms }
+    }
+
+    /// The sum of many: put together at once, not one after another.
+    pub(super) fn sum(all: Vec<Polynomial>) -> Self {
+        let terms: Terms = all.into_iter().flat_map(|own| own.terms).collect();
+        spend(terms.len());
+        Polynomial::collect(terms)
+    }
+
+    /// The sum.
+    pub fn plus(&self, other: &Self) -> Self {
+        self.merged(other, &Rational::one())
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Self) -> Self {
+        self.merged(other, &Rational::from(-1))
+    }
+
+    /// The negative.
+    pub fn negated(&self) -> Self {
+        self.scaled(&-Rational::one())
+    }
+
+    /// A rational multiple.
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        if factor.is_zero() {
+            return Polynomial::zero();
+        }
+        let mut terms = Terms::with_capacity(self.len());
+        for (m, c) in &self.terms {
+            terms.push((m.clone(), c * factor));
+        }
+        Polynomial { terms }
+    }
+
+    /// `coefficient · monomial · self`.
+    pub fn times_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
+        if coefficient.is_zero() {
+            return Polynomial::zero();
+        }
+        let mut terms = Terms::with_capacity(self.len());
+        for (m, c) in &self.terms {
+            terms.push((m.times(monomial), c * coefficient));
+        }
+        Polynomial { terms }
+    }
+
+    /// The product, within bounds.
+    pub fn times(&self, other: &Self) -> Result<Self, TooLarge> {
+        let degree = self.degree().checked_add(other.degree()).ok_or(TooLarge)?;
+        let products = self.len().saturating_mul(other.len());
+        spend(products);
+        if products > MOST_TERM_PRODUCTS || degree > HIGHEST_DEGREE || is_spent() {
+            return Err(TooLarge);
+        }
+        // Multiplying by one term keeps the order.
+        if let [(m, c)] = other.terms.as_slice() {
+            return Ok(self.times_term(m, c));
+        }
+        if let [(m, c)] = self.terms.as_slice() {
+            return Ok(other.times_term(m, c));
+        }
+        let mut terms = Terms::with_capacity(self.len() * other.len());
+        for (m, c) in &self.terms {
+            for (n, d) in &other.terms {
+                terms.push((m.times(n), c * d));
+            }
+        }
+        Ok(Polynomial::collect(terms))
+    }
+
+    /// The power, within bounds.
+    pub fn pow(&self, exponent: u32) -> Result<Self, TooLarge> {
+        if let (1, Some((m, c))) = (self.len(), self.leading()) {
+            let degree = u64::from(m.degree()) * u64::from(exponent);
+            if degree > u64::from(HIGHEST_DEGREE) {
+                return Err(TooLarge);
+            }
+            let powers = m.powers().iter();
+            let monomial = powers.fold(Monomial::one(), |product, &(v, e)| {
+                product.times(&Monomial::power(v, e * exponent))
+            });
+            return Ok(Polynomial::term(
+                monomial,
+                c.pow(exponent, LONGEST_NUMBER).ok_or(TooLarge)?,
+            ));
+        }
+        if self.is_zero() && exponent > 0 {
+            return Ok(Polynomial::zero());
+        }
+        if exponent > HIGHEST_EXPONENT_OF_A_SUM {
+            return Err(TooLarge);
+        }
+        // A power of t unlike terms has (e + t − 1 choose t − 1) terms, if none cancel.
+        let mut terms: u64 = 1;
+        for k in 1..self.len() as u64 {
+            terms = terms.saturating_mul(u64::from(exponent) + k) / k;
+            if terms > MOST_TERMS_OF_A_POWER {
+                return Err(TooLarge);
+            }
+        }
+        let mut product = Polynomial::one();
+        for _ in 0..exponent {
+            product = product.times(self)?;
+        }
+        Ok(product)
+    }
+
+    /// `self / other`, where the division leaves no remainder and is done before all work allowed is.
+    pub fn divided_by(&self, other: &Self) -> Option<Self> {
+        let (lead, coefficient) = other.leading()?;
+        if let [(monomial, coefficient)] = other.terms.as_slice() {
+            let terms = self.terms.iter();
+            let terms = terms.map(|(m, c)| Some((m.divided_by(monomial)?, c / coefficient)));
+            return terms
+                .collect::<Option<_>>()
+                .map(|terms| Polynomial { terms });
+        }
+        // The lowest terms must divide too: most divisions that fail, fail here.
+        if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first()) {
+            low.divided_by(own)?;
+            self.leading()?.0.divided_by(lead)?;
+        }
+        let (mut rest, mut quotient) = (self.clone(), Terms::new());
+        while let Some((m, c)) = rest.leading() {
+            if is_spent() {
+                return None;
+            }
+            let (m, c) = (m.divided_by(lead)?, c / coefficient);
+            rest = rest.minus(&other.times_term(&m, &c));
+            quotient.push((m, c));
+        }
+        quotient.reverse();
+        Some(Polynomial { terms: quotient })
+    }
+
+    /// The coefficients of the powers of one unknown, from the 0th up.
+    pub fn in_powers_of(&self, var: Var) -> Vec<Polynomial> {
+        let mut coefficients = vec![Terms::new(); self.degree_in(var) as usize + 1];
+        for (m, c) in &self.terms {
+            coefficients[m.exponent(var) as usize].push((m.without(var), c.clone()));
+        }
+        coefficients.into_iter().map(Polynomial::collect).collect()
+    }
+
+    /// The greatest monomial that divides every term.
+    pub fn content(&self) -> Monomial {
+        let mut monomials = self.terms.iter().map(|t| &t.0);
+        let first = monomials.next().cloned().unwrap_or_default();
+        monomials.fold(first, |gcd, m| gcd.gcd(m))
+    }
+
+    /// The polynomial divided by its leading coefficient; 0 stays 0.
+    pub fn monic(&self) -> Self {
+        match self.leading() {
+            Some((_, c)) if !c.is_one() => self.scaled(&c.recip()),
+            _ => self.clone(),
+        }
+    }
+
+    /// The partial derivative.
+    pub fn derivative(&self, var: Var) -> Self {
+        let mut terms = Terms::new();
+        for (m, c) in &self.terms {
+            let exponent = m.exponent(var);
+            if exponent > 0 {
+                let lowered = m.without(var).times(&Monomial::power(var, exponent - 1));
+                terms.push((lowered, c * Rational::from(exponent)));
+            }
+        }
+        Polynomial::collect(terms)
+    }
+
+    /// Puts a polynomial in the place of an unknown, within bounds.
+    pub fn substitute(&self, var: Var, value: &Polynomial) -> Result<Self, TooLarge> {
+        if self.degree_in(var) == 0 {
+            return Ok(self.clone());
+        }
+        if let Some(value) = value.as_constant() {
+            spend(self.len());
+            let mut terms = Terms::with_capacity(self.len());
+            for (m, c) in &self.terms {
+                if is_spent() {
+                    return Err(TooLarge);
+                }
+                let power = value.pow(m.exponent(var), LONGEST_NUMBER).ok_or(TooLarge)?;
+                terms.push((m.without(var), c * power));
+            }
+            return Ok(Polynomial::collect(terms));
+        }
+        let coefficients = self.in_powers_of_bounded(var)?;
+        // Horner's rule.
+        let mut sum = Polynomial::zero();
+        for coefficient in coefficients.iter().rev() {
+            sum = sum.times(value)?.plus(coefficient);
+        }
+        Ok(sum)
+    }
+
+    fn in_powers_of_bounded(&self, var: Var) -> Result<Vec<Polynomial>, TooLarge> {
+        if self.degree_in(var) > 4096 {
+            return Err(TooLarge);
+        }
+        Ok(self.in_powers_of(var))
+    }
+
+    /// The value at a point; `None` where the point does not give every unknown a value.
+    pub fn evaluate(
+        &self,
+        value: impl Fn(Var) -> Option<Rational>,
+    ) -> Result<Option<Rational>, TooLarge> {
+        let mut sum = Rational::zero();
+        spend(self.len());
+        for (m, c) in &self.terms {
+            if is_spent() {
+                return Err(TooLarge);
+            }
+            let mut product = c.clone();
+            for &(var, exponent) in m.powers() {
+                let Some(value) = value(var) else {
+                    return Ok(None);
+                };
+                product *= value.pow(exponent, LONGEST_NUMBER).ok_or(TooLarge)?;
+            }
+            sum += product;
+        }
+        Ok(Some(sum))
+    }
+}

@@ -1,0 +1,431 @@
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_integer::Integer;
+use num_traits::Signed;
+
+use super::effort::spend;
+use super::{BigInt, BigRational};
+
+/// An exact rational number: two machine integers while they suffice, a [`BigRational`] beyond.
+///
+/// Canonical: in lowest terms with a positive denominator, and small whenever it fits, so that equality is
+/// equality of representations. The coefficients of a derivation nearly always fit, and then an operation
+/// allocates nothing.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Rational(Form);
+
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Form {
+    /// Numerator and denominator; the numerator is never `i64::MIN`.
+    Small(i64, i64),
+    Big(Box<BigRational>),
+}
+
+impl Rational {
+    fn small(numerator: i64, denominator: i64) -> Self {
+        Rational(Form::Small(numerator, denominator))
+    }
+
+    /// From parts that need not be in lowest terms; the denominator is positive.
+    fn reduced(numerator: i128, denominator: i128) -> Self {
+        if denominator == 1 {
+            return Rational::whole(numerator);
+        }
+        let gcd = gcd(numerator.unsigned_abs(), denominator.unsigned_abs());
+        // A gcd of numbers below 2^127 is below 2^127.
+        let (n, d) = match i128::try_from(gcd) {
+            Ok(gcd) if gcd > 1 => (numerator / gcd, denominator / gcd),
+            _ => (numerator, denominator),
+        };
+        match (i64::try_from(n), i64::try_from(d)) {
+            (Ok(n), Ok(d)) if n != i64::MIN => Rational::small(n, d),
+            _ => Rational(Form::Big(BigRational::new_raw(n.into(), d.into()).into())),
+        }
+    }
+
+    fn whole(value: i128) -> Self {
+        match i64::try_from(value) {
+            Ok(value) if value != i64::MIN => Rational::small(value, 1),
+            _ => Rational(Form::Big(BigRational::from_integer(value.into()).into())),
+        }
+    }
+
+    fn from_big(value: BigRational) -> Self {
+        match (i64::try_from(value.numer()), i64::try_from(value.denom())) {
+            (Ok(n), Ok(d)) if n != i64::MIN => Rational::small(n, d),
+            _ => Rational(Form::Big(value.into())),
+        }
+    }
+
+    /// As a [`BigRational`].
+    pub fn to_big(&self) -> BigRational {
+        match &self.0 {
+            Form::Small(n, d) => BigRational::new_raw((*n).into(), (*d).into()),
+            Form::Big(value) => (**value).clone(),
+        }
+    }
+
+    /// 0.
+    #[inline]
+    pub fn zero() -> Self {
+        Rational::small(0, 1)
+    }
+
+    /// 1.
+    #[inline]
+    pub fn one() -> Self {
+        Rational::small(1, 1)
+    }
+
+    /// `numerator / denominator`; the denominator is not 0.
+    pub fn ratio(numerator: i32, denominator: i32) -> Self {
+        match denominator < 0 {
+            true => Rational::reduced(-i128::from(numerator), -i128::from(denominator)),
+            false => Rational::reduced(numerator.into(), denominator.into()),
+        }
+    }
+
+    /// Whether this is 0.
+    #[inline]
+    pub fn is_zero(&self) -> bool {
+        matches!(self.0, Form::Small(0, _))
+    }
+
+    /// Whether this is 1.
+    pub fn is_one(&self) -> bool {
+        matches!(self.0, Form::Small(1, 1))
+    }
+
+    /// Whether this is an integer.
+    pub fn is_integer(&self) -> bool {
+        match &self.0 {
+            Form::Small(_, d) => *d == 1,
+            Form::Big(value) => value.is_integer(),
+        }
+    }
+
+    /// Whether this is greater than 0.
+    pub fn is_positive(&self) -> bool {
+        match &self.0 {
+            Form::Small(n, _) => *n > 0,
+            Form::Big(value) => value.is_positive(),
+        }
+    }
+
+    /// Whether this is less than 0.
+    pub fn is_negative(&self) -> bool {
+        !self.is_zero() && !self.is_positive()
+    }
+
+    /// The absolute value.
+    pub fn abs(&self) -> Self {
+        match self.is_negative() {
+            true => -self,
+            false => self.clone(),
+        }
+    }
+
+    /// `1 / self`.
+    ///
+    /// # Panics
+    /// For 0, as division of machine integers does.
+    pub fn recip(&self) -> Self {
+        match &self.0 {
+            Form::Small(0, _) => panic!("division by zero"),
+            Form::Small(n, d) if *n > 0 => Rational::small(*d, *n),
+            Form::Small(n, d) => Rational::small(-*d, -*n),
+            Form::Big(value) => Rational::from_big(value.recip()),
+        }
+    }
+
+    /// The numerator.
+    pub fn numer(&self) -> BigInt {
+        match &self.0 {
+            Form::Small(n, _) => (*n).into(),
+            Form::Big(value) => value.numer().clone(),
+        }
+    }
+
+    /// The denominator, which is positive.
+    pub fn denom(&self) -> BigInt {
+        match &self.0 {
+            Form::Small(_, d) => (*d).into(),
+            Form::Big(value) => value.denom().clone(),
+        }
+    }
+
+    /// The power, unless it would be longer than `bits`.
+    pub(super) fn pow(&self, exponent: u32, bits: u64) -> Option<Self> {
+        if self.is_zero() || self.abs().is_one() {
+            return Some(match exponent {
+                0 => Rational::one(),
+                _ if exponent % 2 == 1 || self.is_zero() => self.clone(),
+                _ => Rational::one(),
+            });
+        }
+        // What fits in 64 bits is a power of at most 63 at this point, and far from any bound.
+        if let Form::Small(n, d) = &self.0
+            && bits >= 1 << 12
+            && let (Some(n), Some(d)) = (n.checked_pow(exponent), d.checked_pow(exponent))
+            && n != i64::MIN
+        {
+            return Some(Rational::small(n, d));
+        }
+        let big = self.to_big();
+        let length = big.numer().bits().max(big.denom().bits());
+        if length.saturating_mul(exponent.into()) > bits {
+            return None;
+        }
+        // Both parts are powers of coprime numbers, so nothing is left to reduce.
+        let (n, d) = (big.numer().pow(exponent), big.denom().pow(exponent));
+        Some(Rational::from_big(BigRational::new_raw(n, d)))
+    }
+}
+
+/// Takes off the budget what an operation on long numbers costs: a gcd takes a step for each bit.
+fn counted(a: &BigRational, b: &BigRational) {
+    let bits = |x: &BigRational| x.numer().bits().saturating_add(x.denom().bits());
+    let bits = bits(a).max(bits(b));
+    let words = bits / 64 + 1;
+    let units = match a.is_integer() && b.is_integer() {
+        true => words,
+        false => bits.saturating_mul(words) / 8,
+    };
+    spend(usize::try_from(units).unwrap_or(usize::MAX));
+}
+
+/// Binary for what fits in a machine word, Euclid's to get there.
+fn gcd(mut a: u128, mut b: u128) -> u128 {
+    loop {
+        match (u64::try_from(a), u64::try_from(b)) {
+            (Ok(a), Ok(b)) => return a.gcd(&b).into(),
+            _ if b == 0 => return a,
+            _ => (a, b) = (b, a % b),
+        }
+    }
+}
+
+impl From<BigRational> for Rational {
+    fn from(value: BigRational) -> Self {
+        Rational::from_big(value)
+    }
+}
+
+impl From<&BigRational> for Rational {
+    fn from(value: &BigRational) -> Self {
+        Rational::from_big(value.clone())
+    }
+}
+
+impl From<Rational> for BigRational {
+    fn from(value: Rational) -> Self {
+        value.to_big()
+    }
+}
+
+impl From<u64> for Rational {
+    fn from(value: u64) -> Self {
+        match i64::try_from(value) {
+            Ok(value) => Rational::small(value, 1),
+            Err(_) => Rational::from(BigInt::from(value)),
+        }
+    }
+}
+
+impl From<u32> for Rational {
+    fn from(value: u32) -> Self {
+        Rational::small(value.into(), 1)
+    }
+}
+
+impl From<i32> for Rational {
+    fn from(value: i32) -> Self {
+        Rational::small(value.into(), 1)
+    }
+}
+
+impl From<BigInt> for Rational {
+    fn from(value: BigInt) -> Self {
+        Rational::from_big(BigRational::from_integer(value))
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Form::Small(a, b), Form::Small(c, d)) => {
+                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
+            }
+            _ => self.to_big().cmp(&other.to_big()),
+        }
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Add for &Rational {
+    type Output = Rational;
+    fn add(self, other: &Rational) -> Rational {
+        match (&self.0, &other.0) {
+            (Form::Small(a, 1), Form::Small(c, 1)) => {
+                Rational::reduced(i128::from(*a) + i128::from(*c), 1)
+            }
+            // Below 2^126 each, so below 2^127 together.
+            (Form::Small(a, b), Form::Small(c, d)) => {
+                let (a, b, c, d) = (
+                    i128::from(*a),
+                    i128::from(*b),
+                    i128::from(*c),
+                    i128::from(*d),
+                );
+                Rational::reduced(a * d + c * b, b * d)
+            }
+            _ => {
+                let (a, b) = (self.to_big(), other.to_big());
+                counted(&a, &b);
+                // What num-rational does for integers is a gcd with 1, which takes a step for every bit.
+                match a.is_integer() && b.is_integer() {
+                    true => Rational::from(a.numer() + b.numer()),
+                    false => Rational::from_big(a + b),
+                }
+            }
+        }
+    }
+}
+
+impl Mul for &Rational {
+    type Output = Rational;
+    fn mul(self, other: &Rational) -> Rational {
+        match (&self.0, &other.0) {
+            (Form::Small(1, 1), _) => other.clone(),
+            (_, Form::Small(1, 1)) => self.clone(),
+            (Form::Small(a, b), Form::Small(c, d)) => Rational::reduced(
+                i128::from(*a) * i128::from(*c),
+                i128::from(*b) * i128::from(*d),
+            ),
+            _ => {
+                let (a, b) = (self.to_big(), other.to_big());
+                counted(&a, &b);
+                match a.is_integer() && b.is_integer() {
+                    true => Rational::from(a.numer() * b.numer()),
+                    false => Rational::from_big(a * b),
+                }
+            }
+        }
+    }
+}
+
+impl Neg for &Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        match &self.0 {
+            Form::Small(n, d) => Rational::small(-n, *d),
+            Form::Big(value) => Rational::from_big(-(**value).clone()),
+        }
+    }
+}
+
+impl Sub for &Rational {
+    type Output = Rational;
+    fn sub(self, other: &Rational) -> Rational {
+        self + &-other
+    }
+}
+
+impl Div for &Rational {
+    type Output = Rational;
+    fn div(self, other: &Rational) -> Rational {
+        Mul::mul(self, &other.recip())
+    }
+}
+
+/// The same with owned operands.
+macro_rules! owned {
+    ($($trait:ident $method:ident),*) => {$(
+        impl $trait for Rational {
+            type Output = Rational;
+            fn $method(self, other: Rational) -> Rational {
+                (&self).$method(&other)
+            }
+        }
+        impl $trait<&Rational> for Rational {
+            type Output = Rational;
+            fn $method(self, other: &Rational) -> Rational {
+                (&self).$method(other)
+            }
+        }
+        impl $trait<Rational> for &Rational {
+            type Output = Rational;
+            fn $method(self, other: Rational) -> Rational {
+                self.$method(&other)
+            }
+        }
+    )*};
+}
+
+owned!(Add add, Sub sub, Mul mul, Div div);
+
+impl Neg for Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        -&self
+    }
+}
+
+impl AddAssign<&Rational> for Rational {
+    fn add_assign(&mut self, other: &Rational) {
+        *self = &*self + other;
+    }
+}
+
+impl AddAssign for Rational {
+    fn add_assign(&mut self, other: Rational) {
+        *self += &other;
+    }
+}
+
+impl SubAssign<&Rational> for Rational {
+    fn sub_assign(&mut self, other: &Rational) {
+        *self = &*self - other;
+    }
+}
+
+impl SubAssign for Rational {
+    fn sub_assign(&mut self, other: Rational) {
+        *self -= &other;
+    }
+}
+
+impl MulAssign<&Rational> for Rational {
+    fn mul_assign(&mut self, other: &Rational) {
+        *self = &*self * other;
+    }
+}
+
+impl MulAssign for Rational {
+    fn mul_assign(&mut self, other: Rational) {
+        *self *= &other;
+    }
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Form::Small(n, 1) => write!(f, "{n}"),
+            Form::Small(n, d) => write!(f, "{n}/{d}"),
+            Form::Big(value) => value.fmt(f),
+        }
+    }
+}
+
+impl fmt::Debug for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

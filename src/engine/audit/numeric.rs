@@ -1,0 +1,418 @@
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_traits::{One, Zero};
+
+use crate::algebra::{BigRational, Expr, Formula, Function, Relation, Symbol};
+use crate::derivation::{Assumed, Datum, Derivation, Goal, Source, goals};
+use crate::interval::{Compared, Figures, Interval, NoInterval};
+use crate::notation::{Statement, measured};
+
+/// "Much greater" is taken for: at least so many times.
+pub const FAR: i32 = 10;
+/// How many definitions are tried before a symbol is given up.
+const MOST_TRIED: usize = 4000;
+
+/// A numeric claim, evaluated over its figures. It is no proof: it is as good as they are.
+#[derive(Clone, Debug)]
+pub struct Numeric {
+    /// A link at a time.
+    pub links: Vec<Link>,
+    /// The figures that were used, and the page that declares each.
+    pub data: BTreeMap<Symbol, (usize, Datum)>,
+    /// What was put in for the symbols without figures, each once, and where it comes from.
+    pub put_in: Vec<(Symbol, Expr, Source)>,
+}
+
+/// A link of a numeric claim.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// What is claimed.
+    pub goal: Goal,
+    /// The values of both sides and of their quotient, where they were found.
+    pub sides: Option<(Interval, Interval)>,
+    /// Left over right, with what is common to both cancelled; nothing where the right side may be 0.
+    pub ratio: Option<Interval>,
+    /// How near `≈` is meant.
+    pub near: Option<BigRational>,
+    /// What it comes to.
+    pub outcome: Weighed,
+}
+
+/// What figures say of a claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Weighed {
+    /// True whatever the figures are within their bounds.
+    Supported,
+    /// False whatever they are.
+    Contradicted,
+    /// Either, as the figures may be.
+    NotSettled,
+    /// Not evaluated.
+    NoValue(NoInterval),
+    /// `≈`, and it is not said how near.
+    NoTolerance,
+    /// Not a relation between numbers.
+    NoComparison,
+}
+
+impl Numeric {
+    /// What the links together come to: the first that is not supported.
+    pub fn outcome(&self) -> &Weighed {
+        let mut outcomes = self.links.iter().map(|link| &link.outcome);
+        let contradicted = outcomes.clone().find(|o| **o == Weighed::Contradicted);
+        contradicted
+            .or_else(|| outcomes.find(|o| **o != Weighed::Supported))
+            .unwrap_or(match self.links.is_empty() {
+                true => &Weighed::NoComparison,
+                false => &Weighed::Supported,
+            })
+    }
+
+    /// True whatever the figures are within their bounds.
+    pub fn is_supported(&self) -> bool {
+        *self.outcome() == Weighed::Supported
+    }
+}
+
+/// Evaluates a statement from what it cites.
+pub(super) fn evaluate(
+    derivation: &Derivation,
+    at: usize,
+    statement: &Statement,
+    assumed: &[Assumed],
+) -> Numeric {
+    let own = derivation.equations[at].page;
+    let mut pages = vec![own];
+    for assumed in assumed {
+        let page = match assumed.source {
+            Source::Equation(premise) => derivation.equations[premise].page,
+            Source::Local(page, _) => page,
+            Source::Step => own,
+        };
+        if !pages.contains(&page) {
+            pages.push(page);
+        }
+    }
+    let mut known = Known {
+        derivation,
+        pages,
+        assumed,
+        tried: 0,
+        data: BTreeMap::new(),
+        put_in: Vec::new(),
+    };
+    let near = derivation.equations[at].numeric.clone().flatten();
+    let links = goals(statement)
+        .into_iter()
+        .map(|goal| known.link(goal, near.clone()))
+        .collect();
+    Numeric {
+        links,
+        data: known.data,
+        put_in: known.put_in,
+    }
+}
+
+/// What is known of symbols where the claim stands.
+struct Known<'a> {
+    derivation: &'a Derivation,
+    /// Its own page first.
+    pages: Vec<usize>,
+    assumed: &'a [Assumed],
+    tried: usize,
+    data: BTreeMap<Symbol, (usize, Datum)>,
+    put_in: Vec<(Symbol, Expr, Source)>,
+}
+
+impl Known<'_> {
+    fn link(&mut self, goal: Goal, near: Option<BigRational>) -> Link {
+        let mut link = Link {
+            goal,
+            sides: None,
+            ratio: None,
+            near,
+            outcome: Weighed::NoComparison,
+        };
+        let Formula::Relation {
+            left,
+            relation,
+            right,
+        } = link.goal.formula.clone()
+        else {
+            return link;
+        };
+        if matches!(relation, Relation::Scales | Relation::Proportional)
+            || !link.goal.suppositions.is_empty()
+        {
+            return link;
+        }
+        let found = self.sides(&left, &right);
+        let Compared {
+            left,
+            right,
+            difference,
+            ratio,
+        } = match found {
+            Ok(found) => found,
+            Err(error) => {
+                link.outcome = Weighed::NoValue(error);
+                return link;
+            }
+        };
+        link.outcome = weigh(relation, &difference, ratio.as_ref(), link.near.as_ref());
+        link.sides = Some((left, right));
+        link.ratio = ratio;
+        link
+    }
+
+    fn sides(&mut self, left: &Expr, right: &Expr) -> Result<Compared, NoInterval> {
+        let left = self.in_data(left, &mut Vec::new())?;
+        let right = self.in_data(right, &mut Vec::new())?;
+        let figures: Figures = self
+            .data
+            .iter()
+            .filter_map(|(symbol, (_, datum))| {
+                let interval = Interval::new(datum.low.clone(), datum.high.clone())?;
+                Some((symbol.clone(), interval))
+            })
+            .collect();
+        figures.compared(&left, &right)
+    }
+
+    /// A term with definitions put in until only symbols with figures remain.
+    fn in_data(&mut self, term: &Expr, open: &mut Vec<Symbol>) -> Result<Expr, NoInterval> {
+        if !is_evaluable(term) {
+            return Err(NoInterval::Unsupported(term.clone()));
+        }
+        let mut result = term.clone();
+        let mut replaced = Vec::new();
+        for symbol in term.free_symbols() {
+            let value = self.symbol(&symbol, open)?;
+            if value != Expr::Symbol(symbol.clone()) {
+                replaced.push((symbol, value));
+            }
+        }
+        // What is put in contains nothing but symbols with figures, which stay as they are.
+        for (symbol, value) in replaced {
+            result = result.substitute(&symbol, &value);
+        }
+        Ok(result)
+    }
+
+    fn symbol(&mut self, symbol: &Symbol, open: &mut Vec<Symbol>) -> Result<Expr, NoInterval> {
+        // Figures are in SI units.
+        if measured(symbol).is_some() {
+            return Ok(Expr::integer(1));
+        }
+        let pages = self.pages.iter();
+        let mut figures = pages.filter_map(|&page| {
+            let datum = self.derivation.pages[page].data.get(symbol)?;
+            Some((page, datum.clone()))
+        });
+        if let Some(datum) = figures.next() {
+            self.data.insert(symbol.clone(), datum);
+            return Ok(Expr::Symbol(symbol.clone()));
+        }
+        if Figures::default().of(symbol).is_some() {
+            return Ok(Expr::Symbol(symbol.clone()));
+        }
+        if let Some((.., value, _)) = self.put_in.iter().find(|(own, ..)| own == symbol) {
+            let value = value.clone();
+            open.push(symbol.clone());
+            let result = self.in_data(&value, open);
+            open.pop();
+            return result;
+        }
+        let unknown = NoInterval::Unknown(symbol.clone());
+        if open.contains(symbol) {
+            return Err(unknown);
+        }
+        // What is written as a definition comes before what must be solved.
+        let mut candidates: Vec<(Expr, Source)> = Vec::new();
+        for plain in [true, false] {
+            for assumed in self.assumed {
+                let value = self.solved(&assumed.formula, symbol, plain);
+                candidates.extend(value.map(|value| (value, assumed.source)));
+            }
+        }
+        let mut first = None;
+        for (value, source) in candidates {
+            self.tried += 1;
+            if self.tried > MOST_TRIED {
+                return Err(NoInterval::TooLarge);
+            }
+            open.push(symbol.clone());
+            let (data, length) = (self.data.clone(), self.put_in.len());
+            let result = self.in_data(&value, open);
+            open.pop();
+            match result {
+                Ok(result) => {
+                    self.put_in.push((symbol.clone(), value, source));
+                    return Ok(result);
+                }
+                Err(error) => {
+                    self.data = data;
+                    self.put_in.truncate(length);
+                    let own =
+                        matches!(&error, NoInterval::Unknown(s) if open.contains(s) || s == symbol);
+                    if !own {
+                        first = first.or(Some(error));
+                    }
+                }
+            }
+        }
+        Err(first.unwrap_or(unknown))
+    }
+
+    /// What an equation says that a symbol is: plainly, `s = …`, or solved for it.
+    fn solved(&self, formula: &Formula, symbol: &Symbol, plain: bool) -> Option<Expr> {
+        let (left, right) = formula.as_equation()?;
+        let is_symbol = |term: &Expr| matches!(term, Expr::Symbol(own) if own == symbol);
+        let defines = is_symbol(left) && !right.mentions(symbol);
+        if plain || defines {
+            return (plain && defines).then(|| right.clone());
+        }
+        match (occurrences(left, symbol), occurrences(right, symbol)) {
+            (1, 0) => self.isolate(left, right.clone(), symbol),
+            (0, 1) => self.isolate(right, left.clone(), symbol),
+            _ => None,
+        }
+    }
+
+    /// `symbol` from `term = value`, where it occurs once. Divisors are looked at when figures are put in.
+    fn isolate(&self, term: &Expr, value: Expr, symbol: &Symbol) -> Option<Expr> {
+        let over = |a: Expr, b: Expr| Expr::Quotient(a.into(), b.into());
+        match term {
+            Expr::Symbol(own) => (own == symbol).then_some(value),
+            Expr::Negate(inner) => self.isolate(inner, Expr::Negate(value.into()), symbol),
+            Expr::Sum(terms) => {
+                let at = terms.iter().position(|t| t.mentions(symbol))?;
+                let rest = terms.iter().enumerate().filter(|(other, _)| *other != at);
+                let moved = rest.map(|(_, t)| Expr::Negate(t.clone().into()));
+                let value = Expr::Sum(std::iter::once(value).chain(moved).collect());
+                self.isolate(&terms[at], value, symbol)
+            }
+            Expr::Product(factors) => {
+                let at = factors.iter().position(|t| t.mentions(symbol))?;
+                let rest = factors.iter().enumerate().filter(|(other, _)| *other != at);
+                let value = rest.fold(value, |value, (_, factor)| over(value, factor.clone()));
+                self.isolate(&factors[at], value, symbol)
+            }
+            Expr::Quotient(above, below) if above.mentions(symbol) => {
+                let value = Expr::Product(vec![value, (**below).clone()]);
+                self.isolate(above, value, symbol)
+            }
+            Expr::Quotient(above, below) => {
+                self.isolate(below, over((**above).clone(), value), symbol)
+            }
+            Expr::Power(base, exponent) => {
+                // Only what is declared positive has one root.
+                let positive =
+                    matches!(&**base, Expr::Symbol(own) if own == symbol && self.is_positive(own));
+                let one = Expr::integer(1);
+                let inverse = over(one, (**exponent).clone());
+                positive.then(|| Expr::Power(value.into(), inverse.into()))
+            }
+            _ => None,
+        }
+    }
+
+    fn is_positive(&self, symbol: &Symbol) -> bool {
+        let mut declared = self
+            .pages
+            .iter()
+            .filter_map(|&page| self.derivation.pages[page].domains.get(symbol));
+        let zero = BigRational::zero();
+        declared.next().is_some_and(|domain| {
+            let lower = domain.lower.as_ref();
+            lower.is_some_and(|(low, strict)| *low > zero || *low == zero && *strict)
+        })
+    }
+}
+
+/// Whether a term is made of what intervals know.
+fn is_evaluable(term: &Expr) -> bool {
+    let here = matches!(
+        term,
+        Expr::Number(_)
+            | Expr::Symbol(_)
+            | Expr::Sum(_)
+            | Expr::Product(_)
+            | Expr::Negate(_)
+            | Expr::Quotient(..)
+            | Expr::Power(..)
+            | Expr::Call(Function::Abs, _)
+    );
+    here && term.children().all(is_evaluable)
+}
+
+fn occurrences(term: &Expr, symbol: &Symbol) -> usize {
+    match term {
+        Expr::Symbol(own) => usize::from(own == symbol),
+        // A binder is never solved.
+        _ if term.binder().is_some() => 2 * usize::from(term.mentions(symbol)),
+        _ => term
+            .children()
+            .map(|child| occurrences(child, symbol))
+            .sum(),
+    }
+}
+
+/// What the difference and the quotient of both sides say of a relation.
+fn weigh(
+    relation: Relation,
+    difference: &Interval,
+    ratio: Option<&Interval>,
+    near: Option<&BigRational>,
+) -> Weighed {
+    let (zero, one) = (BigRational::zero(), BigRational::one());
+    let far = BigRational::from_integer(FAR.into());
+    let settle = |yes: bool, no: bool| match (yes, no) {
+        (true, _) => Weighed::Supported,
+        (_, true) => Weighed::Contradicted,
+        _ => Weighed::NotSettled,
+    };
+    let (low, high) = (difference.low(), difference.high());
+    let size = ratio.map(Interval::abs);
+    match relation {
+        Relation::Less => settle(*high < zero, *low >= zero),
+        Relation::LessOrEqual => settle(*high <= zero, *low > zero),
+        Relation::Greater => settle(*low > zero, *high <= zero),
+        Relation::GreaterOrEqual => settle(*low >= zero, *high < zero),
+        // Figures that are not points can agree, and no more.
+        Relation::Equal => settle(difference.contains(&zero), true),
+        Relation::NotEqual => settle(!difference.contains(&zero), low == high),
+        Relation::MuchGreater => match size {
+            Some(size) => settle(*size.low() >= far, *size.high() < far),
+            None => Weighed::NotSettled,
+        },
+        Relation::MuchLess => match size {
+            Some(size) => {
+                let least = far.recip();
+                settle(*size.high() <= least, *size.low() > least)
+            }
+            None => Weighed::NotSettled,
+        },
+        Relation::Approximately => match (near, ratio) {
+            (None, _) => Weighed::NoTolerance,
+            (Some(near), Some(ratio)) => {
+                let (below, above) = (&one - near, &one + near);
+                let yes = *ratio.low() >= below && *ratio.high() <= above;
+                settle(yes, *ratio.high() < below || *ratio.low() > above)
+            }
+            (Some(_), None) => Weighed::NotSettled,
+        },
+        Relation::Scales | Relation::Proportional => Weighed::NoComparison,
+    }
+}
+
+/// The premises whose equations were put in.
+pub(super) fn used(numeric: &Numeric) -> BTreeSet<usize> {
+    let sources = numeric.put_in.iter().map(|(.., source)| source);
+    sources
+        .filter_map(|source| match source {
+            Source::Equation(at) => Some(*at),
+            _ => None,
+        })
+        .collect()
+}

@@ -1,0 +1,138 @@
+//! Names that are one thing here and another there: a function in `f(x)` and a factor in `f(x + 1)`, a unit in
+//! `5\,\mathrm{m}` and a symbol in `\mathrm{m} v`.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::notation::{Before, BeforeKind, Clause, SyntaxError};
+
+use super::{Equation, formulas};
+
+/// So many in one display are no accident.
+const FEWEST_DIFFERENTIALS: usize = 2;
+
+/// Refuses the equations of a page with differentials, `dU = T\,dS - p\,dV`: what they mean is not known here, and a product with a
+/// number `d` it is not.
+///
+/// A `d` that is declared, or stands anywhere but before a symbol, is a symbol like others.
+pub(super) fn refuse_differentials(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
+    for d in ["d", "\\text{d}"].map(Symbol::new) {
+        if declared(&d) {
+            continue;
+        }
+        let count = |equation: &Equation| {
+            let mut found = Occurrences::default();
+            let clauses = equation.statements().iter().flat_map(|s| &s.clauses);
+            let sides = clauses.flat_map(|clause| match clause {
+                Clause::Chain { sides, .. } => sides.as_slice(),
+                Clause::AllEqual { value, .. } => value.as_slice(),
+            });
+            for side in sides {
+                found.count(&side.expr, &d);
+            }
+            found
+        };
+        let all: Vec<Occurrences> = equations.iter().map(count).collect();
+        if all.iter().any(|found| found.alone > 0) {
+            continue;
+        }
+        for (equation, found) in equations.iter_mut().zip(&all) {
+            if found.before_a_symbol >= FEWEST_DIFFERENTIALS
+                && let Some(first) = equation.statements().first()
+            {
+                equation.statements = Err(SyntaxError {
+                    span: first.span,
+                    message: "differentials are not understood".to_owned(),
+                    help: Some(format!(
+                        "write a derivative, or an integral; where `{d}` is a number, say `symbols {d}: …`"
+                    )),
+                });
+            }
+        }
+    }
+}
+
+/// Where a symbol stands.
+#[derive(Default)]
+struct Occurrences {
+    before_a_symbol: usize,
+    alone: usize,
+}
+
+impl Occurrences {
+    fn count(&mut self, term: &Expr, d: &Symbol) {
+        let children: Vec<&Expr> = term.children().collect();
+        for (at, child) in children.iter().enumerate() {
+            let follows = matches!(children.get(at + 1), Some(Expr::Symbol(_)));
+            match child {
+                Expr::Symbol(own) if own == d => {
+                    match matches!(term, Expr::Product(_)) && follows {
+                        true => self.before_a_symbol += 1,
+                        false => self.alone += 1,
+                    }
+                }
+                child => self.count(child, d),
+            }
+        }
+        if matches!(term, Expr::Symbol(own) if own == d) {
+            self.alone += 1;
+        }
+    }
+}
+
+/// Refuses the equations of a page in which a name is read as a factor before a parenthesis and elsewhere on the page as a function.
+///
+/// `f(x + 1)` is a product by itself ([docs/notation.md](../../docs/notation.md)). Where the page has `f(x)` too, it is the
+/// value of a function at another place, and a product would be a misreading.
+/// What is read as a unit after a number is refused in the same way where the page has or declares a symbol of that name.
+pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
+    let all = || {
+        let statements = equations.iter().flat_map(|equation| equation.statements());
+        statements.flat_map(|statement| &statement.before)
+    };
+    let of = |kind: BeforeKind| -> BTreeSet<Symbol> {
+        let all = all().filter(|before| before.kind == kind);
+        all.map(|before| before.name.clone()).collect()
+    };
+    let functions = of(BeforeKind::Function);
+    let mut symbols = of(BeforeKind::Unit);
+    if !symbols.is_empty() {
+        let statements = equations.iter().flat_map(|equation| equation.statements());
+        let formulas: Vec<Formula> = statements.flat_map(formulas).collect();
+        let free: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::free_symbols).collect();
+        symbols.retain(|name| declared(name) || free.contains(name));
+    }
+    if functions.is_empty() && symbols.is_empty() {
+        return;
+    }
+    for equation in equations {
+        let mut before = equation.statements().iter().flat_map(|s| &s.before);
+        let doubtful = before.find(|before| match before.kind {
+            BeforeKind::Function => false,
+            BeforeKind::Factor => functions.contains(&before.name),
+            BeforeKind::Unit => symbols.contains(&before.name),
+        });
+        let Some(Before { name, span, kind }) = doubtful.cloned() else {
+            continue;
+        };
+        let (message, help) = match kind {
+            BeforeKind::Unit => (
+                format!(
+                    "whether `{name}` is a unit here, or the symbol of that name, is not clear"
+                ),
+                "write `\\qty{…}{…}` for a quantity, or `\\cdot` before a symbol".to_owned(),
+            ),
+            _ => (
+                format!("whether the function `{name}` is applied here, or a factor, is not clear"),
+                format!(
+                    "for a product write `{name} \\cdot (…)`; a function is read only with bare symbols as its arguments"
+                ),
+            ),
+        };
+        equation.statements = Err(SyntaxError {
+            span,
+            message,
+            help: Some(help),
+        });
+    }
+}

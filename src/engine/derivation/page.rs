@@ -1,0 +1,655 @@
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use num_traits::Zero;
+
+use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
+use crate::dimension;
+use crate::document::nearest;
+use crate::document::{
+    Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, Supposition,
+    SuppositionKind,
+};
+use crate::kernel::Domain;
+use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
+
+use super::beside::{Beside, Clash, Place};
+use super::definition::Known;
+use super::equation::formulas;
+use super::{Equation, Kind, names, rows};
+
+/// Of the values that a piece of text names, so many are looked at.
+const MOST_MENTIONED: usize = 6;
+
+/// A document with its declarations read.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// The document.
+    pub document: Document,
+    /// Its first heading.
+    pub title: String,
+    /// Where each declared symbol may lie.
+    pub domains: BTreeMap<Symbol, Domain>,
+    /// The declared dimension of each symbol.
+    pub dimensions: BTreeMap<Symbol, Dimension>,
+    /// The figures for each symbol that has some.
+    pub data: BTreeMap<Symbol, Datum>,
+    /// The symbols that stand for Euler's number: their powers are read as exponentials.
+    pub euler: BTreeSet<Symbol>,
+    /// Everything supposed on the page, by `let` or `assuming`.
+    pub locals: Vec<Local>,
+    /// What could not be read, besides equations.
+    pub problems: Vec<Problem>,
+    /// Where each declared symbol is declared, what stands beside the document first.
+    pub declared: BTreeMap<Symbol, Vec<Place>>,
+    /// What stands beside the document and holds in it too.
+    pub beside: Option<Arc<Beside>>,
+    /// Which of what that names as given was found here, by position.
+    pub given: BTreeSet<usize>,
+    /// What the document says otherwise.
+    pub clashes: Vec<Clash>,
+}
+
+/// Figures for a symbol: between what numbers its value lies, in SI units, and who says so.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Datum {
+    /// The least value.
+    pub low: BigRational,
+    /// The greatest value.
+    pub high: BigRational,
+    /// Where the figures come from.
+    pub source: String,
+    /// The clause.
+    pub span: Span,
+}
+
+/// A hypothesis that is in effect in a part of a page.
+#[derive(Clone, Debug)]
+pub struct Local {
+    /// What is supposed.
+    pub formulas: Vec<Arc<Formula>>,
+    /// `let`: a value for this section alone; otherwise `assuming`, which conclusions carry with them.
+    pub is_let: bool,
+    /// Where it stands.
+    pub span: Span,
+    /// The symbols that a `let` gives a value.
+    assigned: BTreeSet<Symbol>,
+    level: u8,
+}
+
+/// What an equation is said to follow from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Premises {
+    /// A directive names them.
+    Named(Vec<Spanned<Premise>>),
+    /// The prose cites them.
+    Cited(Vec<Citation>),
+}
+
+/// What is said between one display and the next.
+#[derive(Default)]
+struct Between {
+    given: bool,
+    derived: bool,
+    from: Option<Vec<Spanned<Premise>>>,
+    name: Option<String>,
+    numeric: Option<Option<BigRational>>,
+    /// What says that the display is derived.
+    derives: Option<Span>,
+    cited: Vec<Citation>,
+    mentioned: Vec<Span>,
+}
+
+/// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
+/// [`definition::settle`](super::definition::settle) says whether it is the first to speak of it.
+pub(super) fn read_page(
+    document: Document,
+    beside: Option<Arc<Beside>>,
+    number: usize,
+) -> (Page, Vec<Equation>) {
+    let mut page = Page {
+        title: String::new(),
+        domains: BTreeMap::new(),
+        dimensions: BTreeMap::new(),
+        data: BTreeMap::new(),
+        euler: BTreeSet::new(),
+        locals: Vec::new(),
+        problems: document.problems.clone(),
+        declared: BTreeMap::new(),
+        given: BTreeSet::new(),
+        clashes: Vec::new(),
+        document,
+        beside,
+    };
+    // What a preamble declares was told of where it stands.
+    let inherited = std::mem::take(&mut page.document.inherited);
+    let items = std::mem::take(&mut page.document.items);
+    if let Some(beside) = page.beside.clone() {
+        let mut own = page.clone();
+        own.declarations(&inherited);
+        own.declarations(&items);
+        page.take_up(&beside, &own);
+    }
+    page.declarations(&inherited);
+    page.figures(&inherited);
+    page.problems.clone_from(&page.document.problems);
+    page.document.inherited = inherited;
+    page.declarations(&items);
+    page.figures(&items);
+    let mut ahead = rows::read_ahead(&page.document.source, &items).into_iter();
+    let mut equations: Vec<Equation> = Vec::new();
+    // Of each equation, what says that it is derived.
+    let mut derived: Vec<Option<Span>> = Vec::new();
+    let mut active: Vec<usize> = Vec::new();
+    let mut between = Between::default();
+    // The equations of the display that the text goes on from.
+    let mut last = 0..0;
+    let mut known = Known::default();
+    let (mut level, mut section) = (0, String::new());
+    for item in &items {
+        match item {
+            &Item::Heading {
+                level: own,
+                ref title,
+                ..
+            } => {
+                if page.title.is_empty() {
+                    page.title = title.clone();
+                }
+                (level, section) = (own, title.clone());
+                last = 0..0;
+                active.retain(|&at| page.locals[at].level < own);
+            }
+            Item::Prose(prose) => {
+                between.cited.extend(prose.citations.iter().cloned());
+                let mut mentioned = prose.mentions.clone();
+                for &Supposition { kind, body } in &prose.suppositions {
+                    let is_let = kind == SuppositionKind::Let;
+                    if kind == SuppositionKind::Define
+                        && !known.says_what_is_new(body, &page, &equations, last.clone())
+                    {
+                        mentioned.push(body);
+                        continue;
+                    }
+                    let before = page.locals.len();
+                    page.suppose(body, is_let, level, &mut active, false);
+                    if kind == SuppositionKind::Define {
+                        for equation in &mut equations[last.clone()] {
+                            equation.locals.extend(before..page.locals.len());
+                        }
+                    }
+                }
+                mentioned.truncate(MOST_MENTIONED);
+                for equation in &mut equations[std::mem::take(&mut last)] {
+                    equation.mentioned.extend(&mentioned);
+                }
+                between.mentioned.extend(mentioned);
+                between.mentioned.truncate(MOST_MENTIONED);
+            }
+            Item::Directives { clauses, .. } => {
+                for clause in clauses {
+                    if let Directive::Derived | Directive::From(_) | Directive::Numeric(_) =
+                        &clause.value
+                    {
+                        between.derives = Some(clause.span);
+                    }
+                    match &clause.value {
+                        Directive::Given => between.given = true,
+                        Directive::Derived => between.derived = true,
+                        Directive::From(premises) => between.from = Some(premises.clone()),
+                        Directive::Claim(name) => between.name = Some(name.value.clone()),
+                        Directive::Assuming(body) => {
+                            page.suppose(*body, false, level, &mut active, true)
+                        }
+                        Directive::Let(body) => page.suppose(*body, true, level, &mut active, true),
+                        Directive::Numeric(near) => between.numeric = Some(near.clone()),
+                        Directive::Symbols { .. } | Directive::Data { .. } => {}
+                    }
+                }
+            }
+            Item::Display { span, body, layout } => {
+                let (span, body) = (*span, *body);
+                let said = std::mem::take(&mut between);
+                let source = &page.document.source;
+                let read = ahead.next();
+                let mut read = read.unwrap_or_else(|| rows::read(source, body, layout.as_deref()));
+                let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
+                page.read_exponentials(statements.flatten());
+                // "Torricelli's law @eq-law:" announces what is displayed next.
+                let announces = |cited: &Citation| {
+                    read.iter().any(|part| match cited.key {
+                        true => part.keys.contains(&cited.tag),
+                        false => part.tag.as_ref() == Some(&cited.tag),
+                    })
+                };
+                let alone =
+                    equations.is_empty() && said.cited.iter().all(announces) && said.from.is_none();
+                let of_display = read.len();
+                last = equations.len()..equations.len() + of_display;
+                let mut name = said.name;
+                for (row, part) in read.into_iter().enumerate() {
+                    let statements = || part.statements.iter().flatten();
+                    let mark = statements().any(|s| s.mark.is_some());
+                    let kind = match () {
+                        () if said.given => Kind::Given,
+                        () if said.numeric.is_some() => Kind::Derived,
+                        () if mark => Kind::Marked,
+                        () => Kind::Derived,
+                    };
+                    let by_cases = statements().find(|s| !s.under.is_empty());
+                    let by_cases = by_cases.filter(|_| said.numeric.is_some()).map(|s| s.span);
+                    let stated = said.derived || said.numeric.is_some();
+                    let may_define = kind == Kind::Derived && !stated && said.from.is_none();
+                    let defines = (0..statements().count()).filter(|_| may_define).collect();
+                    derived.push(said.derives);
+                    equations.push(Equation {
+                        page: number,
+                        tag: part.tag,
+                        keys: part.keys,
+                        group: part.group,
+                        // A claim is one display; where that has several numbers the name is that of the last.
+                        name: match row + 1 == of_display {
+                            true => name.take(),
+                            false => None,
+                        },
+                        span: if of_display == 1 { span } else { part.body },
+                        body: part.body,
+                        statements: match by_cases {
+                            None => part.statements,
+                            Some(span) => Err(SyntaxError {
+                                span,
+                                message: "a numeric claim is not read by cases".into(),
+                                help: None,
+                            }),
+                        },
+                        kind,
+                        defines,
+                        introduces: BTreeSet::new(),
+                        opens: alone && kind == Kind::Derived && !stated,
+                        numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
+                        premises: match &said.from {
+                            Some(named) => Premises::Named(named.clone()),
+                            None => Premises::Cited(said.cited.clone()),
+                        },
+                        row,
+                        continues: part.continues,
+                        locals: active.clone(),
+                        mentioned: said.mentioned.clone(),
+                        section: section.clone(),
+                    });
+                }
+            }
+        }
+    }
+    let declared =
+        |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
+    names::refuse(&mut equations, declared);
+    names::refuse_differentials(&mut equations, declared);
+    if let Some(beside) = page.beside.clone() {
+        page.give(&beside, &mut equations, &derived);
+    }
+    page.problems.sort_by_key(|p| p.span);
+    page.document.items = items;
+    (page, equations)
+}
+
+fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
+    let is_euler = |term: &Expr| matches!(term, Expr::Symbol(symbol) if euler.contains(symbol));
+    let raised = |exponent: Expr| Expr::Call(Function::Exp, exponent.into());
+    match term {
+        Expr::Power(base, exponent) if is_euler(base) => raised(exponentials(exponent, euler)),
+        term if is_euler(term) => raised(Expr::integer(1)),
+        term => term.map_children(|child| exponentials(child, euler)),
+    }
+}
+
+impl Page {
+    fn complain(&mut self, error: SyntaxError) {
+        self.problems.push(Problem {
+            span: error.span,
+            message: error.message,
+            help: error.help,
+        });
+    }
+
+    fn declarations(&mut self, items: &[Item]) {
+        for item in items {
+            let Item::Directives { clauses, .. } = item else {
+                continue;
+            };
+            for clause in clauses {
+                let Directive::Symbols { names, attributes } = &clause.value else {
+                    continue;
+                };
+                let dimension = dimension_of(attributes, &mut self.problems);
+                for &span in names {
+                    match read_symbol(self.document.text(span)) {
+                        Ok(symbol) => {
+                            self.declare(symbol.clone(), span, attributes);
+                            self.declare_dimension(symbol, span, dimension.as_ref());
+                        }
+                        Err(error) => self.complain_at(span, error),
+                    }
+                }
+            }
+        }
+    }
+
+    /// A complaint about a part of a directive that was read by itself.
+    fn complain_at(&mut self, part: Span, error: SyntaxError) {
+        let span = Span::new(part.start + error.span.start, part.start + error.span.end);
+        self.complain(SyntaxError { span, ..error });
+    }
+
+    /// The `data` clauses.
+    fn figures(&mut self, items: &[Item]) {
+        for item in items {
+            let Item::Directives { clauses, .. } = item else {
+                continue;
+            };
+            for clause in clauses {
+                let Directive::Data {
+                    names,
+                    low,
+                    high,
+                    source,
+                } = &clause.value
+                else {
+                    continue;
+                };
+                let datum = Datum {
+                    low: low.clone(),
+                    high: high.clone(),
+                    source: source.clone(),
+                    span: clause.span,
+                };
+                for &span in names {
+                    match read_symbol(self.document.text(span)) {
+                        Ok(symbol) => self.figure(symbol, span, datum.clone()),
+                        Err(error) => self.complain_at(span, error),
+                    }
+                }
+            }
+        }
+    }
+
+    /// One figure of each symbol counts, and it must lie where the symbol is declared to lie.
+    fn figure(&mut self, symbol: Symbol, span: Span, datum: Datum) {
+        let domain = self.domains.get(&symbol);
+        let within = domain.is_none_or(|d| d.contains(&datum.low) && d.contains(&datum.high));
+        let (message, help) = match (within, self.data.contains_key(&symbol)) {
+            (true, false) => {
+                self.data.insert(symbol, datum);
+                return;
+            }
+            (true, true) => (
+                format!("`{symbol}` has figures already on this page"),
+                "give one of the two another name; until then the first counts",
+            ),
+            (false, _) => (
+                format!("the figures of `{symbol}` leave its declared domain"),
+                "make the declaration wider, or the figures narrower",
+            ),
+        };
+        self.problems.push(Problem::new(span, message, help));
+    }
+
+    pub(super) fn declare_dimension(
+        &mut self,
+        symbol: Symbol,
+        span: Span,
+        dimension: Option<&Dimension>,
+    ) {
+        let Some(dimension) = dimension else {
+            return;
+        };
+        let before = self.dimensions.get(&symbol);
+        if before.is_some_and(|before| before != dimension) {
+            self.problems.push(Problem::new(
+                span,
+                format!("`{symbol}` is declared with two dimensions on this page"),
+                "give one of the two another name; until then the first counts",
+            ));
+            return;
+        }
+        self.dimensions.insert(symbol, dimension.clone());
+    }
+
+    pub(super) fn declare(
+        &mut self,
+        symbol: Symbol,
+        span: Span,
+        attributes: &[Spanned<Attribute>],
+    ) {
+        let is_dimension = |a: &Spanned<Attribute>| matches!(a.value, Attribute::Dimension(_));
+        let dimension = attributes.iter().any(is_dimension);
+        let places = self.declared.entry(symbol.clone()).or_default();
+        places.push(Place { span, dimension });
+        if attributes.iter().any(|a| a.value == Attribute::Euler) {
+            self.euler.insert(symbol.clone());
+        }
+        let domain = self.domains.entry(symbol.clone()).or_default();
+        narrow(domain, attributes);
+        if is_empty(domain) {
+            // From what is nowhere anything would follow.
+            *domain = Domain::default();
+            self.problems.push(no_value(&symbol, span));
+        }
+    }
+
+    /// Reads `e^x` as `\exp(x)`, where e is declared to be Euler's number.
+    fn read_exponentials<'a>(&self, statements: impl Iterator<Item = &'a mut Statement>) {
+        if self.euler.is_empty() {
+            return;
+        }
+        let read = |term: &mut Expr| *term = exponentials(term, &self.euler);
+        let clauses = statements.flat_map(|statement| {
+            let others = statement.others.iter_mut();
+            let others = others.flat_map(|other| {
+                let (clauses, under) = (&mut other.statement.clauses, &mut other.statement.under);
+                clauses.iter_mut().chain(under)
+            });
+            statement
+                .clauses
+                .iter_mut()
+                .chain(&mut statement.under)
+                .chain(others)
+        });
+        for clause in clauses {
+            match clause {
+                Clause::Chain { sides, .. } => sides.iter_mut().for_each(|s| read(&mut s.expr)),
+                Clause::AllEqual { to, value, .. } => {
+                    read(to);
+                    value.iter_mut().for_each(|s| read(&mut s.expr));
+                }
+            }
+        }
+    }
+
+    /// Takes up a `let` or an assumption. Prose that cannot be read supposes nothing; a directive must be readable.
+    fn suppose(
+        &mut self,
+        body: Span,
+        is_let: bool,
+        level: u8,
+        active: &mut Vec<usize>,
+        strict: bool,
+    ) {
+        let mut statements = match read_formulas(&self.document.source, body) {
+            Ok(statements) => statements,
+            Err(error) => {
+                if strict {
+                    self.complain(error);
+                }
+                return;
+            }
+        };
+        self.read_exponentials(statements.iter_mut());
+        if let Some(conditional) = statements.iter().find(|s| !s.under.is_empty()) {
+            if strict {
+                self.complain(SyntaxError {
+                    span: conditional.span,
+                    message: "what is supposed here is said under a condition".into(),
+                    help: Some("suppose the condition first".into()),
+                });
+            }
+            return;
+        }
+        for statement in &statements {
+            let formulas = formulas(statement);
+            let assigned: BTreeSet<Symbol> = match is_let {
+                true => formulas.iter().flat_map(assigned).collect(),
+                false => BTreeSet::new(),
+            };
+            let locals = &self.locals;
+            active.retain(|&at| !locals[at].is_let || locals[at].assigned.is_disjoint(&assigned));
+            active.push(self.locals.len());
+            self.locals.push(Local {
+                formulas: formulas.into_iter().map(Arc::new).collect(),
+                is_let,
+                span: statement.span,
+                assigned,
+                level,
+            });
+        }
+    }
+
+    /// The domain of the elements of a sequence: that declared for `u_i`, whatever the index is called.
+    pub fn element_domain(&self, sequence: &Symbol) -> Option<&Domain> {
+        of_elements(&self.domains, sequence)
+    }
+
+    /// The name by which the page declares a symbol, or the elements of a sequence: `u` is declared as `u_i`.
+    pub fn declared_name(&self, symbol: &Symbol) -> Option<&Symbol> {
+        let own = self.declared.get_key_value(symbol);
+        own.map(|(name, _)| name).or_else(|| {
+            let (name, _) = elements_of(&self.declared, symbol)?;
+            Some(name)
+        })
+    }
+
+    /// The dimension of the elements of a sequence: that declared for `u_i`, for `u`, or for `u_1`.
+    pub fn element_dimension(&self, sequence: &Symbol) -> Option<&Dimension> {
+        let element = || self.dimensions.get(&element_symbol(sequence, 1));
+        let own = of_elements(&self.dimensions, sequence);
+        own.or_else(|| self.dimensions.get(sequence))
+            .or_else(element)
+    }
+}
+
+/// What is declared for `u_i`, whatever the index is called.
+fn of_elements<'a, T>(declared: &'a BTreeMap<Symbol, T>, sequence: &Symbol) -> Option<&'a T> {
+    elements_of(declared, sequence).map(|(_, value)| value)
+}
+
+fn elements_of<'a, T>(
+    declared: &'a BTreeMap<Symbol, T>,
+    sequence: &Symbol,
+) -> Option<(&'a Symbol, &'a T)> {
+    let prefix = format!("{sequence}_");
+    let is_index = |rest: &str| rest.len() == 1 && rest.chars().all(|c| c.is_ascii_lowercase());
+    let mut declared = declared.iter();
+    declared.find(|(s, _)| s.name().strip_prefix(&prefix).is_some_and(is_index))
+}
+
+/// Adds to a domain what attributes say of it.
+pub(super) fn narrow(domain: &mut Domain, attributes: &[Spanned<Attribute>]) {
+    let at = |bound: &Bound| (bound.value.clone(), bound.strict);
+    let number = |n: i32, strict| (BigRational::from_integer(n.into()), strict);
+    for attribute in attributes {
+        match &attribute.value {
+            Attribute::Dimension(_) | Attribute::Real | Attribute::Euler => {}
+            Attribute::Positive => domain.lower = Some(number(0, true)),
+            Attribute::Nonnegative => domain.lower = Some(number(0, false)),
+            Attribute::Nonzero => domain.nonzero = true,
+            Attribute::Integer => domain.integer = true,
+            Attribute::Natural => {
+                domain.integer = true;
+                domain.lower = Some(number(1, false));
+            }
+            Attribute::Constant => domain.constant = true,
+            Attribute::Interval { lower, upper } => {
+                domain.lower = lower.as_ref().map(at).or(domain.lower.take());
+                domain.upper = upper.as_ref().map(at).or(domain.upper.take());
+            }
+        }
+    }
+}
+
+/// Whether the bounds of a domain leave no number between them.
+pub(super) fn is_empty(domain: &Domain) -> bool {
+    match (&domain.lower, &domain.upper) {
+        (Some((low, open)), Some((high, closed))) => {
+            low > high || low == high && (*open || *closed || domain.nonzero && low.is_zero())
+        }
+        _ => false,
+    }
+}
+
+/// What is said of a symbol that no number is declared to be.
+pub(super) fn no_value(symbol: &Symbol, span: Span) -> Problem {
+    let message = format!("no number is all that `{symbol}` is declared to be");
+    let help =
+        "let its bounds leave room between them; until then nothing is known of where it lies";
+    Problem::new(span, message, help)
+}
+
+/// The dimension among the attributes of a declaration; what is none, and a second one, are problems.
+pub(super) fn dimension_of(
+    attributes: &[Spanned<Attribute>],
+    problems: &mut Vec<Problem>,
+) -> Option<Dimension> {
+    let mut read: Option<Dimension> = None;
+    for attribute in attributes {
+        let Attribute::Dimension(text) = &attribute.value else {
+            continue;
+        };
+        match dimension::parse(text) {
+            Ok(own) if read.as_ref().is_some_and(|other| *other != own) => {
+                problems.push(Problem::new(
+                    attribute.span,
+                    format!("`{text}` is a second dimension"),
+                    "a declaration has one dimension; write a product with a space, `M L`",
+                ));
+            }
+            Ok(own) => read = Some(own),
+            Err(error) => {
+                let start = attribute.span.start;
+                let span = Span::new(start + error.at.start, start + error.at.end);
+                problems.push(Problem {
+                    span,
+                    message: error.message,
+                    help: Some(dimension_help(error.word.as_deref())),
+                });
+            }
+        }
+    }
+    read
+}
+
+/// What to write instead of what is no dimension.
+fn dimension_help(word: Option<&str>) -> String {
+    let names: Vec<&str> = dimension::names().collect();
+    let near = word.and_then(|word| {
+        let slips = if word.len() < 6 { 1 } else { 2 };
+        nearest(word, &names, slips)
+    });
+    match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "a dimension is a name (`mass`, `velocity`, `energy/temperature`) or a product of powers of the bases \
+                 `M L T I \\Theta N J`, such as `M L^{-1/2} T^{-2}`"
+            .into(),
+    }
+}
+
+/// The symbols that an equation between them gives a value.
+fn assigned(formula: &Formula) -> BTreeSet<Symbol> {
+    match formula {
+        Formula::Relation {
+            left: crate::algebra::Expr::Symbol(symbol),
+            ..
+        } => BTreeSet::from([symbol.clone()]),
+        Formula::AllEqual { sequence, .. } => BTreeSet::from([sequence.clone()]),
+        Formula::Relation { .. } => BTreeSet::new(),
+    }
+}

@@ -1,0 +1,257 @@
+//! Which indices run through sequences, and what is said of every index.
+//!
+//! An index runs on a page that declares it to be a natural number (or an integer from 0 or more on, without an upper
+//! bound and not `constant`) and has a recurrence in it: something that speaks of an element and of another a fixed
+//! number of places away, as `E_{n+1} = e^2 E_n` does. Where nothing of the kind is written, `v_1` and `v_n` are labels.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::algebra::{Expr, Formula, Place, Symbol, mentions_symbol, running_symbol};
+use crate::kernel::{Domain, ForEvery};
+
+use super::{Assumed, Derivation, Equation, Kind, Page, Source, formulas};
+
+/// An index that runs through sequences on a page.
+#[derive(Clone, Debug)]
+pub struct Running {
+    /// The index.
+    pub index: Symbol,
+    /// Symbols without it in their name that may depend on it all the same: something is given that ties them to it.
+    pub varying: BTreeSet<Symbol>,
+}
+
+/// The indices that run on a page.
+pub(super) fn running(page: &Page, equations: &[Equation]) -> Vec<Running> {
+    let indices = page.domains.iter().filter(|(symbol, domain)| {
+        let from = domain.lower.as_ref().is_some_and(|(bound, _)| {
+            *bound >= crate::algebra::BigRational::from_integer(0.into())
+        });
+        let runs = domain.integer && from && domain.upper.is_none() && !domain.constant;
+        runs && symbol.can_be_index()
+    });
+    let given = equations.iter().flat_map(|equation| {
+        let statements = equation.statements().iter().enumerate();
+        let whole = equation.kind == Kind::Given || equation.opens;
+        let given = statements.filter(move |(part, _)| whole || equation.defines.contains(part));
+        given.flat_map(|(_, statement)| formulas(statement))
+    });
+    let all = || {
+        let statements = equations.iter().flat_map(|equation| equation.statements());
+        statements.flat_map(formulas)
+    };
+    let mut indices = indices.map(|(symbol, _)| symbol).peekable();
+    if indices.peek().is_none() {
+        return Vec::new();
+    }
+    let given: Vec<Formula> = given.collect();
+    let found = indices.filter(|index| all().any(|f| is_recurrence(&f, index)));
+    let found = found.map(|index| Running {
+        index: index.clone(),
+        varying: varying(page, &given, index),
+    });
+    found.collect()
+}
+
+/// Whether a formula speaks of two elements of one sequence, a fixed number of places from each other.
+fn is_recurrence(formula: &Formula, index: &Symbol) -> bool {
+    let mut offsets: BTreeMap<Symbol, i64> = BTreeMap::new();
+    formula
+        .free_symbols()
+        .iter()
+        .any(|symbol| match symbol.place(index) {
+            Some((stem, Place::Running(offset))) => offsets
+                .insert(stem, offset)
+                .is_some_and(|other| other != offset),
+            _ => false,
+        })
+}
+
+/// Whether a formula that is given can be meant for every index: it shows the index on both sides, or speaks besides of
+/// nothing that could depend on it.
+fn shows_index(page: &Page, formula: &Formula, index: &Symbol) -> bool {
+    let Formula::Relation { left, right, .. } = formula else {
+        return false;
+    };
+    left.depends_on(index) && right.depends_on(index) || {
+        let constant = |s: &Symbol| page.domains.get(s).is_some_and(|d| d.constant);
+        let mut plain = plain(formula, index).into_iter().peekable();
+        // `u_{n+1} = 0` may be said of one ball among many.
+        plain.peek().is_some() && plain.all(|symbol| constant(&symbol))
+    }
+}
+
+/// The symbols and sequences of a formula that are neither an index nor have it in their names.
+fn plain(formula: &Formula, index: &Symbol) -> BTreeSet<Symbol> {
+    let all = formula.names().into_iter();
+    let shows = |symbol: &Symbol| {
+        let place = symbol.place(index).map(|(_, place)| place);
+        symbol == index || matches!(place, Some(Place::Running(_) | Place::Unclear))
+    };
+    all.filter(|symbol| !shows(symbol)).collect()
+}
+
+/// The plain symbols that something ties to an index, directly or through others.
+fn varying(page: &Page, given: &[Formula], index: &Symbol) -> BTreeSet<Symbol> {
+    let constant = |s: &Symbol| page.domains.get(s).is_some_and(|d| d.constant);
+    let runs = |stem: &Symbol| {
+        given.iter().any(|f| {
+            let symbols = f.free_symbols();
+            let mut places = symbols.iter().filter_map(|s| s.place(index));
+            places.any(|(own, place)| own == *stem && matches!(place, Place::Running(_)))
+        })
+    };
+    let locals = page.locals.iter().flat_map(|local| &local.formulas);
+    let all: Vec<&Formula> = given.iter().chain(locals.map(|f| &**f)).collect();
+    let mut varying = BTreeSet::new();
+    loop {
+        let before = varying.len();
+        for formula in &all {
+            let plain = plain(formula, index);
+            let tied = match formula.depends_on(index) {
+                true => !shows_index(page, formula, index),
+                false => !plain.is_disjoint(&varying),
+            };
+            if tied {
+                let element = |s: &Symbol| matches!(s.place(index), Some((stem, Place::Number(_))) if runs(&stem));
+                let own = plain.into_iter().filter(|s| !constant(s) && !element(s));
+                varying.extend(own);
+            }
+        }
+        if varying.len() == before {
+            return varying;
+        }
+    }
+}
+
+impl Derivation {
+    /// The indices that run on a page.
+    pub fn running(&self, page: usize) -> &[Running] {
+        self.running
+            .get(page)
+            .map(Vec::as_slice)
+            .unwrap_or_default()
+    }
+
+    /// Whether something that is given is said of every value of an index: no hypothesis about the index is in effect
+    /// where it stands, and nothing in it may depend on the index without showing it.
+    pub fn is_given_throughout(&self, at: usize, formula: &Formula, running: &Running) -> bool {
+        let equation = &self.equations[at];
+        let page = &self.pages[equation.page];
+        let mut locals = equation
+            .locals
+            .iter()
+            .flat_map(|&at| &page.locals[at].formulas);
+        formula.depends_on(&running.index)
+            && shows_index(page, formula, &running.index)
+            && !locals.any(|local| running.ties(local))
+    }
+
+    /// The claim that a goal follows for every value of an index, for each index that runs where it or its premises stand.
+    /// `is_throughout` says which hypotheses are said of every value.
+    pub fn for_every(
+        &self,
+        at: usize,
+        assumed: &[Assumed],
+        goal: &Formula,
+        is_throughout: impl Fn(&Assumed, &Symbol) -> bool,
+    ) -> Vec<ForEvery> {
+        let own = self.equations[at].page;
+        let others = assumed.iter().filter_map(|a| match a.source {
+            Source::Equation(premise) => Some(self.equations[premise].page),
+            _ => None,
+        });
+        let mut pages: Vec<usize> = std::iter::once(own).chain(others).collect();
+        let mut seen = BTreeSet::new();
+        pages.retain(|&page| seen.insert(page));
+        let running = pages.iter().flat_map(|&page| self.running(page));
+        let mut indices: BTreeSet<&Symbol> = running.map(|running| &running.index).collect();
+        let summed = limits_of_sums(goal);
+        indices.extend(&summed);
+        let found = indices.into_iter().filter_map(|index| {
+            let declared = |page: &usize| self.pages[*page].domains.get(index);
+            let runs = |symbol: &Symbol| {
+                let running = |f: &Formula| {
+                    let symbols = f.free_symbols();
+                    let mut places = symbols.iter().filter_map(|s| s.place(index));
+                    let own = symbol.place(index).map(|(stem, _)| stem);
+                    places.any(|(stem, place)| {
+                        Some(stem) == own && matches!(place, Place::Running(_))
+                    })
+                };
+                assumed.iter().any(|a| running(&a.formula))
+            };
+            if !goal.depends_on(index) && !goal.free_symbols().iter().any(runs) {
+                return None;
+            }
+            let range = pages.iter().find_map(declared)?;
+            // Another page may let the same letter run elsewhere.
+            let alike = |a: &Assumed| match a.source {
+                Source::Equation(premise) => declared(&self.equations[premise].page) == Some(range),
+                _ => false,
+            };
+            let hypotheses = assumed.iter().enumerate();
+            let throughout: BTreeSet<usize> = hypotheses
+                .filter(|(_, a)| a.formula.depends_on(index) && alike(a) && is_throughout(a, index))
+                .map(|(position, _)| position)
+                .collect();
+            if throughout.is_empty() && !summed.contains(index) {
+                return None;
+            }
+            let running = pages.iter().flat_map(|&page| self.running(page));
+            let varying = running
+                .filter(|running| running.index == *index)
+                .flat_map(|running| running.varying.clone());
+            let varying = varying.collect();
+            let mut claim = self.claim(at, assumed, goal);
+            claim.domains.insert(index.clone(), range.clone());
+            let mut elements: BTreeMap<Symbol, Domain> = BTreeMap::new();
+            for symbol in Formula::free_symbols_of(claim.formulas()) {
+                if let Some((stem, _)) = symbol.place(index)
+                    && !elements.contains_key(&stem)
+                {
+                    let general = running_symbol(&stem, index, 0);
+                    let mut domains = pages
+                        .iter()
+                        .filter_map(|&p| self.pages[p].domains.get(&general));
+                    if let Some(domain) = domains.next() {
+                        elements.insert(stem, domain.clone());
+                    }
+                }
+            }
+            Some(ForEvery {
+                claim,
+                index: index.clone(),
+                throughout,
+                elements,
+                varying,
+            })
+        });
+        found.collect()
+    }
+}
+
+/// The symbols that say how far the sums of a formula go, where their terms show the index.
+fn limits_of_sums(formula: &Formula) -> BTreeSet<Symbol> {
+    fn collect(term: &Expr, found: &mut BTreeSet<Symbol>) {
+        if let Expr::Series {
+            index, to, body, ..
+        } = term
+            && mentions_symbol(body, index)
+        {
+            found.extend(to.free_symbols());
+        }
+        let children = term.children();
+        children.for_each(|child| collect(child, found));
+    }
+    let mut found = BTreeSet::new();
+    let terms = formula.terms().into_iter();
+    terms.for_each(|term| collect(term, &mut found));
+    found
+}
+
+impl Running {
+    /// Whether a formula speaks of the index, or of something that may depend on it.
+    pub fn ties(&self, formula: &Formula) -> bool {
+        formula.depends_on(&self.index) || !plain(formula, &self.index).is_disjoint(&self.varying)
+    }
+}

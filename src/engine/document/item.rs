@@ -1,0 +1,242 @@
+//! What a document is made of once read.
+
+use super::Span;
+use crate::algebra::BigRational;
+use crate::notation::Spanned;
+
+/// One piece of a document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Item {
+    /// A heading.
+    Heading {
+        /// 1 for `#` to 6 for `######`.
+        level: u8,
+        /// The title as written, without its marks and comments.
+        title: String,
+        /// The heading with its marks.
+        span: Span,
+    },
+    /// The text between two other items.
+    Prose(Prose),
+    /// A displayed equation.
+    Display {
+        /// With its fences: `$$ a = b $$`.
+        span: Span,
+        /// The math alone, without the white space around it; never empty.
+        body: Span,
+        /// How it is set on the page, where the document says so: in LaTeX, and where Markdown has a key outside the
+        /// mathematics.
+        layout: Option<Box<Layout>>,
+    },
+    /// A `<!-- check: … -->` comment.
+    Directives {
+        /// Its clauses that could be read, in order.
+        clauses: Vec<Spanned<Directive>>,
+        /// The whole comment.
+        span: Span,
+    },
+}
+
+impl Item {
+    /// Where the item stands.
+    pub fn span(&self) -> Span {
+        match self {
+            Item::Prose(prose) => prose.span,
+            Item::Heading { span, .. }
+            | Item::Display { span, .. }
+            | Item::Directives { span, .. } => *span,
+        }
+    }
+}
+
+/// How a display is set on the printed page.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Layout {
+    /// Its rows, at least one; each may have a number of its own.
+    pub rows: Vec<Row>,
+    /// Whether `&` parts the rows into pairs of columns, as in `align`: every second one begins another equation.
+    pub columns: bool,
+    /// Other numbers and keys by which all of it is cited: those of the `subequations` around it.
+    pub group: Option<(String, Vec<String>)>,
+    /// Why it must not be read as it stands.
+    pub obstacle: Option<Problem>,
+}
+
+/// A row of a display.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Row {
+    /// Its mathematics without numbers and keys, in order.
+    pub pieces: Vec<Span>,
+    /// Its number as printed.
+    pub number: Option<String>,
+    /// The keys by which it is cited.
+    pub keys: Vec<String>,
+}
+
+/// Text between two other items, and what it says about them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Prose {
+    /// The text.
+    pub span: Span,
+    /// The mathematics in it, in order.
+    pub math: Vec<Inline>,
+    /// The equations that it cites, in order.
+    pub citations: Vec<Citation>,
+    /// What it supposes, in order.
+    pub suppositions: Vec<Supposition>,
+    /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
+    pub mentions: Vec<Span>,
+}
+
+/// Mathematics in a line of text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Inline {
+    /// With its fences: `$v_0$`.
+    pub span: Span,
+    /// Without them.
+    pub body: Span,
+}
+
+/// An equation cited in prose.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Citation {
+    /// The tag or key, without its parentheses. A range of whole numbers has become one citation per number.
+    pub tag: String,
+    /// The last tag or key of a range that is not of whole numbers.
+    pub through: Option<String>,
+    /// Cited by a key (`\eqref{…}`) and not by a number.
+    pub key: bool,
+    /// Where it is cited; for a range, the whole range.
+    pub span: Span,
+    /// Introduced as an equation ("equation (2)", `\eqref{…}`), so that it must exist. A bare
+    /// "(2)" need not: it may be something else.
+    pub explicit: bool,
+}
+
+/// Inline mathematics that prose supposes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Supposition {
+    /// How it is supposed.
+    pub kind: SuppositionKind,
+    /// The inside of the inline math.
+    pub body: Span,
+}
+
+/// How prose supposes something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SuppositionKind {
+    /// "Let $v_1 = 0$", "At $\mu = 1$": a local value.
+    Let,
+    /// "Assume", "Suppose", "taking", "provided that": a hypothesis.
+    Assume,
+    /// "…, where $k = m \omega^2$" after a display: the meaning of a symbol in it.
+    Define,
+}
+
+/// One clause of a `check:` comment.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Directive {
+    /// `given`, `law`, `definition`, `model`: the next display is given.
+    Given,
+    /// `derived`: the next display must be derived.
+    Derived,
+    /// `from …`: the premises of the next display; none for `from nothing`.
+    From(Vec<Spanned<Premise>>),
+    /// `claim NAME`: the name of the next display.
+    Claim(Spanned<String>),
+    /// `assuming FORMULAS`: hypotheses to the end of the section, as raw text.
+    Assuming(Span),
+    /// `let FORMULAS`: local values to the end of the section, as raw text.
+    Let(Span),
+    /// `symbols NAMES: ATTRIBUTES`.
+    Symbols {
+        /// The symbols as raw LaTeX; never empty.
+        names: Vec<Span>,
+        /// What they are declared to be; never empty.
+        attributes: Vec<Spanned<Attribute>>,
+    },
+    /// `data NAMES: VALUE, "SOURCE"`: figures for numeric claims.
+    Data {
+        /// The symbols as raw LaTeX; never empty.
+        names: Vec<Span>,
+        /// The least value.
+        low: BigRational,
+        /// The greatest value, not below the least.
+        high: BigRational,
+        /// Where the figures come from.
+        source: String,
+    },
+    /// `numeric`: the next display is a numeric claim; how near `≈` is meant, as a share of the right side.
+    Numeric(Option<BigRational>),
+}
+
+/// A premise named by `from`.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Premise {
+    /// `(42)`
+    Tag(String),
+    /// `claim cauchy-equality`
+    Claim(String),
+}
+
+/// What a symbol is declared to be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Attribute {
+    /// A dimension, raw: a name such as `mass`, or base exponents such as `M L^{-1/2} T^{-2}`.
+    /// That the name is known is not checked here.
+    Dimension(String),
+    /// `real`
+    Real,
+    /// `positive`
+    Positive,
+    /// `nonnegative`
+    Nonnegative,
+    /// `nonzero`
+    Nonzero,
+    /// `integer`
+    Integer,
+    /// `natural`: an integer, at least 1.
+    Natural,
+    /// `constant`: depends on no variable of differentiation.
+    Constant,
+    /// `Euler's number`: the base of the natural logarithm.
+    Euler,
+    /// `in [0, 1]`, `>= 1`; `None` for a side without bound. Never an empty interval.
+    Interval {
+        /// The lower bound.
+        lower: Option<Bound>,
+        /// The upper bound.
+        upper: Option<Bound>,
+    },
+}
+
+/// One end of an interval.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bound {
+    /// Where the interval ends.
+    pub value: BigRational,
+    /// The end itself is excluded: `(0` or `> 0`.
+    pub strict: bool,
+}
+
+/// Something in a document that could not be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The guilty text.
+    pub span: Span,
+    /// What is wrong, as a headline.
+    pub message: String,
+    /// What to write instead, where something can be said.
+    pub help: Option<String>,
+}
+
+impl Problem {
+    /// A problem and its repair.
+    pub fn new(span: Span, message: impl Into<String>, help: impl Into<String>) -> Problem {
+        Problem {
+            span,
+            message: message.into(),
+            help: Some(help.into()),
+        }
+    }
+}

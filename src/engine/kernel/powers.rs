@@ -1,0 +1,257 @@
+//! Which powers of a claim may be taken apart, and what its roots and powers are known to be.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+use super::{Claim, Fact, Knowledge, Origin, Problem, Reject, Sign};
+use crate::algebra::{
+    Atom, BigInt, BigRational, Expr, Fraction, Function, Functions, Polynomial, Powers, Rational,
+    Symbol, element_parts, mentions_symbol,
+};
+
+/// The highest order of a root that a symbol is read as a power of.
+const HIGHEST_ORDER: u32 = 120;
+
+/// What the terms of a claim let be taken apart; `None` where there is nothing of the kind.
+///
+/// `elsewhere` are symbols whose domain says nothing of a symbol of that name: those that were put in.
+pub(super) fn powers_of<'a>(
+    claim: &Claim,
+    terms: impl Iterator<Item = &'a Expr> + Clone,
+    sequences: &BTreeSet<Symbol>,
+    counts: &BTreeSet<Symbol>,
+    elsewhere: impl Fn(&Symbol) -> bool,
+) -> Option<(Powers, Functions)> {
+    // Most claims have nothing of the kind.
+    if !terms.clone().any(has_powers) {
+        return None;
+    }
+    let mut found = Occurrences::default();
+    terms.for_each(|term| found.collect(term, Some(1), false));
+    let (mut powers, mut functions) = (Powers::default(), Functions::default());
+    for (symbol, domain) in &claim.domains {
+        let element = element_parts(symbol).is_some_and(|(s, _)| sequences.contains(&s));
+        if element || sequences.contains(symbol) || elsewhere(symbol) {
+            continue;
+        }
+        // A bound symbol of that name is another.
+        if found.bound.contains(symbol) {
+            continue;
+        }
+        if domain.integer {
+            functions.integers.insert(symbol.clone());
+            if domain.lower.iter().any(|(bound, _)| !bound.is_negative()) {
+                functions.naturals.insert(symbol.clone());
+            }
+        }
+        if !domain.contains(&BigRational::zero()) {
+            powers.nonzero.insert(symbol.clone());
+        }
+        if !domain.is_positive() {
+            continue;
+        }
+        powers.positive.insert(symbol.clone());
+        let still = !found.moving.contains(symbol) && !counts.contains(symbol) && !domain.integer;
+        if let Some(&order) = found.orders.get(symbol)
+            && still
+            && (2..=HIGHEST_ORDER).contains(&order)
+        {
+            powers.roots.insert(symbol.clone(), order);
+        }
+    }
+    functions.positive = powers.positive.clone();
+    Some((powers, functions))
+}
+
+/// Whether there is a power with another exponent than an integer in a term.
+fn has_powers(term: &Expr) -> bool {
+    term.any(&|part| match part {
+        Expr::Power(_, exponent) => constant(exponent).is_none_or(|e| !e.is_integer()),
+        // Of what is positive a logarithm can be taken factor by factor.
+        Expr::Call(Function::Ln, _) => true,
+        // Sines and cosines of whole numbers of half turns.
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, argument) => {
+            argument.mentions(&Symbol::new("\\pi"))
+        }
+        // In sums over whole numbers every power has a value.
+        Expr::Series { index, body, .. } => mentions_symbol(body, index),
+        _ => false,
+    })
+}
+
+/// Where symbols occur.
+#[derive(Default)]
+struct Occurrences {
+    /// The order of the root below which each symbol occurs as a factor; 0 where it is too high.
+    orders: BTreeMap<Symbol, u32>,
+    /// Symbols in sums, derivatives, limits and integrals.
+    moving: BTreeSet<Symbol>,
+    bound: BTreeSet<Symbol>,
+}
+
+impl Occurrences {
+    /// `order` is that of the roots around, `None` where it is too high.
+    fn collect(&mut self, term: &Expr, order: Option<u32>, moving: bool) {
+        match term {
+            Expr::Symbol(symbol) => {
+                let slot = self.orders.entry(symbol.clone()).or_insert(1);
+                *slot = match order {
+                    Some(order) if *slot != 0 && slot.lcm(&order) <= HIGHEST_ORDER => {
+                        slot.lcm(&order)
+                    }
+                    _ => 0,
+                };
+                if moving {
+                    self.moving.insert(symbol.clone());
+                }
+            }
+            Expr::Power(base, exponent) => {
+                let constant = constant(exponent);
+                let denominator = constant
+                    .as_ref()
+                    .map_or(BigInt::one(), |c| c.denom().clone());
+                let below = order.zip(u32::try_from(denominator).ok());
+                let below = below.and_then(|(a, b)| a.checked_mul(b));
+                let below = below.filter(|&order| order <= HIGHEST_ORDER);
+                self.collect(base, below, moving);
+                self.collect(exponent, Some(1), moving);
+            }
+            Expr::Product(_) | Expr::Quotient(..) | Expr::Negate(_) => {
+                let children = term.children();
+                children.for_each(|child| self.collect(child, order, moving));
+            }
+            _ => {
+                let calculus = term.binder();
+                self.bound.extend(calculus.cloned());
+                let moving = moving || calculus.is_some();
+                if moving {
+                    self.moving.extend(calculus.cloned());
+                }
+                let children = term.children();
+                children.for_each(|child| self.collect(child, Some(1), moving));
+            }
+        }
+    }
+}
+
+/// The value of a term without symbols.
+fn constant(term: &Expr) -> Option<BigRational> {
+    match term {
+        Expr::Number(value) => Some(value.clone()),
+        Expr::Negate(inner) => Some(-constant(inner)?),
+        Expr::Quotient(above, below) => {
+            let below = constant(below).filter(|b| !b.is_zero())?;
+            Some(constant(above)? / below)
+        }
+        Expr::Product(factors) => factors.iter().map(constant).product(),
+        Expr::Sum(terms) => terms.iter().map(constant).sum(),
+        _ => None,
+    }
+}
+
+impl Problem {
+    /// What roots and powers are: `s^q = base`, `s ≥ 0`.
+    ///
+    /// Only where the base is seen not to be negative by what is known without the root: elsewhere there may be no
+    /// root at all, and that there is one must not follow from what is said of it. Each fact can be made true at
+    /// every point at which those before it are, whether or not the terms of the goal have a value there.
+    pub(super) fn add_facts_about_powers(&mut self) -> Result<(), Reject> {
+        let Some(functions) = self.functions.clone().filter(|_| self.powers.is_some()) else {
+            return Ok(());
+        };
+        let mut knowledge = Knowledge::new(&self.facts);
+        let mut at = 0;
+        loop {
+            let next = self.atoms.iter().nth(at);
+            let Some((var, atom)) = next.map(|(var, atom)| (var, atom.clone())) else {
+                return Ok(());
+            };
+            at += 1;
+            let Atom::Opaque(Expr::Power(base, exponent)) = atom else {
+                continue;
+            };
+            let mut lowering = self.lowering();
+            let Ok(value) = lowering.lower(&base) else {
+                continue;
+            };
+            if !lowering.conditions.doubtful.is_empty() || !lowering.conditions.zero.is_empty() {
+                continue;
+            }
+            // What it is made of comes before it.
+            let before = |p: &Polynomial| p.vars().iter().all(|v| *v < var);
+            let mut divisors = value.denominator();
+            let sure = divisors.all(|(d, _)| before(d) && knowledge.is_nonzero(d));
+            if !sure || !before(value.numerator()) {
+                continue;
+            }
+            for fact in about_power(
+                Polynomial::var(var),
+                &value,
+                &exponent,
+                &functions,
+                &knowledge,
+            )? {
+                knowledge.learn(&fact);
+                self.add(fact.polynomial, fact.sign, Origin::Powers);
+            }
+        }
+    }
+}
+
+fn about_power(
+    power: Polynomial,
+    base: &Fraction,
+    exponent: &Expr,
+    functions: &Functions,
+    knowledge: &Knowledge,
+) -> Result<Vec<Fact>, Reject> {
+    let mut sign = base.numerator().clone();
+    for (factor, own) in base.denominator() {
+        if own % 2 == 1 {
+            sign = sign.times(factor)?;
+        }
+    }
+    let fact = |polynomial: &Polynomial, sign| Fact {
+        polynomial: polynomial.clone(),
+        sign,
+    };
+    let (nonnegative, positive) = (
+        knowledge.is_nonnegative(&sign),
+        knowledge.is_positive(&sign),
+    );
+    let mut facts = Vec::new();
+    let natural = match exponent {
+        Expr::Number(exponent) => {
+            // Of an odd root of something negative nothing is said.
+            let root = exponent.numer().is_one() && nonnegative;
+            let Some(order) = u32::try_from(exponent.denom()).ok().filter(|_| root) else {
+                return Ok(facts);
+            };
+            let left = power.pow(order)?.times(&base.expanded_denominator()?)?;
+            facts.push(fact(&left.minus(base.numerator()), Sign::Zero));
+            true
+        }
+        Expr::Symbol(symbol) => functions.naturals.contains(symbol),
+        _ => false,
+    };
+    // (-1)^n is 1 or -1 for a whole number n.
+    let whole = matches!(exponent, Expr::Symbol(symbol) if functions.integers.contains(symbol));
+    if whole && base.as_constant().is_some_and(|b| (-b).is_one()) {
+        let square = power.pow(2)?;
+        let one = Polynomial::constant(Rational::one());
+        facts.push(fact(&square.minus(&one), Sign::Zero));
+    }
+    if positive {
+        facts.push(fact(&power, Sign::Positive));
+        return Ok(facts);
+    }
+    if natural && nonnegative {
+        facts.push(fact(&power, Sign::NonNegative));
+    }
+    if natural && knowledge.is_nonzero(base.numerator()) {
+        facts.push(fact(&power, Sign::NonZero));
+    }
+    Ok(facts)
+}

@@ -1,0 +1,36 @@
+//! The LaTeX-math reader and its inverse, the printer: one for all formats.
+//!
+//! `lexer` makes tokens, `fold` joins the signs that are spelt with several, `parser` builds statements, `printer` goes
+//! back. What cannot be read is refused by name and place; nothing is skipped or guessed. Where physicists' notation
+//! leaves a choice, this is what is chosen:
+//!
+//! - `/` binds like a product and runs from left to right: `1/2m` is `(1/2)m`.
+//! - A symbol directly before parentheses that hold only bare symbols, `P(t)`, is a function; `v_0(1-\mu)` is a product.
+//! - `\sum`, `\lim` and `\frac{d}{dx}` take the product that follows them; `\frac{d}{dx}[f] g` is refused.
+//! - `\sin` without parentheses takes the plain factors side by side that follow; a group or a sign of multiplication
+//!   right after them is refused.
+//! - Braces do not show on the page, so `{a + b} c` is refused.
+//! - `\times` with nothing after it is the author's ✗.
+//! - `f = \begin{cases} a & x < 0 \\ b & x \geq 0 \end{cases}` is two statements, each under its condition.
+//! - `\frac12` is a quotient of two numbers; a decimal is one number; `\sqrt[n]{x}` is `x` to the number `1/n`.
+
+mod commands;
+mod fold;
+mod lexer;
+mod parser;
+mod printer;
+mod read;
+mod statement;
+mod unit;
+
+pub(crate) use commands::is_command;
+pub use printer::{
+    escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
+    mathml_statement, plain, plain_formula, relation_latex,
+};
+pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
+pub use statement::{
+    Before, BeforeKind, Choice, Clause, Connective, Display, Link, Mark, Other, Side, Spanned,
+    Statement, SyntaxError,
+};
+pub use unit::measured;

@@ -1,0 +1,45 @@
+//! The inverse of the reader: terms as canonical LaTeX, as one line of text for a terminal, and as MathML for a browser.
+
+mod latex;
+mod mathml;
+mod plain;
+mod xml;
+
+pub use latex::{latex, latex_formula, latex_statement, relation_latex};
+pub use mathml::{mathml, mathml_formula, mathml_statement};
+pub use plain::{plain, plain_formula};
+pub use xml::{escape, escape_by};
+
+use crate::algebra::{BigInt, BigRational};
+use num_integer::Integer;
+use num_traits::Signed;
+
+/// The decimal numeral of a nonnegative number that has one.
+fn decimal(number: &BigRational) -> Option<String> {
+    if number.is_negative() {
+        return None;
+    }
+    if number.is_integer() {
+        return Some(number.to_string());
+    }
+    let (mut twos, mut fives) = (0usize, 0usize);
+    let mut rest = number.denom().clone();
+    for (prime, count) in [(2, &mut twos), (5, &mut fives)] {
+        let prime = BigInt::from(prime);
+        while rest.is_multiple_of(&prime) && *count < 4_000 {
+            rest /= &prime;
+            *count += 1;
+        }
+    }
+    if rest != BigInt::from(1) {
+        return None;
+    }
+    let places = twos.max(fives);
+    let scale = BigInt::from(10).pow(u32::try_from(places).ok()?);
+    let digits = (number * BigRational::from_integer(scale))
+        .to_integer()
+        .to_string();
+    let digits = format!("{digits:0>width$}", width = places + 1);
+    let (whole, decimals) = digits.split_at(digits.len() - places);
+    Some(format!("{whole}.{decimals}"))
+}

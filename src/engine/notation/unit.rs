@@ -1,0 +1,367 @@
+//! Quantities as siunitx writes them, `\qty{9.81}{m/s^2}`: an exact number and a product of powers of base units.
+//!
+//! A base unit is a positive symbol, `\unit{m}`, of the dimension that it measures. Every other unit is a number times a
+//! product of powers of these, and so is every prefix; all of that is exact, so that 5 km = 5000 m is an identity and
+//! 1 m = 1 s disagrees in dimension. What has no such number is refused: degrees of angle (π), degrees Celsius (they begin
+//! elsewhere), decibels. **Source.** BIPM, *The International System of Units*, 9th edition, tables 2 to 8.
+
+use crate::algebra::{Base, BigInt, BigRational, Symbol};
+
+/// The base units, in the order in which they are printed.
+const BASES: [(&str, Base); 7] = [
+    ("kg", Base::Mass),
+    ("m", Base::Length),
+    ("s", Base::Time),
+    ("A", Base::Current),
+    ("K", Base::Temperature),
+    ("mol", Base::Amount),
+    ("cd", Base::Luminosity),
+];
+
+/// Exponents of kg, m, s, A, K, mol, cd.
+type Powers = [i32; 7];
+
+/// A unit: symbol, macro, powers of the base units, the number before them as numerator, denominator and power of ten,
+/// and whether it takes prefixes.
+type Row = (&'static str, &'static str, Powers, (u64, u64, i32), bool);
+
+const UNITS: &[Row] = &[
+    ("m", "metre", [0, 1, 0, 0, 0, 0, 0], (1, 1, 0), true),
+    ("g", "gram", [1, 0, 0, 0, 0, 0, 0], (1, 1, -3), true),
+    ("s", "second", [0, 0, 1, 0, 0, 0, 0], (1, 1, 0), true),
+    ("A", "ampere", [0, 0, 0, 1, 0, 0, 0], (1, 1, 0), true),
+    ("K", "kelvin", [0, 0, 0, 0, 1, 0, 0], (1, 1, 0), true),
+    ("mol", "mole", [0, 0, 0, 0, 0, 1, 0], (1, 1, 0), true),
+    ("cd", "candela", [0, 0, 0, 0, 0, 0, 1], (1, 1, 0), true),
+    ("rad", "radian", [0, 0, 0, 0, 0, 0, 0], (1, 1, 0), true),
+    ("sr", "steradian", [0, 0, 0, 0, 0, 0, 0], (1, 1, 0), false),
+    ("Hz", "hertz", [0, 0, -1, 0, 0, 0, 0], (1, 1, 0), true),
+    ("N", "newton", [1, 1, -2, 0, 0, 0, 0], (1, 1, 0), true),
+    ("Pa", "pascal", [1, -1, -2, 0, 0, 0, 0], (1, 1, 0), true),
+    ("J", "joule", [1, 2, -2, 0, 0, 0, 0], (1, 1, 0), true),
+    ("W", "watt", [1, 2, -3, 0, 0, 0, 0], (1, 1, 0), true),
+    ("C", "coulomb", [0, 0, 1, 1, 0, 0, 0], (1, 1, 0), true),
+    ("V", "volt", [1, 2, -3, -1, 0, 0, 0], (1, 1, 0), true),
+    ("F", "farad", [-1, -2, 4, 2, 0, 0, 0], (1, 1, 0), true),
+    ("Ω", "ohm", [1, 2, -3, -2, 0, 0, 0], (1, 1, 0), true),
+    ("S", "siemens", [-1, -2, 3, 2, 0, 0, 0], (1, 1, 0), true),
+    ("Wb", "weber", [1, 2, -2, -1, 0, 0, 0], (1, 1, 0), true),
+    ("T", "tesla", [1, 0, -2, -1, 0, 0, 0], (1, 1, 0), true),
+    ("H", "henry", [1, 2, -2, -2, 0, 0, 0], (1, 1, 0), true),
+    ("lm", "lumen", [0, 0, 0, 0, 0, 0, 1], (1, 1, 0), true),
+    ("lx", "lux", [0, -2, 0, 0, 0, 0, 1], (1, 1, 0), true),
+    ("Bq", "becquerel", [0, 0, -1, 0, 0, 0, 0], (1, 1, 0), true),
+    ("Gy", "gray", [0, 2, -2, 0, 0, 0, 0], (1, 1, 0), true),
+    ("Sv", "sievert", [0, 2, -2, 0, 0, 0, 0], (1, 1, 0), true),
+    ("kat", "katal", [0, 0, -1, 0, 0, 1, 0], (1, 1, 0), true),
+    ("min", "minute", [0, 0, 1, 0, 0, 0, 0], (60, 1, 0), false),
+    ("h", "hour", [0, 0, 1, 0, 0, 0, 0], (3600, 1, 0), false),
+    ("d", "day", [0, 0, 1, 0, 0, 0, 0], (86_400, 1, 0), false),
+    ("L", "litre", [0, 3, 0, 0, 0, 0, 0], (1, 1, -3), true),
+    ("l", "liter", [0, 3, 0, 0, 0, 0, 0], (1, 1, -3), true),
+    ("t", "tonne", [1, 0, 0, 0, 0, 0, 0], (1, 1, 3), false),
+    ("ha", "hectare", [0, 2, 0, 0, 0, 0, 0], (1, 1, 4), false),
+    ("bar", "bar", [1, -1, -2, 0, 0, 0, 0], (1, 1, 5), true),
+    (
+        "eV",
+        "electronvolt",
+        [1, 2, -2, 0, 0, 0, 0],
+        (1_602_176_634, 1, -28),
+        true,
+    ),
+    ("%", "percent", [0, 0, 0, 0, 0, 0, 0], (1, 1, -2), false),
+];
+
+/// Prefixes: symbol, macro, power of ten.
+const PREFIXES: &[(&str, &str, i32)] = &[
+    ("Y", "yotta", 24),
+    ("Z", "zetta", 21),
+    ("E", "exa", 18),
+    ("P", "peta", 15),
+    ("T", "tera", 12),
+    ("G", "giga", 9),
+    ("M", "mega", 6),
+    ("k", "kilo", 3),
+    ("h", "hecto", 2),
+    ("da", "deca", 1),
+    ("d", "deci", -1),
+    ("c", "centi", -2),
+    ("m", "milli", -3),
+    ("µ", "micro", -6),
+    ("n", "nano", -9),
+    ("p", "pico", -12),
+    ("f", "femto", -15),
+    ("a", "atto", -18),
+    ("z", "zepto", -21),
+    ("y", "yocto", -24),
+];
+
+/// The greatest exponent of ten, and of a unit.
+const MOST_TENS: i32 = 400;
+const MOST_POWER: i32 = 40;
+
+/// A product of a number and powers of base units.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Unit {
+    pub number: BigRational,
+    powers: Powers,
+}
+
+impl Unit {
+    fn one() -> Unit {
+        Unit {
+            number: BigRational::from_integer(1.into()),
+            powers: [0; 7],
+        }
+    }
+
+    /// The base units that occur, with their exponents.
+    pub(super) fn factors(&self) -> impl Iterator<Item = (Symbol, i32)> {
+        let named = BASES.iter().zip(self.powers);
+        named
+            .filter(|(_, power)| *power != 0)
+            .map(|((name, _), power)| (Symbol::new(format!("\\unit{{{name}}}")), power))
+    }
+
+    fn times(&mut self, other: &Unit, power: i32) -> Option<()> {
+        if power.abs() > MOST_POWER {
+            return None;
+        }
+        self.number *= other.number.pow(power);
+        for (own, other) in self.powers.iter_mut().zip(other.powers) {
+            *own += other * power;
+            if own.abs() > MOST_POWER {
+                return None;
+            }
+        }
+        Some(())
+    }
+}
+
+/// What a base unit measures; `None` for a symbol that is none.
+pub fn measured(symbol: &Symbol) -> Option<Base> {
+    let name = symbol.name().strip_prefix("\\unit{")?.strip_suffix('}')?;
+    let base = BASES.iter().find(|(own, _)| *own == name)?;
+    Some(base.1)
+}
+
+/// The number in `\qty{…}{…}` or `\num{…}`: digits with a decimal point, and perhaps a power of ten, `1.6e-19`.
+pub(super) fn number(text: &str) -> Option<BigRational> {
+    let text = text.trim();
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa.trim(), exponent.trim()),
+        None => (text, "0"),
+    };
+    let (negative, mantissa) = match mantissa.strip_prefix('-') {
+        Some(rest) => (true, rest),
+        None => (false, mantissa.strip_prefix('+').unwrap_or(mantissa)),
+    };
+    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let figures = |part: &str| part.bytes().all(|b| b.is_ascii_digit());
+    if !figures(whole) || !figures(decimals) || whole.len() + decimals.len() == 0 {
+        return None;
+    }
+    if whole.len() + decimals.len() > 2_000 || exponent.len() > 5 {
+        return None;
+    }
+    let digits: BigInt = format!("{whole}{decimals}").parse().ok()?;
+    let exponent: i32 = exponent
+        .strip_prefix('+')
+        .unwrap_or(exponent)
+        .parse()
+        .ok()?;
+    let places = i32::try_from(decimals.len()).ok()?;
+    if exponent.abs() > MOST_TENS {
+        return None;
+    }
+    let value = BigRational::from_integer(digits) * tens(exponent - places);
+    Some(if negative { -value } else { value })
+}
+
+fn tens(exponent: i32) -> BigRational {
+    BigRational::from_integer(10.into()).pow(exponent)
+}
+
+fn row_unit(row: &Row, prefix: i32) -> Unit {
+    let (over, under, ten) = row.3;
+    Unit {
+        number: BigRational::new(over.into(), under.into()) * tens(ten + prefix),
+        powers: row.2,
+    }
+}
+
+/// A unit by its symbol, perhaps with a prefix: `km`.
+fn by_symbol(text: &str) -> Option<Unit> {
+    if let Some(row) = UNITS.iter().find(|row| row.0 == text) {
+        return Some(row_unit(row, 0));
+    }
+    let prefixed = PREFIXES.iter().filter_map(|(prefix, _, power)| {
+        let rest = text.strip_prefix(prefix)?;
+        let row = UNITS.iter().find(|row| row.4 && row.0 == rest)?;
+        Some(row_unit(row, *power))
+    });
+    prefixed.into_iter().next()
+}
+
+/// Whether upright letters after a number can only be a unit, as far as the letters tell. A `d` may be that of a differential.
+pub(super) fn is_symbol(text: &str) -> bool {
+    text != "d" && by_symbol(text).is_some()
+}
+
+/// A unit as siunitx takes it: `m/s^2`, `kg.m^2.s^{-2}`, `\kilo\metre\per\second\squared`.
+///
+/// # Errors
+/// What in it is not read.
+pub(super) fn read(text: &str) -> Result<Unit, String> {
+    let mut reader = Reader {
+        rest: text,
+        unit: Unit::one(),
+        below: false,
+        strokes: 0,
+        after_stroke: 0,
+        raised: 1,
+    };
+    while reader.step()? {}
+    if reader.below || reader.raised != 1 {
+        return Err(format!("`{}` ends where a unit is expected", text.trim()));
+    }
+    // `J/kg K`: whether K stands below the stroke, the page does not tell.
+    if reader.strokes > 0 && reader.after_stroke > 1 {
+        return Err(format!(
+            "what stands below the stroke in `{}` is not clear: write `J.kg^{{-1}}.K^{{-1}}` or `\\per`",
+            text.trim()
+        ));
+    }
+    Ok(reader.unit)
+}
+
+struct Reader<'a> {
+    rest: &'a str,
+    unit: Unit,
+    /// The next unit is divided by.
+    below: bool,
+    strokes: usize,
+    /// How many units stand after the first stroke.
+    after_stroke: usize,
+    /// The power of the next unit, from `\square` and `\cubic`.
+    raised: i32,
+}
+
+impl Reader<'_> {
+    fn step(&mut self) -> Result<bool, String> {
+        self.rest = self
+            .rest
+            .trim_start_matches([' ', '\t', '\n', '\r', '~', '.', '·']);
+        let Some(first) = self.rest.chars().next() else {
+            return Ok(false);
+        };
+        match first {
+            '/' => {
+                self.rest = &self.rest[1..];
+                if self.below || self.strokes > 0 {
+                    return Err("a second stroke in a unit is not read".into());
+                }
+                (self.below, self.strokes) = (true, 1);
+            }
+            '\\' => {
+                let rest = &self.rest[1..];
+                let length = rest.find(|c: char| !c.is_ascii_alphabetic());
+                let name = &rest[..length.unwrap_or(rest.len())];
+                self.rest = &rest[name.len()..];
+                self.command(name)?;
+            }
+            _ => {
+                let length = self
+                    .rest
+                    .find(|c: char| !c.is_alphabetic() && c != '%')
+                    .unwrap_or(self.rest.len());
+                let name = &self.rest[..length];
+                if name.is_empty() {
+                    return Err(format!("`{first}` is not read in a unit"));
+                }
+                self.rest = &self.rest[length..];
+                let unit = by_symbol(&name.replace('μ', "µ"))
+                    .ok_or_else(|| format!("the unit `{name}` is not known"))?;
+                self.take(&unit)?;
+            }
+        }
+        Ok(true)
+    }
+
+    fn command(&mut self, name: &str) -> Result<(), String> {
+        match name {
+            "" if self.rest.starts_with([',', ';', ' ']) => self.rest = &self.rest[1..],
+            "cdot" => {}
+            "per" => {
+                if self.below {
+                    return Err("`\\per` stands twice".into());
+                }
+                self.below = true;
+            }
+            "square" => self.raised = 2,
+            "cubic" => self.raised = 3,
+            _ => {
+                let (power, own) = match PREFIXES
+                    .iter()
+                    .find(|p| p.1 == name || name == "deka" && p.1 == "deca")
+                {
+                    None => (0, name),
+                    Some((.., power)) => {
+                        let rest = self.rest.trim_start();
+                        let Some(rest) = rest.strip_prefix('\\') else {
+                            return Err(format!("a unit is missing after `\\{name}`"));
+                        };
+                        let length = rest.find(|c: char| !c.is_ascii_alphabetic());
+                        let own = &rest[..length.unwrap_or(rest.len())];
+                        self.rest = &rest[own.len()..];
+                        (*power, own)
+                    }
+                };
+                let spelt = match own {
+                    "meter" => "metre",
+                    other => other,
+                };
+                let row = UNITS.iter().find(|row| row.1 == spelt);
+                let unit = match (row, spelt) {
+                    (Some(row), _) => row_unit(row, power),
+                    (None, "kilogram") if power == 0 => row_unit(&UNITS[1], 3),
+                    _ => return Err(format!("the unit `\\{own}` is not read")),
+                };
+                self.take(&unit)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A unit, with the power that follows it.
+    fn take(&mut self, unit: &Unit) -> Result<(), String> {
+        let mut power = std::mem::replace(&mut self.raised, 1);
+        let rest = self.rest.trim_start();
+        if let Some(after) = rest.strip_prefix("\\squared") {
+            (power, self.rest) = (power * 2, after);
+        } else if let Some(after) = rest.strip_prefix("\\cubed") {
+            (power, self.rest) = (power * 3, after);
+        } else if let Some(after) = rest.strip_prefix('^').or(rest.strip_prefix("\\tothe")) {
+            let (digits, after) = match after.strip_prefix('{') {
+                Some(inner) => inner
+                    .split_once('}')
+                    .ok_or("a brace in a unit is never closed")?,
+                None => after.split_at(after.chars().next().map_or(0, char::len_utf8)),
+            };
+            let exponent: i32 = digits
+                .trim()
+                .replace('−', "-")
+                .parse()
+                .ok()
+                .filter(|exponent: &i32| exponent.unsigned_abs() <= MOST_POWER.unsigned_abs())
+                .ok_or_else(|| format!("the power `{}` of a unit is not read", digits.trim()))?;
+            (power, self.rest) = (power * exponent, after);
+        }
+        if std::mem::take(&mut self.below) {
+            power = -power;
+        }
+        self.after_stroke += self.strokes;
+        let taken = self.unit.times(unit, power);
+        taken.ok_or_else(|| "this power of a unit is too large".to_owned())
+    }
+}

@@ -1,0 +1,447 @@
+//! The slips of the pen that may have been made: every formula that is one small edit away from a printed one.
+
+use crate::algebra::{
+    BigRational, Expr, Formula, Function, Rational, Relation, Symbol, product_of,
+};
+
+use super::super::implied::{number, own_number, scaled};
+
+/// Formulas with more parts than this are not edited: a reader could not see one slip in them either.
+const MOST_PARTS: usize = 80;
+/// No more formulas than this are made of one.
+const MOST_EDITS: usize = 400;
+/// What a coefficient may be off by, the likeliest first.
+const FACTORS: [(i64, i64); 20] = [
+    (1, 2),
+    (2, 1),
+    (1, 4),
+    (4, 1),
+    (1, 3),
+    (3, 1),
+    (2, 3),
+    (3, 2),
+    (3, 4),
+    (4, 3),
+    (1, 8),
+    (8, 1),
+    (1, 6),
+    (6, 1),
+    (1, 5),
+    (5, 1),
+    (2, 5),
+    (5, 2),
+    (3, 5),
+    (5, 3),
+];
+
+/// What kind of slip it would have been.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// A plus for a minus, or the other way round.
+    Sign,
+    /// A number, or one that is missing.
+    Coefficient,
+    /// An exponent, or one that is missing.
+    Exponent,
+    /// One symbol for another.
+    Symbol {
+        /// As printed.
+        printed: Symbol,
+        /// As it should be.
+        meant: Symbol,
+    },
+    /// A fraction upside down, or a product where there should be a quotient.
+    Inverted,
+    /// `≤` for `≥`.
+    Relation,
+    /// `<` for `≤`.
+    Strict,
+    /// A factor that is missing, or one too many.
+    Factor,
+    /// A summand that is missing, or one too many.
+    Summand,
+    /// One function for another: a sine for a cosine.
+    Function,
+}
+
+/// A formula one edit away.
+#[derive(Clone, Debug)]
+pub struct Edit {
+    /// What was changed.
+    pub change: Change,
+    /// The formula as it would read.
+    pub formula: Formula,
+    /// The likelier a slip, the less.
+    pub cost: u32,
+    /// Whether the left side is as printed.
+    pub left_kept: bool,
+    /// Whether the right side is.
+    pub right_kept: bool,
+}
+
+/// All formulas one edit away from a printed one, the likeliest slip first. `names` are what a symbol may have been
+/// mistaken for.
+pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
+    let Formula::Relation {
+        left,
+        relation,
+        right,
+    } = printed
+    else {
+        return Vec::new();
+    };
+    if parts(left) + parts(right) > MOST_PARTS {
+        return Vec::new();
+    }
+    let rebuilt = |left: &Expr, relation: Relation, right: &Expr| Formula::Relation {
+        left: left.clone(),
+        relation,
+        right: right.clone(),
+    };
+    let mut all = Vec::new();
+    let mut editor = Editor {
+        names,
+        found: Vec::new(),
+    };
+    for is_left in [false, true] {
+        let side = if is_left { left } else { right };
+        editor.whole(side);
+        editor.missing_factor(side);
+        editor.missing_one(side);
+        for (change, cost, term) in editor.found.drain(..) {
+            let formula = match is_left {
+                true => rebuilt(&term, *relation, right),
+                false => rebuilt(left, *relation, &term),
+            };
+            // What an equation is solved for is less often wrong than what it says of it.
+            let solved = matches!((is_left, left), (true, Expr::Symbol(_)));
+            let leading = change == Change::Sign && starts_with_minus(&term);
+            let cost =
+                4 * cost + u32::from(is_left) + 2 * u32::from(leading) + 8 * u32::from(solved);
+            all.push(Edit {
+                change,
+                formula,
+                cost,
+                left_kept: !is_left,
+                right_kept: is_left,
+            });
+        }
+    }
+    let loose = match relation {
+        Relation::Less => Some(Relation::LessOrEqual),
+        Relation::Greater => Some(Relation::GreaterOrEqual),
+        _ => None,
+    };
+    let turned = match relation {
+        Relation::Less => vec![Relation::Greater, Relation::GreaterOrEqual],
+        Relation::Greater => vec![Relation::Less, Relation::LessOrEqual],
+        Relation::LessOrEqual => vec![Relation::GreaterOrEqual],
+        Relation::GreaterOrEqual => vec![Relation::LessOrEqual],
+        _ => Vec::new(),
+    };
+    let loose = loose.map(|relation| (Change::Strict, relation)).into_iter();
+    let turned = turned
+        .into_iter()
+        .map(|relation| (Change::Relation, relation));
+    for (at, (change, relation)) in (0..).zip(loose.chain(turned)) {
+        all.push(Edit {
+            change,
+            formula: rebuilt(left, relation, right),
+            cost: 2 + at,
+            left_kept: true,
+            right_kept: true,
+        });
+    }
+    let same = |edit: &Edit| match &edit.formula {
+        Formula::Relation { left, right, .. } => left == right,
+        Formula::AllEqual { .. } => false,
+    };
+    all.retain(|edit| !same(edit));
+    all.sort_by_key(|edit| edit.cost);
+    all.truncate(MOST_EDITS);
+    all
+}
+
+/// Whether a minus is the first that is read of a term: where another sign can be wrong, that is the likelier.
+fn starts_with_minus(term: &Expr) -> bool {
+    match term {
+        Expr::Negate(_) => true,
+        Expr::Sum(items) | Expr::Product(items) => items.first().is_some_and(starts_with_minus),
+        Expr::Quotient(above, _) => starts_with_minus(above),
+        Expr::Power(base, _) => starts_with_minus(base),
+        _ => false,
+    }
+}
+
+fn parts(term: &Expr) -> usize {
+    1 + term.children().map(parts).sum::<usize>()
+}
+
+type Found = Vec<(Change, u32, Expr)>;
+
+struct Editor<'a> {
+    names: &'a [Symbol],
+    found: Found,
+}
+
+impl Editor<'_> {
+    /// A side, a summand, or the argument of a function: what may have a sign and a coefficient.
+    fn whole(&mut self, term: &Expr) {
+        if !matches!(term, Expr::Sum(_)) {
+            self.factors(term);
+        }
+        match term {
+            Expr::Negate(inner) => self.found.push((Change::Sign, 1, (**inner).clone())),
+            Expr::Number(value) if *value == BigRational::from_integer(0.into()) => {}
+            // Nobody writes a minus before a whole sum.
+            Expr::Sum(_) => {}
+            term => self
+                .found
+                .push((Change::Sign, 1, Expr::Negate(term.clone().into()))),
+        }
+        self.within(term);
+    }
+
+    fn factors(&mut self, term: &Expr) {
+        if let Expr::Number(value) = term {
+            let one = BigRational::from_integer(1.into());
+            for other in [value + &one, value - &one] {
+                self.found
+                    .push((Change::Coefficient, 2, number(&Rational::from(&other))));
+            }
+        }
+        let (term, negative) = match term {
+            Expr::Negate(inner) => (&**inner, true),
+            term => (term, false),
+        };
+        if let Some(value) = own_number(term).filter(|v| !v.is_integer()) {
+            let below = BigRational::from_integer(value.denom());
+            for other in [1, -1].map(|step| &below + BigRational::from_integer(step.into())) {
+                let other = Rational::from(value.numer()) / Rational::from(&other);
+                self.found.push((Change::Coefficient, 2, number(&other)));
+            }
+        }
+        for (at, (above, below)) in FACTORS.into_iter().enumerate() {
+            let factor = BigRational::new(above.into(), below.into());
+            let other = scaled(term, &Rational::from(&factor));
+            let other = match negative {
+                true => Expr::Negate(other.into()),
+                false => other,
+            };
+            let cost = 2 + u32::from(at >= 6) + u32::from(at >= 12);
+            self.found.push((Change::Coefficient, cost, other));
+        }
+    }
+
+    /// What may be missing from a product, or be too much in it.
+    fn product(&mut self, factors: &[Expr]) {
+        let letter = |term: &Expr| match term {
+            Expr::Symbol(_) => true,
+            Expr::Power(base, _) => matches!(**base, Expr::Symbol(_)),
+            _ => false,
+        };
+        for (at, factor) in factors.iter().enumerate() {
+            let mut others = factors.to_vec();
+            others.remove(at);
+            let others = product_of(others);
+            if letter(factor) {
+                self.found.push((Change::Factor, 3, others.clone()));
+            }
+            if own_number(factor).is_none() {
+                let quotient = Expr::Quotient(others.into(), factor.clone().into());
+                self.found.push((Change::Inverted, 4, quotient));
+            }
+        }
+    }
+
+    /// `1 −` or `1 +` before the whole of a side.
+    fn missing_one(&mut self, side: &Expr) {
+        let (term, negative) = match side {
+            Expr::Sum(_) | Expr::Number(_) => return,
+            Expr::Negate(inner) => (&**inner, Expr::Negate(inner.clone())),
+            term => (term, Expr::Negate(term.clone().into())),
+        };
+        let one = || Expr::integer(1);
+        for item in [negative, term.clone()] {
+            let sum = Expr::Sum(vec![one(), item]);
+            self.found.push((Change::Summand, 5, sum));
+        }
+    }
+
+    /// What may be missing before or after a product, a symbol or a quotient.
+    fn missing_factor(&mut self, term: &Expr) {
+        let factors = match term {
+            Expr::Product(factors) => factors.clone(),
+            Expr::Symbol(_) | Expr::Power(..) | Expr::Sum(_) => vec![term.clone()],
+            Expr::Number(value) if *value == BigRational::from_integer(1.into()) => Vec::new(),
+            Expr::Number(_) => vec![term.clone()],
+            _ => return,
+        };
+        for name in self.names {
+            let name = Expr::Symbol(name.clone());
+            // A square is written as one.
+            if !factors.contains(&name) {
+                let all = factors.iter().cloned().chain([name]).collect();
+                self.found.push((Change::Factor, 4, product_of(all)));
+            }
+        }
+    }
+
+    /// What may be wrong in the parts of a term.
+    fn within(&mut self, term: &Expr) {
+        match term {
+            Expr::Symbol(symbol) => {
+                for name in self.names.iter().filter(|name| *name != symbol) {
+                    let change = Change::Symbol {
+                        printed: symbol.clone(),
+                        meant: name.clone(),
+                    };
+                    let cost = match alike(symbol, name) {
+                        true => 2,
+                        false => 4,
+                    };
+                    self.found.push((change, cost, Expr::Symbol(name.clone())));
+                }
+                let squared = Expr::Power(term.clone().into(), Expr::integer(2).into());
+                self.found.push((Change::Exponent, 3, squared));
+            }
+            Expr::Power(base, exponent) => {
+                self.exponents(base, exponent);
+                self.inside(term, 0, |editor, base| match base {
+                    // A symbol that has an exponent is not given another.
+                    Expr::Symbol(_) => {
+                        let before = editor.found.len();
+                        editor.within(base);
+                        let swapped = |f: &(Change, u32, Expr)| f.0 != Change::Exponent;
+                        let own: Found = editor.found.drain(before..).filter(swapped).collect();
+                        editor.found.extend(own);
+                    }
+                    base => editor.within(base),
+                });
+            }
+            Expr::Quotient(above, below) => {
+                let inverted = Expr::Quotient(below.clone(), above.clone());
+                self.found.push((Change::Inverted, 3, inverted));
+                if own_number(term).is_none() {
+                    self.inside(term, 0, Editor::part);
+                    self.inside(term, 1, Editor::part);
+                }
+            }
+            Expr::Sum(items) => {
+                for at in 0..items.len() {
+                    let mut others = items.clone();
+                    others.remove(at);
+                    if let [only] = others.as_slice() {
+                        others = match only {
+                            Expr::Sum(items) => items.clone(),
+                            only => vec![only.clone()],
+                        };
+                    }
+                    let rest = match others.len() {
+                        1 => others.remove(0),
+                        _ => Expr::Sum(others),
+                    };
+                    self.found.push((Change::Summand, 4, rest));
+                    self.inside(term, at, |editor, item| {
+                        editor.whole(item);
+                        editor.sum_in_brackets(item);
+                        editor.missing_factor(item);
+                    });
+                }
+            }
+            Expr::Call(function, argument) => {
+                let other = match function {
+                    Function::Sin => Some(Function::Cos),
+                    Function::Cos => Some(Function::Sin),
+                    _ => None,
+                };
+                let other = other.map(|f| Expr::Call(f, argument.clone()));
+                self.found
+                    .extend(other.map(|call| (Change::Function, 2, call)));
+                self.inside(term, 0, Editor::whole);
+            }
+            Expr::Product(factors) => {
+                for at in 0..factors.len() {
+                    self.inside(term, at, |editor, factor| {
+                        editor.within(factor);
+                        editor.sum_in_brackets(factor);
+                    });
+                }
+                self.product(factors);
+            }
+            Expr::Negate(_) => self.inside(term, 0, Editor::part),
+            _ => {}
+        }
+    }
+
+    /// A numerator, a denominator, or what follows a minus.
+    fn part(&mut self, term: &Expr) {
+        self.within(term);
+        self.missing_factor(term);
+    }
+
+    /// A sum within something else may have lost its square.
+    fn sum_in_brackets(&mut self, term: &Expr) {
+        if let Expr::Sum(_) = term {
+            let squared = Expr::Power(term.clone().into(), Expr::integer(2).into());
+            self.found.push((Change::Exponent, 4, squared));
+        }
+    }
+
+    fn exponents(&mut self, base: &Expr, exponent: &Expr) {
+        let Some(printed) = own_number(exponent) else {
+            return;
+        };
+        let whole = |value: i64| Rational::from(&BigRational::from_integer(value.into()));
+        let (one, two) = (whole(1), whole(2));
+        let half = &one / &two;
+        let others = [
+            &printed + &one,
+            &printed - &one,
+            -&printed,
+            &printed * &two,
+            &printed * &half,
+            &printed + &half,
+            &printed - &half,
+        ];
+        for (at, other) in others.into_iter().enumerate() {
+            if other == printed || other == whole(0) {
+                continue;
+            }
+            let term = match other == one {
+                true => base.clone(),
+                false => Expr::Power(base.clone().into(), number(&other).into()),
+            };
+            self.found
+                .push((Change::Exponent, 2 + u32::from(at > 2), term));
+        }
+    }
+
+    /// Edits the child at a position, the rest left as it is.
+    fn inside(&mut self, term: &Expr, position: usize, edit: impl FnOnce(&mut Self, &Expr)) {
+        let Some(child) = term.children().nth(position) else {
+            return;
+        };
+        let before = self.found.len();
+        edit(self, child);
+        for (_, _, found) in &mut self.found[before..] {
+            let mut at = 0;
+            *found = term.map_children(|own| {
+                at += 1;
+                match at == position + 1 {
+                    true => found.clone(),
+                    false => own.clone(),
+                }
+            });
+        }
+    }
+}
+
+/// Whether two names differ in primes or in an index alone.
+fn alike(one: &Symbol, other: &Symbol) -> bool {
+    let letters = |symbol: &Symbol| -> String {
+        let name = symbol.name().replace('\'', "");
+        name.split('_').next().unwrap_or_default().to_owned()
+    };
+    letters(one) == letters(other)
+}

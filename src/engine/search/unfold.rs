@@ -1,0 +1,125 @@
+//! Which definitions must be put in before anything can be computed.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::kernel::{Claim, Domain, Standing, applied_definition, definition, pi_is_the_number};
+
+/// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit, summed up to
+/// or stands in a function: what is done to the symbol must be done to the term. So too where a root is taken of a symbol that is not
+/// declared positive, for the term may be seen to be.
+pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
+    // Most claims have nothing of the kind.
+    if !claim.formulas().any(has_operands) {
+        return Vec::new();
+    }
+    let mut formulas: Vec<Formula> = claim.formulas().cloned().collect();
+    let goal = formulas.len() - 1;
+    let mut chosen = Vec::new();
+    loop {
+        let mut found = Operands::default();
+        for term in formulas.iter().flat_map(Formula::terms) {
+            found.collect(term);
+        }
+        for formula in &formulas {
+            if let Formula::AllEqual { to, .. } = formula {
+                found.counts.extend(to.free_symbols());
+            }
+        }
+        let next = (0..goal).find_map(|at| {
+            if chosen.contains(&at) {
+                return None;
+            }
+            if let Some((applied, term)) = applied_definition(&formulas[at]) {
+                let fits = claim.hypotheses[at].standing == Standing::Identity
+                    && found.applied.contains(&applied);
+                return fits.then_some((at, applied, term));
+            }
+            let (symbol, term) = definition(&formulas[at])?;
+            // A value at one point says nothing of how the symbol moves; a count does not move.
+            let positive = || claim.domains.get(&symbol).is_some_and(Domain::is_positive);
+            // What is constant has no slope to be found.
+            let constant = claim.domains.get(&symbol).is_some_and(|d| d.constant);
+            let fits = match found.moving.contains(&symbol) && !constant {
+                true => claim.hypotheses[at].standing == Standing::Identity,
+                false if found.counts.contains(&symbol) => true,
+                false if found.called.contains(&symbol) => true,
+                false => found.rooted.contains(&symbol) && !positive(),
+            };
+            let number = symbol.name() == "\\pi" && pi_is_the_number(claim);
+            let fits = fits && !number && !found.variables.contains(&symbol);
+            fits.then_some((at, Expr::Symbol(symbol), term))
+        });
+        let Some((at, unfolded, term)) = next else {
+            return chosen;
+        };
+        chosen.push(at);
+        for formula in &mut formulas {
+            *formula = formula.map_terms(|t| match &unfolded {
+                Expr::Symbol(symbol) => t.substitute(symbol, &term),
+                applied => t.replace(applied, &term),
+            });
+        }
+    }
+}
+
+fn has_operands(formula: &Formula) -> bool {
+    let is_operand =
+        |part: &Expr| matches!(part, Expr::Call(..)) || part.binder().is_some() || is_root(part);
+    matches!(formula, Formula::AllEqual { .. })
+        || formula.terms().iter().any(|term| term.any(&is_operand))
+}
+
+/// Whether a power is one of a root.
+fn is_root(term: &Expr) -> bool {
+    matches!(term, Expr::Power(_, exponent)
+        if matches!(&**exponent, Expr::Number(exponent) if !exponent.is_integer()))
+}
+
+/// The symbols to which something is done.
+#[derive(Default)]
+struct Operands {
+    /// Under a derivative, a limit or an integral.
+    moving: BTreeSet<Symbol>,
+    /// Unknown functions, applied, under an integral.
+    applied: BTreeSet<Expr>,
+    /// In the upper limit of a sum.
+    counts: BTreeSet<Symbol>,
+    /// Below a root.
+    rooted: BTreeSet<Symbol>,
+    /// In the argument of a function: equal arguments must look alike.
+    called: BTreeSet<Symbol>,
+    /// What is differentiated by, goes to a limit or is integrated over.
+    variables: BTreeSet<Symbol>,
+}
+
+impl Operands {
+    fn collect(&mut self, term: &Expr) {
+        match term {
+            Expr::Derivative { body, variable }
+            | Expr::Limit { body, variable, .. }
+            | Expr::Integral { body, variable, .. } => {
+                self.moving
+                    .extend(body.free_symbols().into_iter().filter(|s| s != variable));
+                self.variables.insert(variable.clone());
+                if let Expr::Integral { .. } = term {
+                    applications(body, &mut self.applied);
+                }
+            }
+            Expr::Call(_, argument) => self.called.extend(argument.free_symbols()),
+            Expr::Series { to, .. } => self.counts.extend(to.free_symbols()),
+            Expr::Power(base, _) if is_root(term) => self.rooted.extend(base.free_symbols()),
+            _ => {}
+        }
+        for child in term.children() {
+            self.collect(child);
+        }
+    }
+}
+
+fn applications(term: &Expr, found: &mut BTreeSet<Expr>) {
+    if let Expr::Apply(..) = term {
+        found.insert(term.clone());
+    }
+    term.children().for_each(|child| applications(child, found));
+}
