@@ -448,3 +448,35 @@ fn repair_is_proved_itself() {
     );
     assert!(!repair.one_of_many);
 }
+
+/// `base^exponent` and powers of others, as whoever forges a certificate may write them.
+fn size(powers: &[(i32, (i32, i32))]) -> Size {
+    let power = |(base, (above, below)): &(i32, (i32, i32))| {
+        (Rational::from(*base), Rational::ratio(*above, *below))
+    };
+    Size {
+        powers: powers.iter().map(power).collect(),
+        pi: Rational::zero(),
+    }
+}
+
+#[test]
+fn one_power_is_compared_however_long_it_is() {
+    use std::cmp::Ordering::{Equal, Greater, Less};
+    let against = |powers: &[(i32, (i32, i32))]| size(powers).against_one();
+    assert_eq!(against(&[(2, (1_000_003, 999_999))]), Ok(Greater));
+    assert_eq!(against(&[(2, (-1_000_003, 999_999))]), Ok(Less));
+    assert_eq!(against(&[(2, (0, 1))]), Ok(Equal));
+    assert_eq!(against(&[(1, (5, 1))]), Ok(Equal));
+    assert_eq!(size(&[(2, (1_000_003, 999_999))]).is_one(), Ok(false));
+    // What is not positive is computed: its power may be 1.
+    assert_eq!(against(&[(-1, (2, 1))]), Ok(Equal));
+    assert_eq!(against(&[(-2, (3, 1))]), Ok(Less));
+    assert_eq!(against(&[(2, (1, 2)), (3, (-1, 2))]), Ok(Less));
+    let with_pi = Size {
+        pi: Rational::one(),
+        ..size(&[(2, (1, 1))])
+    };
+    assert_eq!(with_pi.is_one(), Ok(false));
+    assert!(with_pi.against_one().is_err());
+}

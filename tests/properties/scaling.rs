@@ -169,3 +169,25 @@ proptest! {
         }
     }
 }
+
+/// Once found by the property above.
+#[test]
+fn exponents_with_large_denominators_are_refuted() {
+    let row = |exponents: [(i64, i64); 6]| -> Row {
+        exponents.iter().map(|(a, b)| ratio(*a, *b)).collect()
+    };
+    let premises = [
+        row([(1, 1), (1, 1), (-1, 1), (-2, 1), (-2, 5), (1, 1)]),
+        row([(-2, 1), (1, 1), (-3, 2), (0, 1), (2, 1), (1, 5)]),
+        row([(0, 1), (1, 5), (2, 1), (0, 1), (3, 1), (1, 1)]),
+        row([(-1, 5), (-2, 5), (2, 5), (-1, 1), (0, 1), (-3, 1)]),
+    ];
+    let mut goal: Row = premises[1].iter().map(|e| e * ratio(2, 1)).collect();
+    goal[3] += ratio(-3, 1);
+    let premises = premises.map(|row| (row, false));
+    let decision = decide_scaling(&claim(&premises, &goal));
+    assert!(
+        matches!(decision, ScalingDecision::Refuted { .. }),
+        "{decision:?}"
+    );
+}

@@ -108,7 +108,7 @@ impl Size {
     pub fn is_one(&self) -> Result<bool, Reject> {
         // A product of rational powers of rationals is algebraic; a power of π with another exponent than 0 is not.
         match self.pi.is_zero() {
-            true => Ok(self.cleared()?.0.is_one()),
+            true => Ok(self.against_one()?.is_eq()),
             false => Ok(false),
         }
     }
@@ -118,6 +118,17 @@ impl Size {
     /// # Errors
     /// The numbers are too long, or π occurs.
     pub fn against_one(&self) -> Result<Ordering, Reject> {
+        // One power of a positive number is told without computing it, however long it is.
+        if let ([(base, exponent)], true) = (&self.powers[..], self.pi.is_zero())
+            && base.is_positive()
+        {
+            let order = base.cmp(&Rational::one());
+            return Ok(match exponent.cmp(&Rational::zero()) {
+                Ordering::Less => order.reverse(),
+                Ordering::Equal => Ordering::Equal,
+                Ordering::Greater => order,
+            });
+        }
         Ok(self.cleared()?.0.cmp(&BigRational::one()))
     }
 
