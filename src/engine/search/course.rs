@@ -113,7 +113,7 @@ pub fn in_motion(
 }
 
 /// The symbols that are differentiated where the author writes it.
-fn said_to_move(claim: &Claim) -> BTreeSet<Symbol> {
+pub(super) fn said_to_move(claim: &Claim) -> BTreeSet<Symbol> {
     let mut found = BTreeSet::new();
     let mut open: Vec<&Expr> = claim.formulas().flat_map(Formula::terms).collect();
     while let Some(term) = open.pop() {
@@ -132,7 +132,7 @@ fn one() -> BigRational {
 }
 
 /// The symbol that is differentiated, and how often.
-fn differentiated(term: &Expr) -> Option<(&Symbol, usize)> {
+pub(super) fn differentiated(term: &Expr) -> Option<(&Symbol, usize)> {
     match term {
         Expr::Symbol(symbol) => Some((symbol, 0)),
         Expr::Derivative { body, .. } => {

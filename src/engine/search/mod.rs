@@ -20,6 +20,7 @@ mod refute;
 mod roots;
 mod scaling;
 mod simplex;
+mod still;
 mod tracked;
 mod unfold;
 mod units;
@@ -164,7 +165,9 @@ pub fn decide_within(
     let irrational = || algebraic::first(obligation, true, |point| refuted(obligation, point));
     known
         .or_else(irrational)
-        .map_or(Decision::Open(stop), Decision::Refuted)
+        .map(Decision::Refuted)
+        .or_else(|| still::decide(obligation))
+        .unwrap_or(Decision::Open(stop))
 }
 
 /// Reads a claim, with the definitions put in without which nothing can be computed.

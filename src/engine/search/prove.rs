@@ -44,6 +44,8 @@ pub struct Prover {
     bounded: Vec<(Polynomial, BoundedSeries)>,
     /// Whether it has been asked for, so that there are many facts.
     has_bounded: bool,
+    /// Whether what does not vanish has been simplified.
+    has_simplified: bool,
 }
 
 impl Prover {
@@ -75,6 +77,7 @@ impl Prover {
             signed: None,
             bounded: elements::bounded(problem),
             has_bounded: false,
+            has_simplified: false,
         };
         prover.take_roots(problem.takes_powers_apart())?;
         Ok(prover)
@@ -181,6 +184,9 @@ impl Prover {
             if let Some(proof) = self.zero_by_squares(goal, &basis) {
                 return Some(proof);
             }
+            if self.simplify_nonzero() {
+                return self.zero(goal, effort);
+            }
         }
         if !self.has_inequalities() && self.ideal.rest.is_empty() {
             return None;
@@ -216,6 +222,48 @@ impl Prover {
                 .is_ok()
                 && reduced.polynomial.is_zero();
         settled.then(|| combination(&reduced, 1))
+    }
+
+    /// What is known not to vanish, with the eliminated unknowns removed: for `m_1 = m_2`, that `m_1 + m_2 ≠ 0` says that `m_2 ≠ 0`.
+    /// Whether anything came of it, once.
+    fn simplify_nonzero(&mut self) -> bool {
+        if std::mem::replace(&mut self.has_simplified, true) {
+            return false;
+        }
+        let known =
+            (self.facts.iter()).filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive));
+        let known: Vec<Polynomial> = known.map(|fact| fact.polynomial.clone()).collect();
+        let before = self.facts.len();
+        for own in known {
+            let Ok(reduced) = self.ideal.reduce(&own, false) else {
+                continue;
+            };
+            let polynomial = reduced.polynomial.clone();
+            if polynomial.is_zero() || self.knowledge.is_nonzero(&polynomial) {
+                continue;
+            }
+            // M F = S G + Σ C h
+            let Ok(cofactor) = expand(&reduced.outer) else {
+                continue;
+            };
+            let mut certain = reduced.multiplier.clone();
+            *certain.entry(own).or_insert(0) += 1;
+            let proof = Proof::NonVanishing {
+                certain: listed(&certain),
+                cofactor,
+                cofactors: cofactors(&reduced.cofactors),
+            };
+            let sign = Sign::NonZero;
+            self.add(Fact { polynomial, sign }, proof);
+        }
+        let Ok(ideal) = Ideal::new(&self.facts, &self.knowledge) else {
+            return false;
+        };
+        if self.facts.len() == before {
+            return false;
+        }
+        (self.ideal, self.basis, self.signed) = (ideal, None, None);
+        true
     }
 
     /// `a = b` from `a² = b²`, where neither is negative: what is a root of something is told by its square.

@@ -1,0 +1,69 @@
+//! What the author differentiates nowhere is mostly meant not to change. That is nothing to prove with unseen: a claim that
+//! follows so follows under a condition, and a counterexample at which it is so is a counterexample.
+
+use std::collections::BTreeSet;
+
+use super::course::{differentiated, said_to_move};
+use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
+use crate::algebra::{Atom, Expr, Formula};
+use crate::kernel::Obligation;
+use crate::search::refute::Points;
+
+/// More quantities than this that might change are not looked at one by one.
+const MOST_STILL: usize = 8;
+
+/// Decides a claim in which symbols might change of which the author does not say so.
+pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
+    let still = held_still(obligation);
+    if still.is_empty() || still.len() > MOST_STILL {
+        return None;
+    }
+    let claim = obligation.claim();
+    let with = |still: &[Formula]| pose(assuming(claim, still)).ok();
+    let proved = |still: &[Formula]| -> Option<Derived> {
+        let posed = with(still)?;
+        prove_posed(&posed, Effort::Light).or_else(|| prove_posed(&posed, Effort::Full))
+    };
+    if let Some(mut derived) = proved(&still) {
+        let mut conditions = still;
+        for at in (0..conditions.len()).rev() {
+            let mut fewer = conditions.clone();
+            fewer.remove(at);
+            if let Some(own) = proved(&fewer) {
+                (conditions, derived) = (fewer, own);
+            }
+        }
+        return Some(Decision::Proven {
+            derived,
+            conditions,
+        });
+    }
+    let posed = with(&still)?;
+    let own = claim.hypotheses.len();
+    let mut points = Points::new(&posed);
+    let found = first(&mut points, QUICK, |mut point| {
+        if let Some(course) = &mut point.course {
+            course.leads.retain(|law, _| *law < own);
+        }
+        refuted(obligation, point)
+    });
+    found.map(Decision::Refuted)
+}
+
+/// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by.
+fn held_still(obligation: &Obligation) -> Vec<Formula> {
+    let said = said_to_move(obligation.claim());
+    let mut seen = BTreeSet::new();
+    let mut still = Vec::new();
+    for (_, atom) in obligation.problem().atoms.iter() {
+        if let Atom::Opaque(term @ Expr::Derivative { body, variable }) = atom
+            && matches!(**body, Expr::Symbol(_))
+            && let Some((symbol, _)) = differentiated(term)
+            && !said.contains(symbol)
+            && seen.insert((symbol.clone(), variable.clone()))
+        {
+            still.push(Formula::equal(term.clone(), Expr::integer(0)));
+        }
+    }
+    still
+}
