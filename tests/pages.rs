@@ -74,7 +74,7 @@ impl Answer {
 
     /// The verdicts that are none, and the notes that do not exist.
     fn misspelt(&self) -> Vec<&str> {
-        const NOTES: [&str; 16] = [
+        const NOTES: [&str; 18] = [
             "citations-shifted",
             "unused-premise",
             "numeric-not-supported",
@@ -91,6 +91,8 @@ impl Answer {
             "unreadable",
             "unreadable-premise",
             "other-reading",
+            "taken-as-given",
+            "taken-as-constant",
         ];
         let verdict = |word: &str| Verdict::ALL.iter().any(|v| v.word() == word);
         let mut wrong = Vec::new();

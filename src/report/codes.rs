@@ -57,6 +57,8 @@ pub const CODES: &[(&str, Option<Level>)] = &[
     ("duplicate-tag", Some(Level::Error)),
     ("unreadable", Some(Level::Error)),
     ("other-reading", Some(Level::Note)),
+    ("taken-as-given", Some(Level::Note)),
+    ("taken-as-constant", Some(Level::Note)),
     ("unreadable-premise", Some(Level::Warning)),
     ("numeric-not-supported", Some(Level::Warning)),
     ("clashing-declaration", Some(Level::Warning)),

@@ -124,6 +124,10 @@ impl Report<'_> {
         };
         let mut text = format!("\n  {}\n", paint(BOLD, &head));
         let (claim, evidence) = match &judged.outcome {
+            Outcome::Stated => {
+                text += "    taken as given: nothing to show\n";
+                return text;
+            }
             Outcome::Defined => {
                 text += "    defines a symbol that has not occurred before: nothing to show\n";
                 return text;

@@ -224,6 +224,22 @@ impl Report<'_> {
             Note::UnusedPremise(unused) => {
                 format!("cites {} to no use", self.references(unused))
             }
+            Note::TakenAsConstant(symbols) => {
+                let shown = symbols.iter().map(words::symbol).collect();
+                format!("{} taken as constant", words::list(shown))
+            }
+            Note::TakenAsGiven(symbols) => {
+                let new = &self.equation(own).introduces;
+                let what = match symbols.iter().all(|symbol| new.contains(symbol)) {
+                    true => "speaks of",
+                    false => "says how great is",
+                };
+                let symbols = symbols.iter().map(words::symbol).collect();
+                format!(
+                    "taken as given: nothing before {what} {}",
+                    words::list(symbols)
+                )
+            }
             Note::NumericNotSupported => {
                 "not supported: false for all figures within their bounds".into()
             }

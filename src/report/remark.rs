@@ -166,7 +166,11 @@ impl Report<'_> {
                     self.subject(entry)
                 )
             }
-            Note::OutOfScope(_) | Note::RestsOnUnproved(_) | Note::UnusedPremise(_) => {
+            Note::OutOfScope(_)
+            | Note::RestsOnUnproved(_)
+            | Note::TakenAsGiven(_)
+            | Note::TakenAsConstant(_)
+            | Note::UnusedPremise(_) => {
                 let aside = self.aside(entry.equation, note).unwrap_or_default();
                 format!("{} {aside}", self.subject(entry))
             }

@@ -78,7 +78,7 @@ pub(super) fn symbols(derivation: &Derivation, dimensions: &Dimensions, page: us
                 let page = &derivation.pages[page];
                 match is_sequence {
                     true => page.element_domain(&symbol).is_some(),
-                    false => page.domains.contains_key(&symbol),
+                    false => page.is_declared(&symbol),
                 }
             };
             let declared = declares(page);

@@ -1,4 +1,4 @@
-use crate::algebra::Formula;
+use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::document::Span;
 use crate::kernel::{HoldsForEvery, Model, Proven, Refuted, Scales, ScalesNot};
@@ -93,6 +93,8 @@ pub struct Judged {
 pub enum Outcome {
     /// It defines a symbol: nothing to show.
     Defined,
+    /// It is stated rather than derived, as far as can be told ([`Note::TakenAsGiven`]): nothing to show.
+    Stated,
     /// The kernel's proof.
     Proven(Box<Proven>),
     /// The kernel's proof for every element of a sequence.
@@ -172,6 +174,11 @@ pub enum Note {
     UnreadablePremise(usize),
     /// It, or an equation that it cites, can be read in another way, and the verdict is another one then.
     OtherReading(Box<OtherReading>),
+    /// It follows from nothing that stands before, and nothing says that it should: it cites nothing, no word draws a
+    /// conclusion, and it speaks of these symbols first, or says how great one is that was measured.
+    TakenAsGiven(Vec<Symbol>),
+    /// It follows if these do not change. Nothing says so, and nothing differentiates them.
+    TakenAsConstant(Vec<Symbol>),
     /// A numeric claim that is false whatever the figures are within their bounds.
     NumericNotSupported,
     /// The search broke down on it: a defect of this program.
@@ -197,6 +204,8 @@ impl Note {
             Note::DuplicateTag(_) => "duplicate-tag",
             Note::Unreadable(_) => "unreadable",
             Note::UnreadablePremise(_) => "unreadable-premise",
+            Note::TakenAsGiven(_) => "taken-as-given",
+            Note::TakenAsConstant(_) => "taken-as-constant",
             Note::NumericNotSupported => "numeric-not-supported",
             Note::OtherReading(_) => "other-reading",
             Note::GivenUp => "given-up",
@@ -220,6 +229,8 @@ impl Note {
             | Note::OutOfScope(_)
             | Note::RestsOnUnproved(_)
             | Note::OtherReading(_)
+            | Note::TakenAsGiven(_)
+            | Note::TakenAsConstant(_)
             | Note::UnusedPremise(_) => false,
             Note::CitationsShifted { steps, .. } => !steps.is_empty(),
             _ => true,

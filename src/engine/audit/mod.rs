@@ -17,6 +17,7 @@ mod review;
 mod scaling;
 mod schedule;
 mod shifted;
+mod stated;
 mod without;
 
 use std::cell::{Ref, RefCell};
@@ -29,7 +30,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use crate::algebra::effort;
 use crate::derivation::{Assumed, Derivation, Kind, Source, goals};
 use crate::document::threads;
-use crate::kernel::Assignment;
+use crate::kernel::{Assignment, Standing};
 use crate::notation::{Mark, Statement};
 
 pub use dimensions::Dimensions;
@@ -292,7 +293,7 @@ impl Auditor<'_> {
             return statements.iter().enumerate().map(given).collect();
         }
         let (premises, says_so, unknown) = self.derivation.premises(at);
-        let usable = usable(
+        let mut usable = usable(
             self.derivation,
             |premise| self.offer(at, premise),
             at,
@@ -328,6 +329,17 @@ impl Auditor<'_> {
                 entry
                     .notes
                     .extend(usable.later.iter().map(|&p| Note::CitesLater(p)));
+            }
+            // What a display defines, it goes on with: `a = b, \qquad c = a`.
+            if let Some(judged) = entry.judged.first()
+                && matches!(judged.outcome, Outcome::Defined | Outcome::Stated)
+                && statement.under.is_empty()
+            {
+                usable.assumed.push(Assumed {
+                    formula: judged.goal.formula.clone().into(),
+                    standing: Standing::Identity,
+                    source: Source::Step,
+                });
             }
             entries.push(entry);
         }
@@ -389,7 +401,11 @@ impl Auditor<'_> {
                 steps.push((goal.clause, goal.formula.clone()));
             }
             if !found.conditions.is_empty() {
-                entry.notes.push(Note::UnstatedCondition(found.conditions));
+                let constants = stated::constants(&found.judged, &found.conditions);
+                entry.notes.push(match constants {
+                    Some(symbols) => Note::TakenAsConstant(symbols),
+                    None => Note::UnstatedCondition(found.conditions),
+                });
             }
             if !found.contradictory.is_empty() {
                 entry
@@ -404,6 +420,11 @@ impl Auditor<'_> {
             entry.judged.push(found.judged);
         }
         entry.verdict = verdict(&entry.judged, defines);
+        if entry.verdict == Verdict::Fails
+            && let Some(symbols) = judge.stated(&entry)
+        {
+            return stated::given(entry, symbols);
+        }
         if defines && entry.judged.len() == 1 {
             entry.kind = Kind::Given;
         }

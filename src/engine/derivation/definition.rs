@@ -1,19 +1,20 @@
 //! Definitions: which equations are the first to speak of a symbol, and where the text says what a new symbol means.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::algebra::{Expr, Formula, Place, Relation, Symbol};
 use crate::document::Span;
 use crate::notation::{Clause, Statement, read_formulas};
 
-use super::Equation;
 use super::equation::{conditions, formulas};
 use super::page::{Local, Page};
+use super::{Equation, counts};
 
 /// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, and notes which symbols are new.
 pub(super) fn settle(equations: &mut [Equation]) {
     let mut seen = BTreeSet::new();
+    let mut sequences = Sequences::default();
     for equation in equations {
         let mut defines = std::mem::take(&mut equation.defines);
         let mut introduces = BTreeSet::new();
@@ -21,17 +22,62 @@ pub(super) fn settle(equations: &mut [Equation]) {
         for (part, statement) in equation.statements().iter().enumerate() {
             // All cases of a definition define the same symbol.
             let defined = defined_symbol(statement, &seen, case.as_ref());
+            let defined = defined.filter(|symbol| !sequences.know(symbol, &seen));
             if defined.is_none() {
                 defines.remove(&part);
             }
             case = defined.filter(|_| !statement.under.is_empty());
-            for symbol in formulas(statement).iter().flat_map(Formula::names) {
-                if seen.insert(symbol.clone()) {
-                    introduces.insert(symbol);
+            for formula in formulas(statement) {
+                sequences.learn(&formula);
+                for symbol in formula.names() {
+                    if seen.insert(symbol.clone()) {
+                        introduces.insert(symbol);
+                    }
                 }
             }
         }
         (equation.defines, equation.introduces) = (defines, introduces);
+    }
+}
+
+/// The sequences of which a recurrence is known, with its index and how many elements it takes to begin.
+#[derive(Default)]
+struct Sequences(BTreeMap<(Symbol, Symbol), i64>);
+
+impl Sequences {
+    fn learn(&mut self, formula: &Formula) {
+        for (index, places) in counts::recurrences(formula) {
+            for (stem, _) in &places {
+                let own = places.iter().filter(|(other, _)| other == stem);
+                let offsets = || own.clone().map(|(_, offset)| *offset);
+                let (Some(most), Some(least)) = (offsets().max(), offsets().min()) else {
+                    continue;
+                };
+                if most > least {
+                    let order = self.0.entry((index.clone(), stem.clone()));
+                    let order = order.or_insert(most - least);
+                    *order = (most - least).min(*order);
+                }
+            }
+        }
+    }
+
+    /// Whether a symbol is an element of such a sequence that the recurrence leads to: it needs no definition, though it may
+    /// not have been written before. The first so many elements do.
+    fn know(&self, symbol: &Symbol, seen: &BTreeSet<Symbol>) -> bool {
+        self.0.iter().any(|((index, stem), order)| {
+            let number = |s: &Symbol| match s.place(index) {
+                Some((own, Place::Number(_))) => own == *stem,
+                _ => false,
+            };
+            match symbol.place(index) {
+                Some((own, Place::Running(_))) => own == *stem,
+                Some(_) if number(symbol) => {
+                    seen.iter().filter(|s| number(s)).count() as i64 >= *order
+                }
+                _ => false,
+            }
+        })
     }
 }
 
@@ -80,9 +126,10 @@ impl Known {
         (self.equations, self.locals) = (equations.len(), locals.len());
     }
 
-    /// Whether `s = …` after a display only says what a symbol means that occurs first there. Such an equation can be made
-    /// true whatever the symbols on its right are, as long as none of these is what the display defines by it.
-    pub fn says_what_is_new(
+    /// Whether what stands after a display only says what is meant there: bounds its symbols, or says by `s = …` what a symbol
+    /// means that occurs first there. Such an equation can be made true whatever the symbols on its right are, as long as none
+    /// of these is what the display defines by it.
+    pub fn says_what_is_meant(
         &mut self,
         body: Span,
         page: &Page,
@@ -93,6 +140,19 @@ impl Known {
             return false;
         };
         let said: Vec<Formula> = read.iter().flat_map(formulas).collect();
+        let bounds = |formula: &Formula| {
+            use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
+            matches!(
+                formula,
+                Formula::Relation {
+                    relation: NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual,
+                    ..
+                }
+            )
+        };
+        if !said.is_empty() && said.iter().all(bounds) {
+            return true;
+        }
         let [
             Formula::Relation {
                 left: Expr::Symbol(symbol),

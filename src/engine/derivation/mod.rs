@@ -6,6 +6,7 @@
 
 mod beside;
 mod checker;
+mod counts;
 mod definition;
 mod equation;
 mod names;

@@ -16,7 +16,7 @@ use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, re
 use super::beside::{Beside, Clash, Place};
 use super::definition::Known;
 use super::equation::formulas;
-use super::{Equation, Kind, names, rows};
+use super::{Equation, Kind, counts, names, rows};
 
 /// Of the values that a piece of text names, so many are looked at.
 const MOST_MENTIONED: usize = 6;
@@ -98,6 +98,8 @@ struct Between {
     derives: Option<Span>,
     cited: Vec<Citation>,
     mentioned: Vec<Span>,
+    /// Whether words say that the display follows from something.
+    concludes: Option<bool>,
 }
 
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
@@ -142,6 +144,8 @@ pub(super) fn read_page(
     let mut derived: Vec<Option<Span>> = Vec::new();
     let mut active: Vec<usize> = Vec::new();
     let mut between = Between::default();
+    // Whether nothing that introduces the next display makes it a step: at the beginning and after a heading nothing does.
+    let mut bare = true;
     // The equations of the display that the text goes on from.
     let mut last = 0..0;
     let mut known = Known::default();
@@ -157,16 +161,17 @@ pub(super) fn read_page(
                     page.title = title.clone();
                 }
                 (level, section) = (own, title.clone());
-                last = 0..0;
+                (last, bare) = (0..0, true);
                 active.retain(|&at| page.locals[at].level < own);
             }
             Item::Prose(prose) => {
                 between.cited.extend(prose.citations.iter().cloned());
+                between.concludes = prose.concludes.or(between.concludes);
                 let mut mentioned = prose.mentions.clone();
                 for &Supposition { kind, body } in &prose.suppositions {
                     let is_let = kind == SuppositionKind::Let;
                     if kind == SuppositionKind::Define
-                        && !known.says_what_is_new(body, &page, &equations, last.clone())
+                        && !known.says_what_is_meant(body, &page, &equations, last.clone())
                     {
                         mentioned.push(body);
                         continue;
@@ -224,6 +229,15 @@ pub(super) fn read_page(
                 };
                 let alone =
                     equations.is_empty() && said.cited.iter().all(announces) && said.from.is_none();
+                // Where nothing is said between two displays, they are introduced together.
+                bare = match said.concludes {
+                    Some(concludes) => !concludes,
+                    None => bare,
+                } && said.cited.is_empty()
+                    && !(said.given
+                        || said.derived
+                        || said.from.is_some()
+                        || said.numeric.is_some());
                 let of_display = read.len();
                 last = equations.len()..equations.len() + of_display;
                 let mut name = said.name;
@@ -266,6 +280,7 @@ pub(super) fn read_page(
                         defines,
                         introduces: BTreeSet::new(),
                         opens: alone && kind == Kind::Derived && !stated,
+                        bare: bare && kind == Kind::Derived && part.continues == 0,
                         numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
                         premises: match &said.from {
                             Some(named) => Premises::Named(named.clone()),
@@ -288,6 +303,7 @@ pub(super) fn read_page(
     if let Some(beside) = page.beside.clone() {
         page.give(&beside, &mut equations, &derived);
     }
+    counts::infer(&mut page, &equations);
     page.problems.sort_by_key(|p| p.span);
     page.document.items = items;
     (page, equations)
@@ -502,7 +518,20 @@ impl Page {
                 false => BTreeSet::new(),
             };
             let locals = &self.locals;
-            active.retain(|&at| !locals[at].is_let || locals[at].assigned.is_disjoint(&assigned));
+            let names = |formulas: &mut dyn Iterator<Item = &Formula>| -> BTreeSet<Symbol> {
+                formulas.flat_map(Formula::names).collect()
+            };
+            let own = names(&mut formulas.iter());
+            active.retain(|&at| {
+                let old = &locals[at];
+                // "For $m_1 = m_2$, … For $m_2 = 3 m_1$, …" goes from one case to the next.
+                let other_case = || {
+                    let bound = |assigned: &BTreeSet<Symbol>| !assigned.is_empty();
+                    let both = bound(&assigned) && bound(&old.assigned) && own.len() > 1;
+                    both && names(&mut old.formulas.iter().map(|f| &**f)) == own
+                };
+                !old.is_let || old.assigned.is_disjoint(&assigned) && !other_case()
+            });
             active.push(self.locals.len());
             self.locals.push(Local {
                 formulas: formulas.into_iter().map(Arc::new).collect(),
@@ -526,6 +555,11 @@ impl Page {
             let (name, _) = elements_of(&self.declared, symbol)?;
             Some(name)
         })
+    }
+
+    /// Whether a symbol is declared by itself.
+    pub fn is_declared(&self, symbol: &Symbol) -> bool {
+        self.declared.contains_key(symbol)
     }
 
     /// The dimension of the elements of a sequence: that declared for `u_i`, for `u`, or for `u_1`.

@@ -1,6 +1,6 @@
 //! Which indices run through sequences, and what is said of every index.
 //!
-//! An index runs on a page that declares it to be a natural number (or an integer from 0 or more on, without an upper
+//! An index runs on a page where it is a natural number, declared or inferred (`counts`) (or an integer from 0 or more on, without an upper
 //! bound and not `constant`) and has a recurrence in it: something that speaks of an element and of another a fixed
 //! number of places away, as `E_{n+1} = e^2 E_n` does. Where nothing of the kind is written, `v_1` and `v_n` are labels.
 
@@ -53,7 +53,7 @@ pub(super) fn running(page: &Page, equations: &[Equation]) -> Vec<Running> {
 }
 
 /// Whether a formula speaks of two elements of one sequence, a fixed number of places from each other.
-fn is_recurrence(formula: &Formula, index: &Symbol) -> bool {
+pub(super) fn is_recurrence(formula: &Formula, index: &Symbol) -> bool {
     let mut offsets: BTreeMap<Symbol, i64> = BTreeMap::new();
     formula
         .free_symbols()

@@ -86,6 +86,8 @@ pub struct Prose {
     pub suppositions: Vec<Supposition>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
+    /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
+    pub concludes: Option<bool>,
 }
 
 /// Mathematics in a line of text.

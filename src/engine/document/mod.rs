@@ -11,6 +11,7 @@
 
 mod attribute;
 mod citation;
+mod conclusion;
 mod data;
 mod directive;
 mod in_order;

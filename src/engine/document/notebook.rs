@@ -103,6 +103,7 @@ fn moved(item: Item, by: usize) -> Item {
             mut citations,
             mut suppositions,
             mut mentions,
+            concludes,
         }) => {
             for inline in &mut math {
                 inline.span = at(inline.span);
@@ -123,6 +124,7 @@ fn moved(item: Item, by: usize) -> Item {
                 citations,
                 suppositions,
                 mentions,
+                concludes,
             })
         }
         Item::Display {

@@ -1,6 +1,7 @@
 //! Prose in words, tags and inline math: what citations and suppositions are read from.
 
 use super::citation;
+use super::conclusion;
 use super::supposition;
 use super::{Inline, Prose, Span};
 
@@ -62,6 +63,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         citations: citation::read(&tokens),
         suppositions,
         mentions,
+        concludes: conclusion::read(&tokens),
     }
 }
 

@@ -6,47 +6,19 @@
 //! alternative ("or"), not a condition ("if"), not a negation, not a question, not a proof by contradiction. A value that is
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
+use super::conclusion;
 use super::prose::{Placed, Token};
 use super::{Span, Supposition, SuppositionKind};
 
-/// After these, a sentence no longer supposes.
-const CONCLUDING: [&str; 51] = [
-    "then",
-    "so",
-    "hence",
-    "thus",
-    "therefore",
-    "gives",
-    "give",
-    "giving",
-    "yields",
-    "yield",
-    "yielding",
-    "implies",
-    "imply",
-    "implying",
-    "follows",
-    "becomes",
-    "become",
-    "obtain",
-    "obtains",
-    "get",
-    "have",
-    "find",
+/// After these, too, a sentence no longer supposes.
+const CONCLUDING: [&str; 20] = [
     "show",
     "shows",
-    "prove",
-    "check",
-    "verify",
+    "have",
     "see",
     "whether",
     "us",
     "we",
-    "means",
-    "derive",
-    "compute",
-    "determine",
-    "solve",
     "want",
     "need",
     "because",
@@ -60,8 +32,6 @@ const CONCLUDING: [&str; 51] = [
     "average",
     "square",
     "equation",
-    "leads",
-    "reduces",
 ];
 /// With these, a sentence supposes nothing that could be used.
 const DOUBTFUL: [&str; 19] = [
@@ -119,6 +89,9 @@ const NEGATING: [&str; 8] = [
 /// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
 const PATIENCE: usize = 6;
 
+/// How many words may stand between "for" and what it supposes.
+const MOST_DESCRIBING: usize = 3;
+
 /// How far a supposition reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Reach {
@@ -165,11 +138,13 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
                     mentions.extend(found.drain(sentence..).map(|s| s.body));
                     doubtful = true;
                 }
-                if doubtful || active.is_some() && CONCLUDING.contains(&word.as_str()) {
+                let concludes = || conclusion::draws(&word) || CONCLUDING.contains(&word.as_str());
+                if doubtful || active.is_some() && concludes() {
                     active = None;
                 } else if let Some(introduced) = introduction(source, &word, index, tokens, begun) {
                     active = Some(introduced);
-                    careful = matches!(&*word, "with" | "where");
+                    careful = matches!(&*word, "with" | "where")
+                        || begun && matches!(&*word, "for" | "when" | "since" | "as");
                 } else if let Some((kind, reach)) = active {
                     active = reach.past_word(&word).map(|reach| (kind, reach));
                 }
@@ -223,6 +198,26 @@ fn introduction(
         Some(Token::Math(body)) => is_value(source.get(body.range()).unwrap_or_default()),
         _ => false,
     };
+    let nonzero = || match after(1) {
+        Some(Token::Math(body)) => is_nonzero(source.get(body.range()).unwrap_or_default()),
+        _ => false,
+    };
+    let bound = || match after(1) {
+        Some(Token::Math(body)) => is_bound(source.get(body.range()).unwrap_or_default()),
+        _ => false,
+    };
+    // "For equal springs $k_1 = k_2$, …"
+    let described = || {
+        let words = |token: &&Placed<'_>| matches!(token.0, Token::Word(_));
+        let rest = tokens.get(index + 1..).unwrap_or_default();
+        let between = rest.iter().take(MOST_DESCRIBING).take_while(words).count();
+        match rest.get(between..between + 2) {
+            Some([(Token::Math(body), _), (Token::Mark(','), _)]) => {
+                is_value(source.get(body.range()).unwrap_or_default())
+            }
+            _ => false,
+        }
+    };
     let negated = || {
         let before = index.checked_sub(1).and_then(|before| tokens.get(before));
         matches!(before, Some((Token::Word(word), _))
@@ -246,9 +241,15 @@ fn introduction(
         "at" if !begun && direct => Some((SuppositionKind::Let, joined(true))),
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
         "for" | "when" if !begun && comma && value() => Some((SuppositionKind::Let, joined(true))),
+        "for" if !begun && described() => Some((SuppositionKind::Let, joined(true))),
+        "case" if comma && value() => Some((SuppositionKind::Let, joined(true))),
+        // That something is not 0 is no value that something could be made true with.
+        "for" | "when" | "where" | "since" | "as" | "with" if nonzero() && !goes_on() => {
+            Some((SuppositionKind::Let, joined(true)))
+        }
         "setting" if !begun && value() => Some((SuppositionKind::Let, joined(true))),
         "with" if !begun && capital && value() => Some((SuppositionKind::Let, joined(true))),
-        "where" | "with" if value() && goes_on() => {
+        "where" | "with" | "for" if (value() || bound()) && goes_on() => {
             Some((SuppositionKind::Define, Reach::Sentence))
         }
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
@@ -327,6 +328,19 @@ impl Reach {
 /// Whether inline math is one equation. "For $x > 0$, … For $x < 0$, …" goes through cases: neither holds from there on.
 fn is_value(math: &str) -> bool {
     relates(math) && math.matches('=').count() == 1 && !relates(&math.replace('=', " "))
+}
+
+/// Whether inline math is one inequality, which bounds what it speaks of.
+fn is_bound(math: &str) -> bool {
+    relates(math) && !math.contains('=') && !math.contains("\\Rightarrow")
+}
+
+/// Whether inline math says that something is not 0.
+fn is_nonzero(math: &str) -> bool {
+    let not = ["\\neq", "\\ne", "≠"]
+        .iter()
+        .find_map(|sign| math.split_once(sign));
+    not.is_some_and(|(left, right)| !relates(left) && right.trim() == "0")
 }
 
 /// Whether inline math states a relation, and no inference: a relation sign outside braces.

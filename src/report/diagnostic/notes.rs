@@ -204,6 +204,8 @@ impl Report<'_> {
             | Note::OutOfScope(_)
             | Note::RestsOnUnproved(_)
             | Note::UnusedPremise(_)
+            | Note::TakenAsGiven(_)
+            | Note::TakenAsConstant(_)
             | Note::OtherReading(_) => return None,
         }
         if !matches!(note, Note::DuplicateTag(_) | Note::UnknownCitation(..)) {

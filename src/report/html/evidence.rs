@@ -81,6 +81,9 @@ impl Page<'_> {
             words::formula(&judged.goal.formula)
         );
         let (claim, evidence) = match &judged.outcome {
+            Outcome::Stated => {
+                return text + "<p>It is taken as given: nothing to show.</p>\n</div>\n";
+            }
             Outcome::Defined => {
                 return text
                     + "<p>It defines a symbol that has not occurred before: nothing to show.</p>\n</div>\n";

@@ -1,0 +1,146 @@
+//! Laws and data in the middle of a text. Where nothing is declared, words are all there is to tell a law from a step: what
+//! cites nothing, is introduced by no word that draws a conclusion and speaks of something new is no step that fails.
+//!
+//! Nor is anything said of most constants: what is differentiated nowhere is meant not to change.
+//!
+//! What is so taken is told. An equation that contradicts what stands before, or is one slip of the pen away from what
+//! follows, still fails.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::derivation::{Assumed, Kind};
+use crate::notation::measured;
+
+use super::judge::{Judge, step};
+use super::{Entry, Judged, Note, Outcome, Verdict};
+
+impl Judge<'_> {
+    /// What a refuted statement speaks of first, or says how great it is, if it may be stated rather than derived.
+    pub(super) fn stated(&mut self, entry: &Entry) -> Option<Vec<Symbol>> {
+        let equation = &self.derivation.equations[self.at];
+        let [judged] = &entry.judged[..] else {
+            return None;
+        };
+        if !equation.bare || entry.mended.is_some() || !entry.missing.is_empty() {
+            return None;
+        }
+        let (goal, outcome) = (judged.goal.clone(), &judged.outcome);
+        let Formula::Relation {
+            left,
+            relation,
+            right,
+        } = &goal.formula
+        else {
+            return None;
+        };
+        let is_refuted = matches!(outcome, Outcome::Refuted(_));
+        if !is_refuted || goal.questioned || !goal.suppositions.is_empty() {
+            return None;
+        }
+        // Of an identity both sides speak of the same.
+        let (named, others) = (quantities(left), quantities(right));
+        let symbols: Vec<Symbol> = match left {
+            Expr::Symbol(symbol) if *relation == Relation::Equal && others.is_empty() => {
+                vec![symbol.clone()]
+            }
+            _ if named == others => return None,
+            _ => {
+                let all = named.union(&others);
+                all.filter(|s| equation.introduces.contains(*s))
+                    .cloned()
+                    .collect()
+            }
+        };
+        if symbols.is_empty() {
+            return None;
+        }
+        let premises: Vec<usize> = Vec::new();
+        let [sound, _] = self.others(&premises);
+        let mut all: Vec<Assumed> = self.usable.assumed.clone();
+        all.extend(sound);
+        all.push(step(&goal.formula));
+        (!self.is_contradictory(&all, &goal)).then_some(symbols)
+    }
+}
+
+/// The symbols that a proof takes as constant, where that is all its conditions say.
+///
+/// Something must be left that moves, and of which the premises or the goal speak: where everything stands still that an energy is
+/// made of, that it is conserved says nothing.
+pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<Symbol>> {
+    if !judged.outcome.is_proven() {
+        return None;
+    }
+    let mut variables = BTreeSet::new();
+    let mut constants = Vec::new();
+    for condition in conditions {
+        let (slope, zero) = condition.as_equation()?;
+        let (Expr::Derivative { body, variable }, Expr::Number(_)) = (slope, zero) else {
+            return None;
+        };
+        let Expr::Symbol(symbol) = &**body else {
+            return None;
+        };
+        variables.insert(variable.clone());
+        if !constants.contains(symbol) {
+            constants.push(symbol.clone());
+        }
+    }
+    let assumed = judged.assumed.iter().map(|a| &*a.formula);
+    let said: Vec<&Formula> = assumed
+        .filter(|f| !conditions.contains(f))
+        .chain([&judged.goal.formula])
+        .collect();
+    let mut moving = variables;
+    for term in said.iter().flat_map(|f| f.terms()) {
+        differentiated(term, &mut moving);
+    }
+    for formula in &said {
+        if let Some((Expr::Symbol(symbol), _)) = formula.as_equation() {
+            moving.remove(symbol);
+        }
+    }
+    let mut terms = said.iter().flat_map(|f| f.terms());
+    let moves = terms.any(|term| moving.iter().any(|symbol| stands(term, symbol)));
+    moves.then_some(constants)
+}
+
+/// The symbols that a term differentiates.
+fn differentiated(term: &Expr, found: &mut BTreeSet<Symbol>) {
+    if let Expr::Derivative { body, .. } = term
+        && let Expr::Symbol(symbol) = &**body
+    {
+        found.insert(symbol.clone());
+    }
+    term.children()
+        .for_each(|child| differentiated(child, found));
+}
+
+/// Whether a symbol stands in a term by itself, not only with its derivative.
+fn stands(term: &Expr, symbol: &Symbol) -> bool {
+    match term {
+        Expr::Symbol(own) => own == symbol,
+        Expr::Derivative { body, .. } if matches!(**body, Expr::Symbol(_)) => false,
+        _ => term.children().any(|child| stands(child, symbol)),
+    }
+}
+
+/// The symbols of a term that are no units.
+fn quantities(term: &Expr) -> BTreeSet<Symbol> {
+    let mut symbols = term.free_symbols();
+    symbols.retain(|symbol| measured(symbol).is_none());
+    symbols
+}
+
+/// The entry of a statement that is taken as given.
+pub(super) fn given(mut entry: Entry, symbols: Vec<Symbol>) -> Entry {
+    for judged in &mut entry.judged {
+        judged.assumed.clear();
+        judged.outcome = Outcome::Stated;
+    }
+    (entry.kind, entry.verdict) = (Kind::Given, Verdict::Given);
+    (entry.implied, entry.mended) = (None, None);
+    entry.notes = vec![Note::TakenAsGiven(symbols)];
+    entry
+}

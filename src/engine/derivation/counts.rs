@@ -1,0 +1,114 @@
+//! Counts of which nobody says so: what a sum runs to, and the index of a recurrence, is a natural number whether that is said or not.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::algebra::{BigRational, Expr, Formula, Place, Symbol, split_subscript};
+
+use super::Equation;
+use crate::kernel::Domain;
+
+use super::equation::formulas;
+use super::page::Page;
+use super::running::is_recurrence;
+
+/// Gives what can only be a count, and is declared to be nothing else, the domain of one.
+///
+/// The first of them is 1, or such that a recurrence begins with the first element that has a number: where there is an `E_0`,
+/// `E_{n+1} = e^2 E_n` begins with `n = 0`.
+pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
+    let mut counts = BTreeSet::new();
+    let mut steps: Vec<(Symbol, Symbol, i64)> = Vec::new();
+    for statement in equations.iter().flat_map(Equation::statements) {
+        for formula in formulas(statement) {
+            for term in formula.terms() {
+                limits(term, &mut Vec::new(), &mut counts);
+            }
+            for (index, places) in recurrences(&formula) {
+                let places = places.into_iter();
+                steps.extend(places.map(|(stem, offset)| (index.clone(), stem, offset)));
+                counts.insert(index);
+            }
+        }
+    }
+    let said = |symbol: &Symbol| {
+        let own = page.domains.get(symbol);
+        own.is_some_and(|domain| *domain != Domain::default())
+    };
+    counts.retain(|symbol| !said(symbol));
+    if counts.is_empty() {
+        return;
+    }
+    let mut first: BTreeMap<Symbol, i64> = BTreeMap::new();
+    for name in equations.iter().flat_map(Equation::symbols) {
+        for (index, stem, offset) in &steps {
+            if let Some((own, Place::Number(number))) = name.place(index)
+                && own == *stem
+            {
+                let begins = (i64::from(number) - offset).max(0);
+                let least = first.entry(index.clone()).or_insert(1);
+                *least = begins.min(*least);
+            }
+        }
+    }
+    for symbol in counts {
+        let least = first.get(&symbol).copied().unwrap_or(1);
+        let domain = page.domains.entry(symbol).or_default();
+        domain.integer = true;
+        domain.lower = Some((BigRational::from_integer(least.into()), false));
+    }
+}
+
+/// The indices of which a formula is a recurrence, each with the elements that run with it.
+pub(super) fn recurrences(formula: &Formula) -> Vec<(Symbol, Vec<(Symbol, i64)>)> {
+    let names = formula.names();
+    let mut indices: BTreeSet<Symbol> = names.iter().filter_map(shifted).collect();
+    indices.retain(|index| is_recurrence(formula, index));
+    let running = |index: &Symbol| -> Vec<(Symbol, i64)> {
+        let places = names.iter().filter_map(|name| name.place(index));
+        let running = places.filter_map(|(stem, place)| match place {
+            Place::Running(offset) => Some((stem, offset)),
+            _ => None,
+        });
+        running.collect()
+    };
+    let indices = indices.into_iter();
+    indices.map(|i| (i.clone(), running(&i))).collect()
+}
+
+/// The symbols to which, or from which, sums run: `n` of `\sum_{i=1}^{n+1}`. An index is none outside of its sum.
+fn limits<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, found: &mut BTreeSet<Symbol>) {
+    let Expr::Series {
+        index,
+        from,
+        to,
+        body,
+    } = term
+    else {
+        return term
+            .children()
+            .for_each(|child| limits(child, bound, found));
+    };
+    for limit in [from, to] {
+        let symbols = limit.free_symbols();
+        // Of `2 n` and `n + m` more than one thing could be meant.
+        if let (Some(symbol), 1) = (symbols.first(), symbols.len())
+            && matches!(**limit, Expr::Symbol(_) | Expr::Sum(_))
+            && !bound.contains(&symbol)
+        {
+            found.insert(symbol.clone());
+        }
+        limits(limit, bound, found);
+    }
+    bound.push(index);
+    limits(body, bound, found);
+    bound.pop();
+}
+
+/// `n` of `E_{n+1}`.
+fn shifted(symbol: &Symbol) -> Option<Symbol> {
+    let (_, text) = split_subscript(symbol.name())?;
+    let (index, offset) = text.split_once(['+', '-'])?;
+    let figures = !offset.is_empty() && offset.bytes().all(|b| b.is_ascii_digit());
+    let index = Symbol::new(index);
+    (figures && index.can_be_index()).then_some(index)
+}

@@ -1,0 +1,128 @@
+//! Whether prose says that what is displayed next follows: "Hence", "Substituting (3) into (4) gives".
+
+use super::prose::{Placed, Token};
+
+/// What comes after these is drawn from what was said before. With one of them a sentence no longer supposes anything, either.
+const DRAWN: [&str; 36] = [
+    "then",
+    "so",
+    "hence",
+    "thus",
+    "therefore",
+    "whence",
+    "gives",
+    "give",
+    "giving",
+    "yields",
+    "yield",
+    "yielding",
+    "implies",
+    "imply",
+    "implying",
+    "follows",
+    "becomes",
+    "become",
+    "obtain",
+    "obtains",
+    "get",
+    "find",
+    "prove",
+    "check",
+    "verify",
+    "means",
+    "derive",
+    "compute",
+    "determine",
+    "solve",
+    "leads",
+    "reduces",
+    "deduce",
+    "conclude",
+    "consequently",
+    "accordingly",
+];
+/// What is done with equations that stand already; and words for what is true of itself.
+const WORKED: [&str; 62] = [
+    "obtained",
+    "gets",
+    "gave",
+    "yielded",
+    "follow",
+    "finds",
+    "found",
+    "leading",
+    "reduce",
+    "reducing",
+    "simplify",
+    "simplifies",
+    "simplifying",
+    "simplified",
+    "rearrange",
+    "rearranges",
+    "rearranging",
+    "rearranged",
+    "solving",
+    "solved",
+    "substitute",
+    "substituting",
+    "substitution",
+    "insert",
+    "inserting",
+    "eliminate",
+    "eliminating",
+    "expand",
+    "expanding",
+    "factor",
+    "factoring",
+    "divide",
+    "dividing",
+    "multiply",
+    "multiplying",
+    "adding",
+    "subtracting",
+    "differentiate",
+    "differentiating",
+    "integrate",
+    "integrating",
+    "combine",
+    "combining",
+    "equating",
+    "comparing",
+    "squaring",
+    "cancelling",
+    "canceling",
+    "collecting",
+    "evaluating",
+    "rewrite",
+    "rewriting",
+    "rewritten",
+    "result",
+    "results",
+    "equivalently",
+    "thereby",
+    "identity",
+    "identities",
+    "always",
+    "must",
+    "deduced",
+];
+
+/// Whether a word, in lower case, draws a conclusion.
+pub(super) fn draws(word: &str) -> bool {
+    DRAWN.contains(&word)
+}
+
+/// Whether the last sentence says that what comes after it follows from something, as far as words tell; `None` where nothing
+/// is said.
+pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
+    let says = |(token, _): &Placed<'_>| matches!(token, Token::Word(_));
+    let mut sentences = tokens.split(|(token, _)| *token == Token::Stop);
+    let last = sentences.rfind(|sentence| sentence.iter().any(says))?;
+    Some(last.iter().any(|(token, _)| {
+        let Token::Word(word) = token else {
+            return false;
+        };
+        let word = word.to_lowercase();
+        draws(&word) || WORKED.contains(&word.as_str())
+    }))
+}
