@@ -94,6 +94,12 @@ impl Report<'_> {
             return None;
         }
         let (judged, _) = entry.refuted()?;
+        // What speaks of the same on both sides is meant as an identity.
+        if let Formula::Relation { left, right, .. } = &judged.goal.formula
+            && left.free_symbols() == right.free_symbols()
+        {
+            return None;
+        }
         let named = judged.goal.formula.free_symbols();
         let mut new = named.intersection(&equation.introduces);
         let symbol = new.find(|symbol| measured(symbol).is_none())?;

@@ -69,6 +69,23 @@ pub(super) struct Attempt {
 
 impl Judge<'_> {
     pub fn goal(&mut self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
+        let found = self.judged_from(goal, steps, premises);
+        let instead = match &found.judged.outcome {
+            Outcome::Open(stop) if !stop.hopeless && found.contradictory.is_empty() => {
+                self.refuted_by_roots(goal, steps, premises)
+            }
+            _ => None,
+        };
+        instead.unwrap_or(found)
+    }
+
+    /// The goal judged from some premises.
+    pub(super) fn judged_from(
+        &mut self,
+        goal: &Goal,
+        steps: &[(usize, Formula)],
+        premises: &[usize],
+    ) -> Found {
         let mut assumed = self.usable.assumed.clone();
         // The other side of an equivalence is supposed; what was shown before in the statement is known.
         assumed.extend(goal.suppositions.iter().map(step));

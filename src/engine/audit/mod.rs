@@ -14,6 +14,7 @@ mod numeric;
 mod premise;
 mod readings;
 mod review;
+mod roots;
 mod scaling;
 mod schedule;
 mod shifted;
@@ -351,8 +352,8 @@ impl Auditor<'_> {
                 first.notes.push(Note::UnusedPremise(unused));
             }
         }
-        let opens = equation.opens && entries.iter().all(|e| e.verdict != Verdict::Holds);
-        if opens {
+        let law = |e: &Entry| e.verdict != Verdict::Holds && !stated::is_identity(e);
+        if equation.opens && entries.iter().all(law) {
             // A page must begin somewhere: what nothing precedes is given.
             return (0..parts)
                 .map(|part| blank(at, part, parts, Kind::Given, Verdict::Given))

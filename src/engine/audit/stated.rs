@@ -126,6 +126,24 @@ fn stands(term: &Expr, symbol: &Symbol) -> bool {
     }
 }
 
+/// Whether a refuted statement is no law but an identity that the pen slipped on: both sides of what fails speak of the same, and
+/// either one edit makes it true, or that is whole numbers alone.
+pub(super) fn is_identity(entry: &Entry) -> bool {
+    entry.refuted().is_some_and(|(judged, refuted)| {
+        let Formula::Relation { left, right, .. } = &judged.goal.formula else {
+            return false;
+        };
+        let (named, others) = (quantities(left), quantities(right));
+        let counted = |symbol: &Symbol| {
+            let domain = refuted.claim().domains.get(symbol);
+            domain.is_some_and(|domain| domain.integer)
+        };
+        !named.is_empty()
+            && named == others
+            && (entry.mended.is_some() || named.iter().all(counted))
+    })
+}
+
 /// The symbols of a term that are no units.
 fn quantities(term: &Expr) -> BTreeSet<Symbol> {
     let mut symbols = term.free_symbols();
