@@ -14,7 +14,7 @@ const MOST_TERMS: usize = 300;
 /// The equations of a problem in a form that decides membership.
 pub struct Ideal {
     /// Each removes one unknown from everything after it.
-    pub pivots: Vec<Pivot>,
+    pivots: Vec<Pivot>,
     /// What is left, in which no unknown is linear with a coefficient that cannot vanish.
     pub rest: Vec<Tracked>,
     divisors: Vec<Polynomial>,
@@ -79,6 +79,11 @@ impl Ideal {
             rest: pending,
             divisors,
         })
+    }
+
+    /// The unknown that was eliminated first.
+    pub fn first(&self) -> Option<Var> {
+        self.pivots.first().map(|pivot| pivot.var)
     }
 
     /// The goal with all pivots' unknowns removed.

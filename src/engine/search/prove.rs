@@ -7,7 +7,7 @@ use super::ideal::Ideal;
 use super::positivity::{Known, decompose};
 use super::roots::root_of;
 use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
-use crate::algebra::{Atom, Expr, Function, Monomial, Polynomial, Rational, TooLarge};
+use crate::algebra::{Atom, Expr, Function, Monomial, Polynomial, Rational, TooLarge, Var};
 use crate::kernel::{
     BoundedSeries, Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign,
 };
@@ -18,6 +18,8 @@ const HIGHEST_POWER: u32 = 3;
 const MOST_ROUNDS: usize = 3;
 const REDUCTIONS: usize = 2_000;
 const LIGHT_REDUCTIONS: usize = 60;
+/// How many equations, terms and positive unknowns are tried to put what is compared in other words.
+const MOST_EXCHANGED: usize = 4;
 /// How often what is compared is squared.
 const DEEPEST_SQUARES: usize = 2;
 
@@ -346,7 +348,31 @@ impl Prover {
     }
 
     fn sign(&mut self, fact: &Fact) -> Option<Proof> {
-        self.sign_within(fact, DEEPEST_SQUARES)
+        if let Some(found) = self.sign_within(fact, DEEPEST_SQUARES) {
+            return Some(found);
+        }
+        if self.simplify_nonzero()
+            && let Some(found) = self.sign_within(fact, DEEPEST_SQUARES)
+        {
+            return Some(found);
+        }
+        let vars = fact.polynomial.vars();
+        let mut vars = vars.into_iter().take(MOST_EXCHANGED);
+        vars.find_map(|var| self.sign_without(fact, var))
+    }
+
+    /// The same with one unknown eliminated before any other: what the goal is about may be known by an equation in quantities that
+    /// have signs.
+    fn sign_without(&mut self, fact: &Fact, var: Var) -> Option<Proof> {
+        let ideal = Ideal::keeping(&self.facts, &self.knowledge, |other| other != var).ok()?;
+        if ideal.first() != Some(var) || self.ideal.first() == Some(var) {
+            return None;
+        }
+        let before = std::mem::replace(&mut self.ideal, ideal);
+        let signed = self.signed.take();
+        let found = self.sign_by_what_is_known(fact);
+        (self.ideal, self.signed) = (before, signed);
+        found
     }
 
     fn sign_within(&mut self, fact: &Fact, depth: usize) -> Option<Proof> {
@@ -414,16 +440,10 @@ impl Prover {
         }
         let mut found = decompose(&reduced.polynomial, strict, &known);
         if found.is_none() {
-            // A variance is a sum of squares only when multiplied by the number of elements.
-            for count in positive_counts(&self.atoms, &self.knowledge) {
-                let scaled = reduced.polynomial.times(&count).ok()?;
-                found = decompose(&scaled, strict, &known);
+            for other in self.variants(&reduced) {
+                found = decompose(&other.polynomial, strict, &known);
                 if found.is_some() {
-                    reduced.polynomial = scaled;
-                    *reduced.multiplier.entry(count.clone()).or_insert(0) += 1;
-                    for cofactor in reduced.cofactors.values_mut() {
-                        *cofactor = cofactor.times(&count).ok()?;
-                    }
+                    reduced = other;
                     break;
                 }
             }
@@ -462,6 +482,56 @@ impl Prover {
             }],
             cofactors: cofactors(&reduced.cofactors),
         })
+    }
+
+    /// The same in other words, each of which may show a sign: times the number of elements of a sum, as a variance is a sum of
+    /// squares; with a term exchanged by an equation, `u² − 2 x y` for `u² = x² + y²`; times something positive, so that an equation
+    /// can be put in, `c² − v²` for `γ² (c² − v²) = c²`.
+    fn variants(&self, reduced: &Reduced) -> Vec<Reduced> {
+        let times = |factor: &Polynomial| -> Option<Reduced> {
+            let mut other = reduced.clone();
+            other.polynomial = other.polynomial.times(factor).ok()?;
+            *other.multiplier.entry(factor.clone()).or_insert(0) += 1;
+            for cofactor in other.cofactors.values_mut() {
+                *cofactor = cofactor.times(factor).ok()?;
+            }
+            Some(other)
+        };
+        let counts = positive_counts(&self.atoms, &self.knowledge);
+        let mut all: Vec<Reduced> = counts.iter().filter_map(times).collect();
+        for element in self.ideal.rest.iter().take(MOST_EXCHANGED) {
+            let shared = element.polynomial.terms().filter_map(|(monomial, own)| {
+                let coefficient = reduced.polynomial.coefficient(monomial)?;
+                Some(coefficient / own)
+            });
+            for weight in shared.take(MOST_EXCHANGED) {
+                let mut other = reduced.clone();
+                let weight = Polynomial::constant(weight);
+                if other.step(&Nonzero::new(), &weight, element).is_ok()
+                    && self.make_positive(&mut other).is_ok()
+                {
+                    all.push(other);
+                }
+            }
+        }
+        let rest = self.ideal.rest.iter().take(MOST_EXCHANGED);
+        let mut positive: Vec<Var> = rest.flat_map(|e| e.polynomial.vars()).collect();
+        positive.sort_unstable();
+        positive.dedup();
+        let power = |var: &Var| Monomial::power(*var, 1);
+        positive.retain(|var| self.knowledge.monomial_is_positive(&power(var)));
+        for var in positive.iter().take(MOST_EXCHANGED) {
+            let factor = Polynomial::term(power(var), Rational::one());
+            if let Some(mut other) = times(&factor)
+                && let before = other.polynomial.clone()
+                && (other.normal_form(&self.ideal.rest, &mut { LIGHT_REDUCTIONS })).is_ok()
+                && other.polynomial != before
+                && self.make_positive(&mut other).is_ok()
+            {
+                all.push(other);
+            }
+        }
+        all
     }
 
     /// Makes every factor of the multiplier positive or even, and the outer factor with it.

@@ -167,7 +167,7 @@ impl Reduced {
     }
 
     /// Replaces `polynomial` by `weight · polynomial − quotient · element`, where `weight` does not vanish.
-    fn step(
+    pub fn step(
         &mut self,
         weight: &Nonzero,
         quotient: &Polynomial,
