@@ -197,8 +197,8 @@ impl Prover {
             polynomial,
             sign: Sign::NonNegative,
         };
-        if let Some(below) = self.sign(&bound(goal.clone()))
-            && let Some(above) = self.sign(&bound(goal.negated()))
+        if let Some(below) = self.sign_within(&bound(goal.clone()), DEEPEST_SQUARES)
+            && let Some(above) = self.sign_within(&bound(goal.negated()), DEEPEST_SQUARES)
         {
             return Some(Proof::BothBounds {
                 below: below.into(),
@@ -206,7 +206,8 @@ impl Prover {
             });
         }
         let square = bound(goal.pow(2).ok()?.negated());
-        Some(Proof::Square(self.sign(&square)?.into()))
+        let square = self.sign_within(&square, DEEPEST_SQUARES)?;
+        Some(Proof::Square(square.into()))
     }
 
     /// The same with what cannot vanish kept to the end, so that it can be divided out of what is left: two
