@@ -31,3 +31,4 @@ mod readme;
 mod repairs;
 mod report;
 mod robust;
+mod undeclared;

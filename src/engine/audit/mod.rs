@@ -421,7 +421,7 @@ impl Auditor<'_> {
             entry.judged.push(found.judged);
         }
         entry.verdict = verdict(&entry.judged, defines);
-        if entry.verdict == Verdict::Fails
+        if matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
             && let Some(symbols) = judge.stated(&entry)
         {
             return stated::given(entry, symbols);

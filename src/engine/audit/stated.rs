@@ -9,14 +9,14 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Kind};
+use crate::derivation::{Assumed, Kind, Source};
 use crate::notation::measured;
 
 use super::judge::{Judge, step};
 use super::{Entry, Judged, Note, Outcome, Verdict};
 
 impl Judge<'_> {
-    /// What a refuted statement speaks of first, or says how great it is, if it may be stated rather than derived.
+    /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.
     pub(super) fn stated(&mut self, entry: &Entry) -> Option<Vec<Symbol>> {
         let equation = &self.derivation.equations[self.at];
         let [judged] = &entry.judged[..] else {
@@ -34,8 +34,9 @@ impl Judge<'_> {
         else {
             return None;
         };
-        let is_refuted = matches!(outcome, Outcome::Refuted(_));
-        if !is_refuted || goal.questioned || !goal.suppositions.is_empty() {
+        // What is not proved of something new can hardly follow from what does not speak of it.
+        let is_new = matches!(outcome, Outcome::Refuted(_) | Outcome::Open(_));
+        if !is_new || goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
         // Of an identity both sides speak of the same.
@@ -55,9 +56,17 @@ impl Judge<'_> {
         if symbols.is_empty() {
             return None;
         }
-        let premises: Vec<usize> = Vec::new();
-        let [sound, _] = self.others(&premises);
-        let mut all: Vec<Assumed> = self.usable.assumed.clone();
+        // What is wrong itself contradicts others already.
+        let [sound, _] = self.others(&[]);
+        let right = |a: &&Assumed| match a.source {
+            Source::Equation(premise) => {
+                let premise = BTreeSet::from([premise]);
+                self.auditor.failing(self.at, &premise).is_empty()
+            }
+            _ => true,
+        };
+        let own = self.usable.assumed.iter().filter(right);
+        let mut all: Vec<Assumed> = own.cloned().collect();
         all.extend(sound);
         all.push(step(&goal.formula));
         (!self.is_contradictory(&all, &goal)).then_some(symbols)

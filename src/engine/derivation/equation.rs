@@ -33,6 +33,8 @@ pub struct Equation {
     pub introduces: BTreeSet<Symbol>,
     /// Whether the page opens with it and nothing is said of where it comes from.
     pub opens: bool,
+    /// Whether words say that it is about the display before, too: "which by (2) is".
+    pub relative: bool,
     /// Whether words introduce it, and none of them cites anything or says that it follows.
     pub bare: bool,
     /// It is a numeric claim: how near `≈` is meant, where that is said.

@@ -304,6 +304,15 @@ impl Derivation {
                 !found.is_empty() || !unknown.is_empty()
             }
         };
+        if says_so
+            && equation.relative
+            && let Some(before) = at.checked_sub(equation.row + 1)
+            && self.equations[before].page == equation.page
+            && !found.contains(&before)
+        {
+            found.push(before);
+            found.sort_unstable();
+        }
         if !says_so {
             // The equation before the display, and those before this one in it.
             let first = at - (equation.row + 1).min(at);

@@ -100,6 +100,8 @@ struct Between {
     mentioned: Vec<Span>,
     /// Whether words say that the display follows from something.
     concludes: Option<bool>,
+    /// Whether they go on from the display before.
+    relative: bool,
 }
 
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
@@ -166,6 +168,7 @@ pub(super) fn read_page(
             }
             Item::Prose(prose) => {
                 between.cited.extend(prose.citations.iter().cloned());
+                between.relative |= prose.is_relative && between.concludes.is_none();
                 between.concludes = prose.concludes.or(between.concludes);
                 let mut mentioned = prose.mentions.clone();
                 for &Supposition { kind, body } in &prose.suppositions {
@@ -280,6 +283,7 @@ pub(super) fn read_page(
                         defines,
                         introduces: BTreeSet::new(),
                         opens: alone && kind == Kind::Derived && !stated,
+                        relative: said.relative,
                         bare: bare && kind == Kind::Derived && part.continues == 0,
                         numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
                         premises: match &said.from {

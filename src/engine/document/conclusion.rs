@@ -112,6 +112,14 @@ pub(super) fn draws(word: &str) -> bool {
     DRAWN.contains(&word)
 }
 
+/// Whether the first sentence is about the display before it: "which by (2) is".
+pub(super) fn is_relative(tokens: &[Placed<'_>]) -> bool {
+    let first = tokens
+        .iter()
+        .find(|(token, _)| !matches!(token, Token::Mark(',' | ';')));
+    matches!(first, Some((Token::Word("which"), _)))
+}
+
 /// Whether the last sentence says that what comes after it follows from something, as far as words tell; `None` where nothing
 /// is said.
 pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {

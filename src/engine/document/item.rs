@@ -88,6 +88,8 @@ pub struct Prose {
     pub mentions: Vec<Span>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
     pub concludes: Option<bool>,
+    /// Its first sentence is about the display before it: "which by (2) is".
+    pub is_relative: bool,
 }
 
 /// Mathematics in a line of text.

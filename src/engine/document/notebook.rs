@@ -104,6 +104,7 @@ fn moved(item: Item, by: usize) -> Item {
             mut suppositions,
             mut mentions,
             concludes,
+            is_relative,
         }) => {
             for inline in &mut math {
                 inline.span = at(inline.span);
@@ -125,6 +126,7 @@ fn moved(item: Item, by: usize) -> Item {
                 suppositions,
                 mentions,
                 concludes,
+                is_relative,
             })
         }
         Item::Display {

@@ -64,6 +64,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         suppositions,
         mentions,
         concludes: conclusion::read(&tokens),
+        is_relative: conclusion::is_relative(&tokens),
     }
 }
 
