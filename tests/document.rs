@@ -535,8 +535,9 @@ fn long_and_hostile_documents_take_linear_time() {
     ] {
         let clock = std::time::Instant::now();
         read(&piece.repeat(200_000 / piece.len()));
+        // What grew with the square of the length would take far longer, and a busy machine far less.
         assert!(
-            clock.elapsed().as_secs() < 5,
+            clock.elapsed().as_secs() < 60,
             "{piece}: {:?}",
             clock.elapsed()
         );

@@ -984,7 +984,8 @@ fn time_is_linear_in_length() {
         let source = format!("x = {}", piece.repeat(100_000));
         let start = std::time::Instant::now();
         let _ = read_display(&source, whole(&source));
-        assert!(start.elapsed().as_secs() < 5, "{piece}");
+        // What grew with the square of the length would take far longer, and a busy machine far less.
+        assert!(start.elapsed().as_secs() < 60, "{piece}");
     }
 }
 

@@ -164,6 +164,17 @@ impl Expr {
         }
     }
 
+    /// Adds the symbols that are differentiated in it, once or more often.
+    pub fn collect_differentiated(&self, found: &mut BTreeSet<Symbol>) {
+        if let Expr::Derivative { body, .. } = self
+            && let Expr::Symbol(symbol) = &**body
+        {
+            found.insert(symbol.clone());
+        }
+        self.children()
+            .for_each(|child| child.collect_differentiated(found));
+    }
+
     /// The same term with each term directly below it replaced.
     pub fn map_children(&self, mut change: impl FnMut(&Expr) -> Expr) -> Expr {
         let mut boxed = |inner: &Expr| Box::new(change(inner));

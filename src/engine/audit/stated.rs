@@ -103,7 +103,7 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
         .collect();
     let mut moving = variables;
     for term in said.iter().flat_map(|f| f.terms()) {
-        differentiated(term, &mut moving);
+        term.collect_differentiated(&mut moving);
     }
     for formula in &said {
         if let Some((Expr::Symbol(symbol), _)) = formula.as_equation() {
@@ -113,17 +113,6 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
     let mut terms = said.iter().flat_map(|f| f.terms());
     let moves = terms.any(|term| moving.iter().any(|symbol| stands(term, symbol)));
     moves.then_some(constants)
-}
-
-/// The symbols that a term differentiates.
-fn differentiated(term: &Expr, found: &mut BTreeSet<Symbol>) {
-    if let Expr::Derivative { body, .. } = term
-        && let Expr::Symbol(symbol) = &**body
-    {
-        found.insert(symbol.clone());
-    }
-    term.children()
-        .for_each(|child| differentiated(child, found));
 }
 
 /// Whether a symbol stands in a term by itself, not only with its derivative.

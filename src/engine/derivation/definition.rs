@@ -120,9 +120,7 @@ impl Known {
         self.symbols
             .extend(newer.iter().flat_map(Equation::symbols));
         let newer = locals.get(self.locals..).unwrap_or_default();
-        let said = newer.iter().flat_map(|local| &local.formulas);
-        self.symbols
-            .extend(said.flat_map(|formula| formula.names()));
+        self.symbols.extend(newer.iter().flat_map(Local::names));
         (self.equations, self.locals) = (equations.len(), locals.len());
     }
 

@@ -77,6 +77,14 @@ pub struct Local {
     level: u8,
 }
 
+impl Local {
+    /// The symbols and sequences that it speaks of.
+    pub fn names(&self) -> BTreeSet<Symbol> {
+        let formulas = self.formulas.iter();
+        formulas.flat_map(|formula| formula.names()).collect()
+    }
+}
+
 /// What an equation is said to follow from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Premises {
@@ -522,17 +530,13 @@ impl Page {
                 false => BTreeSet::new(),
             };
             let locals = &self.locals;
-            let names = |formulas: &mut dyn Iterator<Item = &Formula>| -> BTreeSet<Symbol> {
-                formulas.flat_map(Formula::names).collect()
-            };
-            let own = names(&mut formulas.iter());
+            let own: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::names).collect();
             active.retain(|&at| {
                 let old = &locals[at];
                 // "For $m_1 = m_2$, … For $m_2 = 3 m_1$, …" goes from one case to the next.
                 let other_case = || {
-                    let bound = |assigned: &BTreeSet<Symbol>| !assigned.is_empty();
-                    let both = bound(&assigned) && bound(&old.assigned) && own.len() > 1;
-                    both && names(&mut old.formulas.iter().map(|f| &**f)) == own
+                    let gives_values = !assigned.is_empty() && !old.assigned.is_empty();
+                    gives_values && own.len() > 1 && old.names() == own
                 };
                 !old.is_let || old.assigned.is_disjoint(&assigned) && !other_case()
             });

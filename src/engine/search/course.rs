@@ -115,14 +115,8 @@ pub fn in_motion(
 /// The symbols that are differentiated where the author writes it.
 pub(super) fn said_to_move(claim: &Claim) -> BTreeSet<Symbol> {
     let mut found = BTreeSet::new();
-    let mut open: Vec<&Expr> = claim.formulas().flat_map(Formula::terms).collect();
-    while let Some(term) = open.pop() {
-        if let Expr::Derivative { .. } = term
-            && let Some((symbol, _)) = differentiated(term)
-        {
-            found.insert(symbol.clone());
-        }
-        open.extend(term.children());
+    for term in claim.formulas().flat_map(Formula::terms) {
+        term.collect_differentiated(&mut found);
     }
     found
 }
