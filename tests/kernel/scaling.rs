@@ -480,3 +480,18 @@ fn one_power_is_compared_however_long_it_is() {
     assert_eq!(with_pi.is_one(), Ok(false));
     assert!(with_pi.against_one().is_err());
 }
+
+#[test]
+fn absolute_value_of_something_negative_is_positive() {
+    let claim = claim(&["y = \\left| -x \\right|"], "y \\sim x^2");
+    let situations = pair(&[("y", "1", "1"), ("x", "1", "1")]);
+    assert!(refuted(&claim, situations).is_ok());
+}
+
+#[test]
+fn slope_has_no_value_in_two_situations() {
+    // A slope grows as the quotient does; that it is the quotient nobody says.
+    let claim = claim(&["v = \\frac{dx}{dt}"], "v \\sim x");
+    let situations = pair(&[("v", "1", "1"), ("x", "1", "0"), ("t", "1", "-1")]);
+    assert_eq!(refuted(&claim, situations), Err(Reject::NoValue));
+}
