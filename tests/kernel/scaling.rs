@@ -483,9 +483,12 @@ fn one_power_is_compared_however_long_it_is() {
 
 #[test]
 fn absolute_value_of_something_negative_is_positive() {
-    let claim = claim(&["y = \\left| -x \\right|"], "y \\sim x^2");
+    let plain = claim(&["y = \\left| -x \\right|"], "y \\sim x^2");
     let situations = pair(&[("y", "1", "1"), ("x", "1", "1")]);
-    assert!(refuted(&claim, situations).is_ok());
+    assert!(refuted(&plain, situations).is_ok());
+    let root = claim(&["y = \\left| (-x)^{1/3} \\right|"], "y \\sim x");
+    let situations = pair(&[("y", "1", "1"), ("x", "1", "3")]);
+    assert!(refuted(&root, situations).is_ok());
 }
 
 #[test]
