@@ -4,12 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::{BigRational, Expr, Formula, Place, Symbol, split_subscript};
 
-use super::Equation;
 use crate::kernel::Domain;
 
+use super::Equation;
 use super::equation::formulas;
 use super::page::Page;
-use super::running::is_recurrence;
+use super::running::{Offsets, offsets, recurs};
 
 /// Gives what can only be a count, and is declared to be nothing else, the domain of one.
 ///
@@ -23,9 +23,9 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
             for term in formula.terms() {
                 limits(term, &mut Vec::new(), &mut counts);
             }
-            for (index, places) in recurrences(&formula) {
-                let places = places.into_iter();
-                steps.extend(places.map(|(stem, offset)| (index.clone(), stem, offset)));
+            for (index, offsets) in recurrences(&formula) {
+                let least = offsets.into_iter().map(|(stem, (least, _))| (stem, least));
+                steps.extend(least.map(|(stem, least)| (index.clone(), stem, least)));
                 counts.insert(index);
             }
         }
@@ -58,21 +58,14 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
     }
 }
 
-/// The indices of which a formula is a recurrence, each with the elements that run with it.
-pub(super) fn recurrences(formula: &Formula) -> Vec<(Symbol, Vec<(Symbol, i64)>)> {
-    let names = formula.names();
-    let mut indices: BTreeSet<Symbol> = names.iter().filter_map(shifted).collect();
-    indices.retain(|index| is_recurrence(formula, index));
-    let running = |index: &Symbol| -> Vec<(Symbol, i64)> {
-        let places = names.iter().filter_map(|name| name.place(index));
-        let running = places.filter_map(|(stem, place)| match place {
-            Place::Running(offset) => Some((stem, offset)),
-            _ => None,
-        });
-        running.collect()
-    };
-    let indices = indices.into_iter();
-    indices.map(|i| (i.clone(), running(&i))).collect()
+/// The indices of which a formula is a recurrence, each with the sequences that run with it and their least and greatest offsets.
+pub(super) fn recurrences(formula: &Formula) -> Vec<(Symbol, Offsets)> {
+    let indices: BTreeSet<Symbol> = formula.names().iter().filter_map(shifted).collect();
+    let running = indices.into_iter().map(|index| {
+        let offsets = offsets(formula, &index);
+        (index, offsets)
+    });
+    running.filter(|(_, offsets)| recurs(offsets)).collect()
 }
 
 /// The symbols to which, or from which, sums run: `n` of `\sum_{i=1}^{n+1}`. An index is none outside of its sum.

@@ -46,17 +46,12 @@ struct Sequences(BTreeMap<(Symbol, Symbol), i64>);
 
 impl Sequences {
     fn learn(&mut self, formula: &Formula) {
-        for (index, places) in counts::recurrences(formula) {
-            for (stem, _) in &places {
-                let own = places.iter().filter(|(other, _)| other == stem);
-                let offsets = || own.clone().map(|(_, offset)| *offset);
-                let (Some(most), Some(least)) = (offsets().max(), offsets().min()) else {
-                    continue;
-                };
-                if most > least {
-                    let order = self.0.entry((index.clone(), stem.clone()));
-                    let order = order.or_insert(most - least);
-                    *order = (most - least).min(*order);
+        for (index, offsets) in counts::recurrences(formula) {
+            for (stem, (least, greatest)) in offsets {
+                if least < greatest {
+                    let order = self.0.entry((index.clone(), stem));
+                    let order = order.or_insert(greatest - least);
+                    *order = (greatest - least).min(*order);
                 }
             }
         }

@@ -44,7 +44,7 @@ pub(super) fn running(page: &Page, equations: &[Equation]) -> Vec<Running> {
         return Vec::new();
     }
     let given: Vec<Formula> = given.collect();
-    let found = indices.filter(|index| all().any(|f| is_recurrence(&f, index)));
+    let found = indices.filter(|index| all().any(|f| recurs(&offsets(&f, index))));
     let found = found.map(|index| Running {
         index: index.clone(),
         varying: varying(page, &given, index),
@@ -52,18 +52,24 @@ pub(super) fn running(page: &Page, equations: &[Equation]) -> Vec<Running> {
     found.collect()
 }
 
-/// Whether a formula speaks of two elements of one sequence, a fixed number of places from each other.
-pub(super) fn is_recurrence(formula: &Formula, index: &Symbol) -> bool {
-    let mut offsets: BTreeMap<Symbol, i64> = BTreeMap::new();
-    formula
-        .free_symbols()
-        .iter()
-        .any(|symbol| match symbol.place(index) {
-            Some((stem, Place::Running(offset))) => offsets
-                .insert(stem, offset)
-                .is_some_and(|other| other != offset),
-            _ => false,
-        })
+/// For each sequence whose elements run with an index, the least and the greatest of their offsets.
+pub(super) type Offsets = BTreeMap<Symbol, (i64, i64)>;
+
+/// Those in a formula.
+pub(super) fn offsets(formula: &Formula, index: &Symbol) -> Offsets {
+    let mut offsets = Offsets::new();
+    for symbol in formula.free_symbols() {
+        if let Some((stem, Place::Running(offset))) = symbol.place(index) {
+            let (least, greatest) = offsets.entry(stem).or_insert((offset, offset));
+            (*least, *greatest) = (offset.min(*least), offset.max(*greatest));
+        }
+    }
+    offsets
+}
+
+/// Whether two elements of one sequence, a fixed number of places from each other, are among those that run with an index.
+pub(super) fn recurs(offsets: &Offsets) -> bool {
+    offsets.values().any(|(least, greatest)| least < greatest)
 }
 
 /// Whether a formula that is given can be meant for every index: it shows the index on both sides, or speaks besides of
