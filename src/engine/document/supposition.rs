@@ -194,27 +194,19 @@ fn introduction(
     let direct = matches!(after(1), Some(Token::Math(_)));
     let that = matches!(after(1), Some(Token::Word("that")));
     let comma = matches!(after(2), Some(Token::Mark(',')));
-    let value = || match after(1) {
-        Some(Token::Math(body)) => is_value(source.get(body.range()).unwrap_or_default()),
+    let text = |body: Span| source.get(body.range()).unwrap_or_default();
+    let next = |is: fn(&str) -> bool| match after(1) {
+        Some(Token::Math(body)) => is(text(body)),
         _ => false,
     };
-    let nonzero = || match after(1) {
-        Some(Token::Math(body)) => is_nonzero(source.get(body.range()).unwrap_or_default()),
-        _ => false,
-    };
-    let bound = || match after(1) {
-        Some(Token::Math(body)) => is_bound(source.get(body.range()).unwrap_or_default()),
-        _ => false,
-    };
+    let value = || next(is_value);
     // "For equal springs $k_1 = k_2$, …"
     let described = || {
         let words = |token: &&Placed<'_>| matches!(token.0, Token::Word(_));
         let rest = tokens.get(index + 1..).unwrap_or_default();
         let between = rest.iter().take(MOST_DESCRIBING).take_while(words).count();
         match rest.get(between..between + 2) {
-            Some([(Token::Math(body), _), (Token::Mark(','), _)]) => {
-                is_value(source.get(body.range()).unwrap_or_default())
-            }
+            Some([(Token::Math(body), _), (Token::Mark(','), _)]) => is_value(text(*body)),
             _ => false,
         }
     };
@@ -244,12 +236,12 @@ fn introduction(
         "for" if !begun && described() => Some((SuppositionKind::Let, joined(true))),
         "case" if comma && value() => Some((SuppositionKind::Let, joined(true))),
         // That something is not 0 is no value that something could be made true with.
-        "for" | "when" | "where" | "since" | "as" | "with" if nonzero() && !goes_on() => {
+        "for" | "when" | "where" | "since" | "as" | "with" if next(is_nonzero) && !goes_on() => {
             Some((SuppositionKind::Let, joined(true)))
         }
         "setting" if !begun && value() => Some((SuppositionKind::Let, joined(true))),
         "with" if !begun && capital && value() => Some((SuppositionKind::Let, joined(true))),
-        "where" | "with" | "for" if (value() || bound()) && goes_on() => {
+        "where" | "with" | "for" if (value() || next(is_bound)) && goes_on() => {
             Some((SuppositionKind::Define, Reach::Sentence))
         }
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
@@ -332,7 +324,7 @@ fn is_value(math: &str) -> bool {
 
 /// Whether inline math is one inequality, which bounds what it speaks of.
 fn is_bound(math: &str) -> bool {
-    relates(math) && !math.contains('=') && !math.contains("\\Rightarrow")
+    relates(math) && !math.contains('=')
 }
 
 /// Whether inline math says that something is not 0.
