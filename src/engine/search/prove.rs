@@ -1,16 +1,15 @@
-//! From facts to a certificate: consequence first, sign second.
+//! From facts to a certificate: consequence first, sign (`sign`) second.
+
+mod sign;
 
 use std::collections::BTreeMap;
 
 use super::elements;
 use super::ideal::Ideal;
-use super::positivity::{Known, decompose};
 use super::roots::root_of;
-use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
-use crate::algebra::{Atom, Expr, Function, Monomial, Polynomial, Rational, TooLarge, Var};
-use crate::kernel::{
-    BoundedSeries, Cofactors, Fact, Knowledge, Lemma, PositiveTerm, Problem, Proof, Sign,
-};
+use super::tracked::{Reduced, Tracked, cofactors, expand, listed};
+use crate::algebra::{Monomial, Polynomial, TooLarge};
+use crate::kernel::{BoundedSeries, Cofactors, Fact, Knowledge, Lemma, Problem, Proof, Sign};
 
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
 const HIGHEST_POWER: u32 = 3;
@@ -18,10 +17,6 @@ const HIGHEST_POWER: u32 = 3;
 const MOST_ROUNDS: usize = 3;
 const REDUCTIONS: usize = 2_000;
 const LIGHT_REDUCTIONS: usize = 60;
-/// How many equations, terms and positive unknowns are tried to put what is compared in other words.
-const MOST_EXCHANGED: usize = 4;
-/// How often what is compared is squared.
-const DEEPEST_SQUARES: usize = 2;
 
 /// How hard to try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -142,7 +137,7 @@ impl Prover {
             (Sign::Zero, _) => self.zero(&fact.polynomial, effort),
             (Sign::NonZero, _) => self.nonzero(&fact.polynomial, effort),
             (_, Effort::Light) => None,
-            (_, Effort::Full) => self.sign(fact),
+            (_, Effort::Full) => self.sign_in_earnest(fact),
         }
     }
 
@@ -197,8 +192,8 @@ impl Prover {
             polynomial,
             sign: Sign::NonNegative,
         };
-        if let Some(below) = self.sign_within(&bound(goal.clone()), DEEPEST_SQUARES)
-            && let Some(above) = self.sign_within(&bound(goal.negated()), DEEPEST_SQUARES)
+        if let Some(below) = self.sign(&bound(goal.clone()))
+            && let Some(above) = self.sign(&bound(goal.negated()))
         {
             return Some(Proof::BothBounds {
                 below: below.into(),
@@ -206,8 +201,7 @@ impl Prover {
             });
         }
         let square = bound(goal.pow(2).ok()?.negated());
-        let square = self.sign_within(&square, DEEPEST_SQUARES)?;
-        Some(Proof::Square(square.into()))
+        Some(Proof::Square(self.sign(&square)?.into()))
     }
 
     /// The same with what cannot vanish kept to the end, so that it can be divided out of what is left: two
@@ -259,12 +253,12 @@ impl Prover {
             let sign = Sign::NonZero;
             self.add(Fact { polynomial, sign }, proof);
         }
-        let Ok(ideal) = Ideal::new(&self.facts, &self.knowledge) else {
-            return false;
-        };
         if self.facts.len() == before {
             return false;
         }
+        let Ok(ideal) = Ideal::new(&self.facts, &self.knowledge) else {
+            return false;
+        };
         (self.ideal, self.basis, self.signed) = (ideal, None, None);
         true
     }
@@ -312,7 +306,7 @@ impl Prover {
                 polynomial,
                 sign: Sign::Positive,
             };
-            if let Some(proof) = self.sign(&fact) {
+            if let Some(proof) = self.sign_in_earnest(&fact) {
                 self.add(fact, proof);
                 return Some(Proof::NonVanishing {
                     certain: vec![(goal.clone(), 1)],
@@ -348,228 +342,6 @@ impl Prover {
         })
     }
 
-    fn sign(&mut self, fact: &Fact) -> Option<Proof> {
-        if let Some(found) = self.sign_within(fact, DEEPEST_SQUARES) {
-            return Some(found);
-        }
-        if self.simplify_nonzero()
-            && let Some(found) = self.sign_within(fact, DEEPEST_SQUARES)
-        {
-            return Some(found);
-        }
-        let vars = fact.polynomial.vars();
-        let mut vars = vars.into_iter().take(MOST_EXCHANGED);
-        vars.find_map(|var| self.sign_without(fact, var))
-    }
-
-    /// The same with one unknown eliminated before any other: what the goal is about may be known by an equation in quantities that
-    /// have signs.
-    fn sign_without(&mut self, fact: &Fact, var: Var) -> Option<Proof> {
-        let ideal = Ideal::keeping(&self.facts, &self.knowledge, |other| other != var).ok()?;
-        if ideal.first() != Some(var) || self.ideal.first() == Some(var) {
-            return None;
-        }
-        let before = std::mem::replace(&mut self.ideal, ideal);
-        let signed = self.signed.take();
-        let found = self.sign_by_what_is_known(fact);
-        (self.ideal, self.signed) = (before, signed);
-        found
-    }
-
-    fn sign_within(&mut self, fact: &Fact, depth: usize) -> Option<Proof> {
-        if let Some(found) = self.sign_by_what_is_known(fact) {
-            return Some(found);
-        }
-        if self.add_bounded()
-            && let Some(found) = self.sign_by_what_is_known(fact)
-        {
-            return Some(found);
-        }
-        self.larger(fact, depth)
-    }
-
-    /// Where roots and absolute values are compared, their squares may be: of `a − b` with `a ≥ 0` it is enough that
-    /// `a² − b² ≥ 0`.
-    fn larger(&mut self, fact: &Fact, depth: usize) -> Option<Proof> {
-        let depth = depth.checked_sub(1)?;
-        let unsquared = |var| {
-            let atom = self.atoms.atom(var);
-            matches!(
-                atom,
-                Atom::Opaque(Expr::Power(..) | Expr::Call(Function::Abs, _)) | Atom::Root { .. }
-            )
-        };
-        if !fact.polynomial.vars().into_iter().any(unsquared) {
-            return None;
-        }
-        let mut larger = Polynomial::zero();
-        for (monomial, coefficient) in fact.polynomial.terms() {
-            let term = Polynomial::term(monomial.clone(), coefficient.clone());
-            if self.knowledge.is_nonnegative(&term) {
-                larger = larger.plus(&term);
-            }
-        }
-        if larger.is_zero() || larger == fact.polynomial {
-            return None;
-        }
-        let squares = Fact {
-            polynomial: Proof::difference_of_squares(&larger, &fact.polynomial).ok()?,
-            sign: fact.sign,
-        };
-        let squares = self.sign_within(&squares, depth)?.into();
-        Some(Proof::Larger { larger, squares })
-    }
-
-    fn sign_by_what_is_known(&mut self, fact: &Fact) -> Option<Proof> {
-        let strict = fact.sign == Sign::Positive;
-        let mut reduced = self.ideal.reduce(&fact.polynomial, true).ok()?;
-        self.make_positive(&mut reduced).ok()?;
-        let signed = self.signed_facts();
-        let known = Known {
-            atoms: &self.atoms,
-            knowledge: &self.knowledge,
-            facts: &signed,
-            plain_first: self.has_bounded,
-            equations: &self.ideal.rest,
-        };
-        // What is positive in every term only hides the rest.
-        let content = self.positive_content(&reduced.polynomial);
-        if !content.is_one() {
-            let content = Polynomial::term(content, Rational::one());
-            reduced.polynomial = reduced.polynomial.divided_by(&content)?;
-            *reduced.outer.entry(content).or_insert(0) += 1;
-        }
-        let mut found = decompose(&reduced.polynomial, strict, &known);
-        if found.is_none() {
-            for other in self.variants(&reduced) {
-                found = decompose(&other.polynomial, strict, &known);
-                if found.is_some() {
-                    reduced = other;
-                    break;
-                }
-            }
-        }
-        let found = found?;
-        let mut used: BTreeMap<usize, Polynomial> = BTreeMap::new();
-        for (at, weight) in &found.equations {
-            for (position, cofactor) in &self.ideal.rest[*at].cofactors {
-                let slot = used.entry(*position).or_default();
-                *slot = slot.plus(&cofactor.times(weight).ok()?);
-            }
-        }
-        let inner = Proof::Positivity {
-            multiplier: Vec::new(),
-            terms: found.terms,
-            cofactors: cofactors(&used),
-        };
-        if reduced.multiplier.is_empty() && reduced.outer.is_empty() && reduced.cofactors.is_empty()
-        {
-            return Some(inner);
-        }
-        let lemma = Fact {
-            polynomial: reduced.polynomial.clone(),
-            sign: fact.sign,
-        };
-        let position = self.add(lemma, inner);
-        Some(Proof::Positivity {
-            multiplier: listed(&reduced.multiplier),
-            terms: vec![PositiveTerm {
-                coefficient: Rational::one(),
-                factors: listed(&reduced.outer),
-                squares: Vec::new(),
-                series: Vec::new(),
-                bounded: Vec::new(),
-                facts: vec![position],
-            }],
-            cofactors: cofactors(&reduced.cofactors),
-        })
-    }
-
-    /// The same in other words, each of which may show a sign: times the number of elements of a sum, as a variance is a sum of
-    /// squares; with a term exchanged by an equation, `u² − 2 x y` for `u² = x² + y²`; times something positive, so that an equation
-    /// can be put in, `c² − v²` for `γ² (c² − v²) = c²`.
-    fn variants(&self, reduced: &Reduced) -> Vec<Reduced> {
-        let times = |factor: &Polynomial| -> Option<Reduced> {
-            let mut other = reduced.clone();
-            other.polynomial = other.polynomial.times(factor).ok()?;
-            *other.multiplier.entry(factor.clone()).or_insert(0) += 1;
-            for cofactor in other.cofactors.values_mut() {
-                *cofactor = cofactor.times(factor).ok()?;
-            }
-            Some(other)
-        };
-        let counts = positive_counts(&self.atoms, &self.knowledge);
-        let mut all: Vec<Reduced> = counts.iter().filter_map(times).collect();
-        for element in self.ideal.rest.iter().take(MOST_EXCHANGED) {
-            let shared = element.polynomial.terms().filter_map(|(monomial, own)| {
-                let coefficient = reduced.polynomial.coefficient(monomial)?;
-                Some(coefficient / own)
-            });
-            for weight in shared.take(MOST_EXCHANGED) {
-                let mut other = reduced.clone();
-                let weight = Polynomial::constant(weight);
-                if other.step(&Nonzero::new(), &weight, element).is_ok()
-                    && self.make_positive(&mut other).is_ok()
-                {
-                    all.push(other);
-                }
-            }
-        }
-        let rest = self.ideal.rest.iter().take(MOST_EXCHANGED);
-        let mut positive: Vec<Var> = rest.flat_map(|e| e.polynomial.vars()).collect();
-        positive.sort_unstable();
-        positive.dedup();
-        let power = |var: &Var| Monomial::power(*var, 1);
-        positive.retain(|var| self.knowledge.monomial_is_positive(&power(var)));
-        for var in positive.iter().take(MOST_EXCHANGED) {
-            let factor = Polynomial::term(power(var), Rational::one());
-            if let Some(mut other) = times(&factor)
-                && let before = other.polynomial.clone()
-                && (other.normal_form(&self.ideal.rest, &mut { LIGHT_REDUCTIONS })).is_ok()
-                && other.polynomial != before
-                && self.make_positive(&mut other).is_ok()
-            {
-                all.push(other);
-            }
-        }
-        all
-    }
-
-    /// Makes every factor of the multiplier positive or even, and the outer factor with it.
-    fn make_positive(&self, reduced: &mut Reduced) -> Result<(), TooLarge> {
-        let doubtful = |factors: &Nonzero| -> Vec<Polynomial> {
-            let odd = factors
-                .iter()
-                .filter(|(f, e)| *e % 2 == 1 && !self.knowledge.is_positive(f));
-            odd.map(|(f, _)| f.clone()).collect()
-        };
-        for factor in doubtful(&reduced.multiplier) {
-            *reduced.multiplier.entry(factor.clone()).or_insert(0) += 1;
-            *reduced.outer.entry(factor.clone()).or_insert(0) += 1;
-            for cofactor in reduced.cofactors.values_mut() {
-                *cofactor = cofactor.times(&factor)?;
-            }
-        }
-        for factor in doubtful(&reduced.outer) {
-            reduced.polynomial = reduced.polynomial.times(&factor)?;
-            if let Some(exponent) = reduced.outer.get_mut(&factor) {
-                *exponent -= 1;
-            }
-        }
-        reduced.outer.retain(|_, exponent| *exponent > 0);
-        Ok(())
-    }
-
-    /// The unknowns that divide every term and are known to be positive.
-    fn positive_content(&self, polynomial: &Polynomial) -> Monomial {
-        let content = polynomial.content();
-        let powers = content.powers().iter();
-        let powers = powers.map(|&(var, exponent)| Monomial::power(var, exponent));
-        powers
-            .filter(|power| self.knowledge.monomial_is_positive(power))
-            .fold(Monomial::one(), |all, power| all.times(&power))
-    }
-
     /// Whether every unknown occurs in some fact: one that occurs in none can have any value.
     fn is_tied_down(&self, polynomial: &Polynomial) -> bool {
         let facts = || self.facts.iter().map(|f| &f.polynomial);
@@ -589,96 +361,6 @@ impl Prover {
     fn basis(&mut self) -> &[Tracked] {
         let (ideal, knowledge) = (&self.ideal, &self.knowledge);
         self.basis.get_or_insert_with(|| ideal.basis(knowledge))
-    }
-
-    /// Every inequality with the eliminated unknowns removed and positive factors divided out, as lemmas.
-    fn signed_facts(&mut self) -> Vec<(usize, Fact)> {
-        if let Some(known) = &self.signed {
-            return known.clone();
-        }
-        let mut known = Vec::new();
-        for position in 0..self.facts.len() {
-            let fact = self.facts[position].clone();
-            if !matches!(fact.sign, Sign::NonNegative | Sign::Positive) {
-                continue;
-            }
-            match self.simplified(position, &fact) {
-                Ok(Some((lemma, proof))) => {
-                    let at = self.add(lemma.clone(), proof);
-                    known.push((at, lemma));
-                }
-                _ => known.push((position, fact)),
-            }
-        }
-        self.signed = Some(known.clone());
-        known
-    }
-
-    /// Adds what the domains of elements say of sums to the inequalities. Whether there was anything.
-    fn add_bounded(&mut self) -> bool {
-        let series = std::mem::take(&mut self.bounded);
-        let mut known = self.signed_facts();
-        let any = !series.is_empty();
-        for (polynomial, series) in series {
-            let fact = Fact {
-                polynomial,
-                sign: Sign::NonNegative,
-            };
-            let term = PositiveTerm {
-                coefficient: Rational::one(),
-                factors: Vec::new(),
-                squares: Vec::new(),
-                series: Vec::new(),
-                bounded: vec![series],
-                facts: Vec::new(),
-            };
-            let proof = Proof::Positivity {
-                multiplier: Vec::new(),
-                terms: vec![term],
-                cofactors: Vec::new(),
-            };
-            let at = self.add(fact.clone(), proof);
-            known.push(match self.simplified(at, &fact) {
-                Ok(Some((lemma, proof))) => (self.add(lemma.clone(), proof), lemma),
-                _ => (at, fact),
-            });
-        }
-        self.signed = Some(known);
-        self.has_bounded |= any;
-        any
-    }
-
-    fn simplified(&self, position: usize, fact: &Fact) -> Result<Option<(Fact, Proof)>, TooLarge> {
-        let mut reduced = self.ideal.reduce(&fact.polynomial, true)?;
-        self.make_positive(&mut reduced)?;
-        let content = self.positive_content(&reduced.polynomial);
-        let mut multiplier = listed(&reduced.outer);
-        let mut polynomial = reduced.polynomial.clone();
-        if !content.is_one() {
-            let content = Polynomial::term(content, Rational::one());
-            polynomial = polynomial.divided_by(&content).unwrap_or_default();
-            multiplier.push((content, 1));
-        }
-        // What says that 1 > 0 is of no use; what says that 0 > 0 is of great use.
-        let idle = |c: Rational| c.is_positive() || c.is_zero() && fact.sign == Sign::NonNegative;
-        if polynomial == fact.polynomial || polynomial.as_constant().is_some_and(idle) {
-            return Ok(None);
-        }
-        // S m Q = M F − Σ C h
-        let proof = Proof::Positivity {
-            multiplier,
-            terms: vec![PositiveTerm {
-                coefficient: Rational::one(),
-                factors: listed(&reduced.multiplier),
-                squares: Vec::new(),
-                series: Vec::new(),
-                bounded: Vec::new(),
-                facts: vec![position],
-            }],
-            cofactors: negated(&reduced.cofactors),
-        };
-        let sign = fact.sign;
-        Ok(Some((Fact { polynomial, sign }, proof)))
     }
 }
 
@@ -709,20 +391,4 @@ fn from_contradiction(element: &Tracked, goal: &Polynomial) -> Result<Proof, Too
         power: 1,
         cofactors: cofactors(&used),
     })
-}
-
-/// The numbers of elements of sums that are known to be positive.
-fn positive_counts(atoms: &crate::algebra::Atoms, knowledge: &Knowledge) -> Vec<Polynomial> {
-    let mut found = Vec::new();
-    for (_, atom) in atoms.iter() {
-        if let Atom::PowerSum { to, .. } = atom
-            && let Some(var) = atoms.find(&Atom::Symbol(to.clone()))
-        {
-            let count = Polynomial::var(var);
-            if knowledge.is_positive(&count) && !found.contains(&count) {
-                found.push(count);
-            }
-        }
-    }
-    found
 }

@@ -1,13 +1,11 @@
 //! What the author differentiates nowhere is mostly meant not to change. That is nothing to prove with unseen: a claim that
 //! follows so follows under a condition, and a counterexample at which it is so is a counterexample.
 
-use std::collections::BTreeSet;
-
-use super::course::{differentiated, said_to_move};
+use super::course::said_to_move;
+use super::refute::Points;
 use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
 use crate::algebra::{Atom, Expr, Formula};
 use crate::kernel::Obligation;
-use crate::search::refute::Points;
 
 /// More quantities than this that might change are not looked at one by one.
 const MOST_STILL: usize = 8;
@@ -53,16 +51,13 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
 /// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by.
 fn held_still(obligation: &Obligation) -> Vec<Formula> {
     let said = said_to_move(obligation.claim());
-    let mut seen = BTreeSet::new();
     let mut still = Vec::new();
     for (_, atom) in obligation.problem().atoms.iter() {
-        if let Atom::Opaque(term @ Expr::Derivative { body, variable }) = atom
-            && matches!(**body, Expr::Symbol(_))
-            && let Some((symbol, _)) = differentiated(term)
+        if let Atom::Opaque(slope @ Expr::Derivative { body, .. }) = atom
+            && let Expr::Symbol(symbol) = &**body
             && !said.contains(symbol)
-            && seen.insert((symbol.clone(), variable.clone()))
         {
-            still.push(Formula::equal(term.clone(), Expr::integer(0)));
+            still.push(Formula::equal(slope.clone(), Expr::integer(0)));
         }
     }
     still
