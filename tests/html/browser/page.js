@@ -10,6 +10,15 @@ const shortly = (node) => {
 // One complaint of a kind is enough to find the others.
 const few = (complaints) => [...new Set(complaints)].slice(0, 12);
 
+// Answers that are kept, for the many texts of a page stand in the same few elements.
+const kept = (question) => {
+  const known = new Map();
+  return (element) => {
+    if (!known.has(element)) { known.set(element, question(element)); }
+    return known.get(element);
+  };
+};
+
 const visible = (element) => element.checkVisibility({ visibilityProperty: true, contentVisibilityAuto: true });
 
 const texts = () => {
@@ -84,14 +93,15 @@ const ratio = (one, other) => {
 };
 
 // The ground that text of a page stands on: the nearest that is not transparent.
-const ground = (element) => {
-  for (let at = element; at; at = at.parentElement) {
-    const colour = parsed(getComputedStyle(at).backgroundColor);
-    if (colour && colour[3] === 1) { return colour; }
-    if (colour && colour[3] !== 0) { return null; }
-  }
-  return [255, 255, 255, 1];
-};
+const ground = kept((element) => {
+  if (!element) { return [255, 255, 255, 1]; }
+  const colour = parsed(getComputedStyle(element).backgroundColor);
+  if (colour && colour[3] !== 0) { return colour[3] === 1 ? colour : null; }
+  return ground(element.parentElement);
+});
+
+const opacity = kept((element) =>
+  element ? Number(getComputedStyle(element).opacity) * opacity(element.parentElement) : 1);
 
 // The ground of text in a drawing: the last shape before it that is filled and lies under its middle.
 const painted = (svg) => [...svg.querySelectorAll("rect, path")].flatMap((shape) => {
@@ -121,9 +131,7 @@ const contrast = () => {
     } else {
       under = ground(element);
     }
-    let opacity = 1;
-    for (let at = element; at; at = at.parentElement) { opacity *= Number(getComputedStyle(at).opacity); }
-    if (!colour || !under || colour[3] !== 1 || opacity !== 1) {
+    if (!colour || !under || colour[3] !== 1 || opacity(element) !== 1) {
       complaints.push("no plain colour: " + style.color + " " + shortly(node));
       continue;
     }
@@ -137,15 +145,11 @@ const contrast = () => {
   return { count: nodes.length, least, paper: paper.join(" "), complaints: few(complaints) };
 };
 
-// Whether an element scrolls or lies in one that does, each asked once.
-const scrolling = new Map();
-const within = (element) => {
+// Whether an element scrolls or lies in one that does.
+const within = kept((element) => {
   if (!element || element === document.body) { return false; }
-  if (!scrolling.has(element)) {
-    scrolling.set(element, /auto|scroll/.test(getComputedStyle(element).overflowX) || within(element.parentElement));
-  }
-  return scrolling.get(element);
-};
+  return /auto|scroll/.test(getComputedStyle(element).overflowX) || within(element.parentElement);
+});
 
 // Nothing is wider than the window, but what scrolls in a box of its own; and nothing is cut off.
 const width = () => {
