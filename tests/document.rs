@@ -244,7 +244,9 @@ fn citations() {
 
 #[test]
 fn suppositions() {
-    use SuppositionKind::{Assume, Define, Let};
+    use SuppositionKind::{Assume, Case, Define, General, Let};
+    let ended = Case { runs_on: false };
+    let open = Case { runs_on: true };
     for (text, expected) in [
         (
             "Let $v_1 = v_2 = 0$ and $v_4 = v_0/2$.",
@@ -262,7 +264,7 @@ fn suppositions() {
             "taking the non-trivial solution $v'_2 \\neq 0$",
             vec![(Assume, "v'_2 \\neq 0")],
         ),
-        ("At $\\mu = 1$, $\\eta = 1$:", vec![(Let, "\\mu = 1")]),
+        ("At $\\mu = 1$, $\\eta = 1$:", vec![(open, "\\mu = 1")]),
         (
             "Assuming $m > 0$, the energy is $E = 2$.",
             vec![(Assume, "m > 0")],
@@ -286,18 +288,18 @@ fn suppositions() {
         ("it costs $5 and $6", vec![]),
         (
             "Setting $Q = 0$ in (1) gives $a = b$:",
-            vec![(Let, "Q = 0")],
+            vec![(open, "Q = 0")],
         ),
-        ("For $N = 3$, the rest is zero.", vec![(Let, "N = 3")]),
-        ("When $v = 0$, (1) becomes $a = b$.", vec![(Let, "v = 0")]),
-        ("At $Q=0$, when it is empty,", vec![(Let, "Q=0")]),
+        ("For $N = 3$, the rest is zero.", vec![(ended, "N = 3")]),
+        ("When $v = 0$, (1) becomes $a = b$.", vec![(ended, "v = 0")]),
+        ("At $Q=0$, when it is empty,", vec![(open, "Q=0")]),
         ("For $N = 3$ the values are $a = b$.", vec![]),
         ("For $x > 0$, it grows. For $x < 0$, it falls.", vec![]),
         ("It vanishes when $v = 0$, as it must.", vec![]),
-        ("With $g = 10$, the weight is", vec![(Let, "g = 10")]),
+        ("With $g = 10$, the weight is", vec![(open, "g = 10")]),
         (
             "With $a = 1$ and $b = 2$ we have $c = 3$.",
-            vec![(Let, "a = 1"), (Let, "b = 2")],
+            vec![(ended, "a = 1"), (ended, "b = 2")],
         ),
         ("With $g = 10$ this would be wrong.", vec![]),
         ("With $g = 10$ it is not zero.", vec![]),
@@ -313,6 +315,26 @@ fn suppositions() {
             vec![(Define, "k = q")],
         ),
         ("where $k = 2$ is not constant", vec![]),
+        (
+            "With $a = 2$, $b = 3$ and $c = 4$ we get",
+            vec![(open, "a = 2"), (open, "b = 3"), (open, "c = 4")],
+        ),
+        ("For $t = 0$, $s = 0$ and $v = 0$.", vec![(ended, "t = 0")]),
+        ("We set $a = 2 c$ and find", vec![(Let, "a = 2 c")]),
+        ("By (1) with $a = b$", vec![(open, "a = b")]),
+        ("Putting $a = b$ into (1) gives", vec![(open, "a = b")]),
+        ("In general, by (1),", vec![(General, "general")]),
+        (
+            "At $t = 0$ it rests; later, by (1),",
+            vec![(ended, "t = 0")],
+        ),
+        ("Let $t = 0$ be the moment of release.", vec![]),
+        ("Suppose the motion starts at $t = 0$.", vec![]),
+        ("Taking $x = 0$ is not allowed.", vec![]),
+        ("Suppose that neither $x = 0$ nor $z = 1$.", vec![]),
+        ("Let's not assume $x = 0$.", vec![]),
+        ("We no longer suppose $x = 0$.", vec![]),
+        ("For $x = 0$, (1) is trivial.", vec![]),
         ("This is so where $k = 2$.", vec![]),
         ("Then, with $k = 2$, it is so.", vec![]),
     ] {

@@ -36,6 +36,11 @@ impl Symbol {
     pub fn name(&self) -> &str {
         &self.0
     }
+
+    /// Whether it stands for a unit of measurement: `\unit{m}`.
+    pub fn is_unit(&self) -> bool {
+        self.0.starts_with("\\unit{")
+    }
 }
 
 /// Symbols are compared by name, so a set of them can be asked for a name.

@@ -3,7 +3,9 @@ use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
+use crate::algebra::{
+    BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, element_symbol,
+};
 use crate::dimension;
 use crate::document::nearest;
 use crate::document::{
@@ -16,6 +18,7 @@ use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, re
 use super::beside::{Beside, Clash, Place};
 use super::definition::Known;
 use super::equation::formulas;
+use super::rows::Part;
 use super::{Equation, Kind, counts, names, rows};
 
 /// Of the values that a piece of text names, so many are looked at.
@@ -74,6 +77,8 @@ pub struct Local {
     pub span: Span,
     /// The symbols that a `let` gives a value.
     assigned: BTreeSet<Symbol>,
+    /// Of a special case, the symbols that it sets to a number: what speaks of them again is no longer said of that case.
+    set: BTreeSet<Symbol>,
     level: u8,
 }
 
@@ -158,6 +163,8 @@ pub(super) fn read_page(
     let mut bare = true;
     // The equations of the display that the text goes on from.
     let mut last = 0..0;
+    // The cases whose sentence goes on with the next display.
+    let mut running: Vec<usize> = Vec::new();
     let mut known = Known::default();
     let (mut level, mut section) = (0, String::new());
     for item in &items {
@@ -180,7 +187,10 @@ pub(super) fn read_page(
                 between.concludes = prose.concludes.or(between.concludes);
                 let mut mentioned = prose.mentions.clone();
                 for &Supposition { kind, body } in &prose.suppositions {
-                    let is_let = kind == SuppositionKind::Let;
+                    if kind == SuppositionKind::General {
+                        active.retain(|&at| page.locals[at].set.is_empty());
+                        continue;
+                    }
                     if kind == SuppositionKind::Define
                         && !known.says_what_is_meant(body, &page, &equations, last.clone())
                     {
@@ -188,7 +198,10 @@ pub(super) fn read_page(
                         continue;
                     }
                     let before = page.locals.len();
-                    page.suppose(body, is_let, level, &mut active, false);
+                    page.suppose(body, kind, level, &mut active, false);
+                    if kind == (SuppositionKind::Case { runs_on: true }) {
+                        running.extend(before..page.locals.len());
+                    }
                     if kind == SuppositionKind::Define {
                         for equation in &mut equations[last.clone()] {
                             equation.locals.extend(before..page.locals.len());
@@ -215,9 +228,12 @@ pub(super) fn read_page(
                         Directive::From(premises) => between.from = Some(premises.clone()),
                         Directive::Claim(name) => between.name = Some(name.value.clone()),
                         Directive::Assuming(body) => {
-                            page.suppose(*body, false, level, &mut active, true)
+                            let kind = SuppositionKind::Assume;
+                            page.suppose(*body, kind, level, &mut active, true);
                         }
-                        Directive::Let(body) => page.suppose(*body, true, level, &mut active, true),
+                        Directive::Let(body) => {
+                            page.suppose(*body, SuppositionKind::Let, level, &mut active, true);
+                        }
                         Directive::Numeric(near) => between.numeric = Some(near.clone()),
                         Directive::Symbols { .. } | Directive::Data { .. } => {}
                     }
@@ -231,6 +247,8 @@ pub(super) fn read_page(
                 let mut read = read.unwrap_or_else(|| rows::read(source, body, layout.as_deref()));
                 let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
                 page.read_exponentials(statements.flatten());
+                page.leave_cases(&read, &running, &mut active);
+                running.clear();
                 // "Torricelli's law @eq-law:" announces what is displayed next.
                 let announces = |cited: &Citation| {
                     read.iter().any(|part| match cited.key {
@@ -498,11 +516,13 @@ impl Page {
     fn suppose(
         &mut self,
         body: Span,
-        is_let: bool,
+        kind: SuppositionKind,
         level: u8,
         active: &mut Vec<usize>,
         strict: bool,
     ) {
+        let is_case = matches!(kind, SuppositionKind::Case { .. });
+        let is_let = is_case || kind == SuppositionKind::Let;
         let mut statements = match read_formulas(&self.document.source, body) {
             Ok(statements) => statements,
             Err(error) => {
@@ -540,8 +560,13 @@ impl Page {
                 };
                 !old.is_let || old.assigned.is_disjoint(&assigned) && !other_case()
             });
+            let set = match is_case {
+                true => formulas.iter().filter_map(set_to_a_number).collect(),
+                false => BTreeSet::new(),
+            };
             active.push(self.locals.len());
             self.locals.push(Local {
+                set,
                 formulas: formulas.into_iter().map(Arc::new).collect(),
                 is_let,
                 span: statement.span,
@@ -549,6 +574,22 @@ impl Page {
                 level,
             });
         }
+    }
+
+    /// Leaves the cases of whose symbols a display speaks again: "At $t = 0$ the switch is closed. Later $q = I t$". In the
+    /// sentence that sets the case it is said of that: "at $\mu = 1$, $\eta = 4 \mu / (1 + \mu)^2 = 1$".
+    fn leave_cases(&self, display: &[Part], running: &[usize], active: &mut Vec<usize>) {
+        let is_left = |at: usize| {
+            let set = &self.locals[at].set;
+            let statements = || {
+                display
+                    .iter()
+                    .flat_map(|part| part.statements.iter().flatten())
+            };
+            let mut spoken_of = statements().flat_map(formulas).flat_map(|f| f.names());
+            !set.is_empty() && !running.contains(&at) && spoken_of.any(|name| set.contains(&name))
+        };
+        active.retain(|&at| !is_left(at));
     }
 
     /// The domain of the elements of a sequence: that declared for `u_i`, whatever the index is called.
@@ -684,11 +725,23 @@ fn dimension_help(word: Option<&str>) -> String {
     }
 }
 
+/// The symbol that an equation says is a number: `t = 0`.
+fn set_to_a_number(formula: &Formula) -> Option<Symbol> {
+    match formula {
+        Formula::Relation {
+            left: Expr::Symbol(symbol),
+            relation: Relation::Equal,
+            right,
+        } if right.free_symbols().iter().all(Symbol::is_unit) => Some(symbol.clone()),
+        _ => None,
+    }
+}
+
 /// The symbols that an equation between them gives a value.
 fn assigned(formula: &Formula) -> BTreeSet<Symbol> {
     match formula {
         Formula::Relation {
-            left: crate::algebra::Expr::Symbol(symbol),
+            left: Expr::Symbol(symbol),
             ..
         } => BTreeSet::from([symbol.clone()]),
         Formula::AllEqual { sequence, .. } => BTreeSet::from([sequence.clone()]),

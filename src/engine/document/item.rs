@@ -129,8 +129,15 @@ pub struct Supposition {
 /// How prose supposes something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SuppositionKind {
-    /// "Let $v_1 = 0$", "At $\mu = 1$": a local value.
+    /// "Let $v_1 = 0$": a local value.
     Let,
+    /// "At $\mu = 1$", "For $N = 3$, …": a local value, until the text speaks of the symbol as one that may have others.
+    Case {
+        /// The sentence goes on with the display after it.
+        runs_on: bool,
+    },
+    /// "In general": the cases that were gone through are left. It supposes nothing.
+    General,
     /// "Assume", "Suppose", "taking", "provided that": a hypothesis.
     Assume,
     /// "…, where $k = m \omega^2$" after a display: the meaning of a symbol in it.

@@ -34,7 +34,7 @@ const CONCLUDING: [&str; 20] = [
     "equation",
 ];
 /// With these, a sentence supposes nothing that could be used.
-const DOUBTFUL: [&str; 19] = [
+const DOUBTFUL: [&str; 35] = [
     "or",
     "either",
     "if",
@@ -54,10 +54,44 @@ const DOUBTFUL: [&str; 19] = [
     "violated",
     "impossible",
     "absurd",
+    "neither",
+    "nor",
+    "longer",
+    "excluded",
+    "excluding",
+    "exclude",
+    "ruled",
+    "forbidden",
+    "trivial",
+    "trivially",
+    "useless",
+    "nowhere",
+    "else",
+    "elsewhere",
+    "rather",
+    "stop",
 ];
-/// With these besides, a sentence supposes nothing by a mere "with" or "where": they may deny what it names.
-const DENYING: [&str; 9] = [
-    "not", "never", "no", "cannot", "neither", "nor", "would", "were", "without",
+/// With these besides, a sentence supposes nothing by a mere "with" or "taking": they may deny what it names.
+const DENYING: [&str; 14] = [
+    "not", "never", "no", "cannot", "would", "were", "without", "could", "might", "nothing",
+    "little", "only", "tried", "leads",
+];
+/// What comes between these and the next word is an origin or a name and no value: "Let $t = 0$ be the moment of release".
+const NAMED_AFTER: [&str; 10] = [
+    "be", "is", "denote", "denotes", "mark", "marks", "when", "at", "only", "onwards",
+];
+/// After these it is where something begins: "Suppose the motion starts at $t = 0$".
+const NAMED_BEFORE: [&str; 5] = ["from", "at", "until", "after", "before"];
+/// After "we" these give a name: "We set $a = 2 c$".
+const DEFINING: [&str; 8] = [
+    "set",
+    "put",
+    "write",
+    "define",
+    "introduce",
+    "choose",
+    "denote",
+    "abbreviate",
 ];
 /// Before these, a value is named: supposed or not.
 const NAMING: [&str; 20] = [
@@ -97,6 +131,8 @@ const MOST_DESCRIBING: usize = 3;
 enum Reach {
     /// "Let", "Assume" as the verb of the sentence: all of it.
     Sentence,
+    /// "With $…$, $…$ and $…$": so many more.
+    List { left: usize },
     /// "…, taking $…$ and $…$, …": what is joined to it.
     Joined {
         /// Words that may still come before the first.
@@ -116,6 +152,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     let mut mentions: Vec<Span> = Vec::new();
     let mut named = false;
     let mut sentence = 0;
+    // From here on, what was supposed runs on into the display after the text.
+    let mut open = 0;
     let mut begun = false;
     let mut doubtful = false;
     let mut active: Option<(SuppositionKind, Reach)> = None;
@@ -125,17 +163,26 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         match token {
             Token::Stop => {
                 if source.get(span.range()) == Some("?") {
-                    mentions.extend(found.drain(sentence..).map(|s| s.body));
+                    withdraw(&mut found, sentence, &mut mentions);
                 }
                 (named, careful) = (false, false);
                 (sentence, begun, doubtful, active) = (found.len(), false, false, None);
+                open = sentence;
                 continue;
             }
             Token::Word(word) => {
                 let word = word.to_lowercase();
+                if found.len() == sentence && generalizes(&word, index, tokens) {
+                    let (kind, body) = (SuppositionKind::General, span);
+                    found.push(Supposition { kind, body });
+                }
                 let denies = careful && DENYING.contains(&word.as_str());
-                if denies || DOUBTFUL.contains(&word.as_str()) {
-                    mentions.extend(found.drain(sentence..).map(|s| s.body));
+                let unsaid = found.len() == sentence && NEGATING.contains(&word.as_str());
+                // A "non-trivial" solution is none of the trivial ones.
+                let compound = index > 0 && matches!(tokens[index - 1].0, Token::Dash);
+                let doubts = !compound && DOUBTFUL.contains(&word.as_str());
+                if denies || active.is_some() && unsaid || doubts {
+                    withdraw(&mut found, sentence, &mut mentions);
                     doubtful = true;
                 }
                 let concludes = || conclusion::draws(&word) || CONCLUDING.contains(&word.as_str());
@@ -143,8 +190,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
                     active = None;
                 } else if let Some(introduced) = introduction(source, &word, index, tokens, begun) {
                     active = Some(introduced);
-                    careful = matches!(&*word, "with" | "where")
-                        || begun && matches!(&*word, "for" | "when" | "since" | "as");
+                    careful = !matches!(&*word, "let" | "assume" | "suppose");
                 } else if let Some((kind, reach)) = active {
                     active = reach.past_word(&word).map(|reach| (kind, reach));
                 }
@@ -155,7 +201,9 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
                 begun = true;
                 let text = source.get(body.range()).unwrap_or_default();
                 if let Some((kind, reach)) = active {
-                    if relates(text) {
+                    let is_zero = text.trim_end().ends_with("= 0");
+                    let may_begin = kind != SuppositionKind::Define || is_zero;
+                    if relates(text) && !(may_begin && is_origin(index, reach, tokens)) {
                         found.push(Supposition { kind, body });
                         named = false;
                     }
@@ -172,14 +220,54 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
             }
             // A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
             _ => {
+                if token == Token::Mark(';') {
+                    open = found.len();
+                }
                 if matches!(active, Some((_, Reach::Joined { .. }))) && token != Token::Dash {
                     active = None;
                 }
             }
         }
     }
+    for supposition in found.iter_mut().skip(open) {
+        if let SuppositionKind::Case { runs_on } = &mut supposition.kind {
+            *runs_on = true;
+        }
+    }
     mentions.sort();
     (found, mentions)
+}
+
+/// Takes back what a sentence has supposed: it only names it.
+fn withdraw(found: &mut Vec<Supposition>, sentence: usize, mentions: &mut Vec<Span>) {
+    let own = found.extract_if(sentence.., |s| s.kind != SuppositionKind::General);
+    mentions.extend(own.map(|s| s.body));
+}
+
+/// Whether the mathematics at `index` is told where something begins, or what it is called, and supposed to be no value.
+fn is_origin(index: usize, reach: Reach, tokens: &[Placed<'_>]) -> bool {
+    let is = |at: Option<usize>, words: &[&str]| match at.and_then(|at| tokens.get(at)) {
+        Some((Token::Word(word), _)) => words.contains(word),
+        _ => false,
+    };
+    let starts = || reach == Reach::Sentence && is(index.checked_sub(1), &NAMED_BEFORE);
+    is(Some(index + 1), &NAMED_AFTER) || starts()
+}
+
+/// Whether the word at `index` leaves special cases behind: "in general", "in the general case", "for arbitrary $w$",
+/// "let us return to", "Later".
+fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
+        Some((Token::Word(word), _)) => word.to_lowercase(),
+        _ => String::new(),
+    };
+    match word {
+        "general" => before(1) == "in" || before(1) == "the" && before(2) == "in",
+        "arbitrary" | "all" | "any" | "every" => before(1) == "for",
+        "to" => before(1) == "return",
+        "later" | "otherwise" | "else" | "elsewhere" => before(1).is_empty(),
+        _ => false,
+    }
 }
 
 /// The supposition that the word at `index` introduces.
@@ -210,11 +298,15 @@ fn introduction(
             _ => false,
         }
     };
-    let negated = || {
-        let before = index.checked_sub(1).and_then(|before| tokens.get(before));
+    let before = index.checked_sub(1).and_then(|before| tokens.get(before));
+    let follows = |words: &[&str]| {
         matches!(before, Some((Token::Word(word), _))
-            if NEGATING.contains(&word.to_lowercase().as_str()))
+            if words.contains(&word.to_lowercase().as_str()))
     };
+    let negated = || follows(&NEGATING);
+    let by_us = || !begun || follows(&["we", "us", "now", "and"]);
+    // "From (1) with $a = b$ …"
+    let cited = || matches!(before, Some((Token::Tag(_) | Token::Keys(_), _)));
     let capital =
         matches!(tokens[index].0, Token::Word(word) if word.starts_with(char::is_uppercase));
     // In the middle of a sentence that only a display can have begun.
@@ -228,19 +320,29 @@ fn introduction(
         found: false,
         short,
     };
+    let case = SuppositionKind::Case { runs_on: false };
+    let listed = length_of_list(source, word, tokens.get(index + 1..).unwrap_or_default());
     let introduced = match word {
         "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
-        "at" if !begun && direct => Some((SuppositionKind::Let, joined(true))),
-        // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
-        "for" | "when" if !begun && comma && value() => Some((SuppositionKind::Let, joined(true))),
-        "for" if !begun && described() => Some((SuppositionKind::Let, joined(true))),
-        "case" if comma && value() => Some((SuppositionKind::Let, joined(true))),
+        "at" if !begun && direct => Some((case, joined(true))),
         // That something is not 0 is no value that something could be made true with.
         "for" | "when" | "where" | "since" | "as" | "with" if next(is_nonzero) && !goes_on() => {
             Some((SuppositionKind::Let, joined(true)))
         }
-        "setting" if !begun && value() => Some((SuppositionKind::Let, joined(true))),
-        "with" if !begun && capital && value() => Some((SuppositionKind::Let, joined(true))),
+        "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed >= 2 => {
+            Some((case, Reach::List { left: listed }))
+        }
+        // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
+        "for" | "when" if !begun && comma && value() => Some((case, joined(true))),
+        "for" if !begun && described() => Some((case, joined(true))),
+        "case" if comma && value() => Some((case, joined(true))),
+        "setting" | "putting" | "substituting" | "inserting" | "using" if !begun && value() => {
+            Some((case, joined(true)))
+        }
+        "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
+        word if DEFINING.contains(&word) && by_us() && value() => {
+            Some((SuppositionKind::Let, joined(true)))
+        }
         "where" | "with" | "for" if (value() || next(is_bound)) && goes_on() => {
             Some((SuppositionKind::Define, Reach::Sentence))
         }
@@ -255,16 +357,50 @@ fn introduction(
     introduced.filter(|_| !negated())
 }
 
+/// How many values are listed after a word: 3 in "With $a = 2$, $b = 3$ and $c = 4$ we get".
+///
+/// "For $t = 0$, $s = 0$" and "For $t = 0$, $s = 0$ and $v = 0$." say what is so at that time.
+fn length_of_list(source: &str, word: &str, rest: &[Placed<'_>]) -> usize {
+    let says = |at: usize| match rest.get(at) {
+        Some((Token::Math(body), _)) => {
+            let text = source.get(body.range()).unwrap_or_default();
+            is_value(text) || is_nonzero(text)
+        }
+        _ => false,
+    };
+    let (mut length, mut at, mut joined) = (0, 0, false);
+    while says(at) {
+        length += 1;
+        let comma = matches!(rest.get(at + 1), Some((Token::Mark(','), _)));
+        let next = at + 1 + usize::from(comma);
+        joined = matches!(rest.get(next), Some((Token::Word("and"), _)));
+        match says(next + usize::from(joined)) && (comma || joined) {
+            true => at = next + usize::from(joined),
+            false => break,
+        }
+        if joined {
+            length += 1;
+            break;
+        }
+    }
+    let goes_on = !matches!(rest.get(at + 1), Some((Token::Stop, _)));
+    match word != "for" || joined && goes_on {
+        true => length,
+        false => 0,
+    }
+}
+
 impl Reach {
     fn past_word(self, word: &str) -> Option<Reach> {
-        let Reach::Joined {
-            patience,
-            found,
-            short,
-            ..
-        } = self
-        else {
-            return Some(self);
+        let (patience, found, short) = match self {
+            Reach::Sentence => return Some(self),
+            Reach::List { .. } => return (word == "and").then_some(self),
+            Reach::Joined {
+                patience,
+                found,
+                short,
+                ..
+            } => (patience, found, short),
         };
         let patience = patience.checked_sub(1)?;
         let joins = matches!(word, "and" | "that" | "both" | "also");
@@ -289,6 +425,9 @@ impl Reach {
                 found: found || relation,
                 short,
             },
+            Reach::List { left } => Reach::List {
+                left: left.saturating_sub(1),
+            },
             Reach::Sentence => self,
         })
     }
@@ -296,6 +435,7 @@ impl Reach {
     fn past_comma(self) -> Option<Reach> {
         match self {
             Reach::Sentence => Some(self),
+            Reach::List { left } => (left > 0).then_some(self),
             Reach::Joined {
                 found,
                 short,
