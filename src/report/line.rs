@@ -247,7 +247,7 @@ impl Report<'_> {
             Note::GivenUp => "the search broke down: please report this".into(),
             Note::Uncited(sources) => format!("from {}, uncited", self.sources(sources)),
             Note::UnstatedCondition(conditions) => format!(
-                "true only if {}, which is not stated",
+                "if {}, which is not stated",
                 words::list(
                     conditions
                         .iter()

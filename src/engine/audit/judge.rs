@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation, Proven, Reject, Standing};
@@ -183,6 +185,7 @@ impl Judge<'_> {
                 let settled = marked && goal.questioned || {
                     let attempts = self.attempts(goal, &assumed, premises, Some(witness));
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
+                        || self.unstated(goal, &assumed, premises, &mut found)
                         || !self.strengthen(goal, &assumed, premises, &mut found)
                             && self.rescue(goal, &attempts, &FARTHER, &mut found)
                 };
@@ -243,7 +246,7 @@ impl Judge<'_> {
             found.mended = mended.map(Box::new);
         }
         if let Some((conditions, _)) =
-            search::missing_conditions(&claim, refuted.witness(), &self.auditor.hints())
+            search::missing_conditions(&claim, Some(refuted.witness()), &self.auditor.hints())
         {
             found.conditions = conditions;
         } else if found.mended.is_none()
@@ -366,6 +369,9 @@ impl Judge<'_> {
             .failing(self.at, &premises.iter().copied().collect());
         let fails = |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
         let sound: Vec<Assumed> = assumed.iter().filter(|a| !fails(a)).cloned().collect();
+        let against = self.refuted_from(&failing);
+        let tells_against =
+            |a: &Assumed| matches!(a.source, Source::Equation(p) if against.contains(&p));
         for others in self.others(premises) {
             // A symbol of which nothing at all is said can have any value.
             let said = |symbol: &&Symbol| {
@@ -376,16 +382,21 @@ impl Judge<'_> {
             if others.is_empty() || !named.iter().all(said) {
                 continue;
             }
-            let mut choices = vec![assumed.to_vec()];
-            if sound.len() < assumed.len() {
-                choices.push(sound.clone());
+            // Together with what it was refuted from, what fails would prove nearly anything.
+            let mut harmless = others.clone();
+            harmless.retain(|a| !tells_against(a));
+            let mut choices = Vec::new();
+            if !harmless.is_empty() {
+                choices.push((assumed.to_vec(), harmless));
             }
-            for cited in choices {
+            if sound.len() < assumed.len() {
+                choices.push((sound.clone(), others));
+            }
+            for (cited, others) in choices {
                 let all: Vec<Assumed> = cited.iter().chain(&others).cloned().collect();
                 let posed = search::pose(self.derivation.claim(self.at, &all, &goal.formula));
                 // Where all of it is true and the goal is not, no part of it will do.
                 if !posed.as_ref().is_ok_and(|p| search::is_doomed(p, &hints)) {
-                    let others = others.clone();
                     attempts.push(Attempt {
                         cited,
                         others,
@@ -395,6 +406,18 @@ impl Judge<'_> {
             }
         }
         attempts
+    }
+
+    /// The equations at a common point of which failing ones were found to be false.
+    fn refuted_from(&self, failing: &[usize]) -> BTreeSet<usize> {
+        let entries = failing.iter().flat_map(|&at| self.auditor.entries_of(at));
+        let refuted = entries.filter_map(|entry| entry.refuted());
+        let premises = refuted.flat_map(|(judged, _)| sources(&judged.assumed));
+        let equations = premises.filter_map(|source| match source {
+            Source::Equation(at) => Some(at),
+            _ => None,
+        });
+        equations.collect()
     }
 
     /// Tries again with what stands before, cited or not.
@@ -447,6 +470,9 @@ impl Judge<'_> {
             .auditor
             .failing(self.at, &premises.iter().copied().collect());
         let (mut sound, mut all) = (Vec::new(), Vec::new());
+        // Of a wrong citation, or one of what is not there, is told whatever is found.
+        let (_, _, unknown) = self.derivation.premises(self.at);
+        let cites = !premises.is_empty() || !unknown.is_empty();
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
             let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
             let doubtful =
@@ -454,7 +480,7 @@ impl Judge<'_> {
             let unsound = |e: &&Entry| {
                 e.is_wrong() || e.verdict == Verdict::Undecided || e.notes.iter().any(doubtful)
             };
-            if entries.iter().any(unsound) {
+            if entries.iter().any(unsound) || !self.may_borrow(other, cites) {
                 continue;
             }
             if entries.iter().all(|e| e.rests_on.is_empty()) {
@@ -487,6 +513,20 @@ impl Judge<'_> {
         };
         self.others = Some(others.clone());
         others
+    }
+
+    /// Whether all that an earlier equation was shown under is supposed here too: what is not cited brings no special case with it.
+    /// In the place of a wrong citation, which is told of, one under mere conditions will do.
+    fn may_borrow(&self, other: usize, cites: bool) -> bool {
+        let own = &self.derivation.equations[self.at];
+        let Some(offer) = self.auditor.offer(self.at, other) else {
+            return false;
+        };
+        offer.under.iter().all(|&(page, local)| {
+            let in_effect = page == own.page && own.locals.contains(&local);
+            let formulas = &self.derivation.local(page, local).formulas;
+            in_effect || cites && formulas.iter().all(|f| f.as_equation().is_none())
+        })
     }
 
     /// What is given further on in the page and not cited: an author may have used it too soon.

@@ -19,6 +19,7 @@ mod scaling;
 mod schedule;
 mod shifted;
 mod stated;
+mod unstated;
 mod without;
 
 use std::cell::{Ref, RefCell};

@@ -25,6 +25,10 @@ impl Judge<'_> {
         if !equation.bare || entry.mended.is_some() || !entry.missing.is_empty() {
             return None;
         }
+        // What could not be read may speak of all of it.
+        if !self.usable.unreadable.is_empty() {
+            return None;
+        }
         let (goal, outcome) = (judged.goal.clone(), &judged.outcome);
         let Formula::Relation {
             left,
@@ -48,7 +52,9 @@ impl Judge<'_> {
             _ if named == others => return None,
             _ => {
                 let all = named.union(&others);
-                all.filter(|s| equation.introduces.contains(*s))
+                let domains = &self.derivation.pages[equation.page].domains;
+                let counts = |s: &Symbol| domains.get(s).is_some_and(|domain| domain.integer);
+                all.filter(|s| equation.introduces.contains(*s) && !counts(s))
                     .cloned()
                     .collect()
             }

@@ -5,17 +5,23 @@ use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Place, Relation, Symbol};
 use crate::document::Span;
-use crate::notation::{Clause, Statement, read_formulas};
+use crate::notation::{Clause, Statement, read_expr, read_formulas};
 
 use super::equation::{conditions, formulas};
 use super::page::{Local, Page};
-use super::{Equation, counts};
+use super::{Equation, Kind, counts};
 
-/// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, and notes which symbols are new.
-pub(super) fn settle(equations: &mut [Equation]) {
+/// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, nor in an equation that is supposed
+/// where they stand ("Let $x = 2$ and $W = w$"), and notes which symbols are new.
+pub(super) fn settle(equations: &mut [Equation], pages: &[Page]) {
     let mut seen = BTreeSet::new();
     let mut sequences = Sequences::default();
     for equation in equations {
+        let page = &pages[equation.page];
+        let locals = equation.locals.iter().map(|&local| &page.locals[local]);
+        let supposed = locals.flat_map(|local| &local.formulas);
+        let supposed = supposed.filter(|formula| formula.as_equation().is_some());
+        seen.extend(supposed.flat_map(|formula| formula.names()));
         let mut defines = std::mem::take(&mut equation.defines);
         let mut introduces = BTreeSet::new();
         let mut case: Option<Symbol> = None;
@@ -28,28 +34,78 @@ pub(super) fn settle(equations: &mut [Equation]) {
             }
             case = defined.filter(|_| !statement.under.is_empty());
             for formula in formulas(statement) {
-                sequences.learn(&formula);
                 for symbol in formula.names() {
-                    if seen.insert(symbol.clone()) {
+                    let is_new = seen.insert(symbol.clone()) && !sequences.have(&symbol);
+                    if is_new {
                         introduces.insert(symbol);
                     }
                 }
+                sequences.learn(&formula);
+                if equation.kind == Kind::Given || defines.contains(&part) {
+                    sequences.learn_term(&formula);
+                }
             }
+        }
+        if equation.statements.is_err() {
+            seen.extend(names_in(&page.document.source, equation.body));
         }
         (equation.defines, equation.introduces) = (defines, introduces);
     }
 }
 
-/// The sequences of which a recurrence is known, with its index and how many elements it takes to begin.
+/// The symbols by themselves on a side of what could not be read as a whole: what is said of them is not known, but they are not new.
+fn names_in(source: &str, body: Span) -> BTreeSet<Symbol> {
+    let text = source.get(body.range()).unwrap_or_default();
+    let mut start = body.start;
+    let sides = text.split_inclusive(['=', '<', '>', ',', '&']);
+    let names = sides.filter_map(|side| {
+        let span = Span::new(start, start + side.len() - 1);
+        start += side.len();
+        match read_expr(source, span) {
+            Ok(Expr::Symbol(symbol)) => Some(symbol),
+            _ => None,
+        }
+    });
+    names.collect()
+}
+
+/// What is known of sequences, each with its index.
 #[derive(Default)]
-struct Sequences(BTreeMap<(Symbol, Symbol), i64>);
+struct Sequences {
+    /// How many elements it takes to begin a recurrence.
+    orders: BTreeMap<(Symbol, Symbol), i64>,
+    /// Those whose elements are all given at once: `L_n = 3 n`.
+    whole: BTreeSet<(Symbol, Symbol)>,
+}
 
 impl Sequences {
+    fn learn_term(&mut self, formula: &Formula) {
+        let Some((Expr::Symbol(symbol), right)) = formula.as_equation() else {
+            return;
+        };
+        let named = right.free_symbols();
+        for index in named.iter() {
+            if let Some((stem, Place::Running(0))) = symbol.place(index)
+                && named
+                    .iter()
+                    .all(|s| s.place(index).is_none_or(|(own, _)| own != stem))
+            {
+                self.whole.insert((index.clone(), stem));
+            }
+        }
+    }
+
+    /// Whether a symbol is an element of a sequence of which something is known.
+    fn have(&self, symbol: &Symbol) -> bool {
+        let mut known = self.orders.keys().chain(&self.whole);
+        known.any(|(index, stem)| symbol.place(index).is_some_and(|(own, _)| own == *stem))
+    }
+
     fn learn(&mut self, formula: &Formula) {
         for (index, offsets) in counts::recurrences(formula) {
             for (stem, (least, greatest)) in offsets {
                 if least < greatest {
-                    let order = self.0.entry((index.clone(), stem));
+                    let order = self.orders.entry((index.clone(), stem));
                     let order = order.or_insert(greatest - least);
                     *order = (greatest - least).min(*order);
                 }
@@ -60,19 +116,25 @@ impl Sequences {
     /// Whether a symbol is an element of such a sequence that the recurrence leads to: it needs no definition, though it may
     /// not have been written before. The first so many elements do.
     fn know(&self, symbol: &Symbol, seen: &BTreeSet<Symbol>) -> bool {
-        self.0.iter().any(|((index, stem), order)| {
-            let number = |s: &Symbol| match s.place(index) {
-                Some((own, Place::Number(_))) => own == *stem,
-                _ => false,
-            };
-            match symbol.place(index) {
-                Some((own, Place::Running(_))) => own == *stem,
-                Some(_) if number(symbol) => {
-                    seen.iter().filter(|s| number(s)).count() as i64 >= *order
+        let mut whole = self.whole.iter();
+        let is_given = whole.any(|(index, stem)| {
+            let place = symbol.place(index);
+            place.is_some_and(|(own, place)| own == *stem && !matches!(place, Place::Running(0)))
+        });
+        is_given
+            || self.orders.iter().any(|((index, stem), order)| {
+                let number = |s: &Symbol| match s.place(index) {
+                    Some((own, Place::Number(_))) => own == *stem,
+                    _ => false,
+                };
+                match symbol.place(index) {
+                    Some((own, Place::Running(_))) => own == *stem,
+                    Some(_) if number(symbol) => {
+                        seen.iter().filter(|s| number(s)).count() as i64 >= *order
+                    }
+                    _ => false,
                 }
-                _ => false,
-            }
-        })
+            })
     }
 }
 

@@ -112,7 +112,7 @@ impl Derivation {
             derivation.pages.push(page);
             derivation.equations.extend(equations);
         }
-        definition::settle(&mut derivation.equations);
+        definition::settle(&mut derivation.equations, &derivation.pages);
         for (at, equation) in derivation.equations.iter().enumerate() {
             let labels = [
                 tag_key(equation.tag.as_deref()),

@@ -252,16 +252,17 @@ pub fn is_doomed(obligation: &Obligation, hints: &[Assignment]) -> bool {
         .any(|point| refuted(obligation, point).is_some())
 }
 
-/// What would have to be different from 0 for a refuted claim to follow, with the proof that it then does.
+/// What would have to be different from 0 for a claim to follow, with the proof that it then does. Of a claim that was refuted,
+/// only what vanishes at the witness is of interest.
 pub fn missing_conditions(
     claim: &Claim,
-    witness: &Assignment,
+    witness: Option<&Assignment>,
     hints: &[Assignment],
 ) -> Option<(Vec<Formula>, Proven)> {
     let obligation = pose(claim.clone()).ok()?;
     let problem = obligation.problem();
     let prover = Prover::new(problem).ok()?;
-    let values = refute::known_at(witness, &problem.atoms);
+    let values = witness.map(|witness| refute::known_at(witness, &problem.atoms));
     let mut candidates: Vec<Expr> = Vec::new();
     for fact in problem.facts.iter().filter(|f| f.sign == Sign::Zero) {
         for var in fact.polynomial.vars() {
@@ -271,8 +272,11 @@ pub fn missing_conditions(
             let parts = fact.polynomial.in_powers_of(var);
             for factor in parts.last().map(factors).unwrap_or_default().into_keys() {
                 // What does not vanish at the counterexample would not rule it out.
-                let there = factor.evaluate(|var| values.get(var.position())?.clone());
-                if there.is_ok_and(|value| value.is_some_and(|value| !value.is_zero())) {
+                let remains = |values: &Vec<Option<_>>| {
+                    let there = factor.evaluate(|var| values.get(var.position())?.clone());
+                    there.is_ok_and(|value| value.is_some_and(|value| !value.is_zero()))
+                };
+                if values.as_ref().is_some_and(remains) {
                     continue;
                 }
                 let plain = factor
@@ -287,9 +291,28 @@ pub fn missing_conditions(
         }
     }
     candidates.truncate(8);
-    if candidates.is_empty() {
-        return None;
-    }
+    let named: Vec<Symbol> = {
+        let all = obligation.claim().formulas();
+        let named = Formula::free_symbols_of(all).into_iter();
+        named.cloned().collect()
+    };
+    // That a sum is not 0 may say no more than that a factor beside it is: `m a = m g` follows from anything where `a ≠ g`.
+    let is_natural = |conditions: &[Formula]| {
+        if conditions.iter().all(|c| c.free_symbols().len() < 2) {
+            return true;
+        }
+        let zero = |symbol: &Symbol| {
+            let hypotheses = claim.hypotheses.iter();
+            hypotheses.filter_map(|h| h.formula.as_equation()).any(
+                |(left, right)| matches!((left, right), (Expr::Symbol(s), Expr::Number(_)) if s == symbol),
+            )
+        };
+        let others = named.iter().filter(|symbol| !zero(symbol));
+        let others = others.map(|s| Formula::nonzero(Expr::Symbol(s.clone())));
+        let all: Vec<Formula> = conditions.iter().cloned().chain(others).collect();
+        let possible = consistency(&assuming(claim, &all), hints);
+        matches!(possible, Consistency::Model(_))
+    };
     let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
         let obligation = pose(assuming(claim, &formulas)).ok()?;
@@ -297,8 +320,17 @@ pub fn missing_conditions(
         conditions.splice(0..0, formulas);
         // What the premises rule out would prove anything.
         let possible = consistency(&assuming(claim, &conditions), hints);
-        matches!(possible, Consistency::Model(_)).then_some((conditions, derived.proven))
+        let possible = matches!(possible, Consistency::Model(_)) && is_natural(&conditions);
+        possible.then_some((conditions, derived.proven))
     };
+    if witness.is_none()
+        && let Some(found) = with(&[])
+    {
+        return Some(found);
+    }
+    if candidates.is_empty() {
+        return None;
+    }
     if let Some(found) = candidates
         .iter()
         .find_map(|c| with(std::slice::from_ref(c)))

@@ -185,6 +185,9 @@ impl Prover {
                 return self.zero(goal, effort);
             }
         }
+        if let Some(proof) = self.zero_by_the_impossible(goal) {
+            return Some(proof);
+        }
         if !self.has_inequalities() && self.ideal.rest.is_empty() {
             return None;
         }
@@ -202,6 +205,22 @@ impl Prover {
         }
         let square = bound(goal.pow(2).ok()?.negated());
         Some(Proof::Square(self.sign(&square)?.into()))
+    }
+
+    /// Anything follows where something that cannot vanish does: `v = w` and `w = 2 v` leave nothing but 0 for both.
+    fn zero_by_the_impossible(&self, goal: &Polynomial) -> Option<Proof> {
+        let certain =
+            (self.facts.iter()).filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive));
+        let vanishing = certain.filter_map(|fact| {
+            let reduced = self.ideal.reduce(&fact.polynomial, false).ok()?;
+            reduced.polynomial.is_zero().then(|| Tracked {
+                polynomial: fact.polynomial.clone(),
+                multiplier: reduced.multiplier,
+                cofactors: reduced.cofactors,
+            })
+        });
+        let element = vanishing.into_iter().next()?;
+        from_contradiction(&element, goal).ok()
     }
 
     /// The same with what cannot vanish kept to the end, so that it can be divided out of what is left: two

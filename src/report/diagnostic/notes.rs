@@ -125,7 +125,7 @@ impl Report<'_> {
             Note::UnstatedCondition(conditions) => {
                 let shown = conditions.iter().map(crate::notation::plain_formula);
                 finding.title = format!(
-                    "{subject} holds only if {}, and nothing says so",
+                    "{subject} holds if {}, and nothing says so",
                     list(shown.collect())
                 );
                 finding.said.push((Level::HELP, conditional(conditions)));

@@ -1,0 +1,132 @@
+//! Conditions that nobody states, for nobody says where a symbol lies: a mass that is divided out is not 0, and what is written as a
+//! root is not negative.
+//!
+//! What follows under such conditions holds, and the conditions are told, as a denominator is that must not vanish.
+
+use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::derivation::{Assumed, Goal};
+use crate::kernel::Assignment;
+use crate::search::{self, Effort};
+
+use super::Outcome;
+use super::judge::{Found, Judge, NEARBY, sources, step};
+
+impl Judge<'_> {
+    /// Whether a refuted step follows, from what it cites or from what stands before, where symbols that could be anything
+    /// are not 0; of a root, where they are positive.
+    pub(super) fn unstated(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        let Outcome::Refuted(refuted) = &found.judged.outcome else {
+            return false;
+        };
+        let witness = refuted.witness().clone();
+        let [others, _] = self.others(premises);
+        let mut all = assumed.to_vec();
+        all.extend(others.into_iter().take(NEARBY[1].0));
+        // Of what is not cited nothing need be true at the witness.
+        for (set, witness) in [(assumed.to_vec(), Some(&witness)), (all, None)] {
+            let unbounded = self.unbounded(goal, &set);
+            if unbounded.is_empty() {
+                continue;
+            }
+            let conditions = self
+                .nonzero(goal, &set, &unbounded, witness)
+                .or_else(|| self.positive(goal, &set, &unbounded));
+            if let Some(conditions) = conditions
+                && self.holds_under(goal, set, &conditions, found)
+            {
+                if witness.is_some() {
+                    found.instead.clear();
+                }
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The symbols that a step speaks of, or its premises, and of which nobody says where they lie.
+    fn unbounded(&self, goal: &Goal, set: &[Assumed]) -> Vec<Symbol> {
+        let claim = self.derivation.claim(self.at, set, &goal.formula);
+        let named = Formula::free_symbols_of(claim.formulas()).into_iter();
+        let said = |symbol: &Symbol| {
+            let domain = claim.domains.get(symbol);
+            domain.is_some_and(|d| d.nonzero || d.bounds().next().is_some())
+        };
+        let unbounded = named.filter(|symbol| !said(symbol) && !symbol.is_unit());
+        unbounded.cloned().collect()
+    }
+
+    /// What must not vanish for the step to follow, where that is told of single symbols.
+    fn nonzero(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        unbounded: &[Symbol],
+        witness: Option<&Assignment>,
+    ) -> Option<Vec<Formula>> {
+        let claim = self.derivation.claim(self.at, set, &goal.formula);
+        let (conditions, _) = search::missing_conditions(&claim, witness, &self.auditor.hints())?;
+        let may_be_meant = |condition: &Formula| {
+            let names = condition.free_symbols();
+            names.len() == 1 && names.iter().all(|symbol| unbounded.contains(symbol))
+        };
+        conditions.iter().all(may_be_meant).then_some(conditions)
+    }
+
+    /// That all symbols are positive, where a root is taken: who writes one means the positive one.
+    fn positive(&self, goal: &Goal, set: &[Assumed], unbounded: &[Symbol]) -> Option<Vec<Formula>> {
+        let mut terms = goal.formula.terms().into_iter();
+        if !terms.any(|term| term.any(&is_root)) {
+            return None;
+        }
+        let positive = |symbol: &Symbol| Formula::Relation {
+            left: Expr::Symbol(symbol.clone()),
+            relation: Relation::Greater,
+            right: Expr::integer(0),
+        };
+        let conditions: Vec<Formula> = unbounded.iter().map(positive).collect();
+        let all: Vec<Assumed> = set
+            .iter()
+            .cloned()
+            .chain(conditions.iter().map(step))
+            .collect();
+        let claim = self.derivation.claim(self.at, &all, &goal.formula);
+        let possible = search::consistency(&claim, &self.auditor.hints());
+        matches!(possible, search::Consistency::Model(_)).then_some(conditions)
+    }
+
+    /// Whether the step follows under conditions; those that it does without are left out.
+    fn holds_under(
+        &self,
+        goal: &Goal,
+        set: Vec<Assumed>,
+        conditions: &[Formula],
+        found: &mut Found,
+    ) -> bool {
+        let with: Vec<Assumed> = set.into_iter().chain(conditions.iter().map(step)).collect();
+        let posed = search::pose(self.derivation.claim(self.at, &with, &goal.formula));
+        let Ok(posed) = posed else {
+            return false;
+        };
+        let Some(derived) = search::prove_posed(&posed, Effort::Light) else {
+            return false;
+        };
+        let (kept, least) = self.least(with, goal, &posed, derived);
+        let is_kept = |condition: &&Formula| kept.contains(&step(condition));
+        found.conditions = conditions.iter().filter(is_kept).cloned().collect();
+        found.instead = sources(&kept);
+        found.judged.assumed = kept;
+        found.judged.outcome = Outcome::Proven(least.into());
+        true
+    }
+}
+
+fn is_root(term: &Expr) -> bool {
+    matches!(term, Expr::Power(_, exponent)
+        if matches!(&**exponent, Expr::Number(exponent) if !exponent.is_integer()))
+}
