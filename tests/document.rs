@@ -244,7 +244,9 @@ fn citations() {
 
 #[test]
 fn suppositions() {
-    use SuppositionKind::{Assume, Case, Define, General, Let};
+    use SuppositionKind::{Assume, Case, Define, Fact, General, Let};
+    let told = Fact { runs_on: false };
+    let telling = Fact { runs_on: true };
     let ended = Case { runs_on: false };
     let open = Case { runs_on: true };
     for (text, expected) in [
@@ -284,7 +286,10 @@ fn suppositions() {
         ("Assume $a = 0$ or $b = 0$.", vec![]),
         ("Suppose for contradiction that $a = 0$.", vec![]),
         ("We do not assume $a = 0$.", vec![]),
-        ("Since $\\mu = m_2/m_1$, it vanishes at $\\mu = 1$.", vec![]),
+        (
+            "Since $\\mu = m_2/m_1$, it vanishes at $\\mu = 1$.",
+            vec![(told, "\\mu = m_2/m_1")],
+        ),
         ("it costs $5 and $6", vec![]),
         (
             "Setting $Q = 0$ in (1) gives $a = b$:",
@@ -333,10 +338,21 @@ fn suppositions() {
         ("Taking $x = 0$ is not allowed.", vec![]),
         ("Suppose that neither $x = 0$ nor $z = 1$.", vec![]),
         ("Let's not assume $x = 0$.", vec![]),
+        (
+            "The period is $T = 2 \\pi r/v$, so",
+            vec![(telling, "T = 2 \\pi r/v")],
+        ),
+        (
+            "Since they collide, $u \\neq v$.",
+            vec![(told, "u \\neq v")],
+        ),
+        ("Hence, since $a = 2 c$,", vec![(telling, "a = 2 c")]),
+        ("We get $a = 2 c$.", vec![]),
+        ("Whether $a = 2 c$ is open.", vec![]),
         ("We no longer suppose $x = 0$.", vec![]),
         ("For $x = 0$, (1) is trivial.", vec![]),
         ("This is so where $k = 2$.", vec![]),
-        ("Then, with $k = 2$, it is so.", vec![]),
+        ("Then, with $k = 2$, it is so.", vec![(told, "k = 2")]),
     ] {
         let found = supposed(text);
         let found: Vec<_> = found

@@ -245,10 +245,10 @@ impl Judge<'_> {
             let mended = search::mended(&claim, witness, &self.auditor.hints(), values_at);
             found.mended = mended.map(Box::new);
         }
-        if let Some((conditions, _)) =
+        if let Some(unless) =
             search::missing_conditions(&claim, Some(refuted.witness()), &self.auditor.hints())
         {
-            found.conditions = conditions;
+            found.conditions = unless.conditions();
         } else if found.mended.is_none()
             && found
                 .implied
@@ -495,13 +495,16 @@ impl Judge<'_> {
             }
         }
         let own = self.usable.assumed.len();
+        let told = self.derivation.told(self.at);
         let gather = |list: &[usize]| {
             let gathered = {
                 let offer = |premise| self.auditor.offer(self.at, premise);
                 usable(self.derivation, offer, self.at, list).assumed
             };
-            let mut extra: Vec<Assumed> = gathered
-                .into_iter()
+            let mut extra: Vec<Assumed> = told
+                .iter()
+                .cloned()
+                .chain(gathered)
                 .filter(|a| !self.usable.assumed.contains(a))
                 .collect();
             extra.truncate(own + 40);
@@ -523,7 +526,8 @@ impl Judge<'_> {
             return false;
         };
         offer.under.iter().all(|&(page, local)| {
-            let in_effect = page == own.page && own.locals.contains(&local);
+            let supposed = own.locals.contains(&local) || own.told.contains(&local);
+            let in_effect = page == own.page && supposed;
             let formulas = &self.derivation.local(page, local).formulas;
             in_effect || cites && formulas.iter().all(|f| f.as_equation().is_none())
         })

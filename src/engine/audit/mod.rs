@@ -440,7 +440,8 @@ impl Auditor<'_> {
             })
             .collect();
         if !instead.is_empty() {
-            let note = match says_so && !premises.is_empty() {
+            let wrongly = says_so && !premises.is_empty() && !self.goes_on(at, premises, &instead);
+            let note = match wrongly {
                 true => Note::Miscited {
                     cited: premises.to_vec(),
                     instead: instead.into_iter().collect(),
@@ -529,6 +530,28 @@ impl Auditor<'_> {
             }
         }
         nearest(failing)
+    }
+
+    /// Whether a step uses all that it cites, and besides only what stands just before it: "Inserting this into (1)".
+    fn goes_on(&self, at: usize, premises: &[usize], used: &BTreeSet<Source>) -> bool {
+        let equations = &self.derivation.equations;
+        let first = at - equations[at].row.min(at);
+        let before = match first.checked_sub(1) {
+            Some(last) if equations[last].page == equations[at].page => {
+                last - equations[last].row.min(last)..first
+            }
+            _ => first..first,
+        };
+        let own = &equations[at];
+        let is_near = |source: &Source| match *source {
+            Source::Equation(other) => premises.contains(&other) || before.contains(&other),
+            Source::Local(page, local) => {
+                page == own.page && (own.locals.contains(&local) || own.told.contains(&local))
+            }
+            Source::Step => true,
+        };
+        let is_used = |premise: &usize| used.contains(&Source::Equation(*premise));
+        premises.iter().all(is_used) && used.iter().all(is_near)
     }
 
     /// The premises that are not proved themselves, or only under a condition that nothing states, and those

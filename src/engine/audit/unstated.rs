@@ -70,12 +70,13 @@ impl Judge<'_> {
         witness: Option<&Assignment>,
     ) -> Option<Vec<Formula>> {
         let claim = self.derivation.claim(self.at, set, &goal.formula);
-        let (conditions, _) = search::missing_conditions(&claim, witness, &self.auditor.hints())?;
+        let unless = search::missing_conditions(&claim, witness, &self.auditor.hints())?;
         let may_be_meant = |condition: &Formula| {
             let names = condition.free_symbols();
             names.len() == 1 && names.iter().all(|symbol| unbounded.contains(symbol))
         };
-        conditions.iter().all(may_be_meant).then_some(conditions)
+        let meant = unless.divided.iter().all(may_be_meant);
+        meant.then(|| unless.conditions())
     }
 
     /// That all symbols are positive, where a root is taken: who writes one means the positive one.

@@ -47,6 +47,9 @@ pub struct Equation {
     pub continues: usize,
     /// The hypotheses in effect where it stands, as positions in [`Page::locals`](super::Page::locals).
     pub locals: Vec<usize>,
+    /// What the text before it tells in passing, the nearest first, as positions there: premises only of what does not follow
+    /// without them.
+    pub told: Vec<usize>,
     /// Values that the text around it names and does not plainly suppose, unread.
     pub mentioned: Vec<Span>,
     /// The heading above it.

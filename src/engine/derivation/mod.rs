@@ -395,14 +395,23 @@ impl Derivation {
 
     /// The hypotheses in effect where an equation stands.
     pub fn locals(&self, at: usize) -> Vec<Assumed> {
-        let equation = &self.equations[at];
-        let page = &self.pages[equation.page];
-        let all = equation.locals.iter().flat_map(|&local| {
+        self.supposed(at, &self.equations[at].locals)
+    }
+
+    /// What the text before an equation tells in passing, the nearest first.
+    pub fn told(&self, at: usize) -> Vec<Assumed> {
+        self.supposed(at, &self.equations[at].told)
+    }
+
+    fn supposed(&self, at: usize, locals: &[usize]) -> Vec<Assumed> {
+        let number = self.equations[at].page;
+        let page = &self.pages[number];
+        let all = locals.iter().flat_map(|&local| {
             let formulas = page.locals[local].formulas.iter();
             formulas.map(move |formula| Assumed {
                 formula: formula.clone(),
                 standing: Standing::AtPoint,
-                source: Source::Local(equation.page, local),
+                source: Source::Local(number, local),
             })
         });
         all.collect()

@@ -163,6 +163,8 @@ pub(super) fn read_page(
     let mut bare = true;
     // The equations of the display that the text goes on from.
     let mut last = 0..0;
+    // What is told in passing.
+    let mut told: Vec<usize> = Vec::new();
     // The cases whose sentence goes on with the next display.
     let mut running: Vec<usize> = Vec::new();
     let mut known = Known::default();
@@ -180,6 +182,7 @@ pub(super) fn read_page(
                 (level, section) = (own, title.clone());
                 (last, bare) = (0..0, true);
                 active.retain(|&at| page.locals[at].level < own);
+                told.retain(|&at| page.locals[at].level < own);
             }
             Item::Prose(prose) => {
                 between.cited.extend(prose.citations.iter().cloned());
@@ -189,6 +192,11 @@ pub(super) fn read_page(
                 for &Supposition { kind, body } in &prose.suppositions {
                     if kind == SuppositionKind::General {
                         active.retain(|&at| page.locals[at].set.is_empty());
+                        continue;
+                    }
+                    if let SuppositionKind::Fact { runs_on } = kind {
+                        page.suppose(body, kind, level, &mut told, false);
+                        told.retain(|&at| runs_on || page.locals[at].set.is_empty());
                         continue;
                     }
                     if kind == SuppositionKind::Define
@@ -319,10 +327,13 @@ pub(super) fn read_page(
                         row,
                         continues: part.continues,
                         locals: active.clone(),
+                        told: told.iter().rev().take(MOST_MENTIONED).copied().collect(),
                         mentioned: said.mentioned.clone(),
                         section: section.clone(),
                     });
                 }
+                // What has a number for a value is told of one display.
+                told.retain(|&at| page.locals[at].set.is_empty());
             }
         }
     }
@@ -522,6 +533,7 @@ impl Page {
         strict: bool,
     ) {
         let is_case = matches!(kind, SuppositionKind::Case { .. });
+        let is_fact = matches!(kind, SuppositionKind::Fact { .. });
         let is_let = is_case || kind == SuppositionKind::Let;
         let mut statements = match read_formulas(&self.document.source, body) {
             Ok(statements) => statements,
@@ -560,7 +572,7 @@ impl Page {
                 };
                 !old.is_let || old.assigned.is_disjoint(&assigned) && !other_case()
             });
-            let set = match is_case {
+            let set = match is_case || is_fact {
                 true => formulas.iter().filter_map(set_to_a_number).collect(),
                 false => BTreeSet::new(),
             };

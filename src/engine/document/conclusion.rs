@@ -126,11 +126,19 @@ pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
     let says = |(token, _): &Placed<'_>| matches!(token, Token::Word(_));
     let mut sentences = tokens.split(|(token, _)| *token == Token::Stop);
     let last = sentences.rfind(|sentence| sentence.iter().any(says))?;
-    Some(last.iter().any(|(token, _)| {
+    Some(last.iter().enumerate().any(|(at, (token, _))| {
         let Token::Word(word) = token else {
             return false;
         };
+        // "From then on mechanical energy is conserved" tells when.
+        let before = at.checked_sub(1).map(|before| last[before].0);
+        let tells_when = matches!(
+            before,
+            Some(Token::Word(
+                "from" | "From" | "since" | "only" | "till" | "until"
+            ))
+        );
         let word = word.to_lowercase();
-        draws(&word) || WORKED.contains(&word.as_str())
+        draws(&word) && !(word == "then" && tells_when) || WORKED.contains(&word.as_str())
     }))
 }

@@ -136,6 +136,11 @@ pub enum SuppositionKind {
         /// The sentence goes on with the display after it.
         runs_on: bool,
     },
+    /// "The period is $T = 2 \pi r/v$, so": said in passing. What does not follow without it is tried with it.
+    Fact {
+        /// The sentence goes on with the display after it.
+        runs_on: bool,
+    },
     /// "In general": the cases that were gone through are left. It supposes nothing.
     General,
     /// "Assume", "Suppose", "taking", "provided that": a hypothesis.

@@ -80,6 +80,41 @@ const DENYING: [&str; 14] = [
 const NAMED_AFTER: [&str; 10] = [
     "be", "is", "denote", "denotes", "mark", "marks", "when", "at", "only", "onwards",
 ];
+/// With these a sentence tells no fact that could be used, whatever it names.
+const UNDECIDED: [&str; 28] = [
+    "whether",
+    "distinguish",
+    "case",
+    "cases",
+    "compare",
+    "until",
+    "while",
+    "once",
+    "long",
+    "limit",
+    "see",
+    "when",
+    "except",
+    "apart",
+    "aside",
+    "near",
+    "beyond",
+    "unlike",
+    "instead",
+    "dropping",
+    "drop",
+    "relaxing",
+    "relax",
+    "even",
+    "far",
+    "away",
+    "than",
+    "before",
+];
+/// After these a fact is named also where a conclusion is drawn: "Hence, since $a = 2 c$".
+const REASONS: [&str; 8] = [
+    "with", "since", "as", "because", "using", "where", "for", "by",
+];
 /// After these it is where something begins: "Suppose the motion starts at $t = 0$".
 const NAMED_BEFORE: [&str; 5] = ["from", "at", "until", "after", "before"];
 /// After "we" these give a name: "We set $a = 2 c$".
@@ -148,6 +183,13 @@ enum Reach {
 
 /// The suppositions in prose, in order, and the values that it names besides.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Vec<Span>) {
+    // A paragraph that no full stop ends goes on with the display after it.
+    let stops = |&(token, span): &Placed<'_>| match token {
+        Token::Stop => matches!(source.get(span.range()), Some("." | "?" | "!")),
+        token => token != Token::Hidden,
+    };
+    let end = tokens.iter().rposition(stops).map_or(0, |last| last + 1);
+    let tokens = &tokens[..end];
     let mut found: Vec<Supposition> = Vec::new();
     let mut mentions: Vec<Span> = Vec::new();
     let mut named = false;
@@ -157,6 +199,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     let mut begun = false;
     let mut doubtful = false;
     let mut active: Option<(SuppositionKind, Reach)> = None;
+    // Whether the sentence may still tell a fact in passing, and whether it has drawn a conclusion.
+    let (mut factual, mut concluded) = (true, false);
     // Something in the sentence is introduced by no verb, but by "with" or "where".
     let mut careful = false;
     for (index, &(token, span)) in tokens.iter().enumerate() {
@@ -167,7 +211,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
                 }
                 (named, careful) = (false, false);
                 (sentence, begun, doubtful, active) = (found.len(), false, false, None);
-                open = sentence;
+                (open, factual, concluded) = (sentence, true, false);
                 continue;
             }
             Token::Word(word) => {
@@ -185,6 +229,14 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
                     withdraw(&mut found, sentence, &mut mentions);
                     doubtful = true;
                 }
+                let vague = |words: &[&str]| words.contains(&word.as_str());
+                if vague(&UNDECIDED) || vague(&DENYING) {
+                    factual = false;
+                    let told = found.extract_if(sentence.., |s| is_fact(s.kind));
+                    mentions.extend(told.map(|s| s.body));
+                }
+                concluded |=
+                    conclusion::draws(&word) || matches!(&*word, "have" | "show" | "shows");
                 let concludes = || conclusion::draws(&word) || CONCLUDING.contains(&word.as_str());
                 if doubtful || active.is_some() && concludes() {
                     active = None;
@@ -212,6 +264,23 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
                 if named && relates(text) {
                     mentions.push(body);
                 }
+                // "At $\mu = 1$, $\eta = 1$" says what follows there.
+                let follows_here = concluded || found[sentence..].iter().any(|s| !is_fact(s.kind));
+                let told = || !follows_here || follows(index, tokens, &REASONS);
+                // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
+                let bounds = is_bound(text) && !is_nonzero(text);
+                let plainly = || match is_number(text) && !bounds {
+                    true => is_plain(index, tokens),
+                    false => !(bounds && follows(index, tokens, &["for"])),
+                };
+                let may_tell = active.is_none() && factual && !doubtful && relates(text);
+                if may_tell && told() && plainly() && !is_origin(index, Reach::Sentence, tokens) {
+                    let kind = SuppositionKind::Fact { runs_on: false };
+                    found.push(Supposition { kind, body });
+                } else if relates(text) {
+                    // "For $N = 3$ the values are $a = b$."
+                    concluded = true;
+                }
             }
             Token::Mark(',') => {
                 if let Some((kind, reach)) = active {
@@ -230,7 +299,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         }
     }
     for supposition in found.iter_mut().skip(open) {
-        if let SuppositionKind::Case { runs_on } = &mut supposition.kind {
+        use SuppositionKind::{Case, Fact};
+        if let Case { runs_on } | Fact { runs_on } = &mut supposition.kind {
             *runs_on = true;
         }
     }
@@ -244,14 +314,42 @@ fn withdraw(found: &mut Vec<Supposition>, sentence: usize, mentions: &mut Vec<Sp
     mentions.extend(own.map(|s| s.body));
 }
 
+fn is_fact(kind: SuppositionKind) -> bool {
+    matches!(kind, SuppositionKind::Fact { .. })
+}
+
+/// Whether one of these words, in lower case, stands before what is at `index`.
+fn follows(index: usize, tokens: &[Placed<'_>], words: &[&str]) -> bool {
+    match index.checked_sub(1).and_then(|before| tokens.get(before)) {
+        Some((Token::Word(word), _)) => words.contains(&word.to_lowercase().as_str()),
+        _ => false,
+    }
+}
+
+/// Whether inline math says that something is a number: `x = 0`.
+fn is_number(math: &str) -> bool {
+    let value = math.rsplit('=').next().unwrap_or(math);
+    let value = ["\\frac", "\\tfrac", "\\dfrac"]
+        .iter()
+        .fold(value.to_owned(), |v, f| v.replace(f, ""));
+    !value.contains(char::is_alphabetic)
+}
+
+/// Whether what stands before the mathematics at `index` makes it a fact of its own: "For a target at rest, $u_2 = 0$, …".
+fn is_plain(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = index.checked_sub(1).map(|before| tokens[before].0);
+    matches!(before, Some(Token::Mark(',')) | None)
+        || follows(index, tokens, &["with", "since", "because", "using", "is"])
+}
+
 /// Whether the mathematics at `index` is told where something begins, or what it is called, and supposed to be no value.
 fn is_origin(index: usize, reach: Reach, tokens: &[Placed<'_>]) -> bool {
-    let is = |at: Option<usize>, words: &[&str]| match at.and_then(|at| tokens.get(at)) {
+    let is = |at: usize, words: &[&str]| match tokens.get(at) {
         Some((Token::Word(word), _)) => words.contains(word),
         _ => false,
     };
-    let starts = || reach == Reach::Sentence && is(index.checked_sub(1), &NAMED_BEFORE);
-    is(Some(index + 1), &NAMED_AFTER) || starts()
+    let starts = || reach == Reach::Sentence && follows(index, tokens, &NAMED_BEFORE);
+    is(index + 1, &NAMED_AFTER) || starts()
 }
 
 /// Whether the word at `index` leaves special cases behind: "in general", "in the general case", "for arbitrary $w$",
@@ -299,12 +397,8 @@ fn introduction(
         }
     };
     let before = index.checked_sub(1).and_then(|before| tokens.get(before));
-    let follows = |words: &[&str]| {
-        matches!(before, Some((Token::Word(word), _))
-            if words.contains(&word.to_lowercase().as_str()))
-    };
-    let negated = || follows(&NEGATING);
-    let by_us = || !begun || follows(&["we", "us", "now", "and"]);
+    let negated = || follows(index, tokens, &NEGATING);
+    let by_us = || !begun || follows(index, tokens, &["we", "us", "now", "and"]);
     // "From (1) with $a = b$ …"
     let cited = || matches!(before, Some((Token::Tag(_) | Token::Keys(_), _)));
     let capital =

@@ -252,13 +252,31 @@ pub fn is_doomed(obligation: &Obligation, hints: &[Assignment]) -> bool {
         .any(|point| refuted(obligation, point).is_some())
 }
 
+/// Conditions under which a claim follows, with the proof that it does.
+#[derive(Clone, Debug)]
+pub struct Unless {
+    /// What is divided out, and must not be 0.
+    pub divided: Vec<Formula>,
+    /// What must be so for the goal to be defined.
+    pub own: Vec<Formula>,
+    /// The claim with the conditions among its hypotheses.
+    pub proven: Proven,
+}
+
+impl Unless {
+    /// All conditions, what is divided out first.
+    pub fn conditions(self) -> Vec<Formula> {
+        self.divided.into_iter().chain(self.own).collect()
+    }
+}
+
 /// What would have to be different from 0 for a claim to follow, with the proof that it then does. Of a claim that was refuted,
 /// only what vanishes at the witness is of interest.
 pub fn missing_conditions(
     claim: &Claim,
     witness: Option<&Assignment>,
     hints: &[Assignment],
-) -> Option<(Vec<Formula>, Proven)> {
+) -> Option<Unless> {
     let obligation = pose(claim.clone()).ok()?;
     let problem = obligation.problem();
     let prover = Prover::new(problem).ok()?;
@@ -316,12 +334,16 @@ pub fn missing_conditions(
     let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
         let obligation = pose(assuming(claim, &formulas)).ok()?;
-        let (derived, mut conditions) = prove(&obligation, Effort::Light).ok()??;
-        conditions.splice(0..0, formulas);
+        let (derived, own) = prove(&obligation, Effort::Light).ok()??;
+        let conditions: Vec<Formula> = formulas.iter().chain(&own).cloned().collect();
         // What the premises rule out would prove anything.
         let possible = consistency(&assuming(claim, &conditions), hints);
-        let possible = matches!(possible, Consistency::Model(_)) && is_natural(&conditions);
-        possible.then_some((conditions, derived.proven))
+        let possible = matches!(possible, Consistency::Model(_)) && is_natural(&formulas);
+        possible.then_some(Unless {
+            divided: formulas,
+            own,
+            proven: derived.proven,
+        })
     };
     if witness.is_none()
         && let Some(found) = with(&[])
