@@ -10,7 +10,8 @@ pub(super) fn csv(rows: &[Vec<String>]) -> String {
     rows.iter().map(line).collect()
 }
 
-/// Rows as a Markdown table, the first one being its head. What could be markup is escaped.
+/// Rows as a Markdown table, the first one being its head, with numbers in all columns but the first. What could be markup
+/// is escaped.
 pub(super) fn markdown(rows: &[Vec<String>]) -> String {
     let line = |row: &Vec<String>| {
         let cells: Vec<String> = row.iter().map(|text| escaped(text)).collect();
@@ -19,7 +20,10 @@ pub(super) fn markdown(rows: &[Vec<String>]) -> String {
     let mut lines = rows.iter().map(line);
     let mut text = lines.next().unwrap_or_default();
     let columns = rows.first().map_or(0, Vec::len);
-    text.push_str(&format!("|{}\n", " --- |".repeat(columns)));
+    text.push_str(&format!(
+        "|{}\n",
+        " --- |".to_owned() + &" ---: |".repeat(columns.saturating_sub(1))
+    ));
     text.extend(lines);
     text
 }

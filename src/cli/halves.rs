@@ -11,10 +11,10 @@ use super::Failure;
 use super::args::Format;
 use super::csv;
 use super::plot::failed;
-use super::table::table;
+use super::table::numbered;
 use crate::audit::Verdict;
 use crate::derivation::Checker;
-use crate::figures::{Decay, FigureError, Law, Material, exact, rounded, share};
+use crate::figures::{Decay, FigureError, Law, Material, alike, exact, nearest, share};
 use crate::report::html::Table;
 
 const TITLE: &str = "Energy lost in one collision, and collisions until no more than half is left";
@@ -113,20 +113,20 @@ fn cells(decay: &Decay, rows: &[Row], format: Format) -> Vec<Vec<String>> {
             .map(|&text| text.to_owned())
             .collect(),
     ];
-    for row in rows {
-        let number = |value: &BigRational| match format {
-            Format::Csv => exact(value).replace('−', "-"),
-            _ => exact(value),
-        };
-        let mut line = vec![
-            row.material.name().to_owned(),
-            number(row.material.restitution()),
-        ];
-        for said in &row.laws {
-            line.push(match format {
-                Format::Csv => number(&said.loss),
-                _ => percent(&said.loss),
-            });
+    let restitutions: Vec<BigRational> = rows.iter().map(restitution).collect();
+    let restitutions = numbers(&restitutions, format);
+    let losses = (0..laws).map(|law| {
+        let losses: Vec<BigRational> = rows.iter().map(|r| r.laws[law].loss.clone()).collect();
+        match format {
+            Format::Csv => numbers(&losses, format),
+            _ => percents(&losses),
+        }
+    });
+    let losses: Vec<Vec<String>> = losses.collect();
+    for (at, row) in rows.iter().enumerate() {
+        let mut line = vec![row.material.name().to_owned(), restitutions[at].clone()];
+        for (said, losses) in row.laws.iter().zip(&losses) {
+            line.push(losses[at].clone());
             line.push(match &said.halving {
                 Some(count) => count.to_string(),
                 None => "never".to_owned(),
@@ -137,21 +137,51 @@ fn cells(decay: &Decay, rows: &[Row], format: Format) -> Vec<Vec<String>> {
     all
 }
 
-/// A share in per cent, exactly where that is short.
-fn percent(share: &BigRational) -> String {
-    let percent = share * BigRational::from_integer(100.into());
-    let written = exact(&percent);
-    let is_short = written.chars().count() <= LONGEST && !written.contains('/');
-    match (is_short, rounded(&percent, ROUNDED).as_str()) {
-        (true, _) => format!("{written} %"),
-        (false, "0") => format!("< 0.{:0>ROUNDED$} %", 1),
-        (false, near) => format!("≈ {near} %"),
+fn restitution(row: &Row) -> BigRational {
+    row.material.restitution().clone()
+}
+
+/// The exact numbers of one column; for people with as many digits each.
+fn numbers(values: &[BigRational], format: Format) -> Vec<String> {
+    match format {
+        Format::Csv => values
+            .iter()
+            .map(|value| exact(value).replace('−', "-"))
+            .collect(),
+        _ => alike(values, LONGEST),
     }
+}
+
+/// The shares of one column in per cent with as many digits each, exactly where that is short.
+fn percents(shares: &[BigRational]) -> Vec<String> {
+    let percents = shares
+        .iter()
+        .map(|share| share * BigRational::from_integer(100.into()));
+    let percents: Vec<BigRational> = percents.collect();
+    let is_short = |percent: &BigRational| {
+        let written = exact(percent);
+        written.chars().count() <= LONGEST && !written.contains('/')
+    };
+    let shown = percents.iter().map(|percent| match is_short(percent) {
+        true => percent.clone(),
+        false => nearest(percent, ROUNDED),
+    });
+    let shown: Vec<BigRational> = shown.collect();
+    let texts = alike(&shown, LONGEST)
+        .into_iter()
+        .zip(&shown)
+        .zip(&percents);
+    let signed = |((text, shown), percent): ((String, &BigRational), &BigRational)| match () {
+        () if is_short(percent) => format!("{text} %"),
+        () if shown.is_zero() => format!("< 0.{:0>ROUNDED$} %", 1),
+        () => format!("≈ {text} %"),
+    };
+    texts.map(signed).collect()
 }
 
 fn human(decay: &Decay, rows: &[Row]) -> String {
     let mut text = format!("{TITLE}\n\n");
-    text += &table(&cells(decay, rows, Format::Human));
+    text += &numbered(&cells(decay, rows, Format::Human));
     text.push('\n');
     for note in notes(decay, rows) {
         let _ = writeln!(text, "{note}");
@@ -190,7 +220,7 @@ fn notes(decay: &Decay, rows: &[Row]) -> Vec<String> {
                 let left = BigRational::one() - &said.loss;
                 match left.is_zero() {
                     true => format!("{law} nothing"),
-                    false => format!("{law} {}", percent(&left)),
+                    false => format!("{law} {}", percents(&[left]).concat()),
                 }
             })
             .collect();

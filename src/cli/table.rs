@@ -21,6 +21,15 @@ pub(super) fn signed(value: &BigRational) -> String {
 
 /// Rows with their columns aligned, two spaces in, three between.
 pub(super) fn table(rows: &[Vec<String>]) -> String {
+    aligned(rows, |_| false)
+}
+
+/// The same with numbers in all columns but the first: they end below each other.
+pub(super) fn numbered(rows: &[Vec<String>]) -> String {
+    aligned(rows, |column| column > 0)
+}
+
+fn aligned(rows: &[Vec<String>], at_right: fn(usize) -> bool) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
         rows.iter()
@@ -31,11 +40,11 @@ pub(super) fn table(rows: &[Vec<String>]) -> String {
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let mut text = String::new();
     for row in rows {
-        let cells: Vec<String> = row
-            .iter()
-            .zip(&widths)
-            .map(|(cell, &width)| format!("{cell:<width$}"))
-            .collect();
+        let cell = |(at, (cell, &width)): (usize, (&String, &usize))| match at_right(at) {
+            true => format!("{cell:>width$}"),
+            false => format!("{cell:<width$}"),
+        };
+        let cells: Vec<String> = row.iter().zip(&widths).enumerate().map(cell).collect();
         let _ = writeln!(text, "  {}", cells.join("   ").trim_end());
     }
     text

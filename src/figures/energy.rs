@@ -8,7 +8,7 @@ use super::numbers::Numbers;
 use super::panel::{LARGE, Marker, Panel, Range, shares};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Scene, Stroke};
-use super::words::{exact, rounded};
+use super::words::{alike, exact, nearest};
 use crate::algebra::{BigInt, BigRational};
 use crate::derivation::Checker;
 
@@ -134,13 +134,20 @@ fn stroke(ink: Ink, law: usize) -> Stroke {
     }
 }
 
-/// As given, where that is short.
-fn restitution(material: &Material) -> String {
-    let value = exact(material.restitution());
-    match value.chars().count() <= LONGEST {
-        true => format!("= {value}"),
-        false => format!("≈ {}", rounded(material.restitution(), ROUNDED)),
-    }
+/// The coefficients of the legend, as given where that is short, all with as many decimals: `= 0.98`, `= 0.90`.
+fn restitutions(materials: &[Material]) -> Vec<String> {
+    let is_short = |e: &BigRational| exact(e).chars().count() <= LONGEST;
+    let shown = |material: &Material| match material.restitution() {
+        e if is_short(e) => e.clone(),
+        e => nearest(e, ROUNDED),
+    };
+    let shown: Vec<BigRational> = materials.iter().map(shown).collect();
+    let texts = alike(&shown, LONGEST).into_iter().zip(materials);
+    let signed = |(text, material): (String, &Material)| match is_short(material.restitution()) {
+        true => format!("= {text}"),
+        false => format!("≈ {text}"),
+    };
+    texts.map(signed).collect()
 }
 
 fn marker(at: usize) -> Marker {
@@ -153,9 +160,9 @@ fn keys(decay: &Decay, materials: &[Material]) -> Vec<Key> {
         marker: None,
         label: Rich::words("Material, coefficient ").math("e"),
     }];
-    for (at, material) in materials.iter().enumerate() {
+    let restitutions = restitutions(materials).into_iter();
+    for (at, (material, value)) in materials.iter().zip(restitutions).enumerate() {
         let ink = Ink::Series(at);
-        let value = restitution(material);
         keys.push(Key {
             stroke: Some(stroke(ink, 0)),
             marker: Some((marker(at), ink, false)),

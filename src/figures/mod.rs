@@ -62,4 +62,4 @@ pub use pdf::pdf;
 pub use png::png;
 pub use scene::Scene;
 pub use svg::svg;
-pub use words::{exact, rounded};
+pub use words::{alike, exact, nearest, rounded};

@@ -41,6 +41,41 @@ pub fn exact(value: &BigRational) -> String {
     format!("{sign}{fraction}")
 }
 
+/// Numbers of one list, each as [`exact`] has it, the decimal ones with as many decimals as the one that needs most. What
+/// is longer than so many characters, or a fraction, stands as it is, and makes nothing else longer.
+///
+/// ```
+/// use cradle_verify::{cradle::parse_exact, figures::alike};
+/// let list = ["0.98", "9/10", "1", "1/3", "0.999999999"].map(|text| parse_exact(text).unwrap());
+/// assert_eq!(alike(&list, 6), ["0.98", "0.90", "1.00", "1/3", "0.999999999"]);
+/// ```
+pub fn alike(values: &[BigRational], longest: usize) -> Vec<String> {
+    let written: Vec<String> = values.iter().map(exact).collect();
+    let is_short = |text: &&String| text.chars().count() <= longest && !text.contains('/');
+    let most = written.iter().filter(is_short).map(|text| decimals(text));
+    let most = most.max().unwrap_or(0);
+    let padded = |text: &String| match is_short(&text) {
+        true => with_decimals(text, most),
+        false => text.clone(),
+    };
+    written.iter().map(padded).collect()
+}
+
+/// How many digits stand behind the point.
+fn decimals(text: &str) -> usize {
+    text.split_once('.').map_or(0, |(_, behind)| behind.len())
+}
+
+/// A decimal number with so many digits behind the point, where it has fewer.
+fn with_decimals(text: &str, wanted: usize) -> String {
+    let lacking = wanted.saturating_sub(decimals(text));
+    let point = match lacking > 0 && !text.contains('.') {
+        true => ".",
+        false => "",
+    };
+    format!("{text}{point}{}", "0".repeat(lacking))
+}
+
 /// A number rounded to so many decimals, half away from 0, by exact arithmetic; with a hyphen for a minus.
 ///
 /// ```
@@ -62,6 +97,12 @@ pub fn rounded(value: &BigRational, decimals: usize) -> String {
         true => format!("-{text}"),
         false => text.to_owned(),
     }
+}
+
+/// The nearest number of so many decimals, half away from 0.
+pub fn nearest(value: &BigRational, decimals: usize) -> BigRational {
+    let scale = num_traits::pow(BigInt::from(10), decimals);
+    (value * &scale).round() / scale
 }
 
 /// Digits with a point so many places from the right.

@@ -187,6 +187,31 @@ fn the_table_is_there_in_every_format() {
 }
 
 #[test]
+fn numbers_of_one_list_have_as_many_digits_each() {
+    let svg = says(&["plot", "energy"]);
+    for written in ["0.98", "0.95", "0.90", "0.70"] {
+        assert!(
+            svg.contains(&format!("= {written}<")) || svg.contains(&format!("\u{a0}{written}<")),
+            "{svg}"
+        );
+    }
+    let given = ["--material=a=1", "--material=b=1/3", "--material=c=0.25"];
+    let text = says(&[&["table"][..], &given].concat());
+    let lines: Vec<Vec<&str>> = text
+        .lines()
+        .map(|line| {
+            line.split("   ")
+                .map(str::trim)
+                .filter(|cell| !cell.is_empty())
+                .collect()
+        })
+        .collect();
+    let column = |at: usize| -> Vec<&str> { lines[3..6].iter().map(|line| line[at]).collect() };
+    assert_eq!(column(1), ["1.00", "1/3", "0.25"]);
+    assert_eq!(column(2), ["0.000000 %", "≈ 88.888889 %", "93.750000 %"]);
+}
+
+#[test]
 fn a_name_with_markup_stays_a_name() {
     let name = "a|b,\"c\"*<i>";
     let given = format!("{name}=1/2");
