@@ -182,9 +182,24 @@ impl Rich {
         self.0.iter().map(Run::width).sum()
     }
 
-    /// The bare characters.
+    /// One line of text, in the notation that [`Rich::math`] reads: for those who cannot see what stands high or low.
+    ///
+    /// ```
+    /// use cradle_verify::figures::rich::Rich;
+    /// assert_eq!(Rich::formula("v_1^2 = e² E_{after}").plain().replace('\u{a0}', " "), "v₁² = e² E_{after}");
+    /// assert_eq!(Rich::formula("δ^(3/2) + E_n").plain().replace('\u{a0}', " "), "δ^(3/2) + Eₙ");
+    /// ```
     pub fn plain(&self) -> String {
-        self.0.iter().map(|run| run.text.as_str()).collect()
+        let mut text = String::new();
+        // A script may be several runs: letters in it slant, digits do not.
+        for runs in self.0.chunk_by(|a, b| a.level == b.level) {
+            let content: String = runs.iter().map(|run| run.text.as_str()).collect();
+            match runs[0].level {
+                Level::Base => text += &content,
+                level => text += &lettered(level, &content.replace('\u{2009}', "\u{a0}")),
+            }
+        }
+        text
     }
 
     /// Broken at spaces into lines no wider than so many ems, as far as there are spaces.
@@ -237,11 +252,33 @@ fn grouped(text: &[char], at: usize, first: char) -> (String, usize) {
     (text[at + 1..end].iter().collect(), end + 1)
 }
 
+/// Characters that are subscripts themselves, and what they are on the line.
+const SUB: [&str; 2] = ["₀₁₂₃₄₅₆₇₈₉ₙₖᵢⱼ", "0123456789nkij"];
+/// The same for superscripts.
+const SUPER: [&str; 2] = ["⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻", "0123456789n−"];
+
+/// The character of one row that stands where another has its place in the other row.
+fn across(character: char, from: &str, to: &str) -> Option<char> {
+    to.chars().nth(from.chars().position(|c| c == character)?)
+}
+
 /// A character that is itself a script, as an ordinary one.
 fn script(character: char) -> Option<(Level, char)> {
-    const SUB: &str = "₀₁₂₃₄₅₆₇₈₉ₙₖᵢⱼ";
-    const SUPER: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻";
-    let nth = |all: &str, plain: &str| plain.chars().nth(all.chars().position(|c| c == character)?);
-    let sub = nth(SUB, "0123456789nkij").map(|c| (Level::Sub, c));
-    sub.or_else(|| nth(SUPER, "0123456789n−").map(|c| (Level::Super, c)))
+    let on_the_line = |[scripts, plain]: [&str; 2]| across(character, scripts, plain);
+    let sub = on_the_line(SUB).map(|c| (Level::Sub, c));
+    sub.or_else(|| on_the_line(SUPER).map(|c| (Level::Super, c)))
+}
+
+/// A script in a line of text: `₁`, `^n`, `_{after}`, `^(3/2)`.
+fn lettered(level: Level, content: &str) -> String {
+    let ([scripts, plain], sign, [open, close]) = match level {
+        Level::Super => (SUPER, '^', ['(', ')']),
+        _ => (SUB, '_', ['{', '}']),
+    };
+    let letters = content.chars().map(|c| across(c, plain, scripts));
+    match letters.collect::<Option<String>>() {
+        Some(letters) => letters,
+        None if content.chars().count() == 1 => format!("{sign}{content}"),
+        None => format!("{sign}{open}{content}{close}"),
+    }
 }

@@ -212,6 +212,24 @@ fn numbers_of_one_list_have_as_many_digits_each() {
 }
 
 #[test]
+fn what_is_read_aloud_is_right_mathematics() {
+    let described = |figure: &str| {
+        let json: Value =
+            serde_json::from_str(&says(&["plot", figure, "--format", "json"])).unwrap();
+        let text = json["description"].as_str().unwrap().to_owned();
+        assert!(says(&["plot", figure]).contains(&text), "{figure}");
+        text
+    };
+    let outcomes = described("outcomes");
+    assert!(outcomes.contains("v₁² + v₂² + v₃² = 1"), "{outcomes}");
+    let energy = described("energy");
+    assert!(
+        energy.contains("E_{after} = e² E₀") && energy.contains("E_{after} = (1/2) (e² + 1) E₀"),
+        "{energy}"
+    );
+}
+
+#[test]
 fn a_name_with_markup_stays_a_name() {
     let name = "a|b,\"c\"*<i>";
     let given = format!("{name}=1/2");
