@@ -12,14 +12,20 @@ use crate::derivation::{Checker, Point};
 
 /// So many powers of ten to either side of equal masses.
 const DECADES: i32 = 3;
+/// The impedances of kidney stones in units of that of tissue: the lowest and the highest, roughly.
+const STONES: [i64; 2] = [2, 6];
 /// Points to a power of ten.
 const FINE: i32 = 40;
 
 /// The share of the energy that a struck ball takes, over six powers of ten of the mass ratio.
 ///
-/// It belongs to the report's comparison of a cradle with a shock wave that reaches a kidney stone: equal balls at the
-/// top of the curve, a target that is as good as immovable at its far end. The term is that of (64); what is said of
-/// maximum and limit is what the audit finds of the claims about them.
+/// It belongs to the report's comparison of a cradle with a shock wave that reaches a kidney stone. The term is that of
+/// (64); what is said of the maximum and of very heavy targets is what the audit finds of the claims about them, and
+/// at 0 the term is evaluated.
+///
+/// A wave of sound that meets another medium at a right angle leaves there the same share of its energy, with the ratio of the
+/// acoustic impedances for that of the masses: Kinsler et al., *Fundamentals of Acoustics*, 4th ed., § 6.2. Kidney
+/// stones have some two to six times the impedance of the tissue around them.
 ///
 /// # Errors
 /// The derivation has not these equations.
@@ -37,16 +43,18 @@ pub fn lithotripsy(checker: &Checker) -> Result<Figure, FigureError> {
         numbers.rows.push(vec![mu, share]);
     }
     let mut marks = Vec::new();
-    for mu in [1, 10] {
-        let mu = BigRational::from_integer(BigInt::from(mu));
+    let whole = |mu: i64| BigRational::from_integer(BigInt::from(mu));
+    for mu in std::iter::once(1).chain(STONES) {
+        let mu = whole(mu);
         let share = eta(&mu)?;
         marks.push((mu, share));
     }
+    let at_zero = eta(&whole(0))?;
     let mut sources = vec![Source::from(&law)];
     for claim in ["maximum", "maximum-only-at-one", "heavy-target"] {
         sources.push(Standing::of(checker, &format!("claim {claim}"))?.into());
     }
-    let scene = draw(&numbers, &marks, &sources);
+    let scene = draw(&numbers, &marks, &at_zero, &sources);
     Ok(Figure {
         scene,
         numbers,
@@ -54,7 +62,12 @@ pub fn lithotripsy(checker: &Checker) -> Result<Figure, FigureError> {
     })
 }
 
-fn draw(numbers: &Numbers, marks: &[(BigRational, BigRational)], sources: &[Source]) -> Scene {
+fn draw(
+    numbers: &Numbers,
+    marks: &[(BigRational, BigRational)],
+    at_zero: &BigRational,
+    sources: &[Source],
+) -> Scene {
     let mut scene = Scene::new("lithotripsy", 720.0, 0.0);
     scene.title = "How much of the energy gets across, over six powers of ten".into();
     scene.description = "One curve, symmetric like a bell on the logarithmic axis: the efficiency η against the mass \
@@ -108,14 +121,48 @@ fn draw(numbers: &Numbers, marks: &[(BigRational, BigRational)], sources: &[Sour
     let upper = (panel.left + 8.0, panel.y_at(1.0) - 6.0);
     let bound = Rich::formula("η ≤ 1").and(", reached by equal masses alone");
     scene.inked(upper, Anchor::Start, 11.5, Ink::Faint, bound);
-    let lower = (panel.right - 8.0, panel.y_at(0.06));
     let far = Rich::formula("η → 0").and(" as ").math("μ → ∞");
-    scene.inked(lower, Anchor::End, 11.5, Ink::Faint, far);
-    let words = Rich::words(
-        "The cradle’s equal balls stand at the top. A shock wave that reaches a kidney stone, or a marble that hits an \
-         anvil, belongs far to the right, where most of the energy comes back. The curve is (64), evaluated in exact \
-         numbers. ",
+    let near = Rich::formula(&format!("η → {}", exact(at_zero)));
+    let near = near.and(" as ").math("μ → 0");
+    for (x, anchor, limit) in [
+        (panel.right - 8.0, Anchor::End, far),
+        (panel.left + 8.0, Anchor::Start, near),
+    ] {
+        scene.inked((x, panel.y_at(0.06)), anchor, 11.5, Ink::Faint, limit);
+    }
+    caption(
+        &mut scene,
+        406.0,
+        24.0,
+        &words(marks, at_zero).and(&verdicts(sources)),
     );
-    caption(&mut scene, 406.0, 24.0, &words.and(&verdicts(sources)));
     scene
+}
+
+/// What stands where on the curve.
+fn words(marks: &[(BigRational, BigRational)], at_zero: &BigRational) -> Rich {
+    let mut words = Rich::words(
+        "The cradle’s equal balls stand at the top. A wave of sound that meets another medium head on leaves there the \
+         same share of its energy, with ",
+    )
+    .math("μ")
+    .and(" for the ratio of the acoustic impedances. Kidney stones have a few times that of the tissue around them:");
+    for (at, (mu, share)) in marks.iter().skip(1).enumerate() {
+        let before = if at == 0 { " at " } else { ", at " };
+        words = words
+            .and(before)
+            .math(&format!("μ = {mu}"))
+            .and(" the curve is at ")
+            .math(&exact(share));
+    }
+    words
+        .and(
+            ", so that a shock wave leaves at least about half of its energy in the stone. A marble that hits an anvil \
+             belongs far to the right, an anvil that hits a marble far to the left: either keeps most of its energy. \
+             The curve is (64), evaluated in exact numbers; at ",
+        )
+        .math("μ = 0")
+        .and(" it is at ")
+        .math(&exact(at_zero))
+        .and(". ")
 }

@@ -230,6 +230,20 @@ fn what_is_read_aloud_is_right_mathematics() {
 }
 
 #[test]
+fn both_ends_of_the_curve_are_told_and_stones_stand_where_they_belong() {
+    let json: Value =
+        serde_json::from_str(&says(&["plot", "lithotripsy", "--format", "json"])).unwrap();
+    let text = json["description"].as_str().unwrap();
+    assert!(
+        text.contains("at μ = 2 the curve is at 8/9, at μ = 6 the curve is at 24/49"),
+        "{text}"
+    );
+    assert!(text.contains("at μ = 0 it is at 0"), "{text}");
+    let svg = says(&["plot", "lithotripsy"]);
+    assert_eq!(svg.matches("→\u{a0}").count(), 4, "{svg}");
+}
+
+#[test]
 fn a_name_with_markup_stays_a_name() {
     let name = "a|b,\"c\"*<i>";
     let given = format!("{name}=1/2");
