@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::args::{Args, Format, Gate};
 use super::run::{Done, no_audit, pretty};
-use super::{Failure, file, output, progress};
+use super::{Failure, file, input, output, progress};
 use crate::derivation::Derivation;
 use crate::report::baseline::{Baseline, Comparison};
 use crate::report::remark::Known;
@@ -19,6 +19,15 @@ pub(super) fn audit(derivation: &Derivation, args: &Args, gate: &Gate, paths: &[
         paths,
     };
     let here = std::env::current_dir().unwrap_or_default();
+    if let (Some(output), Some(baseline)) = (&args.output, &gate.baseline)
+        && input::same(output) == input::same(baseline)
+    {
+        return Err(Failure::new(format!(
+            "`{}` cannot be the baseline and the output",
+            output.display()
+        ))
+        .help("name another file to write"));
+    }
     let comparison = match &gate.baseline {
         Some(path) => Some(compared(&report, path, gate.update_baseline, &here)?),
         None => None,
@@ -36,6 +45,7 @@ fn compared(
 ) -> Result<Comparison, Failure> {
     let shown = path.display();
     if update {
+        replaceable(path)?;
         let baseline = report.baseline(here);
         file::replace(path, baseline.written())?;
         output::say(&format!(
@@ -50,9 +60,29 @@ fn compared(
         _ => Failure::new(format!("`{shown}` cannot be read: {error}")),
     })?;
     let baseline = Baseline::read(&text).map_err(|error| {
-        Failure::new(format!("`{shown}` {error}")).help("`--update-baseline` writes it anew")
+        Failure::new(format!("`{shown}` {error}")).help(match Baseline::may_replace(&text) {
+            true => "`--update-baseline` writes it anew",
+            false => "name a baseline; where none is there, `--update-baseline` writes one",
+        })
     })?;
     Ok(report.compared(&baseline, here))
+}
+
+/// That no file is written over which is no baseline.
+fn replaceable(path: &Path) -> Result<(), Failure> {
+    let is_file = std::fs::metadata(path).is_ok_and(|about| about.is_file());
+    if !is_file {
+        return Ok(());
+    }
+    let text = std::fs::read_to_string(path).ok();
+    match text.is_some_and(|text| Baseline::may_replace(&text)) {
+        true => Ok(()),
+        false => Err(Failure::new(format!(
+            "`{}` is there and is no baseline, so it is not replaced",
+            path.display()
+        ))
+        .help("name another file, or remove this one")),
+    }
 }
 
 fn view(

@@ -77,6 +77,11 @@ impl Configs {
         Ok(found)
     }
 
+    /// The files that were read, each in one spelling.
+    pub(super) fn files(&self) -> impl Iterator<Item = PathBuf> {
+        self.read.keys().map(|path| input::same(path))
+    }
+
     fn read(&mut self, path: &Path) -> Result<Arc<Config>, Failure> {
         if let Some(known) = self.read.get(path) {
             return Ok(Arc::clone(known));

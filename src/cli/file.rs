@@ -1,9 +1,27 @@
 //! Files that are replaced as a whole: who reads one sees the old text or the new, and never half of it.
 
+use std::collections::BTreeSet;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::Failure;
+use super::{Failure, input};
+
+/// That what is about to be written is none of the files that were read, each of these in one spelling: nobody wants a
+/// document replaced by what is said of it. An empty one may be; nothing is lost with it.
+///
+/// # Errors
+/// It is one of them.
+pub fn spare(target: &Path, read: &BTreeSet<PathBuf>) -> Result<(), Failure> {
+    let has_text = std::fs::metadata(target).is_ok_and(|about| about.is_file() && about.len() > 0);
+    match has_text && read.contains(&input::same(target)) {
+        true => Err(Failure::new(format!(
+            "`{}` is read, and would be lost if it were written",
+            target.display()
+        ))
+        .help("name another file to write")),
+        false => Ok(()),
+    }
+}
 
 /// Writes a file. What is no regular file, such as `/dev/stdout`, is written to as it is.
 ///

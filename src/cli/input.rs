@@ -39,6 +39,15 @@ impl Library for Disk {
     }
 }
 
+/// What was read.
+#[derive(Debug)]
+pub struct Documents {
+    /// All documents as one derivation.
+    pub derivation: Derivation,
+    /// The files that they are in, those that they take in among them; each in one spelling.
+    pub files: BTreeSet<PathBuf>,
+}
+
 /// Reads all documents at some paths as one derivation. `stdin` is what standard input is called, and its ending says
 /// what it is written in.
 ///
@@ -50,7 +59,7 @@ pub fn derivation(
     paths: &[PathBuf],
     stdin: Option<&str>,
     configs: &mut Configs,
-) -> Result<Derivation, Failure> {
+) -> Result<Documents, Failure> {
     if stdin.is_some() && !paths.iter().any(|path| path == Path::new("-")) {
         return Err(
             Failure::new("`--stdin-filename` names standard input, which is not read")
@@ -78,6 +87,8 @@ pub fn derivation(
     let read: Vec<(Vec<Document>, BTreeSet<PathBuf>)> =
         read.into_iter().collect::<Result<_, Failure>>()?;
     let own: Vec<PathBuf> = files.iter().map(|file| same(file)).collect();
+    let opened = read.iter().flat_map(|(_, opened)| opened);
+    let all: BTreeSet<PathBuf> = own.iter().chain(opened).cloned().collect();
     let mut openers: BTreeMap<&PathBuf, Vec<usize>> = BTreeMap::new();
     for (at, (_, opened)) in read.iter().enumerate() {
         for path in opened {
@@ -98,7 +109,10 @@ pub fn derivation(
         let own = move |document| (document, beside.clone());
         documents.into_iter().map(own)
     });
-    Ok(Derivation::beside(documents.collect()))
+    Ok(Documents {
+        derivation: Derivation::beside(documents.collect()),
+        files: all,
+    })
 }
 
 /// The files at some paths, each once, in reading order.
@@ -118,7 +132,7 @@ pub fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// A path in one spelling, if the file is there.
-fn same(path: &Path) -> PathBuf {
+pub(super) fn same(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| path.to_owned())
 }
 

@@ -9,7 +9,7 @@ use num_traits::One;
 use super::args::{Args, Builtin, Command, Format, Gate};
 use super::config::{self, Configs};
 use super::output::{self, Content};
-use super::{Failure, audit, halves, html, init, input, manual, plot, scenario, simulate};
+use super::{Failure, audit, file, halves, html, init, input, manual, plot, scenario, simulate};
 use crate::audit::Audit;
 use crate::cradle::{Scenario, parse_list};
 use crate::derivation::Derivation;
@@ -224,9 +224,25 @@ fn read(
     if args.no_config {
         asked.push("--no-config".into());
     }
-    let derivation = input::derivation(&files, stdin_filename, &mut configs)?;
+    let input::Documents {
+        derivation,
+        files: mut read,
+    } = input::derivation(&files, stdin_filename, &mut configs)?;
+    read.extend(configs.files());
+    for target in targets(args) {
+        file::spare(target, &read)?;
+    }
     output::say(&config::unmet(&derivation));
     Ok((derivation, asked))
+}
+
+/// The files that are about to be written.
+fn targets(args: &Args) -> impl Iterator<Item = &PathBuf> {
+    let baseline = match &args.command {
+        Some(Command::Check { gate, .. }) if gate.update_baseline => gate.baseline.as_ref(),
+        _ => None,
+    };
+    args.output.iter().chain(baseline)
 }
 
 /// What rests on what.

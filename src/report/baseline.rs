@@ -267,6 +267,13 @@ impl Baseline {
         }
     }
 
+    /// Whether a file may be written anew: it is blank, or a baseline, be it of another version or with mistakes in it.
+    pub fn may_replace(text: &str) -> bool {
+        let is_one =
+            |own: serde_json::Value| own["version"].is_u64() && own["statements"].is_array();
+        text.trim().is_empty() || serde_json::from_str(text).is_ok_and(is_one)
+    }
+
     /// Reads a file.
     ///
     /// # Errors

@@ -1,21 +1,4 @@
-//! Standard input, files that are written, what is generated from the arguments, and the watch.
-
-use std::io::{BufRead, BufReader};
-use std::process::Stdio;
-use std::sync::atomic::AtomicUsize;
-use std::time::{Duration, Instant};
-
-use clap::Parser as _;
-use cradle_verify::audit::Audit;
-use cradle_verify::cli::args::Args;
-use cradle_verify::cli::output::{Content, deliver};
-use cradle_verify::proofs;
-use cradle_verify::report::Report;
-
-use super::{code, command, err, json, out, piped, run, run_in, well};
-
-const FALSE: &str = "<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$";
-
+#[cfg(unix)]
 #[test]
 fn standard_input_has_the_name_that_it_is_given() {
     let plain = piped(&["check", "-", "--format", "short"], FALSE);
@@ -79,6 +62,84 @@ fn output_goes_to_a_file_as_a_whole() {
     assert_eq!(std::fs::read(&file).unwrap(), before);
 }
 
+#[test]
+fn what_is_read_is_not_written_over() {
+    let (folder, text) = well("over");
+    std::fs::write(folder.join("cradle.toml"), "files = [\"well.md\"]\n").unwrap();
+    std::fs::write(folder.join("part.tex"), "\\[ a = 1 \\]\n").unwrap();
+    std::fs::write(folder.join("main.tex"), "\\input{part}\n").unwrap();
+    let before = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
+    for (args, target) in [
+        (&["check", "well.md", "-o", "well.md"][..], "well.md"),
+        (&["check", ".", "-o", "./well.md"], "well.md"),
+        (&["check", "-o", "well.md"], "well.md"),
+        (&["check", "-o", "cradle.toml"], "cradle.toml"),
+        (&["report", "well.md", "-o", "well.md"], "well.md"),
+        (&["graph", "well.md", "-o", "well.md"], "well.md"),
+        (&["explain", "6", "well.md", "-o", "well.md"], "well.md"),
+        (&["init", "well.md", "-o", "well.md"], "well.md"),
+        (&["check", "main.tex", "-o", "part.tex"], "part.tex"),
+        (
+            &[
+                "check",
+                "well.md",
+                "--baseline",
+                "well.md",
+                "--update-baseline",
+            ],
+            "well.md",
+        ),
+        (
+            &[
+                "check",
+                "main.tex",
+                "--baseline",
+                "well.md",
+                "--update-baseline",
+            ],
+            "well.md",
+        ),
+        (&["--baseline", "well.md", "--update-baseline"], "well.md"),
+    ] {
+        let whole = before(target);
+        let output = run_in(&folder, args);
+        assert_eq!(
+            (code(&output), out(&output)),
+            (2, String::new()),
+            "{args:?}"
+        );
+        assert!(err(&output).contains(target), "{args:?}: {}", err(&output));
+        assert_eq!(before(target), whole, "{args:?}");
+    }
+    assert_eq!(before("well.md"), text);
+    // Nor is a baseline, by what is said of it.
+    let args = ["check", "well.md", "--baseline", "known.json"];
+    assert_eq!(
+        code(&run_in(
+            &folder,
+            &[&args[..], &["--update-baseline"]].concat()
+        )),
+        0
+    );
+    let whole = before("known.json");
+    assert_eq!(
+        code(&run_in(
+            &folder,
+            &[&args[..], &["-o", "known.json"]].concat()
+        )),
+        2
+    );
+    assert_eq!(before("known.json"), whole);
+    assert_eq!(
+        code(&run_in(
+            &folder,
+            &[&args[..], &["--update-baseline"]].concat()
+        )),
+        0
+    );
+}
+
+#[cfg(unix)]
 #[cfg(unix)]
 #[test]
 fn a_link_and_the_rights_of_a_file_stay() {
