@@ -125,6 +125,37 @@ fn a_notebook_is_its_markdown_cells_and_places_are_in_them() {
 }
 
 #[test]
+fn programs_are_told_the_lines_of_the_notebook() {
+    let folder = Folder::new("saved", &[("d.ipynb", NOTEBOOK)]);
+    let said = |format: &str| {
+        let output = common::run_in(&folder.0, &["check", "d.ipynb", "--format", format]);
+        common::out(&output)
+    };
+    // Both cells stand on one line each in the file, and columns are no help there.
+    let github = said("github");
+    for line in [5, 6] {
+        let place = format!("::error file=d.ipynb,line={line},endLine={line},title=unreadable::");
+        assert!(github.contains(&place), "{github}");
+    }
+    let log: serde_json::Value = serde_json::from_str(&said("sarif")).unwrap();
+    let results = log["runs"][0]["results"].as_array().unwrap();
+    let last = &results.last().unwrap()["locations"][0];
+    let physical = &last["physicalLocation"];
+    assert_eq!(physical["artifactLocation"]["uri"], "d.ipynb");
+    assert_eq!(
+        physical["region"],
+        serde_json::json!({ "startLine": 6, "endLine": 6 })
+    );
+    assert_eq!(last["logicalLocations"][0]["name"], "cell 4");
+    // For people, and for editors that show cells, it is the line of the cell.
+    assert!(
+        said("short").contains("d.ipynb:cell 4:2:8: "),
+        "{}",
+        said("short")
+    );
+}
+
+#[test]
 fn what_is_no_notebook_is_refused() {
     for text in [
         "",

@@ -17,14 +17,7 @@ pub fn github(remarks: &[Remark]) -> String {
             Level::Warning => "warning",
             Level::Note => "notice",
         };
-        let (start, end) = remark.place;
-        text += &format!("::{command} file={}", property(&remark.path));
-        text += &format!(",line={},endLine={}", start.line, end.line.max(start.line));
-        if end.line == start.line {
-            // The last character rather than the first after it.
-            let last = end.column.saturating_sub(1).max(start.column);
-            text += &format!(",col={},endColumn={last}", start.column);
-        }
+        text += &format!("::{command} {}", place(remark));
         text += &format!(",title={}", property(remark.code));
         let mut lines = vec![one_line(&remark.title)];
         for (name, said) in &remark.said {
@@ -32,6 +25,22 @@ pub fn github(remarks: &[Remark]) -> String {
             lines.push(format!("{name}: {}", said.join("\n  ")));
         }
         text += &format!("::{}\n", message(&lines.join("\n")));
+    }
+    text
+}
+
+fn place(remark: &Remark) -> String {
+    if let Some(saved) = &remark.saved {
+        let (path, (first, last)) = (property(&saved.path), saved.lines);
+        return format!("file={path},line={first},endLine={}", last.max(first));
+    }
+    let (start, end) = remark.place;
+    let mut text = format!("file={}", property(&remark.path));
+    text += &format!(",line={},endLine={}", start.line, end.line.max(start.line));
+    if end.line == start.line {
+        // The last character rather than the first after it.
+        let last = end.column.saturating_sub(1).max(start.column);
+        text += &format!(",col={},endColumn={last}", start.column);
     }
     text
 }

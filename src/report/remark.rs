@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::audit::{Entry, Note, Verdict};
-use crate::document::{Position, Span};
+use crate::document::{File, Position, Span};
 
 use super::Report;
 use super::codes::Level;
@@ -45,8 +45,10 @@ pub struct Remark {
     pub path: String,
     /// Where it starts and ends; the end is the first place that is no part of it.
     pub place: (Position, Position),
-    /// What else there is to see: paths and places with what they are.
-    pub context: Vec<(String, (Position, Position), String)>,
+    /// Where that is in the file, if it is in a cell of a notebook.
+    pub saved: Option<Saved>,
+    /// What else there is to see.
+    pub context: Vec<Context>,
     /// The evidence and what to do: names and texts.
     pub said: Vec<(String, String)>,
     /// A repair that a program can apply.
@@ -55,6 +57,42 @@ pub struct Remark {
     pub fingerprint: String,
     /// A baseline knows it.
     pub known: bool,
+}
+
+/// What else there is to see of a remark.
+#[derive(Clone, Debug)]
+pub struct Context {
+    /// The path, as that of a remark.
+    pub path: String,
+    /// Where it starts and ends.
+    pub place: (Position, Position),
+    /// Where that is in the file, if it is in a cell of a notebook.
+    pub saved: Option<Saved>,
+    /// What it is.
+    pub text: String,
+}
+
+/// A place in a cell of a notebook, as who opens the file finds it. The text is in quotation marks there, so that columns are
+/// others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Saved {
+    /// The path of the notebook, as that of a remark.
+    pub path: String,
+    /// The first line and the last.
+    pub lines: (usize, usize),
+    /// The cell, `cell 3`.
+    pub cell: String,
+}
+
+impl Saved {
+    fn of(file: &File, (start, end): (Position, Position), here: &Path) -> Option<Saved> {
+        let cell = file.cell.as_ref()?;
+        Some(Saved {
+            path: relative(&cell.notebook, here),
+            lines: (cell.saved_line(start.line), cell.saved_line(end.line)),
+            cell: format!("cell {}", cell.number),
+        })
+    }
 }
 
 impl Report<'_> {
@@ -83,6 +121,7 @@ impl Report<'_> {
                 let (file, own) = document.written_at(span);
                 (file.position(own.start), file.position(own.end))
             };
+            let saved = |span: Span| Saved::of(document.written_at(span).0, place(span), here);
             let fingerprint = match subject {
                 Subject::Entry(at) => fingerprints.of(&[finding.code, &entries[at]]),
                 Subject::Page(..) => {
@@ -103,13 +142,16 @@ impl Report<'_> {
                 page: finding.page,
                 path: relative(document.place(finding.primary.0).0, here),
                 place: place(finding.primary.0),
+                saved: saved(finding.primary.0),
                 context: finding
                     .context
                     .iter()
                     .filter(|(span, _)| *span != finding.primary.0)
-                    .map(|(span, text)| {
-                        let path = relative(document.place(*span).0, here);
-                        (path, place(*span), text.clone())
+                    .map(|(span, text)| Context {
+                        path: relative(document.place(*span).0, here),
+                        place: place(*span),
+                        saved: saved(*span),
+                        text: text.clone(),
                     })
                     .collect(),
                 said: finding.said_plainly(),

@@ -28,6 +28,7 @@ fn remark(path: &str, title: &str) -> Remark {
         page: 0,
         path: path.to_owned(),
         place: (place, place),
+        saved: None,
         context: Vec::new(),
         said: Vec::new(),
         fix: None,

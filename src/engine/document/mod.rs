@@ -39,7 +39,7 @@ pub use item::{
 pub use latex::Library;
 pub use nearest::nearest;
 pub use notebook::NotANotebook;
-pub use origin::{File, Origin};
+pub use origin::{Cell, File, Origin};
 pub use outline::front_matter;
 pub use source::{NotUtf8, Position};
 pub use span::Span;

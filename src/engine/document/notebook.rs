@@ -1,10 +1,14 @@
 //! Jupyter notebooks: their Markdown cells, one after another. A place is a line and column of a cell.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
+use serde_json::value::RawValue;
+
 use super::markdown;
-use super::origin::File;
+use super::origin::{Cell, File};
+use super::source::line_starts;
 use super::{Directive, Document, Item, Origin, Prose, Span};
 
 /// A file that is no notebook, and why.
@@ -32,7 +36,9 @@ pub(super) fn read(path: String, text: &str) -> Result<Document, NotANotebook> {
     let mut source = String::new();
     let mut origin = Origin::default();
     let (mut items, mut problems) = (Vec::new(), Vec::new());
+    let mut saved = saved_lines(text).unwrap_or_default().into_iter();
     for (number, cell) in (1..).zip(cells) {
+        let saved = saved.next().unwrap_or_default();
         if cell.get("cell_type").and_then(|kind| kind.as_str()) != Some("markdown") {
             continue;
         }
@@ -56,9 +62,12 @@ pub(super) fn read(path: String, text: &str) -> Result<Document, NotANotebook> {
             problem.span = shifted(problem.span, start);
             problem
         }));
-        origin
-            .files
-            .push(File::new(format!("{path}:cell {number}"), written));
+        let cell = Cell {
+            notebook: path.clone(),
+            number,
+            saved,
+        };
+        origin.files.push(File::of_notebook(cell, written));
     }
     if origin.files.is_empty() {
         origin.files.push(File::new(path.clone(), ""));
@@ -82,6 +91,43 @@ fn lines(source: &serde_json::Value) -> Option<String> {
         serde_json::Value::Array(lines) => lines.iter().map(|line| line.as_str()).collect(),
         _ => None,
     }
+}
+
+/// The lines of a notebook on which the lines of each cell stand. Its text is gone through once more, for what has been
+/// read of it does not say where it stood.
+fn saved_lines(text: &str) -> Option<Vec<Vec<usize>>> {
+    let starts = line_starts(text.as_bytes());
+    // Each piece of the text lies in it.
+    let line = |piece: &RawValue| {
+        let before = (piece.get().as_ptr() as usize).saturating_sub(text.as_ptr() as usize);
+        starts.partition_point(|&start| start <= before)
+    };
+    let cells = *members(text)?.get("cells")?;
+    let cells: Vec<&RawValue> = serde_json::from_str(cells.get()).ok()?;
+    let of_cell = |cell: &&RawValue| -> Option<Vec<usize>> {
+        let source = *members(cell.get())?.get("source")?;
+        let pieces = serde_json::from_str(source.get()).unwrap_or_else(|_| vec![source]);
+        let (mut saved, mut begins) = (Vec::new(), true);
+        for piece in pieces {
+            let written: String = serde_json::from_str(piece.get()).ok()?;
+            for part in written.split_inclusive('\n') {
+                saved.extend(begins.then(|| line(piece)));
+                begins = part.ends_with('\n');
+            }
+        }
+        Some(saved)
+    };
+    Some(
+        cells
+            .iter()
+            .map(|cell| of_cell(cell).unwrap_or_default())
+            .collect(),
+    )
+}
+
+/// The members of an object, each as it is written.
+fn members(text: &str) -> Option<BTreeMap<String, &RawValue>> {
+    serde_json::from_str(text).ok()
 }
 
 fn shifted(span: Span, by: usize) -> Span {

@@ -13,7 +13,28 @@ pub struct File {
     pub path: String,
     /// Its text, byte for byte as its author saved it.
     pub source: Arc<str>,
+    /// Where it is in its notebook, if it is a cell of one.
+    pub cell: Option<Cell>,
     lines: Lines,
+}
+
+/// Where a cell is in what its author saved.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    /// The path of the notebook.
+    pub notebook: String,
+    /// Which of its cells, from 1.
+    pub number: usize,
+    /// For each line of the cell the line of the notebook on which it stands; none where that is not known.
+    pub(super) saved: Vec<usize>,
+}
+
+impl Cell {
+    /// The line of the notebook on which a line of the cell stands; the first one where that is not known.
+    pub fn saved_line(&self, line: usize) -> usize {
+        let own = self.saved.get(line.saturating_sub(1));
+        own.or(self.saved.last()).copied().unwrap_or(1)
+    }
 }
 
 impl File {
@@ -24,6 +45,15 @@ impl File {
             path: path.into(),
             lines: Lines::of(&source),
             source,
+            cell: None,
+        }
+    }
+
+    /// A cell of a notebook.
+    pub(super) fn of_notebook(cell: Cell, source: String) -> File {
+        File {
+            cell: Some(cell.clone()),
+            ..File::new(format!("{}:cell {}", cell.notebook, cell.number), source)
         }
     }
 

@@ -69,7 +69,7 @@ impl Lines {
 }
 
 /// `\n`, `\r\n` and a lone `\r` each end a line.
-fn line_starts(bytes: &[u8]) -> Vec<usize> {
+pub(super) fn line_starts(bytes: &[u8]) -> Vec<usize> {
     let mut starts = vec![0];
     for (index, &byte) in bytes.iter().enumerate() {
         if byte == b'\n' || (byte == b'\r' && bytes.get(index + 1) != Some(&b'\n')) {

@@ -18,7 +18,7 @@ use self::model::{
 use super::Report;
 use super::codes::{self, CODES};
 use super::place::uri;
-use super::remark::{Remark, Subject};
+use super::remark::{Remark, Saved, Subject};
 
 const SCHEMA: &str =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
@@ -51,7 +51,7 @@ impl Report<'_> {
         for (name, said) in &remark.said {
             text += &format!("\n{name}: {}", said.replace('\n', "\n  "));
         }
-        let mut place = located(&remark.path, remark.place);
+        let mut place = located(&remark.path, remark.place, remark.saved.as_ref());
         let mut properties = BTreeMap::new();
         if let Subject::Entry(at) = remark.subject {
             let name = self.key(at);
@@ -64,15 +64,16 @@ impl Report<'_> {
             .context
             .iter()
             .enumerate()
-            .map(|(at, (path, place, text))| {
-                let text = Text { text: text.clone() };
-                Location {
-                    id: Some(at + 1),
-                    message: Some(text),
-                    ..located(path, *place)
-                }
+            .map(|(at, seen)| Location {
+                id: Some(at + 1),
+                message: Some(Text {
+                    text: seen.text.clone(),
+                }),
+                ..located(&seen.path, seen.place, seen.saved.as_ref())
             });
-        let fixes = remark.fix.iter().map(|(fix, place)| Repair {
+        // In a notebook the text is written otherwise, and nothing could be put in as it is.
+        let fixes = remark.fix.iter().filter(|_| remark.saved.is_none());
+        let fixes = fixes.map(|(fix, place)| Repair {
             description: Text {
                 text: fix.message.clone(),
             },
@@ -160,14 +161,27 @@ fn artifact(path: &str) -> Artifact {
     Artifact { uri: uri(path) }
 }
 
-fn located(path: &str, place: (Position, Position)) -> Location {
+fn located(path: &str, place: (Position, Position), saved: Option<&Saved>) -> Location {
+    let own = Physical {
+        artifact_location: artifact(path),
+        region: region(place),
+    };
+    let in_notebook = |saved: &Saved| Physical {
+        artifact_location: artifact(&saved.path),
+        region: Region {
+            start_line: saved.lines.0,
+            start_column: None,
+            end_line: saved.lines.1.max(saved.lines.0),
+            end_column: None,
+        },
+    };
+    let cell = saved.map(|saved| Logical {
+        name: saved.cell.clone(),
+    });
     Location {
         id: None,
-        physical_location: Physical {
-            artifact_location: artifact(path),
-            region: region(place),
-        },
-        logical_locations: Vec::new(),
+        physical_location: saved.map_or(own, in_notebook),
+        logical_locations: cell.into_iter().collect(),
         message: None,
     }
 }
@@ -175,8 +189,8 @@ fn located(path: &str, place: (Position, Position)) -> Location {
 fn region((start, end): (Position, Position)) -> Region {
     Region {
         start_line: start.line,
-        start_column: start.column,
+        start_column: Some(start.column),
         end_line: end.line,
-        end_column: end.column,
+        end_column: Some(end.column),
     }
 }

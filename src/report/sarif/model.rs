@@ -112,9 +112,11 @@ pub struct Artifact {
 #[serde(rename_all = "camelCase")]
 pub struct Region {
     pub start_line: usize,
-    pub start_column: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start_column: Option<usize>,
     pub end_line: usize,
-    pub end_column: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_column: Option<usize>,
 }
 
 #[derive(Debug, Serialize)]
