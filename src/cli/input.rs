@@ -208,8 +208,22 @@ fn read(path: &Path, stdin: &str, disk: &Disk) -> Result<Vec<Document>, Failure>
         Some("ipynb") => Document::notebook(name.clone(), text)
             .map(|document| vec![document])
             .map_err(|error| Failure::new(format!("`{name}` is {error}"))),
+        _ if name == STANDARD_INPUT && is_latex(text) => Ok(Document::latex(name, text, disk)),
         _ => Ok(vec![Document::markdown(name, text)]),
     }
+}
+
+/// Whether a text without a name is a LaTeX document: it begins with a command or a comment of TeX, and says where the document begins
+/// or of which class it is. A page of Markdown may show that too, but begins otherwise.
+fn is_latex(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim_start);
+    let begins = lines.clone().find(|line| !line.is_empty());
+    let says = |line: &str| {
+        ["\\documentclass", "\\begin{document}"]
+            .iter()
+            .any(|own| line.starts_with(own))
+    };
+    begins.is_some_and(|line| line.starts_with(['\\', '%'])) && lines.any(says)
 }
 
 fn unread(path: &Path, error: &std::io::Error) -> Failure {

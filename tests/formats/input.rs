@@ -140,6 +140,24 @@ fn what_is_read_is_not_written_over() {
 }
 
 #[cfg(unix)]
+#[test]
+fn latex_on_standard_input_is_known_by_how_it_begins() {
+    let paper = "% a paper\n\\documentclass{article}\n\\begin{document}\n\\begin{equation} a = \\foo \\end{equation}\n\\end{document}\n";
+    let short = |text: &str| out(&piped(&["check", "-", "--format", "json"], text));
+    assert!(short(paper).contains("\"tag\": \"1\""), "{}", short(paper));
+    let body = "\\begin{document}\n\\begin{equation} a = 1 \\end{equation}\n\\end{document}\n";
+    assert!(short(body).contains("\"tag\": \"1\""), "{}", short(body));
+    // A page that shows LaTeX is none, and what has a name is what its name says.
+    let page = format!("# How to begin\n\n```tex\n{paper}```\n\n$$ 1 + 1 = 3 \\tag{{9}} $$\n");
+    assert!(short(&page).contains("\"tag\": \"9\""), "{}", short(&page));
+    let named = piped(
+        &["check", "-", "--stdin-filename", "a.md", "--format", "json"],
+        paper,
+    );
+    assert!(!out(&named).contains("\"tag\": \"1\""), "{}", out(&named));
+}
+
+#[cfg(unix)]
 #[cfg(unix)]
 #[test]
 fn a_link_and_the_rights_of_a_file_stay() {
