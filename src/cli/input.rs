@@ -115,19 +115,21 @@ pub fn derivation(
     })
 }
 
-/// The files at some paths, each once, in reading order.
+/// The files at some paths, each once however it is spelt, in reading order.
 ///
 /// # Errors
 /// A path that is not there, a directory without documents.
 pub fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut files: Vec<PathBuf> = Vec::new();
+    // A file that is named itself stands where it is named, and not where its folder is.
+    let named: BTreeSet<PathBuf> = paths.iter().map(|path| same(path)).collect();
     for path in paths {
         let found = documents(path)?;
-        let fresh = |f: &PathBuf| f == path || !paths.contains(f);
+        let fresh = |f: &PathBuf| f == path || !named.contains(&same(f));
         files.extend(found.into_iter().filter(fresh));
     }
     let mut seen = BTreeSet::new();
-    files.retain(|file| seen.insert(file.clone()));
+    files.retain(|file| seen.insert(same(file)));
     Ok(files)
 }
 

@@ -139,7 +139,6 @@ fn what_is_read_is_not_written_over() {
     );
 }
 
-#[cfg(unix)]
 #[test]
 fn latex_on_standard_input_is_known_by_how_it_begins() {
     let paper = "% a paper\n\\documentclass{article}\n\\begin{document}\n\\begin{equation} a = \\foo \\end{equation}\n\\end{document}\n";
@@ -155,6 +154,24 @@ fn latex_on_standard_input_is_known_by_how_it_begins() {
         paper,
     );
     assert!(!out(&named).contains("\"tag\": \"1\""), "{}", out(&named));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_is_read_once_however_it_is_spelt() {
+    let (folder, _) = well("spelt");
+    std::fs::create_dir(folder.join("a")).unwrap();
+    let whole = folder.display().to_string();
+    let once = run_in(&folder, &["check", "well.md", "--format", "short"]);
+    for paths in [
+        &["well.md", "./well.md"][..],
+        &["well.md", "a/../well.md"],
+        &["well.md", &whole],
+        &["well.md", "."],
+    ] {
+        let output = run_in(&folder, &[&["check", "--format", "short"], paths].concat());
+        assert_eq!(out(&output), out(&once), "{paths:?}");
+    }
 }
 
 #[cfg(unix)]
