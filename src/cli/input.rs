@@ -174,13 +174,21 @@ pub(super) fn below(path: &Path) -> Result<Vec<PathBuf>, Failure> {
             // A link to a directory is not followed: it may lead back. Nor is the copy that Jupyter keeps.
             if kind.is_dir() && !own.ends_with(".ipynb_checkpoints") {
                 open.push(own);
-            } else if ending(&own).is_some_and(|e| ENDINGS.contains(&e.as_str())) && own.is_file() {
+            } else if ending(&own).is_some_and(|e| ENDINGS.contains(&e.as_str()))
+                && (own.is_file() || is_lost(&own))
+            {
                 found.push(own);
             }
         }
     }
     found.sort();
     Ok(found)
+}
+
+/// Whether a link leads nowhere: whoever reads it is told so. The locks that Emacs makes are such links, and no documents.
+fn is_lost(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.is_symlink() && std::fs::metadata(path).is_err() && !name.starts_with(".#")
 }
 
 fn ending(path: &Path) -> Option<String> {
@@ -230,6 +238,10 @@ fn is_latex(text: &str) -> bool {
 
 fn unread(path: &Path, error: &std::io::Error) -> Failure {
     match error.kind() {
+        std::io::ErrorKind::NotFound if path.is_symlink() => Failure::new(format!(
+            "`{}` is a link that leads to no file",
+            path.display()
+        )),
         std::io::ErrorKind::NotFound => Failure::new(format!(
             "there is no file or directory `{}`",
             path.display()

@@ -156,7 +156,6 @@ fn latex_on_standard_input_is_known_by_how_it_begins() {
     assert!(!out(&named).contains("\"tag\": \"1\""), "{}", out(&named));
 }
 
-#[cfg(unix)]
 #[test]
 fn a_file_is_read_once_however_it_is_spelt() {
     let (folder, _) = well("spelt");
@@ -175,6 +174,26 @@ fn a_file_is_read_once_however_it_is_spelt() {
 }
 
 #[cfg(unix)]
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_nowhere_is_told() {
+    use std::os::unix::fs::symlink;
+    let (folder, _) = well("lost");
+    let args = ["check", ".", "--format", "short"];
+    let before = run_in(&folder, &args);
+    // The lock of an editor is no document, nor is a folder around the link.
+    symlink("somebody@somewhere.1", folder.join(".#well.md")).unwrap();
+    symlink(".", folder.join("around.md")).unwrap();
+    assert_eq!(out(&run_in(&folder, &args)), out(&before));
+    for (link, target) in [("gone.md", "nowhere"), ("loop.tex", "loop.tex")] {
+        symlink(target, folder.join(link)).unwrap();
+        let output = run_in(&folder, &args);
+        assert_eq!((code(&output), out(&output)), (2, String::new()));
+        assert!(err(&output).contains(link), "{}", err(&output));
+        std::fs::remove_file(folder.join(link)).unwrap();
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_link_and_the_rights_of_a_file_stay() {
