@@ -264,6 +264,15 @@ fn graph(derivation: &Derivation, args: &Args, paths: &[String]) -> Done {
     Ok((text.into(), report.findings() > 0))
 }
 
+/// `a`, `a or b`, `a, b or c`.
+fn list(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [all @ .., last] => format!("{} or {last}", all.join(", ")),
+    }
+}
+
 fn shown(paths: &[PathBuf]) -> Vec<String> {
     paths
         .iter()
@@ -272,8 +281,8 @@ fn shown(paths: &[PathBuf]) -> Vec<String> {
 }
 
 fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) -> Done {
-    let found = derivation.find(label);
-    let Some(found) = found else {
+    let all = crate::report::meant(derivation, label);
+    if all.is_empty() {
         if let Some((code, text)) = codes::page(label) {
             return meaning(code, text, args.format);
         }
@@ -281,21 +290,13 @@ fn explain(derivation: &Derivation, label: &str, args: &Args, paths: &[String]) 
         let mut near = crate::report::near::near_misses(derivation, label);
         near.extend(codes::near(label).map(str::to_owned));
         return Err(match near.is_empty() {
-            true => failure
-                .help("the number as printed, `23`, the name of a claim, or the code of a finding"),
-            false => failure.help(format!("there is {}", near.join(", "))),
+            true => failure.help(
+                "the number as printed, `23`, the name of a claim, the place of an equation, `page.md:7:4`, or the code of \
+                 a finding",
+            ),
+            false => failure.help(format!("perhaps {} is meant", list(&near))),
         });
-    };
-    let (tag, name) = (found.tag.clone(), found.name.clone());
-    let same = |e: &crate::derivation::Equation| match &tag {
-        Some(_) => e.tag == tag,
-        None => e.name == name,
-    };
-    let equations = derivation.equations.iter().enumerate();
-    let all: Vec<usize> = equations
-        .filter(|(_, e)| same(e))
-        .map(|(at, _)| at)
-        .collect();
+    }
     let audit = Audit::of(derivation);
     let report = Report {
         derivation,

@@ -38,6 +38,7 @@ mod json;
 mod junit;
 mod levels;
 pub mod line;
+mod meant;
 pub mod near;
 mod numeric;
 mod place;
@@ -61,6 +62,7 @@ pub use configuration::configuration;
 pub use declarations::declarations;
 pub use fix::Fix;
 pub use github::github;
+pub use meant::meant;
 pub use short::short;
 
 /// A derivation with its audit: what every view looks at.
@@ -105,16 +107,24 @@ impl Report<'_> {
     }
 
     /// What to type to see an equation's evidence in full.
-    pub fn replay(&self, at: usize) -> Option<String> {
-        let mut command = format!("cradle-verify explain {}", self.equation(at).label()?);
+    pub fn replay(&self, at: usize) -> String {
+        let label = match self.equation(at).label() {
+            Some(label) => label.to_owned(),
+            None => quoted(&self.place(at)),
+        };
+        let mut command = format!("cradle-verify explain {label}");
         for path in self.paths {
-            match path.contains(|c: char| c.is_whitespace() || "'\"$`\\&;|<>()*?[]#~!".contains(c))
-            {
-                true => command += &format!(" '{}'", path.replace('\'', "'\\''")),
-                false => command += &format!(" {path}"),
-            }
+            command += &format!(" {}", quoted(path));
         }
-        Some(command)
+        command
+    }
+}
+
+/// A text as a shell takes it for one word.
+fn quoted(text: &str) -> String {
+    match text.contains(|c: char| c.is_whitespace() || "'\"$`\\&;|<>()*?[]#~!".contains(c)) {
+        true => format!("'{}'", text.replace('\'', "'\\''")),
+        false => text.to_owned(),
     }
 }
 

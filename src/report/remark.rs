@@ -239,9 +239,7 @@ impl Report<'_> {
             page: equation.page,
             primary: (whole, String::new()),
             context: Vec::new(),
-            said: super::diagnostic::replay(self, entry.equation)
-                .into_iter()
-                .collect(),
+            said: vec![super::diagnostic::replay(self, entry.equation)],
         }
     }
 }

@@ -95,11 +95,10 @@ impl Report<'_> {
             (0, _) => "Nothing was found amiss, but what is undecided was not checked.".to_owned(),
             _ => {
                 let mut some = entries.iter().filter(|e| self.is_finding(e));
-                let replay = some
-                    .find_map(|e| self.replay(e.equation))
-                    .map_or(String::new(), |replay| {
-                        format!(" `{replay}` writes one out in full.")
-                    });
+                let replay = some.next().map_or(String::new(), |entry| {
+                    let replay = self.replay(entry.equation);
+                    format!(" `{replay}` writes one out in full.")
+                });
                 let verb = if findings == 1 { "needs" } else { "need" };
                 format!("{} {verb} mending.{replay}", count(findings, "finding"))
             }

@@ -91,7 +91,7 @@ fn an_equation_comes_before_a_code_and_a_slip_is_answered() {
         let output = run(&["explain", slip]);
         assert_eq!(code(&output), 2);
         assert!(
-            err(&output).contains(&format!("there is {meant}")),
+            err(&output).contains(&format!("perhaps {meant} is meant")),
             "{}",
             err(&output)
         );

@@ -194,6 +194,55 @@ fn a_link_that_leads_nowhere_is_told() {
     }
 }
 
+#[test]
+fn an_unnumbered_equation_is_explained_by_its_place() {
+    let folder = super::folder("places");
+    let page = "# t\n\n$$ k = 3 $$\n\nHence\n\n$$ 2 k = 7 $$\n\n$$ r = k $$ {#eq-sum}\n";
+    std::fs::write(folder.join("un.md"), page).unwrap();
+    let found = json(&run_in(&folder, &["check", "un.md", "--format", "sarif"]));
+    let text = found["runs"][0]["results"][0]["message"]["text"]
+        .as_str()
+        .unwrap();
+    assert!(
+        text.contains("replay: cradle-verify explain un.md:7:4 un.md"),
+        "{text}"
+    );
+    let whole = run_in(&folder, &["explain", "un.md:7:4", "un.md"]);
+    assert!(
+        out(&whole).contains("2 k = 7") && !out(&whole).contains("r = k"),
+        "{}",
+        out(&whole)
+    );
+    for place in [
+        "7:4",
+        "7:6",
+        "./un.md:7:4",
+        "un.md:7",
+        "line 7",
+        "the equation at un.md:7:4",
+    ] {
+        let output = run_in(&folder, &["explain", place, "un.md"]);
+        assert_eq!(out(&output), out(&whole), "{place}: {}", err(&output));
+    }
+    for place in [
+        "un.md:8:1",
+        "other.md:7:4",
+        "line 8",
+        "7:60",
+        ":",
+        "un.md:x:y",
+    ] {
+        let output = run_in(&folder, &["explain", place, "un.md"]);
+        assert_eq!((code(&output), out(&output)), (2, String::new()), "{place}");
+    }
+    // A key names one equation.
+    let keyed = out(&run_in(&folder, &["explain", "eq-sum", "un.md"]));
+    assert!(
+        keyed.contains("r = k") && !keyed.contains("2 k = 7"),
+        "{keyed}"
+    );
+}
+
 #[cfg(unix)]
 #[test]
 fn a_link_and_the_rights_of_a_file_stay() {

@@ -59,7 +59,7 @@ impl Report<'_> {
             finding.said.extend(repaired);
         }
         finding.said.extend(self.other_reading(entry));
-        finding.said.extend(replay(self, entry.equation));
+        finding.said.push(replay(self, entry.equation));
         Some(finding)
     }
 

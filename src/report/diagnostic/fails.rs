@@ -63,7 +63,7 @@ impl Report<'_> {
         said.extend(repair.map(|repair| (Level::HELP, scaling::repaired(refuted, repair))));
         said.extend(marks(entry));
         said.extend(self.other_reading(entry));
-        said.extend(replay(self, entry.equation));
+        said.push(replay(self, entry.equation));
         Some(Finding {
             level: Level::ERROR,
             code: "fails",
@@ -115,7 +115,7 @@ impl Report<'_> {
         said.extend(self.perhaps_law(entry).map(|text| (Level::HELP, text)));
         said.extend(marks(entry));
         said.extend(self.other_reading(entry));
-        said.extend(replay(self, entry.equation));
+        said.push(replay(self, entry.equation));
         said
     }
 

@@ -38,7 +38,7 @@ impl Report<'_> {
                 format!("{} at {}", self.reference(at), self.place(at)),
             ));
         }
-        said.extend(replay(self, on[0]));
+        said.push(replay(self, on[0]));
         Finding {
             level: Level::WARNING,
             code: "rests-on",
@@ -209,7 +209,7 @@ impl Report<'_> {
             | Note::OtherReading(_) => return None,
         }
         if !matches!(note, Note::DuplicateTag(_) | Note::UnknownCitation(..)) {
-            finding.said.extend(replay(self, entry.equation));
+            finding.said.push(replay(self, entry.equation));
         }
         Some(finding)
     }

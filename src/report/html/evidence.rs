@@ -49,9 +49,8 @@ impl Page<'_> {
         {
             fact("note", words::ticked(&aside));
         }
-        if let Some(replay) = report.replay(entry.equation) {
-            fact("replay", format!("<code>{}</code>", escape(&replay)));
-        }
+        let replay = report.replay(entry.equation);
+        fact("replay", format!("<code>{}</code>", escape(&replay)));
         text += "</dl>\n";
         if let Some(model) = &entry.model {
             let values = explain::assigned(model.point());
