@@ -139,6 +139,17 @@ fn scenarios_of_ones_own() {
     let json = run("1,0", "0,1", &["--format", "json"]);
     let value: Value = serde_json::from_slice(&json.stdout).unwrap();
     assert_eq!(value["holds"], true);
+    // Both laws hold where nothing happens, and yet the balls cannot stay as they are: one is behind a faster one.
+    for (before, after, possible) in [
+        ("1,0", "0,1", Value::Bool(true)),
+        ("1,0", "1,0", Value::Bool(false)),
+        ("1,0", "1,1", Value::Bool(false)),
+        ("1,0,0", "-1/3,2/3,2/3", Value::Null),
+    ] {
+        let output = run(before, after, &["--format", "json"]);
+        let value: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(value["possible"], possible, "{before} {after}");
+    }
 }
 
 #[test]

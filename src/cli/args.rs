@@ -201,8 +201,8 @@ pub enum Command {
     },
     /// Print a manual page, as roff.
     Man {
-        /// The command that it is about; without it, the program.
-        command: Option<String>,
+        /// The command that it is about, `check` or `plot energy`; without it, the program.
+        command: Vec<String>,
     },
 }
 

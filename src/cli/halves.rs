@@ -1,6 +1,7 @@
 //! `table`: after how many collisions no more than half of the energy is left.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use num_bigint::BigUint;
 use num_rational::BigRational;
@@ -35,6 +36,27 @@ struct Said {
     loss: BigRational,
     /// The first number of collisions that leave no more than half.
     halving: Option<BigUint>,
+}
+
+/// The format that is asked for, or that the ending of a file says where none is.
+pub(super) fn format(asked: Format, file: Option<&Path>) -> Result<Format, Failure> {
+    let ending = file.and_then(Path::extension);
+    let ending = ending.map(|ending| ending.to_string_lossy().to_lowercase());
+    let by_ending = match ending.as_deref() {
+        Some("csv") => Format::Csv,
+        Some("json") => Format::Json,
+        Some("md" | "markdown") => Format::Markdown,
+        _ => return Ok(asked),
+    };
+    match asked {
+        Format::Human => Ok(by_ending),
+        asked if asked == by_ending => Ok(asked),
+        _ => Err(Failure::new(format!(
+            "--format and the ending of `{}` ask for two things",
+            file.unwrap_or(Path::new("")).display()
+        ))
+        .help("leave out --format: with -o the ending decides")),
+    }
 }
 
 /// The table in the format that is asked for.

@@ -12,24 +12,26 @@ pub fn completions(shell: clap_complete::Shell) -> String {
     String::from_utf8_lossy(&script).into_owned()
 }
 
-/// A manual page: of the program, or of one of its commands.
+/// A manual page: of the program, or of one of its commands, each word of which is a name: `plot energy`.
 ///
 /// # Errors
 /// There is no such command.
-pub fn page(name: Option<&str>) -> Result<String, Failure> {
+pub fn page(names: &[String]) -> Result<String, Failure> {
     let mut all = Args::command();
     all.build();
-    let command = match name {
-        None => all,
-        Some(name) => {
-            let Some(command) = all.find_subcommand(name) else {
-                let names: Vec<&str> = all.get_subcommands().map(|c| c.get_name()).collect();
-                return Err(Failure::new(format!("there is no command `{name}`"))
-                    .help(format!("there is {}", names.join(", "))));
-            };
-            command.clone()
-        }
-    };
+    let mut command = &all;
+    for name in names {
+        let Some(own) = command.find_subcommand(name) else {
+            let failure = Failure::new(format!("there is no command `{}`", names.join(" ")));
+            let known: Vec<&str> = command.get_subcommands().map(|c| c.get_name()).collect();
+            return Err(match known.is_empty() {
+                true => failure,
+                false => failure.help(format!("the commands are {}", known.join(", "))),
+            });
+        };
+        command = own;
+    }
+    let command = command.clone();
     let mut roff = Vec::new();
     clap_mangen::Man::new(command)
         .render(&mut roff)

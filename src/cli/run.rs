@@ -112,7 +112,7 @@ pub(super) fn run(args: &Args) -> Done {
             Ok((init::init(&derivation, &shown(paths), *toml).into(), false))
         }
         Some(Command::Completions { shell }) => Ok((manual::completions(*shell).into(), false)),
-        Some(Command::Man { command }) => Ok((manual::page(command.as_deref())?.into(), false)),
+        Some(Command::Man { command }) => Ok((manual::page(command)?.into(), false)),
         Some(Command::Scenario {
             before,
             after,
@@ -140,7 +140,8 @@ pub(super) fn run(args: &Args) -> Done {
         )),
         Some(Command::Table { materials }) => {
             let materials = materials.read()?;
-            let table = halves::halves(&proofs::checker(), &materials, args.format)?;
+            let format = halves::format(args.format, args.output.as_deref())?;
+            let table = halves::halves(&proofs::checker(), &materials, format)?;
             Ok((table.into(), false))
         }
     }

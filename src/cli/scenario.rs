@@ -54,6 +54,7 @@ pub fn json(outcome: &Outcome) -> Value {
         "after": strings(scenario.after()),
         "laws": laws,
         "holds": outcome.holds(),
+        "possible": is_possible(outcome),
         "remarks": outcome.remarks().iter().map(Remark::to_string).collect::<Vec<_>>(),
     })
 }
@@ -61,6 +62,23 @@ pub fn json(outcome: &Outcome) -> Value {
 /// Whether both laws hold: what the exit code says.
 pub fn holds(outcome: &Outcome) -> bool {
     outcome.holds()
+}
+
+/// Whether the outcome can happen; `None` where the laws do not forbid it, and nothing shows how it would.
+fn is_possible(outcome: &Outcome) -> Option<bool> {
+    let has = |wanted: fn(&Remark) -> bool| outcome.remarks().iter().any(wanted);
+    let is_out_of_order = |remark: &Remark| {
+        matches!(
+            remark,
+            Remark::PassesThrough { .. } | Remark::NothingCollides
+        )
+    };
+    match () {
+        () if !outcome.holds() => Some(false),
+        () if has(|remark| matches!(remark, Remark::PairByPairAgrees)) => Some(true),
+        () if has(is_out_of_order) => Some(false),
+        () => None,
+    }
 }
 
 fn headline(outcome: &Outcome) -> String {
@@ -115,7 +133,6 @@ fn laws(outcome: &Outcome) -> Vec<Vec<String>> {
 
 /// What follows from the laws: a sentence for each one that fails, or one in praise.
 fn conclusion(outcome: &Outcome) -> Vec<String> {
-    let has = |wanted: fn(&Remark) -> bool| outcome.remarks().iter().any(wanted);
     if !outcome.holds() {
         let named = outcome.scenario().name().is_some();
         return outcome
@@ -125,17 +142,12 @@ fn conclusion(outcome: &Outcome) -> Vec<String> {
             .map(|j| failure(j, named))
             .collect();
     }
-    let verdict = if has(|remark| matches!(remark, Remark::PairByPairAgrees)) {
-        "Both laws hold: this outcome can happen."
-    } else if has(|remark| {
-        matches!(
-            remark,
-            Remark::PassesThrough { .. } | Remark::NothingCollides
-        )
-    }) {
-        "Both laws hold, and still this outcome cannot happen: the order of the balls forbids it."
-    } else {
-        "Both laws hold: they do not forbid this outcome."
+    let verdict = match is_possible(outcome) {
+        Some(true) => "Both laws hold: this outcome can happen.",
+        Some(false) => {
+            "Both laws hold, and still this outcome cannot happen: the order of the balls forbids it."
+        }
+        None => "Both laws hold: they do not forbid this outcome.",
     };
     vec![verdict.to_owned()]
 }

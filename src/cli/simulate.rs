@@ -79,6 +79,24 @@ pub(super) fn balls(
 }
 
 impl Balls {
+    /// Why so many balls collide so often, and what comes to an end sooner.
+    fn endless(&self, restitution: &BigRational) -> String {
+        let (arriving, waiting) = (self.arriving, self.masses.len() - self.arriving);
+        let are_alike = self.masses.iter().all(|mass| *mass == self.masses[0]);
+        match (restitution.is_one(), are_alike) {
+            (true, true) => format!(
+                "each of {arriving} balls strikes its way through {waiting}: {} collisions; fewer balls come to an end",
+                arriving * waiting
+            ),
+            (true, false) => {
+                "fewer balls or masses less unequal come to an end sooner".to_owned()
+            }
+            (false, _) => "inelastic balls may never stop; fewer balls, a restitution nearer to 1 or masses less unequal \
+                           come to an end sooner"
+                .to_owned(),
+        }
+    }
+
     /// What becomes of them.
     pub(super) fn simulate(
         self,
@@ -101,9 +119,7 @@ impl Balls {
             Model::Pairwise => {
                 let mut line = Line::new(chain);
                 let events = line.settle(Limits::USUAL).map_err(|error| {
-                    Failure::new(error.to_string()).help(
-                        "fewer balls, a restitution nearer to 1 or masses less unequal come to an end sooner",
-                    )
+                    Failure::new(error.to_string()).help(self.endless(&restitution))
                 })?;
                 End::Pairwise {
                     after: line.velocities().clone(),

@@ -58,10 +58,7 @@ impl fmt::Display for ChainError {
                 )
             }
             ChainError::TooManyCollisions(count) => {
-                write!(
-                    f,
-                    "the balls are still colliding after {count} collisions: inelastic ones may never stop"
-                )
+                write!(f, "the balls are still colliding after {count} collisions")
             }
             ChainError::NumbersTooLong { collisions, bits } => {
                 write!(

@@ -232,7 +232,7 @@ impl Report<'_> {
                 let new = &self.equation(own).introduces;
                 let what = match symbols.iter().all(|symbol| new.contains(symbol)) {
                     true => "speaks of",
-                    false => "says how great is",
+                    false => "gives the value of",
                 };
                 let symbols = symbols.iter().map(words::symbol).collect();
                 format!(

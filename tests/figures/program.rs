@@ -212,6 +212,25 @@ fn numbers_of_one_list_have_as_many_digits_each() {
 }
 
 #[test]
+fn the_ending_says_how_a_table_is_written() {
+    let folder = folder("table-endings");
+    for (name, beginning) in [
+        ("a.csv", "material,e,"),
+        ("b.json", "{"),
+        ("c.md", "| material |"),
+        ("d.txt", "Energy lost"),
+    ] {
+        let path = folder.join(name);
+        assert_eq!(says(&["table", "-o", path.to_str().unwrap()]), "");
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.starts_with(beginning), "{name}: {text}");
+    }
+    let path = folder.join("e.csv");
+    let both = complains(&["table", "-o", path.to_str().unwrap(), "--format", "json"]);
+    assert!(both.contains("two things") && !path.exists(), "{both}");
+}
+
+#[test]
 fn what_is_read_aloud_is_right_mathematics() {
     let described = |figure: &str| {
         let json: Value =

@@ -1,4 +1,21 @@
-#[cfg(unix)]
+//! Standard input, files that are written, what is generated from the arguments, and the watch.
+
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
+use std::sync::atomic::AtomicUsize;
+use std::time::{Duration, Instant};
+
+use clap::Parser as _;
+use cradle_verify::audit::Audit;
+use cradle_verify::cli::args::Args;
+use cradle_verify::cli::output::{Content, deliver};
+use cradle_verify::proofs;
+use cradle_verify::report::Report;
+
+use super::{code, command, err, json, out, piped, run, run_in, well};
+
+const FALSE: &str = "<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$";
+
 #[test]
 fn standard_input_has_the_name_that_it_is_given() {
     let plain = piped(&["check", "-", "--format", "short"], FALSE);
@@ -173,7 +190,6 @@ fn a_file_is_read_once_however_it_is_spelt() {
     }
 }
 
-#[cfg(unix)]
 #[cfg(unix)]
 #[test]
 fn a_link_that_leads_nowhere_is_told() {
@@ -370,6 +386,14 @@ fn completions_and_manual_pages_know_the_commands() {
         check.contains(".TH cradle-verify-check 1") && check.contains("strict\\-baseline"),
         "{check}"
     );
+    let energy = out(&run(&["man", "plot", "energy"]));
+    assert!(
+        energy.contains(".TH cradle-verify-plot-energy 1") && energy.contains("\\-\\-material"),
+        "{energy}"
+    );
+    for wrong in [&["man", "plot", "enrgy"][..], &["man", "check", "plot"]] {
+        assert_eq!(code(&run(wrong)), 2, "{wrong:?}");
+    }
     let unknown = run(&["man", "chekc"]);
     assert_eq!(code(&unknown), 2);
     assert!(err(&unknown).contains("check"), "{}", err(&unknown));

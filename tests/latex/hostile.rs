@@ -101,7 +101,7 @@ fn bytes_that_are_no_text_are_told_in_the_file_that_has_them() {
     let told = problems(&derivation);
     assert_eq!(
         told,
-        ["main.tex:1: `bad.tex` is not UTF-8 text: byte 7, on line 1"]
+        ["main.tex:1: `bad.tex` is not UTF-8 text: byte 8, on line 1"]
     );
     assert!(equations(&derivation)[0].contains("is not known"));
 }

@@ -23,7 +23,7 @@ pub struct NotUtf8 {
 impl fmt::Display for NotUtf8 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let NotUtf8 { offset, line } = self;
-        write!(f, "not UTF-8 text: byte {offset}, on line {line}")
+        write!(f, "not UTF-8 text: byte {}, on line {line}", offset + 1)
     }
 }
 
