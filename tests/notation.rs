@@ -475,6 +475,18 @@ fn statements_and_what_separates_them() {
             r"a = 5\,\mathrm{km}/\mathrm{h} + 2\,\mathrm{mm^2}",
             r"a = \frac{5 (1000 \unit{m})}{3600 \unit{s}} + 2 (0.000001 \unit{m}^2)",
         ),
+        (
+            r"a = 9.81\,\frac{\mathrm{m}}{\mathrm{s}^2} + \frac{5\,\mathrm{m}}{\mathrm{s}} + 5\,\text{mm}\cdot\text{s}",
+            r"a = 9.81 (\unit{m} \unit{s}^{-2}) + \frac{5 \unit{m}}{\unit{s}} + 5 (0.001 \unit{m}) \unit{s}",
+        ),
+        (
+            r"a = \mathrm{m} + 2 \text{s} + \frac{\mathrm{kg}}{2} + 2 \frac{\mathrm{g}}{\mathrm{M}} + 2\frac{\text{m}}{\text{s}}",
+            r"a = \text{m} + 2 \text{s} + \frac{\text{kg}}{2} + 2 \cdot \frac{\text{g}}{\text{M}} + 2 \cdot \frac{\text{m}}{\text{s}}",
+        ),
+        (
+            r"a = 4\,\Omega^2 + 4\Omega + 4\,\mu \mathrm{m} + 4\,\mu\,\mathrm{m} + 4\,\Omega \sin t + 4\,\Omega",
+            r"a = 4 \Omega^2 + 4 \Omega + 4 (0.000001 \unit{m}) + 4 \mu \text{m} + 4 \Omega \sin\left( t \right) + 4 (\unit{kg} \unit{m}^2 \unit{s}^{-3} \unit{A}^{-2})",
+        ),
     ];
     for (source, expected) in cases {
         assert_eq!(printed(source).unwrap_or_default(), expected, "{source}");
@@ -610,7 +622,11 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "v_2",
         "the sides around these dots",
     ),
-    (r"a = 5 \% b", r"\%", r"`\%` is not known"),
+    (
+        r"a = c \% b",
+        r"\%",
+        r"`\%` is read only right after a number",
+    ),
     (r"μ = 1", "μ", "the character `μ` is not known"),
     (r"a = \infty", r"\infty", r"`\infty` is no number"),
     (r"a = x!", "!", "factorials are not read"),

@@ -119,6 +119,19 @@ pub(super) const SPACING: &[&str] = &[
     "nobreak",
 ];
 
+/// Those of them that leave a space on the page, as there is one between a number and its unit.
+pub(super) const PRINTED: &[&str] = &[
+    ",",
+    ";",
+    ":",
+    " ",
+    ">",
+    "thinspace",
+    "medspace",
+    "thickspace",
+    "enspace",
+];
+
 /// Commands with a meaning of their own in the grammar.
 const GRAMMAR: &[&str] = &[
     "frac",
@@ -293,6 +306,11 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     (
         "circ",
         "`\\circ` is not read: degrees have no exact value here",
+        None,
+    ),
+    (
+        "%",
+        "`\\%` is read only right after a number, as in `40\\,\\%`",
         None,
     ),
     ("middle", "`\\middle` is not read", None),

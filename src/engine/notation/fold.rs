@@ -137,6 +137,7 @@ impl<'s> Folder<'_, 's> {
                 out.push(Token {
                     kind,
                     span: token.span.to(end),
+                    ..token
                 });
                 continue;
             }
@@ -172,6 +173,7 @@ impl<'s> Folder<'_, 's> {
                     out.push(Token {
                         kind: Kind::BoxOpen,
                         span: token.span.to(open),
+                        ..token
                     });
                     continue;
                 }
@@ -194,10 +196,7 @@ impl<'s> Folder<'_, 's> {
                 }
                 kind => kind,
             };
-            out.push(Token {
-                kind,
-                span: token.span,
-            });
+            out.push(Token { kind, ..token });
         }
         out
     }

@@ -4,7 +4,7 @@
 //! still found and the parser says what is wrong, at its place. Spacing that means nothing is dropped here;
 //! `\quad`, which separates statements, is kept. One pass, no backtracking.
 
-use super::commands::SPACING;
+use super::commands::{PRINTED, SPACING};
 use super::{Connective, Mark, Spanned, SyntaxError};
 use crate::algebra::Relation;
 use crate::document::Span;
@@ -68,6 +68,8 @@ pub(super) enum Kind<'s> {
 pub(super) struct Token<'s> {
     pub(super) kind: Kind<'s>,
     pub(super) span: Span,
+    /// Whether a thin space, or a like one that the author asked for, stands before it.
+    pub(super) spaced: bool,
 }
 
 /// All that the lexer found.
@@ -89,7 +91,7 @@ impl<'s> Lexed<'s> {
                     Kind::Bad(number) => Kind::Bad(number + before),
                     kind => kind,
                 },
-                span: token.span,
+                ..token
             }));
         self.tags.extend(other.tags);
         self.labels.extend(other.labels);
@@ -103,6 +105,7 @@ pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
         source,
         at: body.start,
         end: body.end,
+        spaced: false,
         out: Lexed::default(),
     };
     if source.get(body.start..body.end).is_none() {
@@ -121,6 +124,8 @@ struct Lexer<'s> {
     source: &'s str,
     at: usize,
     end: usize,
+    /// Whether a space that is printed stands before the next token.
+    spaced: bool,
     out: Lexed<'s>,
 }
 
@@ -137,6 +142,7 @@ impl<'s> Lexer<'s> {
         self.out.tokens.push(Token {
             kind,
             span: Span::new(start, self.at),
+            spaced: std::mem::take(&mut self.spaced),
         });
     }
 
@@ -150,6 +156,7 @@ impl<'s> Lexer<'s> {
         self.out.tokens.push(Token {
             kind: Kind::Bad(number),
             span,
+            spaced: std::mem::take(&mut self.spaced),
         });
     }
 
@@ -224,7 +231,10 @@ impl<'s> Lexer<'s> {
                 self.take(|c| c != '\n');
                 return;
             }
-            '~' => return,
+            '~' => {
+                self.spaced = true;
+                return;
+            }
             c if c.is_whitespace() => return,
             c if c.is_ascii_punctuation() => Kind::Char(c),
             c => {
@@ -254,13 +264,14 @@ impl<'s> Lexer<'s> {
             self.at += c.len_utf8();
             name = self.source.get(from..self.at).unwrap_or("");
             if c.is_whitespace() {
+                self.spaced = true;
                 return;
             }
         }
         match name {
             "\\" => self.row(start),
             "quad" | "qquad" => self.push(start, Kind::Wide),
-            _ if SPACING.contains(&name) => {}
+            _ if SPACING.contains(&name) => self.spaced |= PRINTED.contains(&name),
             "tag" | "label" => self.reference(start, name),
             "text" | "textrm" | "textnormal" | "mbox" => {
                 if let Some(words) = self.argument(start, name) {

@@ -73,6 +73,7 @@ pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool) -> Vec<Unit> {
                 unit.tokens.push(Token {
                     kind: Kind::Row,
                     span: Span::new(start, start),
+                    spaced: false,
                 });
                 unit.append(lexed);
                 rows.end = at + 1;

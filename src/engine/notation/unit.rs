@@ -108,7 +108,7 @@ pub(super) struct Unit {
 }
 
 impl Unit {
-    fn one() -> Unit {
+    pub(super) fn one() -> Unit {
         Unit {
             number: BigRational::from_integer(1.into()),
             powers: [0; 7],
@@ -123,7 +123,7 @@ impl Unit {
             .map(|((name, _), power)| (Symbol::new(format!("\\unit{{{name}}}")), power))
     }
 
-    fn times(&mut self, other: &Unit, power: i32) -> Option<()> {
+    pub(super) fn times(&mut self, other: &Unit, power: i32) -> Option<()> {
         if power.abs() > MOST_POWER {
             return None;
         }
@@ -208,7 +208,8 @@ pub(super) fn is_symbol(text: &str) -> bool {
     text != "d" && by_symbol(text).is_some()
 }
 
-/// A unit as siunitx takes it: `m/s^2`, `kg.m^2.s^{-2}`, `\kilo\metre\per\second\squared`.
+/// A unit as siunitx takes it, `m/s^2`, `kg.m^2.s^{-2}`, `\kilo\metre\per\second\squared`, or as it is written by hand,
+/// `J/(mol\,K)`, `\frac{m}{s^2}`, `k\Omega`.
 ///
 /// # Errors
 /// What in it is not read.
@@ -220,9 +221,10 @@ pub(super) fn read(text: &str) -> Result<Unit, String> {
         strokes: 0,
         after_stroke: 0,
         raised: 1,
+        group: false,
     };
     while reader.step()? {}
-    if reader.below || reader.raised != 1 {
+    if reader.below || reader.raised != 1 || reader.group {
         return Err(format!("`{}` ends where a unit is expected", text.trim()));
     }
     // `J/kg K`: whether K stands below the stroke, the page does not tell.
@@ -245,9 +247,14 @@ struct Reader<'a> {
     after_stroke: usize,
     /// The power of the next unit, from `\square` and `\cubic`.
     raised: i32,
+    /// Inside the parentheses that stand below the stroke.
+    group: bool,
 }
 
-impl Reader<'_> {
+/// Signs in the names of units that are spelt as commands.
+const SIGNS: &[(&str, &str)] = &[("Omega", "Ω"), ("mu", "µ"), ("%", "%")];
+
+impl<'a> Reader<'a> {
     fn step(&mut self) -> Result<bool, String> {
         self.rest = self
             .rest
@@ -263,7 +270,15 @@ impl Reader<'_> {
                 }
                 (self.below, self.strokes) = (true, 1);
             }
-            '\\' => {
+            '(' if self.below && self.strokes == 1 => {
+                self.rest = &self.rest[1..];
+                (self.below, self.group) = (false, true);
+            }
+            ')' if self.group && self.after_stroke == 0 => {
+                self.rest = &self.rest[1..];
+                (self.group, self.after_stroke) = (false, 1);
+            }
+            '\\' if self.sign().is_none() => {
                 let rest = &self.rest[1..];
                 let length = rest.find(|c: char| !c.is_ascii_alphabetic());
                 let name = &rest[..length.unwrap_or(rest.len())];
@@ -271,15 +286,10 @@ impl Reader<'_> {
                 self.command(name)?;
             }
             _ => {
-                let length = self
-                    .rest
-                    .find(|c: char| !c.is_alphabetic() && c != '%')
-                    .unwrap_or(self.rest.len());
-                let name = &self.rest[..length];
+                let name = self.name();
                 if name.is_empty() {
                     return Err(format!("`{first}` is not read in a unit"));
                 }
-                self.rest = &self.rest[length..];
                 let unit = by_symbol(&name.replace('μ', "µ"))
                     .ok_or_else(|| format!("the unit `{name}` is not known"))?;
                 self.take(&unit)?;
@@ -288,13 +298,64 @@ impl Reader<'_> {
         Ok(true)
     }
 
+    /// The sign that a command here spells, and what stands after it.
+    fn sign(&self) -> Option<(&'static str, &'a str)> {
+        let rest = self.rest.strip_prefix('\\')?;
+        SIGNS.iter().find_map(|(command, sign)| {
+            let after = rest.strip_prefix(command)?;
+            let ends = *command == "%" || !after.starts_with(|c: char| c.is_ascii_alphabetic());
+            ends.then_some((*sign, after.trim_start()))
+        })
+    }
+
+    /// The letters of a unit, signs among them: `km`, `k\Omega`, `\mu m`.
+    fn name(&mut self) -> String {
+        let mut name = String::new();
+        loop {
+            let letters = self.rest.find(|c: char| !c.is_alphabetic() && c != '%');
+            let (own, rest) = self.rest.split_at(letters.unwrap_or(self.rest.len()));
+            name.push_str(own);
+            self.rest = rest;
+            // `k\Omega` is one unit; what stands after an `\Omega` is another.
+            let ended = name.ends_with(['Ω', '%']);
+            match self.sign() {
+                Some((sign, after)) if !ended => {
+                    name.push_str(sign);
+                    self.rest = after;
+                    if sign == "Ω" {
+                        return name;
+                    }
+                }
+                _ => return name,
+            }
+        }
+    }
+
+    /// `\frac{J}{mol\,K}`
+    fn fraction(&mut self) -> Result<(), String> {
+        for power in [1, -1] {
+            let (inner, after) = braced(self.rest.trim_start())
+                .ok_or("a fraction in a unit needs two pairs of braces")?;
+            self.rest = after;
+            if power > 0 && inner.trim() == "1" {
+                continue;
+            }
+            let taken = self.unit.times(&read(inner)?, power);
+            taken.ok_or("this power of a unit is too large")?;
+        }
+        Ok(())
+    }
+
     fn command(&mut self, name: &str) -> Result<(), String> {
         match name {
+            "frac" | "tfrac" | "dfrac" if !self.below && self.raised == 1 && self.strokes == 0 => {
+                self.fraction()?;
+            }
             "" if self.rest.starts_with([',', ';', ' ']) => self.rest = &self.rest[1..],
             "cdot" => {}
             "per" => {
-                if self.below {
-                    return Err("`\\per` stands twice".into());
+                if self.below || self.group {
+                    return Err("a second stroke in a unit is not read".into());
                 }
                 self.below = true;
             }
@@ -357,11 +418,30 @@ impl Reader<'_> {
                 .ok_or_else(|| format!("the power `{}` of a unit is not read", digits.trim()))?;
             (power, self.rest) = (power * exponent, after);
         }
-        if std::mem::take(&mut self.below) {
+        if std::mem::take(&mut self.below) || self.group {
             power = -power;
         }
-        self.after_stroke += self.strokes;
+        if !self.group {
+            self.after_stroke += self.strokes;
+        }
         let taken = self.unit.times(unit, power);
         taken.ok_or_else(|| "this power of a unit is too large".to_owned())
     }
+}
+
+/// What stands between braces, and what after them.
+fn braced(text: &str) -> Option<(&str, &str)> {
+    let inner = text.strip_prefix('{')?;
+    let mut depth = 1_usize;
+    for (at, c) in inner.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some((&inner[..at], &inner[at + 1..]));
+        }
+    }
+    None
 }

@@ -1,7 +1,7 @@
 //! Single factors: numbers, fractions, roots, names, and the powers on them.
 
 use super::name::Superscript;
-use super::term::invisible;
+use super::term::{counted, invisible};
 use super::{DIGITS, Factor, Kind, LastName, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{BigInt, BigRational, Expr};
 use crate::document::Span;
@@ -221,7 +221,14 @@ impl<'s> Parser<'s> {
                     number(&under.to_string(), span)?,
                 )
             }
-            _ => (self.argument("\\frac")?, self.argument("\\frac")?),
+            _ => {
+                let over = self.argument("\\frac")?;
+                let under = match self.unit_denominator().filter(|_| counted(&over)) {
+                    Some(unit) => self.take_unit(unit)?.expr,
+                    None => self.argument("\\frac")?,
+                };
+                (over, under)
+            }
         };
         Ok((
             Expr::Quotient(Box::new(over), Box::new(under)),

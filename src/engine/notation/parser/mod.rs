@@ -1,6 +1,6 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `cases` what is said under conditions, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` numbers with units, `name` whole
+//! `statement` reads what is said, `cases` what is said under conditions, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `name` whole
 //! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -16,6 +16,7 @@ mod quantity;
 mod series;
 mod statement;
 mod term;
+mod unit;
 
 pub(super) use name::with_subscript;
 

@@ -69,7 +69,7 @@ pub(crate) fn with_subscript(stem: &str, text: &str) -> String {
 }
 
 /// Words that join statements; in `\text{…}` they are never a symbol.
-const PROSE: &[&str] = &[
+pub(super) const PROSE: &[&str] = &[
     "and",
     "or",
     "if",

@@ -1,9 +1,9 @@
-//! Numbers with units: `\qty{9.81}{m/s^2}`, and `9.81\,\mathrm{m}` as far as that can only be a unit.
+//! Numbers with units as siunitx writes them: `\qty{9.81}{m/s^2}`.
 //!
 //! A reader sees digits and upright letters, so neither a power nor a stroke may stand directly beside a quantity.
 
-use super::{Before, BeforeKind, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
-use crate::algebra::{BigRational, Expr, Symbol};
+use super::{Factor, Kind, Parser, Read, Shape, refuse_with};
+use crate::algebra::{BigRational, Expr};
 use crate::notation::unit::{self, Unit};
 use num_traits::{One, Signed};
 
@@ -48,47 +48,10 @@ impl Parser<'_> {
             braces: negative,
         })
     }
-
-    /// Whether upright letters that can be a unit stand here, and nothing that makes a name of them.
-    pub(super) fn at_unit(&self) -> bool {
-        let named = matches!(self.kind(self.at + 1), Kind::Char('_' | '\'' | '('));
-        matches!(self.peek(), Kind::Upright(text) if unit::is_symbol(text)) && !named
-    }
-
-    /// `\mathrm{km}` after a number, with its power. Whether the page has a symbol of that name is looked at later.
-    pub(super) fn plain_unit(&mut self) -> Read<Factor> {
-        let start = self.at;
-        let Kind::Upright(text) = self.peek() else {
-            return self.no_term();
-        };
-        self.advance();
-        let Ok(unit) = unit::read(text) else {
-            return self.unexpected();
-        };
-        self.before.push(Before {
-            name: Symbol::new(format!("\\text{{{text}}}")),
-            span: self.since(start),
-            kind: BeforeKind::Unit,
-        });
-        let mut expr = product(None, &unit);
-        if self.peek() == Kind::Char('^') {
-            let span = self.span();
-            match self.superscript()?.power {
-                Some(power) => expr = Expr::Power(Box::new(expr), Box::new(power)),
-                None => return refuse(span, "a mark on a unit is not read"),
-            }
-        }
-        Ok(Factor {
-            expr,
-            shape: Shape::Tight,
-            span: self.since(start),
-            braces: false,
-        })
-    }
 }
 
 /// A number of a unit as a term.
-fn product(value: Option<&BigRational>, unit: &Unit) -> Expr {
+pub(super) fn product(value: Option<&BigRational>, unit: &Unit) -> Expr {
     let number = match value {
         Some(value) => value * &unit.number,
         None => unit.number.clone(),

@@ -131,8 +131,14 @@ impl Parser<'_> {
             match self.peek() {
                 Kind::Command("cdot" | "times") | Kind::Char('*') => {
                     self.advance();
-                    product.signed = true;
                     stroke = None;
+                    if product.measured
+                        && let Some(unit) = self.unit_after_sign(true)
+                    {
+                        product.push_unit(self.take_unit(unit)?)?;
+                        continue;
+                    }
+                    product.signed = true;
                     differential |= self.at_differential();
                     product.push(self.factor()?)?;
                 }
@@ -162,8 +168,11 @@ impl Parser<'_> {
                         return refuse_with(self.span(), message, "write `\\frac{…}{…}`");
                     }
                     let from = self.at;
-                    if product.is_counted() && self.at_unit() {
-                        let unit = self.plain_unit()?;
+                    let after_unit = product.measured;
+                    if product.is_counted()
+                        && let Some(unit) = self.unit_below(after_unit)
+                    {
+                        let unit = self.take_unit(unit)?;
                         product.divide(unit)?;
                         continue;
                     }
@@ -177,9 +186,10 @@ impl Parser<'_> {
                     }
                     product.divide(under)?;
                 }
-                _ if product.is_counted() && self.at_unit() => {
-                    let unit = self.plain_unit()?;
-                    product.push(unit)?;
+                _ if product.is_counted()
+                    && let Some(unit) = self.unit_here(product.measured) =>
+                {
+                    product.push_unit(self.take_unit(unit)?)?;
                 }
                 _ if self.starts_factor() => {
                     differential |= self.at_differential();
@@ -239,6 +249,8 @@ struct Product {
     divided: bool,
     /// Whether a sign stands before the next factor, so that two numbers do not run together.
     signed: bool,
+    /// Whether the last factor is a unit after a number, so that another may go on with it.
+    measured: bool,
 }
 
 impl Product {
@@ -254,7 +266,16 @@ impl Product {
         self.factors.last().is_some_and(|last| counted(&last.expr))
     }
 
+    /// A unit after a number. One that is itself a number, such as `\%` and `\mathrm{rad}`, is no second number beside it.
+    fn push_unit(&mut self, unit: Factor) -> Read<()> {
+        self.signed = true;
+        self.push(unit)?;
+        self.measured = true;
+        Ok(())
+    }
+
     fn push(&mut self, factor: Factor) -> Read<()> {
+        self.measured = false;
         let signed = std::mem::take(&mut self.signed);
         if let Some(before) = self.factors.last()
             && !signed
@@ -287,7 +308,7 @@ impl Product {
     }
 
     fn divide(&mut self, by: Factor) -> Read<()> {
-        self.signed = false;
+        (self.signed, self.measured) = (false, false);
         self.check_braces(true)?;
         if by.braces && by.shape == Shape::Loose {
             return invisible(by.span);
@@ -360,7 +381,7 @@ pub(super) fn invisible<T>(span: crate::document::Span) -> Read<T> {
     )
 }
 
-fn counted(expr: &Expr) -> bool {
+pub(super) fn counted(expr: &Expr) -> bool {
     match expr {
         Expr::Number(_) => true,
         Expr::Symbol(symbol) => measured(symbol).is_some(),
