@@ -452,6 +452,18 @@ fn statements_and_what_separates_them() {
         ),
         (r"a := b", "a = b"),
         (
+            r"\Rightarrow \boxed{a = 1{,}5 b,} \quad \underline{\underline{c = d.}}",
+            "a = 1.5 b ;; c = d",
+        ),
+        (
+            r"a \overset{!}{=} b \stackrel{\eqref{x_1}}{\leq} c \overset{\text{def}}= d \overset{(3a)}{=} \underline{f + g}",
+            r"a = b \leq c = d = f + g",
+        ),
+        (
+            r"V_+ = V_- + 10\,000\,x_{\bar y} + w_{1{,}2} = \text{const.}, \quad n = 1, 2, \dots, \quad (n > 3)",
+            r"V_+ = V_- + 10000 x_{\bar{y}} + w_{1,2} = \text{const} \quad \text{if } n > 3",
+        ),
+        (
             r"f = g = \begin{cases} a, & x < 0, \\ b & \text{for } x = 0 \text{ and } y > 0, \\[2pt] -c, & x > 0. \end{cases}",
             r"f = g ;; g = a \quad \text{if } x < 0 ;; g = b \quad \text{if } x = 0 \text{ and } y > 0 ;; g = -c \quad \text{if } x > 0",
         ),
@@ -718,7 +730,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
     (r"x = -{a+b}", "{a+b}", "TeX does not print these braces"),
     (r"x = a / {b c}", "{b c}", "TeX does not print these braces"),
-    (r"x = 10\,000", "000", "two numbers stand side by side"),
+    (r"x = 10\,0000", "0000", "two numbers stand side by side"),
     (r"x = a \quad b", "b", "this is a term, not a statement"),
     (
         r"x = \sin^{-1} y",
@@ -732,9 +744,25 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "the arguments of an unknown function must be bare symbols",
     ),
     (
-        r"x = \overset{!}{=} 3",
+        r"x \overset{d}{=} 3",
         r"\overset",
-        "only `?` is read above",
+        "only `?`, `!` and citations are read above",
+    ),
+    (
+        r"\underline{a} = b",
+        r"\underline{a}",
+        "whether this line is part of the name",
+    ),
+    (
+        r"a = 10{,}000",
+        "10{,}000",
+        "whether `10{,}000` has decimals",
+    ),
+    (r"a_-1 = b", "-", "this cannot be a subscript"),
+    (
+        r"a = \eqref{b}",
+        r"\eqref{b}",
+        "an equation is cited in the mathematics",
     ),
     (r"\boxed{a = b} c", "c", "`c` cannot stand here"),
     (r"x = 1, 2", "2", "this is a term, not a statement"),

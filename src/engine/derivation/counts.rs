@@ -18,7 +18,14 @@ use super::running::{Offsets, offsets, recurs};
 pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
     let mut counts = BTreeSet::new();
     let mut steps: Vec<(Symbol, Symbol, i64)> = Vec::new();
+    // What the author says to run through whole numbers, and from which on.
+    let mut said_to_run: BTreeMap<Symbol, Option<i64>> = BTreeMap::new();
     for statement in equations.iter().flat_map(Equation::statements) {
+        for run in &statement.runs {
+            let from = said_to_run.entry(run.symbol.clone()).or_insert(run.from);
+            *from = (*from).min(run.from);
+            counts.insert(run.symbol.clone());
+        }
         for formula in formulas(statement) {
             for term in formula.terms() {
                 limits(term, &mut Vec::new(), &mut counts);
@@ -51,10 +58,13 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
         }
     }
     for symbol in counts {
-        let least = first.get(&symbol).copied().unwrap_or(1);
+        let least = match said_to_run.get(&symbol) {
+            Some(from) => *from,
+            None => Some(first.get(&symbol).copied().unwrap_or(1)),
+        };
         let domain = page.domains.entry(symbol).or_default();
         domain.integer = true;
-        domain.lower = Some((BigRational::from_integer(least.into()), false));
+        domain.lower = least.map(|least| (BigRational::from_integer(least.into()), false));
     }
 }
 

@@ -7,11 +7,11 @@ use crate::algebra::{
     BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, element_symbol,
 };
 use crate::dimension;
-use crate::document::nearest;
 use crate::document::{
     Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, Supposition,
     SuppositionKind,
 };
+use crate::document::{above_signs, nearest};
 use crate::kernel::Domain;
 use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
 
@@ -249,8 +249,9 @@ pub(super) fn read_page(
             }
             Item::Display { span, body, layout } => {
                 let (span, body) = (*span, *body);
-                let said = std::mem::take(&mut between);
+                let mut said = std::mem::take(&mut between);
                 let source = &page.document.source;
+                said.cited.extend(above_signs(source, body));
                 let read = ahead.next();
                 let mut read = read.unwrap_or_else(|| rows::read(source, body, layout.as_deref()));
                 let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());

@@ -278,6 +278,7 @@ fn taken_apart(
                         mark: None,
                         others: Vec::new(),
                         before: Vec::new(),
+                        runs: statement.runs.clone(),
                         span: pair[0].span.to(pair[1].span),
                     },
                 )),

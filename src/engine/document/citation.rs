@@ -1,13 +1,16 @@
 //! Which equations prose cites: "equations (13) and (17)", "Eqs. (2)–(5)", `\eqref{key}`, "(42)".
 
 use super::number::expand_range;
-use super::prose::{Placed, Token};
+use super::prose::{self, Placed, Token};
 use super::{Citation, Span};
 
 /// Keys of `\ref` that name no equation.
 const ELSEWHERE: [&str; 9] = [
     "fig:", "tab:", "sec:", "ch:", "chap:", "app:", "alg:", "lst:", "subsec:",
 ];
+
+/// The most bytes above a relation sign.
+const LONGEST_REMARK: usize = 200;
 
 /// What a word that introduces a citation allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,6 +71,35 @@ pub(super) fn read(tokens: &[Placed<'_>]) -> Vec<Citation> {
         at = if end > list { end } else { at + 1 };
     }
     citations
+}
+
+/// The equations that are cited above the relation signs of a display: `\overset{\eqref{law}}{=}`.
+pub(crate) fn above_signs(source: &str, body: Span) -> Vec<Citation> {
+    let mut found = Vec::new();
+    let mut at = body.start;
+    while let Some(rest) = source.get(at..body.end) {
+        let signs = ["\\overset{", "\\stackrel{"];
+        let next = signs
+            .iter()
+            .filter_map(|sign| Some(rest.find(sign)? + sign.len()));
+        let Some(open) = next.min() else { break };
+        let inner = at + open;
+        let mut depth = 1_usize;
+        let end = rest[open..].find(|c| {
+            match c {
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                _ => {}
+            }
+            depth == 0
+        });
+        if let Some(end) = end.filter(|end| *end <= LONGEST_REMARK) {
+            let span = Span::new(inner, inner + end);
+            found.extend(read(&prose::tokens(source, span, &[], &[])));
+        }
+        at = inner;
+    }
+    found
 }
 
 /// Reads citations joined by commas, "and", "or" from `at` on; where they end.

@@ -31,6 +31,7 @@ mod supposition;
 use std::sync::Arc;
 
 pub use attribute::declaration;
+pub(crate) use citation::above_signs;
 pub use in_order::{in_order, threads, use_threads};
 pub use item::{
     Attribute, Bound, Citation, Directive, Inline, Item, Layout, Premise, Problem, Prose, Row,

@@ -68,7 +68,12 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     }
 }
 
-fn tokens<'a>(source: &'a str, span: Span, inline: &[Inline], hidden: &[Span]) -> Vec<Placed<'a>> {
+pub(super) fn tokens<'a>(
+    source: &'a str,
+    span: Span,
+    inline: &[Inline],
+    hidden: &[Span],
+) -> Vec<Placed<'a>> {
     let mut tokens: Vec<Placed<'a>> = Vec::new();
     let mut inline = inline.iter().peekable();
     let mut hidden = hidden.iter().peekable();

@@ -193,19 +193,21 @@ const GRAMMAR: &[&str] = &[
     "iff",
     "Leftrightarrow",
     "Longleftrightarrow",
+    "therefore",
+    "underline",
 ];
 
 /// Commands that are understood and refused: what they are called, and what to do instead.
 const REFUSED: &[(&str, &str, Option<&str>)] = &[
     (
         "stackrel",
-        "only `?` is read above a relation sign",
-        Some("write `\\stackrel{?}{=}`"),
+        "only `?`, `!` and citations are read above a relation sign",
+        Some("write `\\stackrel{?}{=}`, or say in the text why it is so"),
     ),
     (
         "overset",
-        "only `?` is read above a relation sign",
-        Some("write `\\stackrel{?}{=}`"),
+        "only `?`, `!` and citations are read above a relation sign",
+        Some("write `\\stackrel{?}{=}`, or say in the text why it is so"),
     ),
     ("not", "`\\not` is read only before `=`", None),
     (
@@ -318,11 +320,6 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         "ang",
         "angles in degrees (`\\ang`) are not read",
         Some("write the angle in radians"),
-    ),
-    (
-        "therefore",
-        "`\\therefore` is not read",
-        Some("write `\\Rightarrow` after what it follows from"),
     ),
 ];
 

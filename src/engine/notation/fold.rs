@@ -1,9 +1,9 @@
 //! Between lexer and parser: signs that are spelt with several tokens become one, and what depends on its
 //! surroundings is decided once, by looking at the neighbours.
 //!
-//! - `\stackrel{?}{=}`, `\not=`, `:=` become one relation.
+//! - `\stackrel{?}{=}`, `\overset{!}{=}`, `\not=`, `:=` become one relation.
 //! - A `\times` with nothing after it but the end of its statement is the author's ✗; between factors it is a product.
-//! - `\boxed{…}` around whole clauses becomes a pair of marks that the statement reader steps over; around a term it
+//! - `\boxed{…}` or `\underline{…}` around whole clauses becomes a pair of marks that the statement reader steps over; around a term it
 //!   stays a group.
 //! - `&` goes. A row that starts with a relation or a connective continues the statement before it, and so does a
 //!   row whose first cell is empty and that starts with a sign; any other row is a statement of its own.
@@ -13,10 +13,14 @@ use super::lexer::{Kind, Token};
 use super::{Connective, Mark};
 use crate::algebra::Relation;
 
+/// The most tokens above a relation sign.
+const LONGEST_REMARK: usize = 20;
+
 /// Folds the raw tokens. Linear in their number.
 pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
     let mut raw = raw.to_vec();
     part_inner_columns(&mut raw);
+    part_from_boxes(&mut raw);
     let folder = Folder {
         raw: &raw,
         closing: closing(&raw),
@@ -85,6 +89,76 @@ fn part_inner_columns(raw: &mut [Token]) {
             }
             _ => {}
         }
+    }
+}
+
+/// The full stop at the end of a box, `\boxed{a = b.}`, is that of the sentence: it goes behind the box.
+fn part_from_boxes(raw: &mut [Token]) {
+    let mut ends = vec![false; raw.len()];
+    for (open, close) in closing(raw).into_iter().enumerate() {
+        let boxed = open.checked_sub(1).is_some_and(|at| is_box(raw[at].kind));
+        if let Some(slot) = close.and_then(|close| ends.get_mut(close)) {
+            *slot = boxed;
+        }
+    }
+    for at in 1..raw.len() {
+        if ends[at] && matches!(raw[at - 1].kind, Kind::Char(',' | ';' | '.')) {
+            raw.swap(at - 1, at);
+        }
+    }
+}
+
+/// What a command says between two clauses.
+fn connective(command: &str) -> Option<Connective> {
+    Some(match command {
+        "Rightarrow" | "implies" | "Longrightarrow" | "therefore" => Connective::Implies,
+        "iff" | "Leftrightarrow" | "Longleftrightarrow" => Connective::Equivalent,
+        _ => return None,
+    })
+}
+
+fn is_box(kind: Kind) -> bool {
+    matches!(kind, Kind::Command("boxed" | "underline"))
+}
+
+/// Whether what stands above a relation sign is a remark that changes nothing in it: `!`, a citation, a definition.
+fn is_remark(above: &[Token]) -> bool {
+    let cites = |words: &str| {
+        let first = words
+            .trim()
+            .split([' ', '~', '.', '('])
+            .next()
+            .unwrap_or("");
+        let first = first.to_lowercase();
+        let known = [
+            "", "def", "by", "using", "see", "eq", "eqs", "equation", "gl",
+        ];
+        !words.trim().is_empty() && known.contains(&first.as_str())
+    };
+    let kinds: Vec<Kind> = above.iter().map(|token| token.kind).collect();
+    match kinds.as_slice() {
+        [Kind::Char('!')] => true,
+        [Kind::Text(words) | Kind::Upright(words)] => cites(words),
+        [Kind::Text(words), Kind::Reference(_)] => cites(words),
+        [first, ..] => {
+            let number = |kind: &Kind| {
+                matches!(
+                    kind,
+                    Kind::Number(_)
+                        | Kind::Letter(_)
+                        | Kind::Reference(_)
+                        | Kind::Char('*' | '\'' | ',')
+                )
+            };
+            let plain = |kind: &Kind| matches!(kind, Kind::Reference(_) | Kind::Char('*' | ','));
+            match (first, kinds.last()) {
+                (Kind::Char('('), Some(Kind::Char(')'))) => {
+                    kinds.len() > 2 && kinds[1..kinds.len() - 1].iter().all(number)
+                }
+                _ => kinds.iter().all(plain),
+            }
+        }
+        [] => false,
     }
 }
 
@@ -162,7 +236,7 @@ impl<'s> Folder<'_, 's> {
                     }
                     continue;
                 }
-                Kind::Command("boxed") if self.boxes.get(before) == Some(&true) => {
+                Kind::Command("boxed" | "underline") if self.boxes.get(before) == Some(&true) => {
                     if let Some(Some(close)) = self.closing.get(at)
                         && let Some(slot) = closes_box.get_mut(*close)
                     {
@@ -188,11 +262,8 @@ impl<'s> Folder<'_, 's> {
                     "✗" | "✘" => Kind::Mark(Mark::Cross),
                     _ => token.kind,
                 },
-                Kind::Command("Rightarrow" | "implies" | "Longrightarrow") => {
-                    Kind::Connective(Connective::Implies)
-                }
-                Kind::Command("iff" | "Leftrightarrow" | "Longleftrightarrow") => {
-                    Kind::Connective(Connective::Equivalent)
+                Kind::Command(name) if let Some(connective) = connective(name) => {
+                    Kind::Connective(connective)
                 }
                 kind => kind,
             };
@@ -214,28 +285,38 @@ impl<'s> Folder<'_, 's> {
                 Some((Kind::Relation(Relation::NotEqual, false), 2))
             }
             Kind::Command("stackrel" | "overset") => {
-                let asks = [Kind::Open, Kind::Char('?'), Kind::Close];
-                let asked = asks
-                    .iter()
-                    .enumerate()
-                    .all(|(i, &kind)| self.kind(at + 1 + i) == kind);
-                if !asked {
+                let close = self.end_of_remark(at + 1)?;
+                let above = self.raw.get(at + 2..close)?;
+                let asked = matches!(above, [one] if one.kind == Kind::Char('?'));
+                if !asked && !is_remark(above) {
                     return None;
                 }
+                let sign = close + 1;
                 match (
-                    self.plain_relation(at + 4),
-                    self.kind(at + 4),
-                    self.kind(at + 6),
+                    self.plain_relation(sign),
+                    self.kind(sign),
+                    self.kind(sign + 2),
                 ) {
-                    (Some(relation), ..) => Some((Kind::Relation(relation, true), 5)),
+                    (Some(relation), ..) => Some((Kind::Relation(relation, asked), sign + 1 - at)),
                     (None, Kind::Open, Kind::Close) => {
-                        Some((Kind::Relation(self.plain_relation(at + 5)?, true), 7))
+                        let relation = self.plain_relation(sign + 1)?;
+                        Some((Kind::Relation(relation, asked), sign + 3 - at))
                     }
                     _ => None,
                 }
             }
             _ => None,
         }
+    }
+
+    /// The `}` of the `{` at this place, in which no braces stand, and which is not far away.
+    fn end_of_remark(&self, open: usize) -> Option<usize> {
+        if self.kind(open) != Kind::Open {
+            return None;
+        }
+        let mut ends = open + 1..open + LONGEST_REMARK;
+        ends.find(|&at| matches!(self.kind(at), Kind::Open | Kind::Close | Kind::End))
+            .filter(|&at| self.kind(at) == Kind::Close)
     }
 
     fn plain_relation(&self, at: usize) -> Option<Relation> {
@@ -256,10 +337,7 @@ impl<'s> Folder<'_, 's> {
                 Kind::Wide => {}
                 Kind::Char('&') => empty_cell = true,
                 Kind::Char('+' | '-') => return empty_cell,
-                Kind::Command(
-                    "Rightarrow" | "implies" | "Longrightarrow" | "iff" | "Leftrightarrow"
-                    | "Longleftrightarrow",
-                ) => return true,
+                Kind::Command(name) if connective(name).is_some() => return true,
                 _ => return self.relation(at).is_some(),
             }
             at += 1;
@@ -287,7 +365,7 @@ impl<'s> Folder<'_, 's> {
     fn find_boxes(&mut self) {
         self.boxes = vec![false; self.raw.len()];
         for at in (0..self.raw.len()).rev() {
-            if self.kind(at) != Kind::Command("boxed") {
+            if !is_box(self.kind(at)) {
                 continue;
             }
             let Some(&Some(close)) = self.closing.get(at + 1) else {

@@ -17,7 +17,7 @@ const LONGEST_ARGUMENT: usize = 1000;
 pub(super) enum Kind<'s> {
     /// One letter.
     Letter(char),
-    /// Digits, perhaps with a decimal point between them.
+    /// Digits, perhaps with a decimal point or `{,}` between them, or `\,` between groups of three.
     Number(&'s str),
     /// `\name`, without the backslash.
     Command(&'s str),
@@ -29,6 +29,8 @@ pub(super) enum Kind<'s> {
     Upright(&'s str),
     /// `\operatorname{…}` of a function that is not known: an upright name that must not be taken as a factor.
     Operator(&'s str),
+    /// `\eqref{…}`: keys.
+    Reference(&'s str),
     /// Any other character.
     Char(char),
     /// `{`
@@ -120,6 +122,14 @@ pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
     lexer.out
 }
 
+/// `const.` is `const`.
+fn unabbreviated(text: &str) -> &str {
+    match text.trim() {
+        "const." => text.trim().trim_end_matches('.'),
+        _ => text,
+    }
+}
+
 struct Lexer<'s> {
     source: &'s str,
     at: usize,
@@ -187,13 +197,40 @@ impl<'s> Lexer<'s> {
 
     fn number(&mut self, start: usize) {
         self.take(|c| c.is_ascii_digit());
+        let whole = self.at - start;
+        while whole <= 3 && self.group_after("\\,") {
+            self.at += "\\,000".len();
+        }
+        let grouped = self.at - start > whole;
         let rest = self.rest();
         if rest.starts_with('.') && rest.chars().nth(1).is_some_and(|c| c.is_ascii_digit()) {
             self.at += 1;
             self.take(|c| c.is_ascii_digit());
+        } else if let Some(decimals) = rest.strip_prefix("{,}")
+            && decimals.starts_with(|c: char| c.is_ascii_digit())
+        {
+            let group = self.group_after("{,}") && !grouped && whole <= 3;
+            self.at += "{,}".len();
+            self.take(|c| c.is_ascii_digit());
+            let text = self.source.get(start..self.at).unwrap_or("");
+            if group && !text.starts_with('0') {
+                let message =
+                    format!("whether `{text}` has decimals, or is in thousands, is not clear");
+                let help = "write a decimal point, or `\\,` between the groups of a long number";
+                return self.bad(Span::new(start, self.at), message, Some(help.to_owned()));
+            }
         }
         let text = self.source.get(start..self.at).unwrap_or("");
         self.push(start, Kind::Number(text));
+    }
+
+    /// Whether exactly three digits stand here after what parts them from those before.
+    fn group_after(&self, sign: &str) -> bool {
+        let digit = |c: &u8| c.is_ascii_digit();
+        let rest = self.rest().strip_prefix(sign).map(str::as_bytes);
+        rest.is_some_and(|rest| {
+            rest.len() >= 3 && rest[..3].iter().all(digit) && !rest.get(3).is_some_and(|c| digit(c))
+        })
     }
 
     fn letter(&mut self, start: usize, c: char) {
@@ -275,10 +312,15 @@ impl<'s> Lexer<'s> {
             "tag" | "label" => self.reference(start, name),
             "text" | "textrm" | "textnormal" | "mbox" => {
                 if let Some(words) = self.argument(start, name) {
-                    self.push(start, Kind::Text(words));
+                    self.push(start, Kind::Text(unabbreviated(words)));
                 }
             }
             "mathrm" | "operatorname" | "rm" => self.upright(start, name),
+            "eqref" | "ref" | "cref" | "Cref" | "autoref" => {
+                if let Some(keys) = self.argument(start, name) {
+                    self.push(start, Kind::Reference(keys));
+                }
+            }
             "num" => self.quantity(start, name, true, false),
             "qty" | "SI" => self.quantity(start, name, true, true),
             "unit" | "si" => self.quantity(start, name, false, true),
@@ -427,7 +469,7 @@ impl<'s> Lexer<'s> {
             }
             _ => self.argument(start, name),
         };
-        let Some(text) = text.map(str::trim) else {
+        let Some(text) = text.map(|text| unabbreviated(text.trim())) else {
             return;
         };
         if name == "operatorname" && super::commands::function(text).is_some() {

@@ -30,7 +30,7 @@ pub use printer::{
 };
 pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
 pub use statement::{
-    Before, BeforeKind, Choice, Clause, Connective, Display, Link, Mark, Other, Side, Spanned,
+    Before, BeforeKind, Choice, Clause, Connective, Display, Link, Mark, Other, Run, Side, Spanned,
     Statement, SyntaxError,
 };
 pub use unit::measured;

@@ -31,6 +31,17 @@ pub struct Statement {
     pub others: Vec<Other>,
     /// The names that stand before a parenthesis or as a unit after a number, in order.
     pub before: Vec<Before>,
+    /// What is said beside it of what runs through whole numbers: `n = 1, 2, \dots`.
+    pub runs: Vec<Run>,
+}
+
+/// A symbol that runs through whole numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// The symbol.
+    pub symbol: Symbol,
+    /// The first of the numbers, if there is a first.
+    pub from: Option<i64>,
 }
 
 /// A way to take a place that is not the one taken here; which that is, `docs/notation.md` says.

@@ -26,6 +26,7 @@ impl<'s> Parser<'s> {
                         | "sfrac"
                         | "sqrt"
                         | "boxed"
+                        | "underline"
                         | "underbrace"
                         | "overbrace"
                         | "sum"
@@ -68,6 +69,7 @@ impl<'s> Parser<'s> {
                 self.close(open)?;
                 (content.expr, Shape::Tight)
             }
+            Kind::Command("underline") => return self.underline(),
             Kind::Command("underbrace" | "overbrace") => return self.underbrace(),
             Kind::Command("sum") => (self.nested(Self::series)?, Shape::Loose),
             Kind::Command("int") => (self.nested(Self::integral)?, Shape::Loose),
@@ -312,7 +314,8 @@ fn number(text: &str, span: Span) -> Read<Expr> {
     if text.len() > DIGITS {
         return refuse(span, format!("this number has more than {DIGITS} digits"));
     }
-    let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
+    let text = text.replace("\\,", "").replace("{,}", ".");
+    let (whole, decimals) = text.split_once('.').unwrap_or((&text, ""));
     let Ok(digits) = format!("{whole}{decimals}").parse::<BigInt>() else {
         return refuse(span, "this is no number");
     };

@@ -157,6 +157,14 @@ impl Parser<'_> {
         if !cases.is_empty() {
             return refuse(self.span(), "a condition on all of the cases is not read");
         }
+        let words = self.at;
+        if let Some(run) = self.run()
+            && self.ends_aside(false)
+        {
+            self.runs.push(run);
+            return Ok(under);
+        }
+        self.at = words;
         self.conditions(&mut under)?;
         if let Kind::Char(',' | ';') = self.peek()
             && !matches!(
@@ -202,6 +210,7 @@ impl Parser<'_> {
             span,
             others: Vec::new(),
             before: Vec::new(),
+            runs: Vec::new(),
         };
         if !links.is_empty() {
             let span = sides.iter().map(|side| side.span).reduce(Span::to);
@@ -215,6 +224,7 @@ impl Parser<'_> {
         if let Some(first) = all.first_mut() {
             first.label = statement.label;
             first.before = statement.before;
+            first.runs = statement.runs;
         }
         Ok(all)
     }

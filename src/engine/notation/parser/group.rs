@@ -38,6 +38,44 @@ impl Parser<'_> {
         self.scripts(start, content.expr, content.shape, true)
     }
 
+    /// `\underline{\underline{R I}}`: what is underlined. A line below a single name makes another name of it.
+    fn underline_content(&mut self) -> Read<Factor> {
+        let start = self.at;
+        self.advance();
+        let open = self.open()?;
+        let content = match self.peek() {
+            Kind::Command("underline") => {
+                let inner = self.nested(Self::underline_content)?;
+                (inner.expr, inner.shape)
+            }
+            _ => {
+                let content = self.inside(false, Self::sum)?;
+                (content.expr, content.shape)
+            }
+        };
+        self.close(open)?;
+        Ok(Factor {
+            expr: content.0,
+            shape: content.1,
+            span: self.since(start),
+            braces: content.1 == Shape::Loose,
+        })
+    }
+
+    pub(super) fn underline(&mut self) -> Read<Factor> {
+        let start = self.at;
+        let factor = self.underline_content()?;
+        if let Expr::Symbol(_) | Expr::Element { .. } | Expr::Apply(..) = factor.expr {
+            let message = "whether this line is part of the name above it is not clear";
+            return refuse_with(
+                self.since(start),
+                message,
+                "use `\\boxed{…}`, or leave it out",
+            );
+        }
+        self.scripts(start, factor.expr, factor.shape, factor.braces)
+    }
+
     /// `\underbrace{…}_{words}`: what is braced; the words under it are for people.
     pub(super) fn underbrace(&mut self) -> Read<Factor> {
         let start = self.at;

@@ -1,11 +1,12 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `cases` what is said under conditions, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `name` whole
+//! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `name` whole
 //! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
 //! [`DEPTH`], so that no input can exhaust the stack.
 
+mod aside;
 mod atom;
 mod calculus;
 mod cases;
@@ -22,7 +23,7 @@ pub(super) use name::with_subscript;
 
 use super::commands;
 use super::lexer::{Kind, Token};
-use super::{Before, BeforeKind, Choice, Clause, Side, SyntaxError};
+use super::{Before, BeforeKind, Choice, Clause, Run, Side, SyntaxError};
 use crate::algebra::Expr;
 use crate::document::Span;
 
@@ -59,6 +60,8 @@ pub(super) struct Parser<'s> {
     choices: Vec<(Choice, Span)>,
     /// The names that stand before a parenthesis.
     before: Vec<Before>,
+    /// What runs through whole numbers, as is said after the statement that is being read.
+    runs: Vec<Run>,
     /// The cases of the clause that was read last.
     cases: Vec<Case>,
     /// A group after a name that turned out to be a factor, not an argument: `v_0(1 - \mu)`.
@@ -150,6 +153,7 @@ impl<'s> Parser<'s> {
             choices: Vec::new(),
             before: Vec::new(),
             cases: Vec::new(),
+            runs: Vec::new(),
             pending: None,
         }
     }
@@ -266,6 +270,11 @@ impl<'s> Parser<'s> {
                 "`\\quad` separates statements, so it cannot stand inside one",
             ),
             Kind::Row => refuse(span, "a new row cannot start here"),
+            Kind::Reference(_) => refuse_with(
+                span,
+                "an equation is cited in the mathematics, where it says nothing",
+                "cite it in the text, or above a relation sign: `\\overset{\\eqref{…}}{=}`",
+            ),
             Kind::Cell => refuse_with(
                 span,
                 "a second column is read only beside the cases of one side of a relation",

@@ -318,6 +318,12 @@ impl Parser<'_> {
                 );
                 return refuse_with(span, message, help);
             }
+            Kind::Char('+' | '-' | '*') if !matches!(self.kind(self.at + 1), Kind::Number(_)) => {
+                self.subscript_piece(&mut subscript)?;
+            }
+            Kind::Command(name) if commands::find(ACCENTS, name).is_some() => {
+                return refuse_with(span, "this cannot be a subscript", "put it in braces");
+            }
             Kind::Number(_)
             | Kind::Letter(_)
             | Kind::Command(_)
@@ -360,8 +366,14 @@ impl Parser<'_> {
     fn subscript_piece(&mut self, subscript: &mut Subscript) -> Read<()> {
         let span = self.span();
         let piece = match self.peek() {
-            Kind::Number(text) => text.to_owned(),
+            Kind::Number(text) => text.replace("{,}", ",").replace("\\,", ""),
             Kind::Letter(c) => c.to_string(),
+            Kind::Command(accent) if commands::find(ACCENTS, accent).is_some() => {
+                let name = self.head()?;
+                // What was read last is taken below.
+                self.at -= 1;
+                name.canonical()
+            }
             Kind::Text(words) => format!("\\text{{{}}}", words.trim()),
             Kind::Upright(text) | Kind::Operator(text) => format!("\\text{{{text}}}"),
             Kind::Char(c) if "+-,*/()'".contains(c) => c.to_string(),

@@ -121,8 +121,19 @@ impl<'s> Parser<'s> {
                 self.advance();
                 self.skip_wide();
             }
-            let statement = self.statement()?;
-            statements.extend(self.by_cases(statement)?);
+            // The implication goes on from the display before, in which what it follows from is stated.
+            if statements.is_empty() && !self.words && matches!(self.peek(), Kind::Connective(_)) {
+                self.advance();
+                self.skip_wide();
+            }
+            let remarked = match statements.last_mut() {
+                Some(last) => self.aside(last),
+                None => false,
+            };
+            if !remarked {
+                let statement = self.statement()?;
+                statements.extend(self.by_cases(statement)?);
+            }
             let mut separated = self.separator()?;
             while let Kind::Finish(name) = self.peek() {
                 match environments.pop() {
@@ -246,6 +257,7 @@ impl<'s> Parser<'s> {
             span: self.since(start),
             others: Vec::new(),
             before: std::mem::take(&mut self.before),
+            runs: std::mem::take(&mut self.runs),
         })
     }
 

@@ -1,0 +1,127 @@
+//! Remarks beside a statement: `\qquad n = 1, 2, 3, \dots`, `n \in \mathbb{N}`, `(y > 0)`.
+
+use super::{Clause, Kind, Parser};
+use crate::algebra::{Relation, Symbol};
+use crate::notation::{Run, Statement, commands};
+
+impl Parser<'_> {
+    /// Takes a remark about the statement before it; says whether there was one.
+    pub(super) fn aside(&mut self, about: &mut Statement) -> bool {
+        let start = self.at;
+        let open = self.accept(Kind::Char('('));
+        if let Some(run) = self.run()
+            && self.ends_aside(open)
+        {
+            about.runs.push(run);
+            return true;
+        }
+        self.at = start;
+        open && self.bracketed_condition(about)
+    }
+
+    /// `(y > 0)`: a condition of the statement, which is a single clause.
+    fn bracketed_condition(&mut self, about: &mut Statement) -> bool {
+        let start = self.at;
+        let (before, choices) = (self.before.len(), self.choices.len());
+        let bound = self.bound.len();
+        self.advance();
+        let clause = self.inside(false, Self::clause).ok();
+        if let Some(Clause::Chain { sides, links }) = clause
+            && about.clauses.len() == 1
+            && links.iter().all(|link| !link.questioned)
+            && self.cases.is_empty()
+            && self.ends_aside(true)
+        {
+            about.under.push(Clause::Chain { sides, links });
+            return true;
+        }
+        self.at = start;
+        self.cases.clear();
+        self.pending = None;
+        self.before.truncate(before);
+        self.choices.truncate(choices);
+        self.bound.truncate(bound);
+        false
+    }
+
+    /// Takes the `)` where one is open; whether nothing more is said.
+    pub(super) fn ends_aside(&mut self, open: bool) -> bool {
+        let closed = !open || self.accept(Kind::Char(')'));
+        let end = matches!(
+            self.peek(),
+            Kind::End
+                | Kind::Wide
+                | Kind::Row
+                | Kind::Finish(_)
+                | Kind::BoxClose
+                | Kind::Char(',' | ';' | '.')
+        );
+        closed && end
+    }
+
+    /// `n = 1, 2, \dots` or `n \in \mathbb{N}`
+    pub(super) fn run(&mut self) -> Option<Run> {
+        if !self.is_letter(self.at) {
+            return None;
+        }
+        let name = self.single_letter().ok()?;
+        let symbol = Symbol::new(name.canonical());
+        let from = match self.peek() {
+            Kind::Command("in") => {
+                self.advance();
+                self.whole_numbers()?
+            }
+            Kind::Relation(Relation::Equal, false) => {
+                self.advance();
+                Some(self.counted_out()?)
+            }
+            _ => return None,
+        };
+        Some(Run { symbol, from })
+    }
+
+    /// `\mathbb{N}`, `\mathbb{N}_0`, `\mathbb{Z}`: the first of them, if there is one.
+    fn whole_numbers(&mut self) -> Option<Option<i64>> {
+        if !self.accept(Kind::Command("mathbb")) {
+            return None;
+        }
+        let braced = self.accept(Kind::Open);
+        let Kind::Letter(set) = self.peek() else {
+            return None;
+        };
+        self.advance();
+        if braced && !self.accept(Kind::Close) {
+            return None;
+        }
+        match (set, self.peek(), self.kind(self.at + 1)) {
+            ('Z', ..) => Some(None),
+            ('N', Kind::Char('_'), Kind::Number("0")) => {
+                self.at += 2;
+                Some(Some(0))
+            }
+            ('N', Kind::Char('_'), _) => None,
+            ('N', ..) => Some(Some(1)),
+            _ => None,
+        }
+    }
+
+    /// `1, 2, 3, \dots`: the first of numbers that follow one another.
+    fn counted_out(&mut self) -> Option<i64> {
+        let mut numbers: Vec<i64> = Vec::new();
+        loop {
+            match self.peek() {
+                Kind::Number(text) => numbers.push(text.parse().ok()?),
+                Kind::Command(name) if commands::is_dots(name) && numbers.len() > 1 => break,
+                _ => return None,
+            }
+            self.advance();
+            if !self.accept(Kind::Char(',')) {
+                return None;
+            }
+        }
+        self.advance();
+        let first = *numbers.first()?;
+        let rising = (first..).zip(&numbers).all(|(own, number)| own == *number);
+        rising.then_some(first)
+    }
+}
