@@ -452,6 +452,10 @@ fn statements_and_what_separates_them() {
         ),
         (r"a := b", "a = b"),
         (
+            r"a = \sinh 2x + \log_{10} y + \lg y + \sin 30^\circ",
+            r"a = \frac{\exp\left( 2 x \right) - \exp\left( -2 x \right)}{2} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \sin\left( \frac{30 \pi}{180} \right)",
+        ),
+        (
             r"\Rightarrow \boxed{a = 1{,}5 b,} \quad \underline{\underline{c = d.}}",
             "a = 1.5 b ;; c = d",
         ),
@@ -737,7 +741,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\sin^{-1}",
         "this power on a function is ambiguous",
     ),
-    (r"x = \log_2 y", "_", "a logarithm with a base is not read"),
+    (r"x = \log_b y", "b", "a logarithm is read only with"),
     (
         r"x = f(a, 2)",
         "(a, 2)",
@@ -763,6 +767,21 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"a = \eqref{b}",
         r"\eqref{b}",
         "an equation is cited in the mathematics",
+    ),
+    (
+        r"\alpha = 30^\circ",
+        r"\circ",
+        "degrees are read only in the angle",
+    ),
+    (
+        r"x = \sinh(\cosh y)",
+        r"\cosh",
+        "a hyperbolic function of another",
+    ),
+    (
+        r"x = \arctan y",
+        r"\arctan",
+        "inverse functions (`\\arctan`) are not read",
     ),
     (r"\boxed{a = b} c", "c", "`c` cannot stand here"),
     (r"x = 1, 2", "2", "this is a term, not a statement"),

@@ -243,3 +243,14 @@ fn a_format_that_refers_to_itself_gives_no_number() {
 \end{document}";
     assert_eq!(numbers(source), "- 0.iv");
 }
+
+#[test]
+fn what_stands_above_a_relation_sign_is_cited() {
+    let derivation = read(&article(
+        r"
+\begin{equation} a = b \label{first} \end{equation}
+\begin{equation} c = d \end{equation}
+\begin{equation} a + c \overset{\eqref{first}}{=} b + c \stackrel{(2)}{=} b + d. \end{equation}",
+    ));
+    assert_eq!(premises(&derivation, "3"), ["1", "2"]);
+}

@@ -102,7 +102,9 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
         let free: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::free_symbols).collect();
         symbols.retain(|name| declared(name) || free.contains(name));
     }
-    if functions.is_empty() && symbols.is_empty() {
+    let angles = of(BeforeKind::Degrees);
+    let angles: BTreeSet<Symbol> = angles.into_iter().filter(|name| declared(name)).collect();
+    if functions.is_empty() && symbols.is_empty() && angles.is_empty() {
         return;
     }
     for equation in equations {
@@ -111,6 +113,7 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
             BeforeKind::Function => false,
             BeforeKind::Factor => functions.contains(&before.name),
             BeforeKind::Unit => symbols.contains(&before.name),
+            BeforeKind::Degrees => angles.contains(&before.name),
         });
         let Some(Before { name, span, kind }) = doubtful.cloned() else {
             continue;
@@ -121,6 +124,12 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
                     "whether `{name}` is a unit here, or the symbol of that name, is not clear"
                 ),
                 "write `\\qty{…}{…}` for a quantity, or `\\cdot` before a symbol".to_owned(),
+            ),
+            BeforeKind::Degrees => (
+                format!(
+                    "degrees are read with the number `{name}`, which the page declares to be something else"
+                ),
+                "write the angle in radians".to_owned(),
             ),
             _ => (
                 format!("whether the function `{name}` is applied here, or a factor, is not clear"),

@@ -307,13 +307,38 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     ("hspace", "`\\hspace` is not read", Some("write `\\quad`")),
     (
         "circ",
-        "`\\circ` is not read: degrees have no exact value here",
-        None,
+        "degrees are read only in the angle of a sine, a cosine or a tangent, as in `\\sin 30^\\circ`",
+        Some("write the angle in radians: `30^\\circ` is `\\pi/6`"),
     ),
     (
         "%",
         "`\\%` is read only right after a number, as in `40\\,\\%`",
         None,
+    ),
+    (
+        "arcsin",
+        "inverse functions (`\\arcsin`) are not read",
+        Some("write `\\sin\\alpha = x`"),
+    ),
+    (
+        "arccos",
+        "inverse functions (`\\arccos`) are not read",
+        Some("write `\\cos\\alpha = x`"),
+    ),
+    (
+        "arctan",
+        "inverse functions (`\\arctan`) are not read",
+        Some("write `\\tan\\alpha = x`"),
+    ),
+    (
+        "coth",
+        "`\\coth` is not read",
+        Some("write `\\frac{\\cosh x}{\\sinh x}`"),
+    ),
+    (
+        "cot",
+        "`\\cot` is not read",
+        Some("write `\\frac{\\cos x}{\\sin x}`"),
     ),
     ("middle", "`\\middle` is not read", None),
     (
@@ -358,7 +383,14 @@ pub(super) fn function(command: &str) -> Option<Function> {
     })
 }
 
-const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "log"];
+/// Whether a command names a function: one of these, or one that is made of them.
+pub(super) fn is_function(command: &str) -> bool {
+    function(command).is_some() || matches!(command, "sinh" | "cosh" | "tanh" | "lg")
+}
+
+const FUNCTIONS: &[&str] = &[
+    "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "lg",
+];
 
 /// Looks a command up in one of the tables of this page.
 pub(super) fn find(

@@ -472,7 +472,7 @@ impl<'s> Lexer<'s> {
         let Some(text) = text.map(|text| unabbreviated(text.trim())) else {
             return;
         };
-        if name == "operatorname" && super::commands::function(text).is_some() {
+        if name == "operatorname" && super::commands::is_function(text) {
             self.push(start, Kind::Command(text));
         } else if !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric()) {
             let kind = match name {

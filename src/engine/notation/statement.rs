@@ -88,6 +88,8 @@ pub enum BeforeKind {
     Factor,
     /// A unit after a number, `5\,\mathrm{km}`.
     Unit,
+    /// The number π, which degrees bring in, `30^\circ`.
+    Degrees,
 }
 
 /// A clause of a statement.

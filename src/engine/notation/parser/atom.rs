@@ -39,7 +39,7 @@ impl<'s> Parser<'s> {
                         | "{"
                         | "lbrace"
                         | "lbrack"
-                ) || commands::function(name).is_some()
+                ) || commands::is_function(name)
                     || self.starts_name(self.at)
             }
             _ => self.starts_name(self.at),
@@ -56,6 +56,9 @@ impl<'s> Parser<'s> {
             Kind::Number(text) => {
                 let number = number(text, self.span())?;
                 self.advance();
+                if self.angle && self.at_degrees() {
+                    return Ok(self.degrees(start, number));
+                }
                 (number, Shape::Number)
             }
             Kind::Quantity(number, unit) => return self.quantity(number, unit),
@@ -74,8 +77,8 @@ impl<'s> Parser<'s> {
             Kind::Command("sum") => (self.nested(Self::series)?, Shape::Loose),
             Kind::Command("int") => (self.nested(Self::integral)?, Shape::Loose),
             Kind::Command("lim") => (self.nested(Self::limit)?, Shape::Loose),
-            Kind::Command(name) if let Some(function) = commands::function(name) => {
-                (self.nested(|parser| parser.call(function))?, Shape::Loose)
+            Kind::Command(name) if commands::is_function(name) => {
+                (self.nested(|parser| parser.call(name))?, Shape::Loose)
             }
             _ if self.starts_name(self.at) => return self.named(),
             _ => match self.delimiter() {

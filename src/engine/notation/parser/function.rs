@@ -1,8 +1,9 @@
 //! Functions: the known ones, `\sin x`, and unknown ones applied to bare symbols, `P(t)`.
 
 use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
-use crate::algebra::{Expr, Function};
+use crate::algebra::{BigRational, Expr, Function, Symbol};
 use crate::notation::commands;
+use num_traits::One;
 
 impl Parser<'_> {
     /// `P(t)` or `v_0(1 - \mu)`: a function if the parentheses hold nothing but bare symbols.
@@ -111,9 +112,29 @@ impl Parser<'_> {
     }
 
     /// `\sin(x)`, or `\sin 2\pi x`: without parentheses the argument is the run of plain factors, side by side.
-    pub(super) fn call(&mut self, function: Function) -> Read<Expr> {
+    pub(super) fn call(&mut self, name: &str) -> Read<Expr> {
+        let angle = matches!(name, "sin" | "cos" | "tan");
+        let doubles = matches!(name, "sinh" | "cosh" | "tanh");
+        if doubles && self.doubled {
+            // Each would double what is in it.
+            let message = "a hyperbolic function of another one is not read";
+            return refuse_with(self.span(), message, "give the inner one a name");
+        }
+        let outside = (self.angle, self.doubled);
+        (self.angle, self.doubled) = (angle, doubles || self.doubled);
+        let call = self.call_inner(name);
+        (self.angle, self.doubled) = outside;
+        call
+    }
+
+    fn call_inner(&mut self, name: &str) -> Read<Expr> {
         let start = self.at;
         self.advance();
+        let of = match (name, self.peek()) {
+            ("log", Kind::Char('_')) => Some(self.base()?),
+            ("lg", _) => Some(Expr::integer(10)),
+            _ => None,
+        };
         let mut power = None;
         if self.peek() == Kind::Char('^') {
             let script = self.superscript()?;
@@ -128,13 +149,6 @@ impl Parser<'_> {
                     );
                 }
             };
-        }
-        if self.peek() == Kind::Char('_') {
-            return refuse_with(
-                self.span(),
-                "a logarithm with a base is not read",
-                "write `\\frac{\\ln x}{\\ln b}`",
-            );
         }
         let argument = match self.delimiter() {
             Some(delimiter) => {
@@ -157,18 +171,61 @@ impl Parser<'_> {
                 {
                     self.choices.push((Choice::OfValue, self.since(start)));
                     if self.choice == Some(Choice::OfValue) {
-                        let value = Expr::Call(function, base.clone());
+                        let value = called(name, of.as_ref(), (**base).clone());
                         return Ok(Expr::Power(Box::new(value), exponent.clone()));
                     }
                 }
                 argument
             }
         };
-        let call = Expr::Call(function, Box::new(argument));
+        let call = called(name, of.as_ref(), argument);
         Ok(match power {
             Some(power) => Expr::Power(Box::new(call), Box::new(power)),
             None => call,
         })
+    }
+
+    /// The base of a logarithm: `_{10}`, `_2`.
+    fn base(&mut self) -> Read<Expr> {
+        self.advance();
+        let span = self.span();
+        match self.argument("\\log_")? {
+            Expr::Number(base) if base.is_integer() && base > BigRational::one() => {
+                Ok(Expr::Number(base))
+            }
+            _ => refuse_with(
+                span,
+                "a logarithm is read only with a whole number as its base",
+                "write `\\frac{\\ln x}{\\ln b}`",
+            ),
+        }
+    }
+
+    /// Whether `^\circ` stands here.
+    pub(super) fn at_degrees(&self) -> bool {
+        let circ = Kind::Command("circ");
+        let next = (self.kind(self.at + 1), self.kind(self.at + 2));
+        let braced = next == (Kind::Open, circ) && self.kind(self.at + 3) == Kind::Close;
+        self.peek() == Kind::Char('^') && (next.0 == circ || braced)
+    }
+
+    /// `30^\circ` is `30 \pi/180`. Whether π is the number on the page is looked at later.
+    pub(super) fn degrees(&mut self, start: usize, number: Expr) -> Factor {
+        let braced = self.kind(self.at + 1) == Kind::Open;
+        self.at += if braced { 4 } else { 2 };
+        let pi = Symbol::new("\\pi");
+        self.before.push(Before {
+            name: pi.clone(),
+            span: self.since(start),
+            kind: BeforeKind::Degrees,
+        });
+        let over = Expr::Product(vec![number, Expr::Symbol(pi)]);
+        Factor {
+            expr: Expr::Quotient(Box::new(over), Box::new(Expr::integer(180))),
+            shape: Shape::Tight,
+            span: self.since(start),
+            braces: false,
+        }
     }
 
     pub(super) fn plain_argument(&mut self) -> Read<Expr> {
@@ -201,7 +258,8 @@ impl Parser<'_> {
             last = Some(factor.shape);
             factors.push(factor.expr);
         }
-        let next_is_function = matches!(self.kind(self.at + 1), Kind::Command(name) if commands::function(name).is_some());
+        let next_is_function =
+            matches!(self.kind(self.at + 1), Kind::Command(name) if commands::is_function(name));
         let ambiguous = match self.peek() {
             Kind::Char('/') => true,
             Kind::Command("cdot" | "times") | Kind::Char('*') => !next_is_function,
@@ -237,5 +295,30 @@ impl Parser<'_> {
             Kind::Command("frac" | "tfrac" | "dfrac" | "sfrac" | "sqrt") => true,
             _ => self.starts_name(self.at),
         }
+    }
+}
+
+/// The value of a function, a logarithm perhaps to a base. Hyperbolic functions are what they are in exponentials.
+fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
+    let call = |function, argument: Expr| Expr::Call(function, Box::new(argument));
+    let over = |over: Expr, under: Expr| Expr::Quotient(Box::new(over), Box::new(under));
+    let negative = |term: Expr| Expr::Negate(Box::new(term));
+    if let Some(base) = base {
+        return over(
+            call(Function::Ln, argument),
+            call(Function::Ln, base.clone()),
+        );
+    }
+    if let Some(function) = commands::function(name) {
+        return call(function, argument);
+    }
+    let up = call(Function::Exp, argument.clone());
+    let down = call(Function::Exp, negative(argument.clone()));
+    let difference = Expr::Sum(vec![up.clone(), negative(down.clone())]);
+    let sum = Expr::Sum(vec![up, down]);
+    match name {
+        "sinh" => over(difference, Expr::integer(2)),
+        "cosh" => over(sum, Expr::integer(2)),
+        _ => over(difference, sum),
     }
 }

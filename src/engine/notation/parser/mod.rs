@@ -50,6 +50,10 @@ pub(super) struct Parser<'s> {
     integrand: bool,
     /// Whether the innermost open delimiter is a bare `|`, so that the next one closes it.
     bar: bool,
+    /// Whether this is in the argument of a sine, a cosine or a tangent, where degrees are read.
+    angle: bool,
+    /// Whether this is in the argument of a hyperbolic function.
+    doubled: bool,
     /// The places of the summands of the sum that was read last.
     summands: Vec<Span>,
     /// The name that was read last, for braces around nothing but a name: `{v'_1}^2`.
@@ -147,6 +151,8 @@ impl<'s> Parser<'s> {
             bound: Vec::new(),
             integrand: false,
             bar: false,
+            angle: false,
+            doubled: false,
             summands: Vec::new(),
             last_name: None,
             choice: None,

@@ -481,6 +481,7 @@ impl Parser<'_> {
                 script.marks.push(sign);
             }
             _ if self.mark(&mut script) => {}
+            Kind::Command("circ") => return self.unexpected(),
             Kind::Number(_) | Kind::Letter(_) | Kind::Command(_) => {
                 script.power = Some(self.argument("^")?)
             }

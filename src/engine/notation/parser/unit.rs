@@ -176,7 +176,7 @@ impl<'s> Parser<'s> {
             Kind::Char(c) => "^_'([|".contains(c),
             Kind::Open => true,
             Kind::Command(name) => {
-                commands::function(name).is_some()
+                commands::is_function(name)
                     || self.starts_name(at)
                     || ["frac", "tfrac", "dfrac", "sqrt", "left"].contains(&name)
             }
