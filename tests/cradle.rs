@@ -618,6 +618,7 @@ fn programs_get_the_same_in_exact_strings() {
         "1",
         "1"
       ],
+      "possible": false,
       "remarks": [
         "elastic collisions, pair by pair, would give (0, 0, 0, 1, 1)",
         "m = 1 and v0 = 1 lose nothing: every momentum scales with m v0, every kinetic energy with m v0²"
