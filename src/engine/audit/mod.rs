@@ -353,12 +353,18 @@ impl Auditor<'_> {
                 first.notes.push(Note::UnusedPremise(unused));
             }
         }
+        // A page must begin somewhere: what nothing precedes is given.
         let law = |e: &Entry| e.verdict != Verdict::Holds && !stated::is_identity(e);
         if equation.opens && entries.iter().all(law) {
-            // A page must begin somewhere: what nothing precedes is given.
-            return (0..parts)
-                .map(|part| blank(at, part, parts, Kind::Given, Verdict::Given))
-                .collect();
+            if !entries
+                .iter()
+                .any(|e| stated::slips(e, &equation.introduces))
+            {
+                return (0..parts)
+                    .map(|part| blank(at, part, parts, Kind::Given, Verdict::Given))
+                    .collect();
+            }
+            entries.iter_mut().for_each(stated::begin);
         }
         entries
     }

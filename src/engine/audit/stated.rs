@@ -148,6 +148,37 @@ pub(super) fn is_identity(entry: &Entry) -> bool {
     })
 }
 
+/// Whether what a page begins with goes on with something false: a link whose sides speak of the same (`A = \pi r^2 = 2 \pi r`), what
+/// is implied, or another value of a symbol that is not `new`. A law may go on with another, `p V = n R T = N k T`.
+pub(super) fn slips(entry: &Entry, new: &BTreeSet<Symbol>) -> bool {
+    let first = entry.judged.first().map(|judged| judged.goal.clause);
+    let mut refuted = (entry.judged.iter().enumerate()).filter(|(_, j)| j.outcome.is_refuted());
+    refuted.any(|(link, judged)| {
+        let Formula::Relation { left, right, .. } = &judged.goal.formula else {
+            return false;
+        };
+        let (named, others) = (quantities(left), quantities(right));
+        let again = matches!(left, Expr::Symbol(symbol) if !new.contains(symbol));
+        match link {
+            0 => again && !others.is_empty(),
+            _ => first != Some(judged.goal.clause) || !named.is_empty() && named == others,
+        }
+    })
+}
+
+/// What a page begins with is given, as far as it is not concluded in the display itself.
+pub(super) fn begin(entry: &mut Entry) {
+    let goes_on = entry.judged.len() > 1;
+    let Some(first) = entry.judged.first_mut().filter(|_| goes_on) else {
+        return;
+    };
+    if !first.outcome.is_proven() && !matches!(first.outcome, Outcome::Defined) {
+        first.outcome = Outcome::Stated;
+        first.assumed.clear();
+        entry.verdict = super::verdict(&entry.judged, false);
+    }
+}
+
 /// The symbols of a term that are no units.
 fn quantities(term: &Expr) -> BTreeSet<Symbol> {
     let mut symbols = term.free_symbols();
