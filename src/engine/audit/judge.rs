@@ -266,7 +266,37 @@ impl Judge<'_> {
             );
             if let Some((all, _)) = missing {
                 (found.missing, found.implied) = (all, None);
+            } else {
+                self.mended_from_all(goal, assumed, premises, found);
             }
+        }
+    }
+
+    /// The slip of the pen in a step that needs what stands before and is not cited.
+    fn mended_from_all(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        let Outcome::Refuted(refuted) = &found.judged.outcome else {
+            return;
+        };
+        let [others, _] = self.others(premises);
+        let near = others.into_iter().take(NEARBY[1].0);
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
+        let said = |symbol: &Symbol| {
+            let mut terms = all.iter().flat_map(|a| a.formula.terms());
+            terms.any(|term| term.mentions(symbol))
+        };
+        if all.len() == assumed.len() || !goal.formula.free_symbols().iter().all(said) {
+            return;
+        }
+        let claim = self.derivation.claim(self.at, &all, &goal.formula);
+        let mended = search::mended(&claim, refuted.witness(), &self.auditor.hints(), values_at);
+        if let Some(mended) = mended {
+            (found.mended, found.implied) = (Some(Box::new(mended)), None);
         }
     }
 
