@@ -228,6 +228,9 @@ impl Report<'_> {
                 let shown = symbols.iter().map(words::symbol).collect();
                 format!("{} taken as constant", words::list(shown))
             }
+            Note::TakenAsGiven(symbols) if symbols.is_empty() => {
+                "taken as given: it follows from nothing before".into()
+            }
             Note::TakenAsGiven(symbols) => {
                 let new = &self.equation(own).introduces;
                 let what = match symbols.iter().all(|symbol| new.contains(symbol)) {

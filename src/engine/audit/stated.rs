@@ -59,7 +59,10 @@ impl Judge<'_> {
                     .collect()
             }
         };
-        if symbols.is_empty() {
+        // A second law may speak of nothing new, where nobody could have said that it is one; a value of something known is none.
+        let silent = self.derivation.pages[equation.page].declared.is_empty();
+        let is_law = || silent && !matches!(left, Expr::Symbol(_));
+        if symbols.is_empty() && !is_law() {
             return None;
         }
         // What is wrong itself contradicts others already.
