@@ -71,6 +71,24 @@ fn what_falls_may_stand_on_its_own() {
 }
 
 #[test]
+fn what_fails_besides_rests_on_what_it_is_derived_from() {
+    let page = BOUNDS.replace("x \\leq 2 \\tag{5}", "x \\leq 1/2 \\tag{5}");
+    graph(&page, |graph, report| {
+        assert_eq!(node(graph, "5").status, Status::Fails);
+        let text = anstream::adapter::strip_str(&graph.text(report)).to_string();
+        for told in [
+            "(2) fails; with it fall (3) and (4); (5) is derived from it and fails too",
+            "(5) fails; nothing rests on it",
+            "Of 5 statements, 2 fail; 2 fall with them, and 2 of these stand on their own.",
+        ] {
+            assert!(text.contains(told), "{told}: {text}");
+        }
+        let edge = graph.edges.iter().find(|(_, to)| *to == 4).unwrap();
+        assert!(graph.is_broken(*edge));
+    });
+}
+
+#[test]
 fn what_the_author_crosses_out_takes_nothing_with_it() {
     let page = "$$ a = 1 \\tag{1} $$\n\nCompare (1):\n\n$$ a = 2 \\times \\tag{2} $$\n";
     graph(page, |graph, _| {

@@ -183,10 +183,35 @@ impl Graph {
         }
     }
 
-    /// Whether an edge hands on what is false.
+    /// Whether an edge hands on what is false: what is derived from it falls, or fails besides.
     pub fn is_broken(&self, (from, to): (usize, usize)) -> bool {
         let (from, to) = (self.nodes[from].status, self.nodes[to].status);
-        (from.is_failing() || from.is_fallen()) && to.is_fallen()
+        (from.is_failing() || from.is_fallen()) && (to.is_failing() || to.is_fallen())
+    }
+
+    /// What fails itself and is derived from something that fails: it rests on that, and would not stand with it.
+    fn failing_besides(&self, own: usize) -> Vec<usize> {
+        let start = self.edges.partition_point(|(from, _)| *from < own);
+        let from_it = self.edges[start..]
+            .iter()
+            .take_while(|(from, _)| *from == own);
+        let besides = from_it.map(|(_, to)| *to);
+        besides
+            .filter(|&to| self.nodes[to].status.is_failing())
+            .collect()
+    }
+
+    /// `7 fail`, `2 are ill-dimensioned`: what is wrong, as the closing sentence of an audit counts it. The words are for one
+    /// statement and for several.
+    fn wrong(&self, words: [[&str; 2]; 3]) -> Vec<String> {
+        let kinds = [Status::Fails, Status::IllDimensioned, Status::CrossedOut].into_iter();
+        let numbers = kinds.map(|kind| self.nodes.iter().filter(|n| n.status == kind).count());
+        let told = numbers.zip(words).filter(|(number, _)| *number > 0);
+        told.map(|(number, [one, several])| match number {
+            1 => format!("1 {one}"),
+            _ => format!("{number} {several}"),
+        })
+        .collect()
     }
 }
 

@@ -66,12 +66,15 @@ impl Graph {
         let (legend, lines) = legend(self, layout.width + MARGIN);
         let head = HEAD + (lines - 1) * LEGEND_LINE;
         let (width, height) = (layout.width + 2 * MARGIN, layout.height + head + 2 * MARGIN);
-        let failing = self.nodes.iter().filter(|n| n.status.is_failing()).count();
         let fallen = self.nodes.iter().filter(|n| n.status.is_fallen()).count();
-        let told = format!(
-            "{} statements, {failing} failing, {fallen} falling with them",
-            self.nodes.len()
-        );
+        let mut told = vec![format!("{} statements", self.nodes.len())];
+        told.extend(self.wrong([
+            ["failing"; 2],
+            ["ill-dimensioned"; 2],
+            ["crossed out by the author"; 2],
+        ]));
+        told.push(format!("{fallen} falling with them"));
+        let told = told.join(", ");
         // What is within an image is no link to a screen reader.
         let role = if address.is_some() { "group" } else { "img" };
         let mut text = format!(
