@@ -153,6 +153,16 @@ fn scenarios_of_ones_own() {
 }
 
 #[test]
+fn an_even_power_is_positive_where_its_base_does_not_vanish() {
+    let text = out(&program(&[
+        "explain",
+        "4",
+        "tests/pages/completing-the-square.md",
+    ]));
+    assert!(text.contains("where a ≠ 0 by [2], so (a)² > 0"), "{text}");
+}
+
+#[test]
 fn simulations_say_what_comes_out() {
     let run = |more: &[&str]| program(&[&["simulate"], more].concat());
     let text = |more: &[&str]| {

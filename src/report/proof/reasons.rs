@@ -4,7 +4,7 @@ use crate::algebra::Polynomial;
 use crate::kernel::{Fact, Factors, Knowledge, Sign};
 
 use super::words;
-use super::written::Written;
+use super::written::{Written, raised};
 
 impl Written<'_> {
     /// Why each factor has the sign that is needed, by the facts that say so.
@@ -19,14 +19,23 @@ impl Written<'_> {
             if sign == "≥ 0" && exponent % 2 == 0 {
                 continue;
             }
-            let because = self.because(factor, sign, exponent % 2 == 0);
+            let is_even = exponent % 2 == 0;
+            let because = self.because(factor, sign, is_even);
             for &at in &because {
                 self.used.insert(at);
             }
             let cited: Vec<String> = because.iter().map(|at| format!("[{}]", at + 1)).collect();
-            let text = match cited.is_empty() {
-                true => format!("where {shown} {sign} by inspection"),
-                false => format!("where {shown} {sign} by {}", words::list(cited)),
+            let how = match cited.is_empty() {
+                true => "inspection".to_owned(),
+                false => words::list(cited),
+            };
+            // An even power is positive where the factor itself may be negative.
+            let text = match sign == "> 0" && is_even && !self.shows(&because, factor, sign) {
+                true => {
+                    let power = raised(&format!("({shown})"), *exponent);
+                    format!("where {shown} ≠ 0 by {how}, so {power} > 0")
+                }
+                false => format!("where {shown} {sign} by {how}"),
             };
             self.say(indent + 2, &text);
         }
@@ -43,13 +52,7 @@ impl Written<'_> {
             }
         }
         let enough = |facts: &[usize]| {
-            let chosen: Vec<Fact> = facts.iter().map(|&at| self.known[at].clone()).collect();
-            let knowledge = Knowledge::new(&chosen);
-            match sign {
-                "≠ 0" => knowledge.is_nonzero(factor),
-                "> 0" => knowledge.is_positive(factor) || even && knowledge.is_nonzero(factor),
-                _ => knowledge.is_nonnegative(factor),
-            }
+            self.shows(facts, factor, sign) || even && self.shows(facts, factor, "≠ 0")
         };
         for at in all.clone().into_iter().rev() {
             let fewer: Vec<usize> = all.iter().copied().filter(|&a| a != at).collect();
@@ -58,5 +61,16 @@ impl Written<'_> {
             }
         }
         all
+    }
+
+    /// Whether some facts show that a factor has a sign.
+    fn shows(&self, facts: &[usize], factor: &Polynomial, sign: &str) -> bool {
+        let chosen: Vec<Fact> = facts.iter().map(|&at| self.known[at].clone()).collect();
+        let knowledge = Knowledge::new(&chosen);
+        match sign {
+            "≠ 0" => knowledge.is_nonzero(factor),
+            "> 0" => knowledge.is_positive(factor),
+            _ => knowledge.is_nonnegative(factor),
+        }
     }
 }

@@ -226,7 +226,7 @@ fn element_product(problem: &Problem, factors: &[ElementFactor], index: &str) ->
     shown.join(" ")
 }
 
-fn raised(name: &str, power: u32) -> String {
+pub(super) fn raised(name: &str, power: u32) -> String {
     match power {
         1 => name.to_owned(),
         2 => format!("{name}²"),
