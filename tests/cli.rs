@@ -153,6 +153,23 @@ fn scenarios_of_ones_own() {
 }
 
 #[test]
+fn a_counterexample_says_what_else_is_true_there() {
+    let text = out(&program(&["explain", "23"]));
+    for line in [
+        "So is what is given before and not cited:",
+        "n v₀ = Σ_{i=1}^{k} u_i:  left = 1, right = 1   (17)",
+        "n v₀² = Σ_{i=1}^{k} u_i²:  left = 1, right = 1   (18)",
+    ] {
+        assert!(text.contains(line), "{text}");
+    }
+    assert!(!text.contains("u_i = Σ"), "{text}");
+    // Where a chain of elements is to be shown, their values are what there is to see.
+    let text = out(&program(&["explain", "n-in-n-out"]));
+    let line = "u₁ = … = u_k = v₀:  k = 3, v₀ = 3, u = (1, 1, 4)";
+    assert!(text.contains(line), "{text}");
+}
+
+#[test]
 fn an_even_power_is_positive_where_its_base_does_not_vanish() {
     let text = out(&program(&[
         "explain",

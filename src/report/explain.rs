@@ -1,13 +1,13 @@
 //! One equation in full: what was understood, what it was judged from, and the evidence to check by hand.
 
-use crate::algebra::Symbol;
+use crate::algebra::{Formula, Symbol};
 use crate::audit::{Entry, Judged, Outcome, Without, without_each};
 use crate::derivation::Source;
 use crate::kernel::{Claim, Refuted};
 use crate::notation::{latex_statement, plain_formula};
 
 use super::Report;
-use super::evidence::Point;
+use super::evidence::{Point, is_idle};
 use super::implied;
 use super::scaling;
 use super::style::{self, BOLD, DIM, paint};
@@ -137,7 +137,7 @@ impl Report<'_> {
                 let lines = self.proof_for_every(judged, holds);
                 (Some(&holds.claim().claim), lines)
             }
-            Outcome::Refuted(refuted) => (Some(refuted.claim()), witness(refuted)),
+            Outcome::Refuted(refuted) => (Some(refuted.claim()), self.witness(entry, refuted)),
             Outcome::Scales(proven) => (Some(proven.claim()), self.scaling_proof(judged, proven)),
             Outcome::ScalesNot(refuted, repair) => {
                 let mut lines = scaling::situations(refuted);
@@ -188,6 +188,43 @@ impl Report<'_> {
         text
     }
 
+    /// The values, every premise at them, what else is given, and the goal's two sides.
+    fn witness(&self, entry: &Entry, refuted: &Refuted) -> Vec<String> {
+        let claim = refuted.claim();
+        let point = Point::new(claim, refuted.witness());
+        let mut lines: Vec<String> = point
+            .values()
+            .into_iter()
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect();
+        lines.extend(point.remark().map(|said| format!("({said})")));
+        for &position in &refuted.witness().unfold {
+            if let Some(hypothesis) = claim.hypotheses.get(position) {
+                lines.push(format!(
+                    "with {} put in",
+                    plain_formula(&hypothesis.formula)
+                ));
+            }
+        }
+        if !claim.hypotheses.is_empty() {
+            lines.push("Every premise is true there:".into());
+        }
+        let premises = claim.hypotheses.iter().map(|premise| &*premise.formula);
+        let premises = premises.filter(|formula| !is_idle(formula));
+        lines.extend(premises.map(|formula| evaluated(&point, formula)));
+        let besides = self.true_besides(entry.equation, refuted);
+        if !besides.is_empty() {
+            lines.push("So is what is given before and not cited:".into());
+        }
+        for (at, formula) in &besides {
+            let from = paint(DIM, &self.name(*at));
+            lines.push(format!("{}   {from}", evaluated(&point, formula)));
+        }
+        lines.push("and what was to be shown is false:".into());
+        lines.push(evaluated(&point, &claim.goal));
+        lines
+    }
+
     /// Where a hypothesis comes from, with its place.
     fn origin(&self, source: Source) -> String {
         match source {
@@ -231,50 +268,22 @@ pub(super) fn domains(claim: &Claim) -> Vec<(&Symbol, String)> {
     lines
 }
 
-/// The values, every premise at them, and the goal's two sides.
-fn witness(refuted: &Refuted) -> Vec<String> {
-    let claim = refuted.claim();
-    let point = Point::new(claim, refuted.witness());
-    let mut lines: Vec<String> = point
-        .values()
-        .into_iter()
-        .map(|(name, value)| format!("{name} = {value}"))
-        .collect();
-    lines.extend(point.remark().map(|said| format!("({said})")));
-    for &position in &refuted.witness().unfold {
-        if let Some(hypothesis) = claim.hypotheses.get(position) {
-            lines.push(format!(
-                "with {} put in",
-                plain_formula(&hypothesis.formula)
-            ));
-        }
-    }
-    if !claim.hypotheses.is_empty() {
-        lines.push("Every premise is true there:".into());
-    }
-    for hypothesis in &claim.hypotheses {
-        let formula = &hypothesis.formula;
-        lines.push(match point.sides(formula) {
-            Some((left, right)) => format!(
-                "  {}:  left {}, right {}",
-                plain_formula(formula),
+/// A relation with the values of both its sides.
+fn evaluated(point: &Point<'_>, formula: &Formula) -> String {
+    let shown = plain_formula(formula);
+    match point.sides(formula) {
+        Some((left, right)) => {
+            format!(
+                "  {shown}:  left {}, right {}",
                 left.equated(),
                 right.equated()
-            ),
-            None => format!("  {}", plain_formula(formula)),
-        });
+            )
+        }
+        None => match point.values_of(formula) {
+            none if none.is_empty() => format!("  {shown}"),
+            values => format!("  {shown}:  {values}"),
+        },
     }
-    lines.push("and what was to be shown is false:".into());
-    lines.push(match point.sides(&claim.goal) {
-        Some((left, right)) => format!(
-            "  {}:  left {}, right {}",
-            plain_formula(&claim.goal),
-            left.equated(),
-            right.equated()
-        ),
-        None => format!("  {}", plain_formula(&claim.goal)),
-    });
-    lines
 }
 
 /// The values of an assignment alone.

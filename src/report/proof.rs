@@ -115,6 +115,6 @@ impl Report<'_> {
 }
 
 /// Whether a derivative or a limit is taken in a term.
-fn has_calculus(term: &Expr) -> bool {
+pub(super) fn has_calculus(term: &Expr) -> bool {
     term.any(&|part| matches!(part, Expr::Derivative { .. } | Expr::Limit { .. }))
 }

@@ -4,7 +4,7 @@ use crate::audit::{Entry, Judged, Outcome};
 use crate::derivation::Source;
 use crate::kernel::{Claim, Proven, Refuted};
 use crate::notation::{escape, latex_statement};
-use crate::report::evidence::Point;
+use crate::report::evidence::{Point, is_idle};
 use crate::report::{explain, implied, scaling};
 
 use super::{Page, words};
@@ -92,7 +92,9 @@ impl Page<'_> {
                 let lines = self.report.proof_for_every(judged, holds);
                 (Some(&holds.claim().claim), folded("Proof", &lines))
             }
-            Outcome::Refuted(refuted) => (Some(refuted.claim()), counterexample(refuted)),
+            Outcome::Refuted(refuted) => {
+                (Some(refuted.claim()), self.counterexample(entry, refuted))
+            }
             Outcome::Scales(proven) => {
                 let lines = self.report.scaling_proof(judged, proven);
                 (Some(proven.claim()), folded("Proof", &lines))
@@ -168,6 +170,49 @@ impl Page<'_> {
         }
     }
 
+    /// The values, and both sides of every premise, of what else is given, and of the goal at them.
+    fn counterexample(&self, entry: &Entry, refuted: &Refuted) -> String {
+        let claim = refuted.claim();
+        let point = Point::new(claim, refuted.witness());
+        let values: Vec<String> = point
+            .values()
+            .into_iter()
+            .map(|(name, value)| {
+                format!(
+                    "<span class=\"value\">{} = {}</span>",
+                    words::scripted(&name),
+                    words::scripted(&value)
+                )
+            })
+            .collect();
+        let mut text = String::from("<p class=\"what\">Counterexample</p>\n");
+        if !values.is_empty() {
+            text += &format!("<p class=\"values\">{}</p>\n", values.join(", "));
+        }
+        if let Some(said) = point.remark() {
+            text += &format!("<p>{}.</p>\n", escape(&words::capital(&said)));
+        }
+        text += "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">at this point</th><th scope=\"col\">left</th>\
+                 <th scope=\"col\">right</th><th scope=\"col\"></th></tr></thead>\n<tbody>\n";
+        let premises = claim.hypotheses.iter().map(|h| (&*h.formula, "true"));
+        let premises = premises.filter(|(formula, _)| !is_idle(formula));
+        let besides = self.report.true_besides(entry.equation, refuted);
+        let besides = besides.iter().map(|(_, formula)| (formula, "true"));
+        for (formula, truth) in premises.chain(besides).chain([(&claim.goal, "false")]) {
+            let (left, right) = match point.sides(formula) {
+                Some((left, right)) => (left.to_string(), right.to_string()),
+                None => (String::new(), String::new()),
+            };
+            text += &format!(
+                "<tr class=\"{truth}\"><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{truth}</td></tr>\n",
+                words::formula(formula),
+                words::scripted(&left),
+                words::scripted(&right)
+            );
+        }
+        text + "</tbody>\n</table></div>\n"
+    }
+
     fn proof(&self, judged: &Judged, proven: &Proven) -> String {
         folded("Proof", &self.report.proof(judged, proven))
     }
@@ -205,45 +250,5 @@ fn folded(head: &str, lines: &[String]) -> String {
 }
 
 fn preformatted(text: &str) -> String {
-    format!("<pre>{}</pre>\n", escape(text.trim_matches('\n')))
-}
-
-/// The values, and both sides of every premise and of the goal at them.
-fn counterexample(refuted: &Refuted) -> String {
-    let claim = refuted.claim();
-    let point = Point::new(claim, refuted.witness());
-    let values: Vec<String> = point
-        .values()
-        .into_iter()
-        .map(|(name, value)| {
-            format!(
-                "<span class=\"value\">{} = {}</span>",
-                words::scripted(&name),
-                words::scripted(&value)
-            )
-        })
-        .collect();
-    let mut text = String::from("<p class=\"what\">Counterexample</p>\n");
-    if !values.is_empty() {
-        text += &format!("<p class=\"values\">{}</p>\n", values.join(", "));
-    }
-    if let Some(said) = point.remark() {
-        text += &format!("<p>{}.</p>\n", escape(&words::capital(&said)));
-    }
-    text += "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">at this point</th><th scope=\"col\">left</th>\
-             <th scope=\"col\">right</th><th scope=\"col\"></th></tr></thead>\n<tbody>\n";
-    let premises = claim.hypotheses.iter().map(|h| (&*h.formula, "true"));
-    for (formula, truth) in premises.chain([(&claim.goal, "false")]) {
-        let (left, right) = match point.sides(formula) {
-            Some((left, right)) => (left.to_string(), right.to_string()),
-            None => (String::new(), String::new()),
-        };
-        text += &format!(
-            "<tr class=\"{truth}\"><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{truth}</td></tr>\n",
-            words::formula(formula),
-            words::scripted(&left),
-            words::scripted(&right)
-        );
-    }
-    text + "</tbody>\n</table></div>\n"
+    format!("<pre>{}</pre>\n", words::scripted(text.trim_matches('\n')))
 }
