@@ -145,6 +145,29 @@ fn what_is_typeset_has_no_latex_left_in_it() {
 }
 
 #[test]
+fn what_is_said_of_formulas_has_its_scripts_set() {
+    let page = tree(built_in());
+    let told = page.descendants().filter(|node| {
+        let class = node.attribute("class").unwrap_or_default();
+        let parent = node
+            .parent()
+            .and_then(|p| p.attribute("class"))
+            .unwrap_or_default();
+        class.starts_with("finding ") || parent.starts_with("evidence")
+    });
+    // LaTeX is shown as it was typed.
+    let is_typed = |node: &roxmltree::Node| {
+        let mut around = node.ancestors().filter(|n| n.tag_name().name() == "code");
+        around.any(|code| text_of(code).contains('\\') || code.attribute("class") == Some("tex"))
+    };
+    let texts = told.flat_map(|node| node.descendants().filter(|n| n.is_text()));
+    for text in texts.filter(|text| !is_typed(text)) {
+        let said = text.text().unwrap_or_default();
+        assert!(!said.contains(['_', '$']), "{said}");
+    }
+}
+
+#[test]
 fn headings_go_down_a_step_at_a_time_and_tables_name_their_columns() {
     let page = built_in();
     let tree = tree(page);

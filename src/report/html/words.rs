@@ -83,7 +83,7 @@ pub(super) fn without_math(title: &str) -> String {
     title.replace('$', "")
 }
 
-/// Escaped, `E_{after}` and `v^(3/2)` with their scripts below and above the line.
+/// Escaped, `E_{after}`, `E_n` and `v^(3/2)` with their scripts below and above the line.
 pub(super) fn scripted(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     // Up to `done` everything is in `shown`.
@@ -93,7 +93,8 @@ pub(super) fn scripted(text: &str) -> String {
         if at < done || !hangs_on_something {
             continue;
         }
-        if let Some((element, inside, length)) = script(&text[at..]) {
+        let letter = || letter(&text[..at], &text[at..]);
+        if let Some((element, inside, length)) = script(&text[at..]).or_else(letter) {
             shown += &escape(&text[done..at]);
             shown += &format!("<{element}>{}</{element}>", escape(inside));
             done = at + length;
@@ -116,9 +117,37 @@ fn script(text: &str) -> Option<(&'static str, &str, usize)> {
     (text[2 + end..].starts_with(close) && end > 0).then_some((element, inside, end + 3))
 }
 
-/// Escaped, scripts set, what stands between back-ticks as code.
+/// A script of one letter or digit behind a name of one letter, `E_n` and `ΔE_n`, or a power, `2^n`. Paths and names of several letters
+/// have none.
+fn letter<'a>(before: &str, text: &'a str) -> Option<(&'static str, &'a str, usize)> {
+    let inside = text
+        .get(1..)?
+        .chars()
+        .next()
+        .filter(|c| c.is_alphanumeric())?;
+    let end = 1 + inside.len_utf8();
+    let is_part = |c: char| c.is_alphabetic() || c.is_ascii_digit() || matches!(c, '_' | '\\');
+    let word = before.chars().rev().take_while(|&c| is_part(c));
+    let is_short = word.filter(char::is_ascii).count() <= 1;
+    let is_power = text.starts_with('^');
+    // Behind the name of a file comes its ending.
+    let rest = &text[end..];
+    let goes_on = rest.strip_prefix('.').unwrap_or(rest).starts_with(is_part);
+    let element = if is_power { "sup" } else { "sub" };
+    ((is_short || is_power) && !goes_on).then(|| (element, &text[1..end], end))
+}
+
+/// Escaped, scripts set, what stands between back-ticks as code: with its scripts, unless it is LaTeX.
 pub(super) fn ticked(text: &str) -> String {
-    between_ticks(text, |code| format!("<code>{}</code>", escape(code)))
+    between_ticks(text, coded)
+}
+
+fn coded(code: &str) -> String {
+    let shown = match code.contains('\\') {
+        true => escape(code),
+        false => scripted(code),
+    };
+    format!("<code>{shown}</code>")
 }
 
 /// The same, but what is a formula in LaTeX is set.
@@ -134,7 +163,10 @@ pub(super) fn ticked_and_set(text: &str) -> String {
                     set.join("<mo>,</mo>")
                 )
             }
-            _ => format!("<code>{}</code>", escape(code)),
+            _ => match read_expr(code, Span::new(0, code.len())) {
+                Ok(expr) if is_formula => narrow(term(&expr)),
+                _ => coded(code),
+            },
         }
     })
 }
