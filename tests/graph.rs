@@ -135,7 +135,15 @@ fn legible(svg: &str) {
         let rest = &text[text.find(key).expect(key) + key.len()..];
         rest[..rest.find('"').unwrap()].parse().unwrap()
     };
-    let (width, height) = (number(svg, " width=\""), number(svg, " height=\""));
+    // Pieces stand one below the other, with no gap and nothing twice.
+    let width = number(svg, " width=\"");
+    let mut height = 0;
+    for piece in svg.split("<svg ").skip(1) {
+        let tall = number(piece, " height=\"");
+        let seen = format!("viewBox=\"0 {height} {width} {tall}\"");
+        assert!(piece.contains(&seen), "{piece}");
+        height += tall;
+    }
     let boxes: Vec<[i64; 4]> = svg
         .split("<rect class=\"cv-box\"")
         .skip(1)

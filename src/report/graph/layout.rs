@@ -20,6 +20,8 @@ const TITLE: i64 = 34;
 const LETTER: i64 = 17;
 const WIDE_LETTER: i64 = 26;
 const MOST_LETTERS: usize = 24;
+/// The width of a letter in a title, which has no box of its own.
+const TITLE_LETTER: i64 = 7;
 /// No wider than this are the layers of one strip, unless a single name is, or less is asked for.
 const STRIP: i64 = 1_080;
 /// Statements that nothing in the document hangs on stand in lines of this width.
@@ -52,9 +54,26 @@ pub(super) fn drawn_name(name: &str) -> String {
     super::shortened(name, MOST_LETTERS)
 }
 
+fn is_wide(c: char) -> bool {
+    matches!(c, 'm' | 'w' | 'M' | 'W')
+}
+
+/// How many letters of a title have room in a width.
+pub(super) fn letters_in(title: &str, width: i64) -> usize {
+    let mut used = 0;
+    let fits = |c: &char| {
+        used += if is_wide(*c) {
+            WIDE_LETTER / 2
+        } else {
+            TITLE_LETTER
+        };
+        used <= width
+    };
+    title.chars().take_while(fits).count()
+}
+
 fn width_of(name: &str) -> i64 {
-    let wide = |c: char| matches!(c, 'm' | 'w' | 'M' | 'W');
-    let length = |c: char| if wide(c) { WIDE_LETTER } else { LETTER };
+    let length = |c: char| if is_wide(c) { WIDE_LETTER } else { LETTER };
     let letters: i64 = drawn_name(name).chars().map(length).sum();
     (letters / 2 + 32).max(58)
 }
@@ -109,6 +128,14 @@ impl Layout {
         }
         layout.height = lowest;
         layout
+    }
+
+    /// The heights between two rows of cards.
+    pub fn rows(&self) -> Vec<i64> {
+        let mut starts: Vec<i64> = self.cards.iter().map(|(_, frame)| frame.y).collect();
+        starts.dedup();
+        let below = starts.into_iter().skip(1);
+        below.map(|y| y - BETWEEN_CARDS / 2).collect()
     }
 }
 

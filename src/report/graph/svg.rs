@@ -3,7 +3,9 @@
 //! Colours are custom properties, so that a page that takes the drawing in can set them; by itself it follows the
 //! reader's choice of light or dark. What fails and what falls is told apart by shape and sign too.
 
-use super::layout::{Frame, Layout, drawn_name};
+use std::ops::Range;
+
+use super::layout::{Frame, Layout, drawn_name, letters_in};
 use super::{Graph, Status};
 use crate::notation::escape_by;
 
@@ -14,8 +16,10 @@ const HEAD: i64 = 74;
 const LEGEND_LINE: i64 = 30;
 /// How wide a drawing of its own is, without its margins.
 const WIDTH: i64 = 1_560;
-/// How wide it is on a page, which has less room and may go on for longer.
-const WIDTH_ON_A_PAGE: i64 = 1_142;
+/// How wide it is on a page, which has less room and may go on for longer: on a sheet of A4 its text is 7 points high.
+const WIDTH_ON_A_PAGE: i64 = 900;
+/// An edge bends no further than this beyond its ends.
+const BEND: i64 = 120;
 
 /// `:where` weighs nothing: a page's own rule for `.cv-graph` prevails.
 const STYLE: &str = "\
@@ -56,7 +60,8 @@ impl Graph {
         self.drawing(WIDTH, None)
     }
 
-    /// The same for a page that has the statements: narrower, without a heading, each statement a link to its address.
+    /// The same for a page that has the statements: narrower, without a heading, each statement a link to its address. It is
+    /// several `<svg>` elements one below the other, one for each row of cards: paper ends between two of them.
     pub fn svg_linked(&self, address: Address<'_>) -> String {
         self.drawing(WIDTH_ON_A_PAGE, Some(address))
     }
@@ -75,60 +80,96 @@ impl Graph {
         ]));
         told.push(format!("{fallen} falling with them"));
         let told = told.join(", ");
-        // What is within an image is no link to a screen reader.
-        let role = if address.is_some() { "group" } else { "img" };
-        let mut text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"cv-graph\" role=\"{role}\" width=\"{width}\" \
-             height=\"{height}\" viewBox=\"0 0 {width} {height}\" font-size=\"13\">\n\
-             <title>What rests on what</title>\n<desc>{told}</desc>\n<style>{STYLE}</style>\n\
-             <rect class=\"cv-page\" width=\"{width}\" height=\"{height}\"/>\n"
-        );
         let line = MARGIN + 16;
-        let beside = match address {
-            Some(_) => MARGIN,
-            None => {
-                text += &format!(
+        let (beside, heading) = match address {
+            Some(_) => (MARGIN, String::new()),
+            None => (
+                MARGIN + 230,
+                format!(
                     "<text x=\"{MARGIN}\" y=\"{line}\" font-size=\"20\" font-weight=\"600\">What rests on what</text>\n"
-                );
-                MARGIN + 230
-            }
+                ),
+            ),
         };
-        text += &format!("<text class=\"cv-soft\" x=\"{beside}\" y=\"{line}\">{told}</text>\n");
-        text += &legend;
-        text += &format!("<g transform=\"translate({MARGIN} {})\">\n", MARGIN + head);
-        for (_, frame) in &layout.cards {
+        let first = [
+            format!(
+                "<title>What rests on what</title>\n<desc>{told}</desc>\n<style>{STYLE}</style>\n"
+            ),
+            format!(
+                "{heading}<text class=\"cv-soft\" x=\"{beside}\" y=\"{line}\">{told}</text>\n{legend}"
+            ),
+        ];
+        // What is within an image is no link to a screen reader.
+        let (role, rows) = match address {
+            Some(_) => ("group", layout.rows()),
+            None => ("img", Vec::new()),
+        };
+        let down = MARGIN + head;
+        let mut text = String::new();
+        let mut start = 0;
+        for end in rows.into_iter().map(|y| y + down).chain([height]) {
+            let [about, legend] = match start {
+                0 => first.each_ref().map(String::as_str),
+                _ => ["", ""],
+            };
+            let tall = end - start;
+            text += &format!(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"cv-graph\" role=\"{role}\" width=\"{width}\" \
+                 height=\"{tall}\" viewBox=\"0 {start} {width} {tall}\" font-size=\"13\">\n{about}\
+                 <rect class=\"cv-page\" y=\"{start}\" width=\"{width}\" height=\"{tall}\"/>\n{legend}\
+                 <g transform=\"translate({MARGIN} {down})\">\n"
+            );
+            text += &self.between(&layout, start - down..end - down, address);
+            text += "</g>\n</svg>\n";
+            start = end;
+        }
+        text
+    }
+
+    /// What is to be seen between two heights: cards with their statements, and of the edges all that pass.
+    fn between(&self, layout: &Layout, own: Range<i64>, address: Option<Address<'_>>) -> String {
+        let mut text = String::new();
+        let is_here = |frame: &Frame| own.contains(&frame.y);
+        for (_, frame) in layout.cards.iter().filter(|(_, frame)| is_here(frame)) {
             text += &format!(
                 "<rect class=\"cv-card\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"8\"/>\n",
                 frame.x, frame.y, frame.width, frame.height
             );
         }
+        let passes = |edge: &usize| {
+            let (from, to) = self.edges[*edge];
+            let (from, to) = (layout.nodes[from], layout.nodes[to]);
+            let lowest = (from.y + from.height).max(to.y + to.height) + BEND;
+            from.y.min(to.y) - BEND < own.end && lowest > own.start
+        };
         // What is broken is drawn last, over the rest.
         let broken = |edge: &usize| self.is_broken(self.edges[*edge]);
-        let (red, grey): (Vec<usize>, Vec<usize>) = (0..self.edges.len()).partition(broken);
+        let here = (0..self.edges.len()).filter(passes);
+        let (red, grey): (Vec<usize>, Vec<usize>) = here.partition(broken);
         for edge in grey.into_iter().chain(red) {
-            text += &self.edge(&layout, edge);
+            text += &self.edge(layout, edge);
         }
-        text += &self.titles(&layout);
+        for card in layout.cards.iter().filter(|(_, frame)| is_here(frame)) {
+            text += &self.title(card);
+        }
         for (at, frame) in layout.nodes.iter().enumerate() {
-            text += &self.drawn(at, *frame, address);
+            if is_here(frame) {
+                text += &self.drawn(at, *frame, address);
+            }
         }
-        text + "</g>\n</svg>\n"
+        text
     }
 
-    /// The titles of the cards, to be read over whatever passes below.
-    fn titles(&self, layout: &Layout) -> String {
-        let title = |(document, frame): &(usize, Frame)| {
-            let (title, path) = &self.documents[*document];
-            let title = if title.is_empty() { path } else { title };
-            let room = usize::try_from(frame.width / 7).unwrap_or(0);
-            format!(
-                "<text class=\"cv-soft cv-title\" x=\"{}\" y=\"{}\" font-weight=\"600\">{}</text>\n",
-                frame.x + 14,
-                frame.y + 21,
-                escaped(&super::shortened(title, room))
-            )
-        };
-        layout.cards.iter().map(title).collect()
+    /// The title of a card, to be read over whatever passes below.
+    fn title(&self, (document, frame): &(usize, Frame)) -> String {
+        let (title, path) = &self.documents[*document];
+        let title = if title.is_empty() { path } else { title };
+        let room = letters_in(title, frame.width);
+        format!(
+            "<text class=\"cv-soft cv-title\" x=\"{}\" y=\"{}\" font-weight=\"600\">{}</text>\n",
+            frame.x + 14,
+            frame.y + 21,
+            escaped(&super::shortened(title, room))
+        )
     }
 
     fn edge(&self, layout: &Layout, edge: usize) -> String {
