@@ -9,7 +9,7 @@ const ELSEWHERE: [&str; 9] = [
     "fig:", "tab:", "sec:", "ch:", "chap:", "app:", "alg:", "lst:", "subsec:",
 ];
 
-/// The most bytes above a relation sign.
+/// The most characters above a relation sign.
 const LONGEST_REMARK: usize = 200;
 
 /// What a word that introduces a citation allows.
@@ -75,31 +75,33 @@ pub(super) fn read(tokens: &[Placed<'_>]) -> Vec<Citation> {
 
 /// The equations that are cited above the relation signs of a display: `\overset{\eqref{law}}{=}`.
 pub(crate) fn above_signs(source: &str, body: Span) -> Vec<Citation> {
-    let mut found = Vec::new();
-    let mut at = body.start;
-    while let Some(rest) = source.get(at..body.end) {
-        let signs = ["\\overset{", "\\stackrel{"];
-        let next = signs
-            .iter()
-            .filter_map(|sign| Some(rest.find(sign)? + sign.len()));
-        let Some(open) = next.min() else { break };
-        let inner = at + open;
-        let mut depth = 1_usize;
-        let end = rest[open..].find(|c| {
-            match c {
-                '{' => depth += 1,
-                '}' => depth -= 1,
-                _ => {}
-            }
-            depth == 0
-        });
-        if let Some(end) = end.filter(|end| *end <= LONGEST_REMARK) {
-            let span = Span::new(inner, inner + end);
-            found.extend(read(&prose::tokens(source, span, &[], &[])));
+    let text = source.get(body.start..body.end).unwrap_or("");
+    let remarks = text.match_indices('{').filter_map(|(brace, _)| {
+        let before = &text[..brace];
+        let above = before.ends_with("\\overset") || before.ends_with("\\stackrel");
+        let length = above.then(|| closed_within(&text[brace + 1..]))??;
+        let start = body.start + brace + 1;
+        Some(Span::new(start, start + length))
+    });
+    remarks
+        .flat_map(|remark| read(&prose::tokens(source, remark, &[], &[])))
+        .collect()
+}
+
+/// Where the brace that is open here is closed, if that is not far away.
+fn closed_within(text: &str) -> Option<usize> {
+    let mut depth = 1_usize;
+    for (at, c) in text.char_indices().take(LONGEST_REMARK) {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
         }
-        at = inner;
+        if depth == 0 {
+            return Some(at);
+        }
     }
-    found
+    None
 }
 
 /// Reads citations joined by commas, "and", "or" from `at` on; where they end.

@@ -229,7 +229,7 @@ impl<'s> Lexer<'s> {
         let digit = |c: &u8| c.is_ascii_digit();
         let rest = self.rest().strip_prefix(sign).map(str::as_bytes);
         rest.is_some_and(|rest| {
-            rest.len() >= 3 && rest[..3].iter().all(digit) && !rest.get(3).is_some_and(|c| digit(c))
+            rest.len() >= 3 && rest[..3].iter().all(digit) && !rest.get(3).is_some_and(digit)
         })
     }
 
