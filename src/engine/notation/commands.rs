@@ -138,6 +138,10 @@ const GRAMMAR: &[&str] = &[
     "tfrac",
     "dfrac",
     "sfrac",
+    "cfrac",
+    "binom",
+    "tbinom",
+    "dbinom",
     "sqrt",
     "cdot",
     "times",
@@ -401,6 +405,16 @@ pub(super) fn find(
         .iter()
         .find(|(name, _)| *name == command)
         .map(|(_, shown)| *shown)
+}
+
+/// Whether a command sets one thing over another with a line between.
+pub(super) fn is_fraction(command: &str) -> bool {
+    matches!(command, "frac" | "tfrac" | "dfrac" | "sfrac" | "cfrac")
+}
+
+/// Whether a command is a binomial coefficient.
+pub(super) fn is_binomial(command: &str) -> bool {
+    matches!(command, "binom" | "tbinom" | "dbinom")
 }
 
 /// Whether a command is three dots.

@@ -20,11 +20,7 @@ impl<'s> Parser<'s> {
             Kind::Command(name) => {
                 matches!(
                     name,
-                    "frac"
-                        | "tfrac"
-                        | "dfrac"
-                        | "sfrac"
-                        | "sqrt"
+                    "sqrt"
                         | "boxed"
                         | "underline"
                         | "underbrace"
@@ -39,7 +35,9 @@ impl<'s> Parser<'s> {
                         | "{"
                         | "lbrace"
                         | "lbrack"
-                ) || commands::is_function(name)
+                ) || commands::is_fraction(name)
+                    || commands::is_binomial(name)
+                    || commands::is_function(name)
                     || self.starts_name(self.at)
             }
             _ => self.starts_name(self.at),
@@ -59,11 +57,18 @@ impl<'s> Parser<'s> {
                 if self.angle && self.at_degrees() {
                     return Ok(self.degrees(start, number));
                 }
+                let number = match self.peek() {
+                    Kind::Char('!') => self.factorial(start, number)?,
+                    _ => number,
+                };
                 (number, Shape::Number)
             }
             Kind::Quantity(number, unit) => return self.quantity(number, unit),
             Kind::Open => return self.braces(),
-            Kind::Command("frac" | "tfrac" | "dfrac" | "sfrac") => self.nested(Self::fraction)?,
+            Kind::Command(name) if commands::is_fraction(name) => self.nested(Self::fraction)?,
+            Kind::Command(name) if commands::is_binomial(name) => {
+                (self.nested(Self::binomial)?, Shape::Tight)
+            }
             Kind::Command("sqrt") => (self.nested(Self::root)?, Shape::Tight),
             Kind::Command("boxed") => {
                 self.advance();

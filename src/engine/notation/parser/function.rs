@@ -292,7 +292,10 @@ impl Parser<'_> {
     pub(super) fn is_plain(&self) -> bool {
         match self.peek() {
             Kind::Number(_) | Kind::Open => true,
-            Kind::Command("frac" | "tfrac" | "dfrac" | "sfrac" | "sqrt") => true,
+            Kind::Command("sqrt") => true,
+            Kind::Command(name) if commands::is_fraction(name) || commands::is_binomial(name) => {
+                true
+            }
             _ => self.starts_name(self.at),
         }
     }

@@ -1,6 +1,6 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `name` whole
+//! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
 //! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -10,6 +10,7 @@ mod aside;
 mod atom;
 mod calculus;
 mod cases;
+mod count;
 mod function;
 mod group;
 mod name;
@@ -312,7 +313,11 @@ impl<'s> Parser<'s> {
             }
             Kind::Char('^') => refuse(span, "this superscript belongs to nothing"),
             Kind::Char('_') => refuse(span, "this subscript belongs to nothing"),
-            Kind::Char('!') => refuse(span, "factorials are not read"),
+            Kind::Char('!') => refuse_with(
+                span,
+                "factorials are not read, but of numerals: `3!`",
+                "for a few factors write the product: `n (n - 1)`",
+            ),
             Kind::Char(c @ (')' | ']' | '|')) => {
                 refuse(span, format!("`{c}` closes nothing that is open here"))
             }
