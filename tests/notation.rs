@@ -430,6 +430,15 @@ fn spellings_of_one_term() {
             r"\lim_{\mu \to \infty} \eta",
         ),
         (&[r"v_0(1-\mu)^2"], r"v_0 (1 - \mu)^2"),
+        (&["u^{(n+1)/2}"], r"u^{\frac{n + 1}{2}}"),
+        (&["u^{(2)/3}"], "u^{2/3}"),
+        (&["u^{-(2)}"], "u^{-2}"),
+        (&["u_{(2)}^2"], "u_{(2)}^2"),
+        (&["2^{(n)}"], "2^n"),
+        (&["(a + b)^{-1}(c + d)"], "(a + b)^{-1} (c + d)"),
+        (&[r"x^{-1} \cdot (a + b)"], r"x^{-1} \cdot (a + b)"),
+        (&["x^2(a + b)", "{x^2}(a + b)"], "x^2 (a + b)"),
+        (&["x^2(E^*)^2"], "x^2 (E^*)^2"),
         (&[r"\underbrace{a b}_{\text{two}} + c"], "a b + c"),
     ];
     for (sources, expected) in spellings {
@@ -708,6 +717,42 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "whether another condition follows",
     ),
     (r"x(0) = a", "x(0)", "this may be the value of a function"),
+    (
+        r"u^{(2)} = a",
+        "(2)",
+        "this may be an order, an index or a power",
+    ),
+    (
+        r"a = x^{{[n+1]}} b",
+        "{[n+1]}",
+        "this may be an order, an index or a power",
+    ),
+    (
+        r"a = (f g)^{\left( n \right)}",
+        r"\left( n \right)",
+        "this may be an order",
+    ),
+    (r"a = \sin^{(2)} x", "(2)", "this may be an order"),
+    (
+        r"a = f^{-1}(x)",
+        "f^{-1}(x)",
+        "this may be the inverse function of `f`",
+    ),
+    (
+        r"a = {f^{-1}}\left(b + c\right)",
+        r"{f^{-1}}\left(b + c\right)",
+        "this may be the inverse function of `f`",
+    ),
+    (
+        r"a = v_1^2(t)",
+        "v_1^2(t)",
+        "this may be a power of the value of a function `v_1`",
+    ),
+    (
+        r"a = {v^2}(0)",
+        "{v^2}(0)",
+        "this may be a power of the value of a function `v`",
+    ),
     (
         r"a = \qty{3}{J/kg K}",
         r"\qty{3}{J/kg K}",
@@ -1015,6 +1060,8 @@ const PIECES: &[&str] = &[
     "v'_2",
     "^2",
     "^{n}",
+    "^{-1}",
+    "^{(n)}",
     "_1",
     "'",
     "+",

@@ -87,7 +87,14 @@ impl<'s> Parser<'s> {
             }
             _ if self.starts_name(self.at) => return self.named(),
             _ => match self.delimiter() {
-                Some(delimiter) => (self.group(delimiter)?, Shape::Tight),
+                Some(delimiter) => {
+                    let brackets = delimiter.function.is_none();
+                    let content = self.group(delimiter)?;
+                    if brackets {
+                        self.last_group = Some((start, self.at));
+                    }
+                    (content, Shape::Tight)
+                }
                 None => return self.no_term(),
             },
         };
@@ -130,11 +137,17 @@ impl<'s> Parser<'s> {
             return invisible(self.since(start));
         }
         let sign = self.span();
+        let script = self.superscript()?;
+        // `2^{(n)}` is a power; nobody takes derivatives of a number.
+        if !matches!(expr, Expr::Number(_)) {
+            script.refuse_order()?;
+        }
         let Superscript {
             power,
             primes,
             marks,
-        } = self.superscript()?;
+            ..
+        } = script;
         let Some(power) = power.filter(|_| primes == 0 && marks.is_empty()) else {
             return refuse(
                 sign.to(self.since(self.at - 1)),
@@ -181,13 +194,16 @@ impl<'s> Parser<'s> {
     ) -> Read<Factor> {
         if let Some(power) = name.power.take() {
             let base = self.symbol(&name, self.since(start))?;
-            let expr = Expr::Power(Box::new(base), Box::new(power));
-            return Ok(Factor {
-                expr,
+            let factor = Factor {
+                expr: Expr::Power(Box::new(base), Box::new(power)),
                 shape: Shape::Power,
                 span: self.since(start),
                 braces: false,
-            });
+            };
+            return match self.at_argument() {
+                true => self.application(start, factor),
+                false => Ok(factor),
+            };
         }
         let expr = self.symbol(&name, self.since(start))?;
         let factor = Factor {
@@ -201,13 +217,16 @@ impl<'s> Parser<'s> {
             start,
             end: self.at,
         });
-        let at_parenthesis = self.peek() == Kind::Char('(')
-            || self.peek() == Kind::Command("left") && self.kind(self.at + 1) == Kind::Char('(');
-        if at_parenthesis {
-            self.application(start, factor)
-        } else {
-            Ok(factor)
+        match self.at_argument() {
+            true => self.application(start, factor),
+            false => Ok(factor),
         }
+    }
+
+    /// Whether a parenthesis opens here, in which arguments may stand.
+    pub(super) fn at_argument(&self) -> bool {
+        let left = usize::from(self.peek() == Kind::Command("left"));
+        self.kind(self.at + left) == Kind::Char('(')
     }
 
     fn fraction(&mut self) -> Read<(Expr, Shape)> {

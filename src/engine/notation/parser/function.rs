@@ -2,7 +2,7 @@
 
 use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Function, Symbol};
-use crate::notation::commands;
+use crate::notation::{commands, latex};
 use num_traits::One;
 
 impl Parser<'_> {
@@ -31,6 +31,11 @@ impl Parser<'_> {
             }
         })?;
         self.end_group(&delimiter, open_span)?;
+        if let Some((name, exponent)) = name_raised(&function.expr) {
+            self.refuse_raised(start, name, exponent, (bare, &arguments))?;
+            self.before.extend(self.factor_before(start, name));
+            return self.before_factor(start, open, function, arguments);
+        }
         match (bare, function.expr) {
             (true, Expr::Symbol(symbol)) => {
                 let single = arguments.len() == 1;
@@ -38,7 +43,11 @@ impl Parser<'_> {
                     self.choices.push((Choice::Product, self.since(start)));
                 }
                 if single && self.choice == Some(Choice::Product) {
-                    return self.before_factor(start, open, Expr::Symbol(symbol), arguments);
+                    let factor = Factor {
+                        expr: Expr::Symbol(symbol),
+                        ..function
+                    };
+                    return self.before_factor(start, open, factor, arguments);
                 }
                 self.before.push(Before {
                     name: symbol.clone(),
@@ -46,9 +55,7 @@ impl Parser<'_> {
                     kind: BeforeKind::Function,
                 });
                 let raised = self.peek() == Kind::Char('^');
-                if raised
-                    && matches!(arguments.as_slice(), [Expr::Symbol(only)] if only.name().contains(['^', ' ']))
-                {
+                if raised && matches!(arguments.as_slice(), [only] if is_raised(only)) {
                     let help = "for a product write `\\cdot` before the parenthesis";
                     return refuse_with(
                         self.since(open),
@@ -71,16 +78,54 @@ impl Parser<'_> {
                     let help = "for a product write `\\cdot` before the parenthesis; give the value of a function at a number a name, such as `x_0`";
                     return refuse_with(self.since(start), message, help);
                 }
-                if let Expr::Symbol(name) = &expr {
-                    self.before.push(Before {
-                        name: name.clone(),
-                        span: self.since(start),
-                        kind: BeforeKind::Factor,
-                    });
-                }
-                self.before_factor(start, open, expr, arguments)
+                self.before.extend(self.factor_before(start, &expr));
+                self.before_factor(start, open, Factor { expr, ..function }, arguments)
             }
         }
+    }
+
+    /// A name that was read as a factor before a parenthesis.
+    fn factor_before(&self, start: usize, name: &Expr) -> Option<Before> {
+        let Expr::Symbol(name) = name else {
+            return None;
+        };
+        Some(Before {
+            name: name.clone(),
+            span: self.since(start),
+            kind: BeforeKind::Factor,
+        })
+    }
+
+    /// `f^{-1}(x)` may be an inverse function, `f^2(x)` the square of a value.
+    fn refuse_raised(
+        &self,
+        start: usize,
+        name: &Expr,
+        exponent: &Expr,
+        (bare, arguments): (bool, &[Expr]),
+    ) -> Read<()> {
+        let name = latex(name);
+        if is_minus_one(exponent) {
+            let message = format!(
+                "this may be the inverse function of `{name}`, or a product with `1/{name}`"
+            );
+            let help = format!(
+                "for a product write `\\frac{{1}}{{{name}}}`; inverse functions are not read"
+            );
+            return refuse_with(self.since(start), message, help);
+        }
+        // `a^2 (E^*)^2`: such a name needs its parentheses.
+        let raised =
+            self.peek() == Kind::Char('^') && matches!(arguments, [only] if is_raised(only));
+        if (bare || matches!(arguments, [Expr::Number(_)])) && !raised {
+            let message =
+                format!("this may be a power of the value of a function `{name}`, or a product");
+            let help = format!(
+                "for a product write `\\cdot` before the parenthesis, for a power of a value `{name}(…)^2`"
+            );
+            return refuse_with(self.since(start), message, help);
+        }
+        Ok(())
     }
 
     /// A name, read as a factor, and the group after it.
@@ -88,7 +133,7 @@ impl Parser<'_> {
         &mut self,
         start: usize,
         open: usize,
-        name: Expr,
+        name: Factor,
         mut group: Vec<Expr>,
     ) -> Read<Factor> {
         let Some(content) = group.pop().filter(|_| group.is_empty()) else {
@@ -103,12 +148,7 @@ impl Parser<'_> {
             .and_then(|name| Some(name.first()?.span.to(name.last()?.span)))
             .unwrap_or(self.body);
         self.pending = Some(self.scripts(open, content, Shape::Tight, false)?);
-        Ok(Factor {
-            expr: name,
-            shape: Shape::Tight,
-            span,
-            braces: false,
-        })
+        Ok(Factor { span, ..name })
     }
 
     /// `\sin(x)`, or `\sin 2\pi x`: without parentheses the argument is the run of plain factors, side by side.
@@ -138,6 +178,7 @@ impl Parser<'_> {
         let mut power = None;
         if self.peek() == Kind::Char('^') {
             let script = self.superscript()?;
+            script.refuse_order()?;
             power = match script.power {
                 Some(Expr::Number(n)) if n.is_integer() => Some(Expr::Number(n)),
                 _ => {
@@ -323,5 +364,35 @@ fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
         "sinh" => over(difference, Expr::integer(2)),
         "cosh" => over(sum, Expr::integer(2)),
         _ => over(difference, sum),
+    }
+}
+
+/// The name and the exponent of a power of a name.
+pub(super) fn name_raised(expr: &Expr) -> Option<(&Expr, &Expr)> {
+    match expr {
+        Expr::Power(name, exponent) => match **name {
+            Expr::Symbol(_) | Expr::Element { .. } => Some((name, exponent)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether a power of this name needs parentheses around it.
+fn is_raised(name: &Expr) -> bool {
+    match name {
+        Expr::Symbol(name) | Expr::Element { sequence: name, .. } => {
+            name.name().contains(['^', ' '])
+        }
+        _ => false,
+    }
+}
+
+/// Whether an exponent is `-1`.
+pub(in crate::notation) fn is_minus_one(exponent: &Expr) -> bool {
+    match exponent {
+        Expr::Number(n) => (-n).is_one(),
+        Expr::Negate(inner) => matches!(&**inner, Expr::Number(n) if n.is_one()),
+        _ => false,
     }
 }

@@ -1,5 +1,6 @@
 //! Groups: delimiters that a reader sees, and braces that a reader does not.
 
+use super::function::name_raised;
 use super::{Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{Expr, Function};
 use crate::document::Span;
@@ -34,6 +35,15 @@ impl Parser<'_> {
         {
             let name = self.suffixes(last.name, start)?;
             return self.finish_name(start, name);
+        }
+        if name_raised(&content.expr).is_some() && self.at_argument() {
+            let factor = Factor {
+                expr: content.expr,
+                shape: content.shape,
+                span: self.since(start),
+                braces: false,
+            };
+            return self.application(start, factor);
         }
         self.scripts(start, content.expr, content.shape, true)
     }

@@ -20,6 +20,7 @@ mod statement;
 mod term;
 mod unit;
 
+pub(super) use function::is_minus_one;
 pub(super) use name::with_subscript;
 
 use super::commands;
@@ -59,6 +60,8 @@ pub(super) struct Parser<'s> {
     summands: Vec<Span>,
     /// The name that was read last, for braces around nothing but a name: `{v'_1}^2`.
     last_name: Option<LastName>,
+    /// The tokens of the group that was read last, its delimiters among them.
+    last_group: Option<(usize, usize)>,
     /// What is chosen in the other way here.
     choice: Option<Choice>,
     /// The places where there is a choice.
@@ -156,6 +159,7 @@ impl<'s> Parser<'s> {
             doubled: false,
             summands: Vec::new(),
             last_name: None,
+            last_group: None,
             choice: None,
             choices: Vec::new(),
             before: Vec::new(),

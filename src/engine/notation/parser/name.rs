@@ -34,6 +34,22 @@ pub(super) struct Superscript {
     pub(super) power: Option<Expr>,
     pub(super) primes: usize,
     pub(super) marks: String,
+    /// Where the power is one thing in brackets, `^{(2)}`: its place.
+    bracketed: Option<Span>,
+}
+
+impl Superscript {
+    /// `u^{(2)}` is an order, an index or a derivative as often as a power.
+    pub(super) fn refuse_order(&self) -> Read<()> {
+        match self.bracketed {
+            Some(span) => refuse_with(
+                span,
+                "this may be an order, an index or a power",
+                "for a power leave out the brackets; for an order or an index write a subscript, as in `u_{(2)}`",
+            ),
+            None => Ok(()),
+        }
+    }
 }
 
 impl Name {
@@ -274,6 +290,7 @@ impl Parser<'_> {
                 }
                 Kind::Char('^') => {
                     let script = self.superscript()?;
+                    script.refuse_order()?;
                     // A name that braces closed off, `{E^*}`, may still be raised.
                     let marked = !name.marks.is_empty() && !script.marks.is_empty();
                     if raised || marked || name.power.is_some() {
@@ -448,6 +465,7 @@ impl Parser<'_> {
             power: None,
             primes: 0,
             marks: String::new(),
+            bracketed: None,
         };
         match self.peek() {
             Kind::Open => {
@@ -466,7 +484,9 @@ impl Parser<'_> {
                 }
                 let marked = script.primes > 0 || !script.marks.is_empty();
                 if !(marked && self.peek() == Kind::Close) {
+                    let from = self.at;
                     script.power = Some(self.inside(false, Self::sum)?.expr);
+                    script.bracketed = self.brackets_all(from);
                 }
                 self.close(span)?;
             }
@@ -496,6 +516,18 @@ impl Parser<'_> {
             }
         }
         Ok(script)
+    }
+
+    /// Whether what was read from a place on is one thing in brackets, perhaps in braces, which do not show.
+    fn brackets_all(&self, from: usize) -> Option<Span> {
+        let (start, end) = self.last_group?;
+        let around = start.checked_sub(from)?;
+        let braces =
+            |mut tokens: std::ops::Range<usize>, kind| tokens.all(|at| self.kind(at) == kind);
+        let all = end + around == self.at
+            && braces(from..start, Kind::Open)
+            && braces(end..self.at, Kind::Close);
+        all.then(|| self.since(from))
     }
 
     fn mark(&mut self, script: &mut Superscript) -> bool {

@@ -12,7 +12,7 @@
 
 use super::decimal;
 use crate::algebra::{BigRational, Expr, Formula, Function, LimitPoint, Relation, Symbol};
-use crate::notation::parser::with_subscript;
+use crate::notation::parser::{is_minus_one, with_subscript};
 use crate::notation::{Clause, Connective, Mark, Statement};
 use num_traits::{One, Signed};
 
@@ -198,6 +198,11 @@ fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
             printed.starts_with("\\frac") && !matches!(item, Expr::Derivative { .. })
         }
         Expr::Symbol(symbol) if differential(symbol) => true,
+        // `f^{-1}(x)` would be an inverse function.
+        Expr::Power(base, exponent) if is_minus_one(exponent) => {
+            matches!(**base, Expr::Symbol(_) | Expr::Element { .. })
+                && (printed.starts_with('(') || printed.starts_with("\\left("))
+        }
         Expr::Symbol(_) | Expr::Element { .. } => {
             matches!(item, Expr::Power(base, _) if matches!(**base, Expr::Symbol(_) | Expr::Element { .. }))
                 && printed.starts_with('(')
