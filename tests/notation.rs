@@ -360,6 +360,49 @@ fn spellings_of_one_term() {
         (&[r"\Delta E_{\text{total}}"], r"\Delta E_{\text{total}}"),
         (&[r"\eta_{\max}", r"\eta_\max"], r"\eta_{\max}"),
         (
+            &[r"v_{\rm max}", r"v_{\text{max}}", r"v_{{\rm max}}"],
+            r"v_{\text{max}}",
+        ),
+        (
+            &[r"v_{1,\rm max}", r"v_{1,\mathrm{max}}"],
+            r"v_{1,\text{max}}",
+        ),
+        (&[r"E_{\rm 1s}", r"E_{\mathrm{1s}}"], r"E_{\text{1s}}"),
+        (
+            &[
+                r"{\rm kin} x",
+                r"\mathrm{kin} x",
+                r"\left(\rm kin\right) x",
+                r"{ \rm kin}x",
+            ],
+            r"\text{kin} x",
+        ),
+        (&[r"x_{\rm a} b", r"{x_{\rm a}} b"], r"x_{\text{a}} b"),
+        (&[r"{\bf F}_1", r"\mathbf{F}_1"], r"\mathbf{F}_1"),
+        (&[r"\hat{\bf n}"], r"\hat{\mathbf{n}}"),
+        (&[r"{\cal L}t", r"\mathcal Lt"], r"\mathcal{L} t"),
+        (&[r"{\it x}y", r"\mathit{x} y"], "x y"),
+        (
+            &[
+                r"\frac{{\rm d}\eta}{{\rm d}\mu}",
+                r"\frac{\rm d\eta}{\rm d\mu}",
+            ],
+            r"\frac{d\eta}{d\mu}",
+        ),
+        (
+            &[r"\frac{\rm a}{\rm b}", r"\frac{{\rm a}}{{\rm b}}"],
+            r"\frac{\text{a}}{\text{b}}",
+        ),
+        (&[r"\frac1{\rm b}x"], r"\frac{1}{\text{b}} x"),
+        (
+            &[r"\int_0^1 \frac{x}{2}{\rm d}x"],
+            r"\int_{0}^{1} \frac{x}{2} \, dx",
+        ),
+        (
+            &[r"5\,{\rm m/s^2}", r"5\,\mathrm{m/s^2}"],
+            r"5 (\unit{m} \unit{s}^{-2})",
+        ),
+        (
             &[
                 r"\frac12 m",
                 r"\cfrac{1}{2} m",
@@ -715,6 +758,19 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"a = b \text{ if } c > 0, d > 0",
         ",",
         "whether another condition follows",
+    ),
+    (r"v_\rm max = a", r"\rm", r"`\rm` switches the typeface"),
+    (
+        r"a = {\rm m a} b",
+        "m",
+        "TeX sets these letters as one word",
+    ),
+    (r"a = {\bf F r}", "F", "TeX sets these letters as one word"),
+    (r"{\it KE} = a", "KE", "TeX sets these letters as one word"),
+    (
+        r"a = 5 {\rm kg\,x}",
+        r"\rm kg\,x",
+        r"`\rm{kg\,x}` is no name",
     ),
     (r"x(0) = a", "x(0)", "this may be the value of a function"),
     (
@@ -1083,6 +1139,9 @@ const PIECES: &[&str] = &[
     r"\binom{n}{2}",
     "3!",
     r"\sqrt{x}",
+    r"{\rm ab}",
+    r"\rm ",
+    r"{\bf F}",
     r"\sin ",
     r"\Delta ",
     "d",

@@ -18,7 +18,7 @@ const LONGEST_REMARK: usize = 20;
 
 /// Folds the raw tokens. Linear in their number.
 pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
-    let mut raw = raw.to_vec();
+    let mut raw = bare_words(raw);
     part_inner_columns(&mut raw);
     part_from_boxes(&mut raw);
     let folder = Folder {
@@ -27,6 +27,62 @@ pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
         boxes: Vec::new(),
     };
     folder.run()
+}
+
+/// `{\rm d}` stands where `\mathrm{d}` would: the braces around a single word go, but where a command takes them.
+fn bare_words<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
+    let mut out: Vec<Token<'s>> = Vec::with_capacity(raw.len());
+    let mut open = Vec::new();
+    // For each token that is kept, where its group opens.
+    let mut groups = Vec::with_capacity(raw.len());
+    for token in raw {
+        let at = out.len();
+        groups.push(match token.kind {
+            Kind::Close => open.pop().unwrap_or(at),
+            _ => at,
+        });
+        if token.kind == Kind::Open {
+            open.push(at);
+        }
+        out.push(*token);
+        if let [.., first, word, last] = out.as_slice()
+            && (first.kind, last.kind) == (Kind::Open, Kind::Close)
+            && matches!(word.kind, Kind::Upright(_) | Kind::Quantity("", _))
+            && !is_argument(&out, &groups, at - 2)
+        {
+            let kind = word.kind;
+            let span = first.span.to(last.span);
+            out.truncate(at - 2);
+            groups.truncate(at - 1);
+            out.push(Token { kind, span });
+        }
+    }
+    out
+}
+
+/// Whether the braces that open here are a script, or what a command applies to.
+fn is_argument(tokens: &[Token], groups: &[usize], at: usize) -> bool {
+    let kind = |at: Option<usize>| at.and_then(|at| tokens.get(at)).map(|token| token.kind);
+    let takes_two = |name: &str| {
+        commands::is_fraction(name)
+            || commands::is_binomial(name)
+            || matches!(name, "stackrel" | "overset")
+    };
+    let takes_one = |name: &str| {
+        matches!(name, "sqrt" | "boxed" | "underbrace" | "overbrace")
+            || commands::find(commands::ACCENTS, name).is_some()
+    };
+    let before = at.checked_sub(1);
+    match kind(before) {
+        Some(Kind::Char('_' | '^' | ']')) => return true,
+        Some(Kind::Open) => return false,
+        Some(Kind::Command(name)) if takes_one(name) || takes_two(name) => return true,
+        _ => {}
+    }
+    // The second of two: `\frac{a}{\rm b}`.
+    let first = before.and_then(|before| groups.get(before));
+    let command = kind(first.and_then(|first| first.checked_sub(1)));
+    matches!(command, Some(Kind::Command(name)) if takes_two(name))
 }
 
 /// Whether a row goes on with the statement of the row before it.

@@ -4,6 +4,9 @@
 //! still found and the parser says what is wrong, at its place. Spacing that means nothing is dropped here;
 //! `\quad`, which separates statements, is kept. One pass, no backtracking.
 
+mod switch;
+
+use self::switch::Face;
 use super::commands::{PRINTED, SPACING};
 use super::{Connective, Mark, Spanned, SyntaxError};
 use crate::algebra::Relation;
@@ -109,6 +112,7 @@ pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
         end: body.end,
         spaced: false,
         out: Lexed::default(),
+        faces: vec![Face::Plain],
     };
     if source.get(body.start..body.end).is_none() {
         lexer.bad(
@@ -137,6 +141,8 @@ struct Lexer<'s> {
     /// Whether a space that is printed stands before the next token.
     spaced: bool,
     out: Lexed<'s>,
+    /// The typeface in each group that is open here, the whole formula first.
+    faces: Vec<Face>,
 }
 
 impl<'s> Lexer<'s> {
@@ -184,7 +190,10 @@ impl<'s> Lexer<'s> {
         if c.is_ascii_digit() {
             self.number(start);
         } else if c.is_ascii_alphabetic() {
-            self.letter(start, c);
+            match self.face() {
+                Face::Plain => self.letter(start, c),
+                face => self.switched(start, face),
+            }
         } else if c == '\\' {
             self.at += 1;
             self.command(start);
@@ -251,6 +260,12 @@ impl<'s> Lexer<'s> {
     }
 
     fn other(&mut self, start: usize, c: char) {
+        match c {
+            '{' => self.open_face(),
+            '}' => self.close_face(),
+            '&' => self.end_cell(),
+            _ => {}
+        }
         let kind = match c {
             '{' => Kind::Open,
             '}' => Kind::Close,
@@ -315,7 +330,7 @@ impl<'s> Lexer<'s> {
                     self.push(start, Kind::Text(unabbreviated(words)));
                 }
             }
-            "mathrm" | "operatorname" | "rm" => self.upright(start, name),
+            "mathrm" | "operatorname" => self.upright(start, name),
             "eqref" | "ref" | "cref" | "Cref" | "autoref" => {
                 if let Some(keys) = self.argument(start, name) {
                     self.push(start, Kind::Reference(keys));
@@ -327,6 +342,10 @@ impl<'s> Lexer<'s> {
             "begin" | "end" => {
                 if let Some(environment) = self.argument(start, name) {
                     let begin = name == "begin";
+                    match begin {
+                        true => self.open_face(),
+                        false => self.close_face(),
+                    }
                     self.push(
                         start,
                         if begin {
@@ -337,12 +356,23 @@ impl<'s> Lexer<'s> {
                     );
                 }
             }
-            _ => self.push(start, Kind::Command(name)),
+            _ => match switch::face(name) {
+                Some(face) => self.switch(start, name, face),
+                None => {
+                    match name {
+                        "left" => self.open_face(),
+                        "right" => self.close_face(),
+                        _ => {}
+                    }
+                    self.push(start, Kind::Command(name));
+                }
+            },
         }
     }
 
     /// `\\`, perhaps with a star and a length in brackets, as TeX takes them.
     fn row(&mut self, start: usize) {
+        self.end_cell();
         if self.rest().starts_with('*') {
             self.at += 1;
         }
@@ -469,9 +499,12 @@ impl<'s> Lexer<'s> {
             }
             _ => self.argument(start, name),
         };
-        let Some(text) = text.map(|text| unabbreviated(text.trim())) else {
-            return;
-        };
+        if let Some(text) = text.map(|text| unabbreviated(text.trim())) {
+            self.upright_text(start, name, text);
+        }
+    }
+
+    fn upright_text(&mut self, start: usize, name: &str, text: &'s str) {
         if name == "operatorname" && super::commands::is_function(text) {
             self.push(start, Kind::Command(text));
         } else if !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric()) {
@@ -480,7 +513,7 @@ impl<'s> Lexer<'s> {
                 _ => Kind::Upright(text),
             };
             self.push(start, kind);
-        } else if name == "mathrm" && !text.is_empty() && super::unit::read(text).is_ok() {
+        } else if name != "operatorname" && !text.is_empty() && super::unit::read(text).is_ok() {
             self.push(start, Kind::Quantity("", text));
         } else {
             let span = Span::new(start, self.at);

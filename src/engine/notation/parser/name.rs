@@ -253,9 +253,13 @@ impl Parser<'_> {
                 format!("`\\{accent}` needs a name after it"),
             );
         };
-        Ok(Name {
-            head: format!("\\{accent}{{{}}}", name.head),
-            ..name
+        // Single letters are italic anyhow.
+        Ok(match accent == "mathit" && name.head.len() == 1 {
+            true => name,
+            false => Name {
+                head: format!("\\{accent}{{{}}}", name.head),
+                ..name
+            },
         })
     }
 
