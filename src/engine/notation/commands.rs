@@ -422,6 +422,43 @@ pub(super) fn is_binomial(command: &str) -> bool {
     matches!(command, "binom" | "tbinom" | "dbinom")
 }
 
+/// Upright words that are applied to what follows, and never factors.
+const APPLIED: &[&str] = &[
+    "Bias", "Corr", "Cov", "SD", "Tr", "Var", "arccos", "arcsin", "arctan", "arg", "argmax",
+    "argmin", "corr", "cos", "cosh", "cot", "cov", "curl", "det", "diag", "div", "erf", "erfc",
+    "exp", "grad", "inf", "lg", "ln", "log", "max", "min", "rot", "sgn", "sign", "sin", "sinh",
+    "sup", "tan", "tanh", "tr", "var",
+];
+
+/// The upright word that a name begins with: `Var` in `\text{Var}_1`.
+fn word(name: &str) -> Option<&str> {
+    name.strip_prefix("\\text{")?.split('}').next()
+}
+
+/// Whether a name is that of an operator, which has no value by itself: `\text{Var}`, `\mathbb{E}`.
+pub(super) fn is_applied(name: &str) -> bool {
+    let expectation = ["\\mathbb{E}", "\\mathbb{P}"];
+    expectation.iter().any(|own| name.starts_with(own))
+        || word(name).is_some_and(|word| APPLIED.contains(&word))
+}
+
+/// Whether a name is a word, which before a parenthesis may be a function: `\text{Re}(x + 1)`.
+pub(super) fn is_word(name: &str) -> bool {
+    word(name).is_some_and(|word| word.chars().count() > 1) || is_applied(name)
+}
+
+/// Whether a name before a square bracket is likely to be applied: `E[X^2]`, `\mathcal{F}[f + g]`.
+pub(super) fn is_functional(name: &str) -> bool {
+    let mut letter = name;
+    while let Some((accent, rest)) = letter.strip_prefix('\\').and_then(|l| l.split_once('{')) {
+        if matches!(accent, "mathbb" | "mathcal") {
+            return true;
+        }
+        letter = rest;
+    }
+    letter.starts_with(['E', 'P']) || is_word(name)
+}
+
 /// Whether a command is three dots.
 pub(super) fn is_dots(command: &str) -> bool {
     matches!(

@@ -1,5 +1,6 @@
 //! Single factors: numbers, fractions, roots, names, and the powers on them.
 
+use super::function::stem;
 use super::name::Superscript;
 use super::term::{counted, invisible};
 use super::{DIGITS, Factor, Kind, LastName, Parser, Read, Shape, refuse, refuse_with};
@@ -184,6 +185,10 @@ impl<'s> Parser<'s> {
             let help = "for a product write `\\cdot`; functions other than `\\sin`, `\\cos`, `\\tan`, `\\exp` and `\\ln` take plain symbols in parentheses";
             return refuse_with(self.since(start), message, help);
         }
+        let applied = stem(&factor.expr).is_some_and(|name| commands::is_applied(name.name()));
+        if applied && (self.pending.is_some() || self.starts_factor()) {
+            return self.unclear(start, &factor.expr);
+        }
         Ok(factor)
     }
 
@@ -223,10 +228,13 @@ impl<'s> Parser<'s> {
         }
     }
 
-    /// Whether a parenthesis opens here, in which arguments may stand.
+    /// Whether brackets open here, in which arguments may stand.
     pub(super) fn at_argument(&self) -> bool {
         let left = usize::from(self.peek() == Kind::Command("left"));
-        self.kind(self.at + left) == Kind::Char('(')
+        matches!(
+            self.kind(self.at + left),
+            Kind::Char('(' | '[') | Kind::Command("lbrack" | "{" | "lbrace")
+        )
     }
 
     fn fraction(&mut self) -> Read<(Expr, Shape)> {

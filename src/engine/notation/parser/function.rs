@@ -31,6 +31,9 @@ impl Parser<'_> {
             }
         })?;
         self.end_group(&delimiter, open_span)?;
+        if self.may_be_applied(&function.expr, delimiter.close, bare, &arguments) {
+            return self.unclear(start, &function.expr);
+        }
         if let Some((name, exponent)) = name_raised(&function.expr) {
             self.refuse_raised(start, name, exponent, (bare, &arguments))?;
             self.before.extend(self.factor_before(start, name));
@@ -82,6 +85,30 @@ impl Parser<'_> {
                 self.before_factor(start, open, Factor { expr, ..function }, arguments)
             }
         }
+    }
+
+    /// Whether a reader may take a name for a function of what stands in brackets after it, other than `P(t)`.
+    ///
+    /// Square ones are those of expectations and functionals, `E[X]`; around a sum they are parentheses too, `m[1 + (a - b)]`.
+    fn may_be_applied(&self, name: &Expr, close: &str, bare: bool, arguments: &[Expr]) -> bool {
+        let number = matches!(arguments, [Expr::Number(_)]);
+        let is = |kind: fn(&str) -> bool| stem(name).is_some_and(|name| kind(name.name()));
+        match close {
+            ")" => !bare && is(commands::is_word),
+            _ => bare || number || is(commands::is_functional),
+        }
+    }
+
+    /// The refusal of a name that may be a function or a factor.
+    pub(super) fn unclear<T>(&self, start: usize, name: &Expr) -> Read<T> {
+        let name = latex(name);
+        let message = format!(
+            "whether `{name}` is applied to what follows, or multiplied by it, is not clear"
+        );
+        let help = format!(
+            "for a product write `{name} \\cdot (…)`; functions are read as `f(x)`, of bare symbols"
+        );
+        refuse_with(self.since(start), message, help)
     }
 
     /// A name that was read as a factor before a parenthesis.
@@ -374,6 +401,14 @@ pub(super) fn name_raised(expr: &Expr) -> Option<(&Expr, &Expr)> {
             Expr::Symbol(_) | Expr::Element { .. } => Some((name, exponent)),
             _ => None,
         },
+        _ => None,
+    }
+}
+
+/// The name that a term consists of, perhaps with a power; of an element, that of its sequence.
+pub(in crate::notation) fn stem(expr: &Expr) -> Option<&Symbol> {
+    match name_raised(expr).map_or(expr, |(name, _)| name) {
+        Expr::Symbol(name) | Expr::Element { sequence: name, .. } => Some(name),
         _ => None,
     }
 }

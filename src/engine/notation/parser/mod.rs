@@ -20,7 +20,7 @@ mod statement;
 mod term;
 mod unit;
 
-pub(super) use function::is_minus_one;
+pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;
 
 use super::commands;

@@ -12,7 +12,8 @@
 
 use super::decimal;
 use crate::algebra::{BigRational, Expr, Formula, Function, LimitPoint, Relation, Symbol};
-use crate::notation::parser::{is_minus_one, with_subscript};
+use crate::notation::commands;
+use crate::notation::parser::{is_minus_one, stem, with_subscript};
 use crate::notation::{Clause, Connective, Mark, Statement};
 use num_traits::{One, Signed};
 
@@ -193,6 +194,12 @@ fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
     if printed.starts_with(|c: char| c.is_ascii_digit()) {
         return true;
     }
+    let grouped = printed.starts_with('(') || printed.starts_with("\\left(");
+    if let Some(name) = stem(before).map(Symbol::name)
+        && (commands::is_applied(name) || grouped && commands::is_word(name))
+    {
+        return true;
+    }
     match before {
         Expr::Number(_) => {
             printed.starts_with("\\frac") && !matches!(item, Expr::Derivative { .. })
@@ -200,8 +207,7 @@ fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
         Expr::Symbol(symbol) if differential(symbol) => true,
         // `f^{-1}(x)` would be an inverse function.
         Expr::Power(base, exponent) if is_minus_one(exponent) => {
-            matches!(**base, Expr::Symbol(_) | Expr::Element { .. })
-                && (printed.starts_with('(') || printed.starts_with("\\left("))
+            matches!(**base, Expr::Symbol(_) | Expr::Element { .. }) && grouped
         }
         Expr::Symbol(_) | Expr::Element { .. } => {
             matches!(item, Expr::Power(base, _) if matches!(**base, Expr::Symbol(_) | Expr::Element { .. }))
