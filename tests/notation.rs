@@ -485,6 +485,18 @@ fn spellings_of_one_term() {
             r"\text{Var} \cdot \text{Re} \cdot (a + b)",
         ),
         (&[r"\mathrm{Re}^2 x"], r"\text{Re}^2 x"),
+        (
+            &[r"m\vec a + \frac{1}{2}(\vec b - \frac{\vec c}{3}) \times 2"],
+            r"m \vec{a} + \frac{1}{2} \left( \vec{b} - \frac{\vec{c}}{3} \right) \cdot 2",
+        ),
+        (
+            &[r"m \frac{d\mathbf v}{dt} U(\mathbf r)"],
+            r"m \frac{d\mathbf{v}}{dt} U(\mathbf{r})",
+        ),
+        (
+            &[r"\hat y^2 \cdot \hat y / \hat x + \hat\beta x"],
+            r"\frac{\hat{y}^2 \hat{y}}{\hat{x}} + \hat{\beta} x",
+        ),
         (&["u^{(n+1)/2}"], r"u^{\frac{n + 1}{2}}"),
         (&["u^{(2)/3}"], "u^{2/3}"),
         (&["u^{-(2)}"], "u^{-2}"),
@@ -813,6 +825,81 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
     (r"a = x[n]", "x[n]", "whether `x` is applied"),
     (r"a = x^2[0]", "x^2[0]", "whether `x^2` is applied"),
+    (
+        r"\vec L = \vec r \times m\vec p",
+        r"\vec p",
+        "products of vectors do not obey the rules of numbers",
+    ),
+    (
+        r"\vec L = \vec r × \hat n",
+        "×",
+        r"`\times` between vectors does not commute",
+    ),
+    (
+        r"W = \mathbf F \cdot \Delta\mathbf{r}_1",
+        r"\Delta\mathbf{r}_1",
+        "products of vectors do not obey",
+    ),
+    (
+        r"W = \vec F(t) (a \boldsymbol{v} + b \bm{w})",
+        r"(a \boldsymbol{v} + b \bm{w})",
+        "products of vectors do not obey",
+    ),
+    (
+        r"E = \frac12 m {\bf v}^2",
+        r"{\bf v}^2",
+        "powers and roots of vectors are not read",
+    ),
+    (
+        r"E = (\vec v + \vec w)^2",
+        r"(\vec v + \vec w)^2",
+        "powers and roots of vectors are not read",
+    ),
+    (
+        r"a = \sqrt{\vec v}",
+        r"\sqrt{\vec v}",
+        "powers and roots of vectors are not read",
+    ),
+    (
+        r"F = |\vec F|",
+        r"\vec F",
+        "magnitudes of vectors are not read",
+    ),
+    (
+        r"m = \vec F / \vec a",
+        r"\vec a",
+        "nothing is divided by a vector",
+    ),
+    (
+        r"m = \frac{\vec F}{\vec a}",
+        r"\frac{\vec F}{\vec a}",
+        "nothing is divided by a vector",
+    ),
+    (
+        r"a = \cos \vec k x",
+        r"\cos \vec k x",
+        "functions of vectors are not read",
+    ),
+    (
+        r"\vec F = \frac{dU}{d\vec r}",
+        r"\vec r",
+        "this cannot be the variable of a differential",
+    ),
+    (
+        r"C = \hat x\hat p - \hat p\hat x",
+        r"\hat p",
+        "what bears a hat may be an operator",
+    ),
+    (
+        r"a = \cos \hat a \hat b",
+        r"\hat b",
+        "what bears a hat may be an operator",
+    ),
+    (
+        r"a = \hat n \times \hat n",
+        r"\times",
+        r"`\times` between vectors does not commute",
+    ),
     (r"v_\rm max = a", r"\rm", r"`\rm` switches the typeface"),
     (
         r"a = {\rm m a} b",
@@ -1197,6 +1284,8 @@ const PIECES: &[&str] = &[
     r"\sqrt{x}",
     r"{\rm ab}",
     r"\mathrm{Var}",
+    r"\vec a ",
+    r"\hat b ",
     "[",
     "]",
     r"\rm ",

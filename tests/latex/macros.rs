@@ -26,14 +26,14 @@ fn definitions_of_every_kind_are_put_in() {
 \let\old\ke
 \newenvironment{law}[1]{\begin{equation}\label{#1}}{\end{equation}}
 \newcommand{\be}{\begin{equation}}\newcommand{\ee}{\end{equation}}",
-        r"\be E_\kin = \ke{v} + \ke[M]{\vec u} \ee
+        r"\be E_\kin = \ke{v} + \ke[\vec u]{M} \ee
 \be \abs{x} = \abs*{\twice y} = \sin z \ee
 \begin{law}{key} \old{v} = \quot{a}{b} \cdot \area \end{law}",
     );
     assert_eq!(
         equations(&derivation),
         [
-            r"1: E_{\text{kin}} = \frac{1}{2} m v^2 + \frac{1}{2} M \mathbf{u}^2",
+            r"1: E_{\text{kin}} = \frac{1}{2} m v^2 + \frac{1}{2} \mathbf{u} M^2",
             r"2: \left| x \right| = \left| 2 y \right| = \sin\left( z \right)",
             r"3: \frac{1}{2} m v^2 = \frac{a}{b} \text{area}",
         ]

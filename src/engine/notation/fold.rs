@@ -50,11 +50,11 @@ fn bare_words<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
             && matches!(word.kind, Kind::Upright(_) | Kind::Quantity("", _))
             && !is_argument(&out, &groups, at - 2)
         {
-            let kind = word.kind;
+            let (kind, spaced) = (word.kind, first.spaced);
             let span = first.span.to(last.span);
             out.truncate(at - 2);
             groups.truncate(at - 1);
-            out.push(Token { kind, span });
+            out.push(Token { kind, span, spaced });
         }
     }
     out

@@ -3,6 +3,7 @@
 use super::function::stem;
 use super::name::Superscript;
 use super::term::{counted, invisible};
+use super::vector::refuse_vector;
 use super::{DIGITS, Factor, Kind, LastName, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{BigInt, BigRational, Expr};
 use crate::document::Span;
@@ -162,7 +163,7 @@ impl<'s> Parser<'s> {
                 "use braces or parentheses",
             );
         }
-        let expr = Expr::Power(Box::new(expr), Box::new(power));
+        let expr = self.power(start, expr, power)?;
         Ok(Factor {
             expr,
             shape: Shape::Power,
@@ -200,7 +201,7 @@ impl<'s> Parser<'s> {
         if let Some(power) = name.power.take() {
             let base = self.symbol(&name, self.since(start))?;
             let factor = Factor {
-                expr: Expr::Power(Box::new(base), Box::new(power)),
+                expr: self.power(start, base, power)?,
                 shape: Shape::Power,
                 span: self.since(start),
                 braces: false,
@@ -241,6 +242,7 @@ impl<'s> Parser<'s> {
         if let Some(derivative) = self.derivative()? {
             return Ok(derivative);
         }
+        let start = self.at;
         self.advance();
         let (over, under) = match self.peek() {
             // `\frac12`: TeX takes one digit for each place.
@@ -267,6 +269,7 @@ impl<'s> Parser<'s> {
                 (over, under)
             }
         };
+        refuse_vector(&under, self.since(start), "nothing is divided by a vector")?;
         Ok((
             Expr::Quotient(Box::new(over), Box::new(under)),
             Shape::Tight,
@@ -274,6 +277,7 @@ impl<'s> Parser<'s> {
     }
 
     fn root(&mut self) -> Read<Expr> {
+        let sign = self.at;
         self.advance();
         let half = || Expr::Number(BigRational::new(1.into(), 2.into()));
         let mut exponent = half();
@@ -305,7 +309,7 @@ impl<'s> Parser<'s> {
             };
         }
         let base = self.argument("\\sqrt")?;
-        Ok(Expr::Power(Box::new(base), Box::new(exponent)))
+        self.power(sign, base, exponent)
     }
 
     /// What a command applies to: a group in braces, or a single sign.

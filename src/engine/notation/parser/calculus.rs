@@ -5,6 +5,7 @@
 //! starts with a bracket it must end with it, since `\frac{d}{dx}(f) g` says too little. An integrand ends at its `dx`.
 
 use super::term::invisible;
+use super::vector::is_vector;
 use super::{Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{Expr, LimitPoint, Symbol};
 use crate::notation::commands;
@@ -42,7 +43,9 @@ impl Parser<'_> {
             }
         };
         match self.symbol(&name, self.since(start))? {
-            Expr::Symbol(symbol) if !matches!(symbol.name(), "d" | "\\text{d}") => {
+            Expr::Symbol(symbol)
+                if !matches!(symbol.name(), "d" | "\\text{d}") && !is_vector(&symbol) =>
+            {
                 Ok((symbol, order))
             }
             _ => refuse(

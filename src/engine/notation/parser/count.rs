@@ -1,5 +1,6 @@
 //! Factorials of numerals and binomial coefficients: numbers, and polynomials in what is above.
 
+use super::vector::refuse_vector;
 use super::{Kind, Parser, Read, refuse_with};
 use crate::algebra::{BigInt, Expr};
 
@@ -33,6 +34,8 @@ impl Parser<'_> {
         let start = self.at;
         self.advance();
         let above = self.argument("\\binom")?;
+        let message = "binomial coefficients of vectors are not read";
+        refuse_vector(&above, self.since(start), message)?;
         let from = self.at;
         let below = self.argument("\\binom")?;
         let Some(below) = whole(&below).filter(|below| *below <= FACTORS) else {

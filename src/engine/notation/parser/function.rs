@@ -1,5 +1,6 @@
 //! Functions: the known ones, `\sin x`, and unknown ones applied to bare symbols, `P(t)`.
 
+use super::vector::{Borne, refuse_vector};
 use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Function, Symbol};
 use crate::notation::{commands, latex};
@@ -246,6 +247,8 @@ impl Parser<'_> {
                 argument
             }
         };
+        let message = "functions of vectors are not read";
+        refuse_vector(&argument, self.since(start), message)?;
         let call = called(name, of.as_ref(), argument);
         Ok(match power {
             Some(power) => Expr::Power(Box::new(call), Box::new(power)),
@@ -300,6 +303,7 @@ impl Parser<'_> {
         let help = "put the argument in parentheses";
         let start = self.at;
         let mut factors: Vec<Expr> = Vec::new();
+        let mut borne = Borne::default();
         let mut last = None;
         while self.starts_factor() && !self.at_delimiter() && self.is_plain() {
             // Nobody takes `\sin 2x` for `(\sin 2) x`.
@@ -323,6 +327,7 @@ impl Parser<'_> {
             if last == Some(Shape::Number) && factor.shape == Shape::Number {
                 return refuse(factor.span, "two numbers stand side by side");
             }
+            borne.join(&factor, None)?;
             last = Some(factor.shape);
             factors.push(factor.expr);
         }

@@ -1,6 +1,7 @@
 //! Groups: delimiters that a reader sees, and braces that a reader does not.
 
 use super::function::name_raised;
+use super::vector::refuse_vector;
 use super::{Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{Expr, Function};
 use crate::document::Span;
@@ -151,10 +152,12 @@ impl Parser<'_> {
         let bar = delimiter.close == "|" && !delimiter.left;
         let content = self.inside(bar, Self::sum)?;
         self.end_group(&delimiter, open)?;
-        Ok(match delimiter.function {
-            Some(function) => Expr::Call(function, Box::new(content.expr)),
-            None => content.expr,
-        })
+        let Some(function) = delimiter.function else {
+            return Ok(content.expr);
+        };
+        let message = "magnitudes of vectors are not read";
+        refuse_vector(&content.expr, content.span, message)?;
+        Ok(Expr::Call(function, Box::new(content.expr)))
     }
 
     pub(super) fn end_group(&mut self, delimiter: &Delimiter, open: Span) -> Read<()> {

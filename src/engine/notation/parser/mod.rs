@@ -1,7 +1,7 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
 //! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
-//! symbol names, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
+//! symbol names, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
 //! [`DEPTH`], so that no input can exhaust the stack.
@@ -19,6 +19,7 @@ mod series;
 mod statement;
 mod term;
 mod unit;
+mod vector;
 
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;

@@ -6,8 +6,10 @@
 
 use num_traits::Signed;
 
+use super::vector::Borne;
 use super::{Choice, Factor, Kind, Parser, Read, Shape, Term, refuse, refuse_with};
 use crate::algebra::Expr;
+use crate::document::Span;
 use crate::notation::{commands, measured};
 
 /// How many `/` one term may hold; more than one is hard enough to read.
@@ -130,6 +132,9 @@ impl Parser<'_> {
         loop {
             match self.peek() {
                 Kind::Command("cdot" | "times") | Kind::Char('*') => {
+                    if self.peek() == Kind::Command("times") {
+                        product.times = Some(self.span());
+                    }
                     self.advance();
                     stroke = None;
                     if product.measured
@@ -251,6 +256,9 @@ struct Product {
     signed: bool,
     /// Whether the last factor is a unit after a number, so that another may go on with it.
     measured: bool,
+    /// The `\times` before the next factor.
+    times: Option<Span>,
+    borne: Borne,
 }
 
 impl Product {
@@ -277,6 +285,7 @@ impl Product {
     fn push(&mut self, factor: Factor) -> Read<()> {
         self.measured = false;
         let signed = std::mem::take(&mut self.signed);
+        self.borne.join(&factor, self.times.take())?;
         if let Some(before) = self.factors.last()
             && !signed
             && before.shape == Shape::Number
@@ -309,6 +318,7 @@ impl Product {
 
     fn divide(&mut self, by: Factor) -> Read<()> {
         (self.signed, self.measured) = (false, false);
+        self.borne.divide(&by)?;
         self.check_braces(true)?;
         if by.braces && by.shape == Shape::Loose {
             return invisible(by.span);
