@@ -739,7 +739,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
     (r"μ = 1", "μ", "the character `μ` is not known"),
     (r"a = \infty", r"\infty", r"`\infty` is no number"),
-    (r"a = x!", "!", "factorials are not read, but of numerals"),
+    (r"a = x!", "!", "only factorials of numerals are read"),
     (r"a = 3!!", "!", "double factorials are not read"),
     (r"a = 0.5!", "0.5!", "factorials are read of whole numbers"),
     (r"a = 2 3!", "3!", "two numbers stand side by side"),

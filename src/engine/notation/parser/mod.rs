@@ -320,7 +320,7 @@ impl<'s> Parser<'s> {
             Kind::Char('_') => refuse(span, "this subscript belongs to nothing"),
             Kind::Char('!') => refuse_with(
                 span,
-                "factorials are not read, but of numerals: `3!`",
+                "only factorials of numerals are read, as `3!`",
                 "for a few factors write the product: `n (n - 1)`",
             ),
             Kind::Char(c @ (')' | ']' | '|')) => {
