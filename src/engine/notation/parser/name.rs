@@ -41,7 +41,10 @@ pub(super) struct Superscript {
 impl Superscript {
     /// `u^{(2)}` is an order, an index or a derivative as often as a power.
     pub(super) fn refuse_order(&self) -> Read<()> {
-        match self.bracketed {
+        match self
+            .bracketed
+            .filter(|_| self.power.as_ref().is_some_and(may_count))
+        {
             Some(span) => refuse_with(
                 span,
                 "this may be an order, an index or a power",
@@ -49,6 +52,18 @@ impl Superscript {
             ),
             None => Ok(()),
         }
+    }
+}
+
+/// Whether a term may be an order or an index: `2`, `n`, `n + 1`; `-t/\tau` is none.
+fn may_count(term: &Expr) -> bool {
+    match term {
+        Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => true,
+        Expr::Sum(parts) => parts.iter().all(|part| match part {
+            Expr::Negate(inner) => matches!(**inner, Expr::Number(_)),
+            part => may_count(part),
+        }),
+        _ => false,
     }
 }
 
