@@ -43,6 +43,8 @@ pub(super) struct Found {
     pub mended: Option<Box<Mended>>,
     /// What would have to be supposed for it to follow.
     pub missing: Vec<Formula>,
+    /// What must not vanish was looked for already, from what is cited.
+    pub has_conditions: bool,
 }
 
 impl Found {
@@ -56,6 +58,7 @@ impl Found {
             implied: None,
             mended: None,
             missing: Vec::new(),
+            has_conditions: false,
         }
     }
 }
@@ -245,11 +248,14 @@ impl Judge<'_> {
             let mended = search::mended(&claim, witness, &self.auditor.hints(), values_at);
             found.mended = mended.map(Box::new);
         }
-        if let Some(unless) =
-            search::missing_conditions(&claim, Some(refuted.witness()), &self.auditor.hints())
+        if !found.has_conditions
+            && let Some(unless) =
+                search::missing_conditions(&claim, Some(refuted.witness()), &self.auditor.hints())
         {
             found.conditions = unless.conditions();
-        } else if found.mended.is_none()
+        }
+        if found.conditions.is_empty()
+            && found.mended.is_none()
             && found
                 .implied
                 .as_ref()
@@ -272,6 +278,12 @@ impl Judge<'_> {
         }
     }
 
+    /// Whether the author says what the step follows from.
+    pub(super) fn names_its_premises(&self) -> bool {
+        let (_, says_so, _) = self.derivation.premises(self.at);
+        says_so
+    }
+
     /// The slip of the pen in a step that needs what stands before and is not cited.
     fn mended_from_all(
         &mut self,
@@ -283,6 +295,9 @@ impl Judge<'_> {
         let Outcome::Refuted(refuted) = &found.judged.outcome else {
             return;
         };
+        if self.names_its_premises() {
+            return;
+        }
         let [others, _] = self.others(premises);
         let near = others.into_iter().take(NEARBY[1].0);
         let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
@@ -482,6 +497,7 @@ impl Judge<'_> {
                     continue;
                 }
                 found.instead = sources(&kept);
+                found.conditions.clear();
                 found.judged.assumed = kept;
                 found.judged.outcome = Outcome::Proven(least.into());
                 return true;

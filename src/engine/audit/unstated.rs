@@ -25,28 +25,37 @@ impl Judge<'_> {
             return false;
         };
         let witness = refuted.witness().clone();
+        if self.under_conditions(goal, assumed.to_vec(), Some(&witness), found) {
+            found.instead.clear();
+            return true;
+        }
+        // Where nothing is declared, citations are seldom complete either.
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        if self.names_its_premises() && !page.declared.is_empty() {
+            return false;
+        }
         let [others, _] = self.others(premises);
         let mut all = assumed.to_vec();
         all.extend(others.into_iter().take(NEARBY[1].0));
         // Of what is not cited nothing need be true at the witness.
-        for (set, witness) in [(assumed.to_vec(), Some(&witness)), (all, None)] {
-            let unbounded = self.unbounded(goal, &set);
-            if unbounded.is_empty() {
-                continue;
-            }
-            let conditions = self
-                .nonzero(goal, &set, &unbounded, witness)
-                .or_else(|| self.positive(goal, &set, &unbounded));
-            if let Some(conditions) = conditions
-                && self.holds_under(goal, set, &conditions, found)
-            {
-                if witness.is_some() {
-                    found.instead.clear();
-                }
-                return true;
-            }
+        all.len() > assumed.len() && self.under_conditions(goal, all, None, found)
+    }
+
+    fn under_conditions(
+        &self,
+        goal: &Goal,
+        set: Vec<Assumed>,
+        witness: Option<&Assignment>,
+        found: &mut Found,
+    ) -> bool {
+        let unbounded = self.unbounded(goal, &set);
+        if unbounded.is_empty() {
+            return false;
         }
-        false
+        let conditions = self
+            .nonzero(goal, &set, &unbounded, witness, found)
+            .or_else(|| self.positive(goal, &set, &unbounded));
+        conditions.is_some_and(|conditions| self.holds_under(goal, set, &conditions, found))
     }
 
     /// The symbols that a step speaks of, or its premises, and of which nobody says where they lie.
@@ -68,15 +77,22 @@ impl Judge<'_> {
         set: &[Assumed],
         unbounded: &[Symbol],
         witness: Option<&Assignment>,
+        found: &mut Found,
     ) -> Option<Vec<Formula>> {
         let claim = self.derivation.claim(self.at, set, &goal.formula);
-        let unless = search::missing_conditions(&claim, witness, &self.auditor.hints())?;
+        let unless = search::missing_conditions(&claim, witness, &self.auditor.hints());
+        found.has_conditions |= witness.is_some();
+        let unless = unless?;
         let may_be_meant = |condition: &Formula| {
             let names = condition.free_symbols();
             names.len() == 1 && names.iter().all(|symbol| unbounded.contains(symbol))
         };
         let meant = unless.divided.iter().all(may_be_meant);
-        meant.then(|| unless.conditions())
+        let conditions = unless.conditions();
+        if witness.is_some() {
+            found.conditions.clone_from(&conditions);
+        }
+        meant.then_some(conditions)
     }
 
     /// That all symbols are positive, where a root is taken: who writes one means the positive one.
