@@ -6,155 +6,16 @@
 //! alternative ("or"), not a condition ("if"), not a negation, not a question, not a proof by contradiction. A value that is
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
+mod words;
+
+use self::words::{
+    CONCLUDING, DEFINING, DENYING, DOUBTFUL, NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, REASONS,
+    UNDECIDED,
+};
 use super::conclusion;
 use super::prose::{Placed, Token};
 use super::{Span, Supposition, SuppositionKind};
 
-/// After these, too, a sentence no longer supposes.
-const CONCLUDING: [&str; 20] = [
-    "show",
-    "shows",
-    "have",
-    "see",
-    "whether",
-    "us",
-    "we",
-    "want",
-    "need",
-    "because",
-    "since",
-    "derivative",
-    "gradient",
-    "logarithm",
-    "limit",
-    "difference",
-    "sum",
-    "average",
-    "square",
-    "equation",
-];
-/// With these, a sentence supposes nothing that could be used.
-const DOUBTFUL: [&str; 35] = [
-    "or",
-    "either",
-    "if",
-    "unless",
-    "contradiction",
-    "contradicts",
-    "contrary",
-    "otherwise",
-    "example",
-    "instance",
-    "wrong",
-    "wrongly",
-    "false",
-    "fails",
-    "fail",
-    "violates",
-    "violated",
-    "impossible",
-    "absurd",
-    "neither",
-    "nor",
-    "longer",
-    "excluded",
-    "excluding",
-    "exclude",
-    "ruled",
-    "forbidden",
-    "trivial",
-    "trivially",
-    "useless",
-    "nowhere",
-    "else",
-    "elsewhere",
-    "rather",
-    "stop",
-];
-/// With these besides, a sentence supposes nothing by a mere "with" or "taking": they may deny what it names.
-const DENYING: [&str; 14] = [
-    "not", "never", "no", "cannot", "would", "were", "without", "could", "might", "nothing",
-    "little", "only", "tried", "leads",
-];
-/// What comes between these and the next word is an origin or a name and no value: "Let $t = 0$ be the moment of release".
-const NAMED_AFTER: [&str; 10] = [
-    "be", "is", "denote", "denotes", "mark", "marks", "when", "at", "only", "onwards",
-];
-/// With these a sentence tells no fact that could be used, whatever it names.
-const UNDECIDED: [&str; 28] = [
-    "whether",
-    "distinguish",
-    "case",
-    "cases",
-    "compare",
-    "until",
-    "while",
-    "once",
-    "long",
-    "limit",
-    "see",
-    "when",
-    "except",
-    "apart",
-    "aside",
-    "near",
-    "beyond",
-    "unlike",
-    "instead",
-    "dropping",
-    "drop",
-    "relaxing",
-    "relax",
-    "even",
-    "far",
-    "away",
-    "than",
-    "before",
-];
-/// After these a fact is named also where a conclusion is drawn: "Hence, since $a = 2 c$".
-const REASONS: [&str; 8] = [
-    "with", "since", "as", "because", "using", "where", "for", "by",
-];
-/// After these it is where something begins: "Suppose the motion starts at $t = 0$".
-const NAMED_BEFORE: [&str; 5] = ["from", "at", "until", "after", "before"];
-/// After "we" these give a name: "We set $a = 2 c$".
-const DEFINING: [&str; 8] = [
-    "set",
-    "put",
-    "write",
-    "define",
-    "introduce",
-    "choose",
-    "denote",
-    "abbreviate",
-];
-/// Before these, a value is named: supposed or not.
-const NAMING: [&str; 20] = [
-    "with",
-    "where",
-    "for",
-    "when",
-    "at",
-    "if",
-    "since",
-    "because",
-    "as",
-    "while",
-    "setting",
-    "putting",
-    "taking",
-    "inserting",
-    "substituting",
-    "using",
-    "letting",
-    "choosing",
-    "case",
-    "let",
-];
-/// Before these, an introductory word means its opposite.
-const NEGATING: [&str; 8] = [
-    "not", "without", "never", "cannot", "nor", "don", "can", "needn",
-];
 /// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
 const PATIENCE: usize = 6;
 
@@ -189,129 +50,213 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         token => token != Token::Hidden,
     };
     let end = tokens.iter().rposition(stops).map_or(0, |last| last + 1);
-    let tokens = &tokens[..end];
-    let mut found: Vec<Supposition> = Vec::new();
-    let mut mentions: Vec<Span> = Vec::new();
-    let mut named = false;
-    let mut sentence = 0;
-    // From here on, what was supposed runs on into the display after the text.
-    let mut open = 0;
-    let mut begun = false;
-    let mut doubtful = false;
-    let mut active: Option<(SuppositionKind, Reach)> = None;
-    // Whether the sentence may still tell a fact in passing, and whether it has drawn a conclusion.
-    let (mut factual, mut concluded) = (true, false);
-    // Something in the sentence is introduced by no verb, but by "with" or "where".
-    let mut careful = false;
-    for (index, &(token, span)) in tokens.iter().enumerate() {
+    let mut reader = Reader {
+        source,
+        tokens: &tokens[..end],
+        found: Vec::new(),
+        mentions: Vec::new(),
+        open: 0,
+        sentence: Sentence::from(0),
+    };
+    for (index, &(token, span)) in tokens[..end].iter().enumerate() {
         match token {
-            Token::Stop => {
-                if source.get(span.range()) == Some("?") {
-                    withdraw(&mut found, sentence, &mut mentions);
-                }
-                (named, careful) = (false, false);
-                (sentence, begun, doubtful, active) = (found.len(), false, false, None);
-                (open, factual, concluded) = (sentence, true, false);
-                continue;
-            }
-            Token::Word(word) => {
-                let word = word.to_lowercase();
-                if found.len() == sentence && generalizes(&word, index, tokens) {
-                    let (kind, body) = (SuppositionKind::General, span);
-                    found.push(Supposition { kind, body });
-                }
-                let denies = careful && DENYING.contains(&word.as_str());
-                let unsaid = found.len() == sentence && NEGATING.contains(&word.as_str());
-                // A "non-trivial" solution is none of the trivial ones.
-                let compound = index > 0 && matches!(tokens[index - 1].0, Token::Dash);
-                let doubts = !compound && DOUBTFUL.contains(&word.as_str());
-                if denies || active.is_some() && unsaid || doubts {
-                    withdraw(&mut found, sentence, &mut mentions);
-                    doubtful = true;
-                }
-                let vague = |words: &[&str]| words.contains(&word.as_str());
-                if vague(&UNDECIDED) || vague(&DENYING) {
-                    factual = false;
-                    let told = found.extract_if(sentence.., |s| is_fact(s.kind));
-                    mentions.extend(told.map(|s| s.body));
-                }
-                concluded |=
-                    conclusion::draws(&word) || matches!(&*word, "have" | "show" | "shows");
-                let concludes = || conclusion::draws(&word) || CONCLUDING.contains(&word.as_str());
-                if doubtful || active.is_some() && concludes() {
-                    active = None;
-                } else if let Some(introduced) = introduction(source, &word, index, tokens, begun) {
-                    active = Some(introduced);
-                    careful = !matches!(&*word, "let" | "assume" | "suppose");
-                } else if let Some((kind, reach)) = active {
-                    active = reach.past_word(&word).map(|reach| (kind, reach));
-                }
-                named = NAMING.contains(&word.as_str()) || named && word == "and";
-                begun = true;
-            }
-            Token::Math(body) => {
-                begun = true;
-                let text = source.get(body.range()).unwrap_or_default();
-                if let Some((kind, reach)) = active {
-                    let is_zero = text.trim_end().ends_with("= 0");
-                    let may_begin = kind != SuppositionKind::Define || is_zero;
-                    if relates(text) && !(may_begin && is_origin(index, reach, tokens)) {
-                        found.push(Supposition { kind, body });
-                        named = false;
-                    }
-                    active = reach.past_math(relates(text)).map(|reach| (kind, reach));
-                }
-                if named && relates(text) {
-                    mentions.push(body);
-                }
-                // "At $\mu = 1$, $\eta = 1$" says what follows there.
-                let follows_here = concluded || found[sentence..].iter().any(|s| !is_fact(s.kind));
-                let told = || !follows_here || follows(index, tokens, &REASONS);
-                // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
-                let bounds = is_bound(text) && !is_nonzero(text);
-                let plainly = || match is_number(text) && !bounds {
-                    true => is_plain(index, tokens),
-                    false => !(bounds && follows(index, tokens, &["for"])),
-                };
-                let may_tell = active.is_none() && factual && !doubtful && relates(text);
-                if may_tell && told() && plainly() && !is_origin(index, Reach::Sentence, tokens) {
-                    let kind = SuppositionKind::Fact { runs_on: false };
-                    found.push(Supposition { kind, body });
-                } else if relates(text) {
-                    // "For $N = 3$ the values are $a = b$."
-                    concluded = true;
-                }
-            }
-            Token::Mark(',') => {
-                if let Some((kind, reach)) = active {
-                    active = reach.past_comma().map(|reach| (kind, reach));
-                }
-            }
-            // A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
-            _ => {
-                if token == Token::Mark(';') {
-                    open = found.len();
-                }
-                if matches!(active, Some((_, Reach::Joined { .. }))) && token != Token::Dash {
-                    active = None;
-                }
-            }
+            Token::Stop => reader.stop(span),
+            Token::Word(word) => reader.word(index, &word.to_lowercase(), span),
+            Token::Math(body) => reader.mathematics(index, body),
+            token => reader.mark(token),
         }
     }
-    for supposition in found.iter_mut().skip(open) {
-        use SuppositionKind::{Case, Fact};
-        if let Case { runs_on } | Fact { runs_on } = &mut supposition.kind {
-            *runs_on = true;
-        }
-    }
-    mentions.sort();
-    (found, mentions)
+    reader.finish()
 }
 
-/// Takes back what a sentence has supposed: it only names it.
-fn withdraw(found: &mut Vec<Supposition>, sentence: usize, mentions: &mut Vec<Span>) {
-    let own = found.extract_if(sentence.., |s| s.kind != SuppositionKind::General);
-    mentions.extend(own.map(|s| s.body));
+/// Reads prose token by token.
+struct Reader<'a> {
+    source: &'a str,
+    tokens: &'a [Placed<'a>],
+    found: Vec<Supposition>,
+    mentions: Vec<Span>,
+    /// From here on, what was supposed runs on into the display after the text.
+    open: usize,
+    sentence: Sentence,
+}
+
+/// What is known of the sentence that is being read.
+struct Sentence {
+    /// The first of its suppositions.
+    start: usize,
+    begun: bool,
+    /// It supposes nothing that could be used.
+    doubtful: bool,
+    /// The word before named a value.
+    named: bool,
+    /// Something in it is introduced by no verb, but by "with" or "where".
+    careful: bool,
+    /// It may still tell a fact in passing.
+    factual: bool,
+    /// It has drawn a conclusion.
+    concluded: bool,
+    /// What was introduced last, as far as it reaches.
+    active: Option<(SuppositionKind, Reach)>,
+}
+
+impl Sentence {
+    fn from(start: usize) -> Sentence {
+        Sentence {
+            start,
+            begun: false,
+            doubtful: false,
+            named: false,
+            careful: false,
+            factual: true,
+            concluded: false,
+            active: None,
+        }
+    }
+}
+
+impl Reader<'_> {
+    fn text(&self, span: Span) -> &str {
+        self.source.get(span.range()).unwrap_or_default()
+    }
+
+    /// Whether the sentence has supposed nothing yet.
+    fn is_silent(&self) -> bool {
+        self.found.len() == self.sentence.start
+    }
+
+    fn stop(&mut self, span: Span) {
+        if self.text(span) == "?" {
+            self.withdraw();
+        }
+        self.sentence = Sentence::from(self.found.len());
+        self.open = self.sentence.start;
+    }
+
+    fn word(&mut self, index: usize, word: &str, span: Span) {
+        let among = |words: &[&str]| words.contains(&word);
+        if self.is_silent() && generalizes(word, index, self.tokens) {
+            let (kind, body) = (SuppositionKind::General, span);
+            self.found.push(Supposition { kind, body });
+        }
+        let denies = self.sentence.careful && among(&DENYING);
+        let unsaid = self.sentence.active.is_some() && self.is_silent() && among(&NEGATING);
+        // A "non-trivial" solution is none of the trivial ones.
+        let compound = index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
+        if denies || unsaid || !compound && among(&DOUBTFUL) {
+            self.withdraw();
+            self.sentence.doubtful = true;
+        }
+        if among(&UNDECIDED) || among(&DENYING) {
+            self.sentence.factual = false;
+            self.withdraw_facts();
+        }
+        let draws = conclusion::draws(word);
+        self.sentence.concluded |= draws || matches!(word, "have" | "show" | "shows");
+        let introduced = introduction(self.source, word, index, self.tokens, self.sentence.begun);
+        self.sentence.active = match (self.sentence.active, introduced) {
+            _ if self.sentence.doubtful => None,
+            (Some(_), _) if draws || among(&CONCLUDING) => None,
+            (_, Some(introduced)) => {
+                self.sentence.careful = !matches!(word, "let" | "assume" | "suppose");
+                Some(introduced)
+            }
+            (Some((kind, reach)), None) => reach.past_word(word).map(|reach| (kind, reach)),
+            (None, None) => None,
+        };
+        self.sentence.named = among(&NAMING) || self.sentence.named && word == "and";
+        self.sentence.begun = true;
+    }
+
+    fn mathematics(&mut self, index: usize, body: Span) {
+        self.sentence.begun = true;
+        let text = self.text(body);
+        let (states, is_zero) = (relates(text), text.trim_end().ends_with("= 0"));
+        let active = self.sentence.active;
+        if let Some((kind, reach)) = active {
+            let may_begin = kind != SuppositionKind::Define || is_zero;
+            if states && !(may_begin && is_origin(index, reach, self.tokens)) {
+                self.found.push(Supposition { kind, body });
+                self.sentence.named = false;
+            }
+            self.sentence.active = reach.past_math(states).map(|reach| (kind, reach));
+        }
+        if self.sentence.named && states {
+            self.mentions.push(body);
+        }
+        if states && self.tells(index, body) {
+            let kind = SuppositionKind::Fact { runs_on: false };
+            self.found.push(Supposition { kind, body });
+        } else if states {
+            // "For $N = 3$ the values are $a = b$."
+            self.sentence.concluded = true;
+        }
+    }
+
+    /// Whether a relation is a fact that the sentence tells in passing.
+    fn tells(&self, index: usize, body: Span) -> bool {
+        let (own, text) = (&self.sentence, self.text(body));
+        if own.active.is_some() || own.doubtful || !own.factual {
+            return false;
+        }
+        // "At $\mu = 1$, $\eta = 1$" says what follows there.
+        let mut others = self.found[own.start..].iter();
+        let follows_here = own.concluded || others.any(|s| !is_fact(s.kind));
+        if follows_here && !follows(index, self.tokens, &REASONS) {
+            return false;
+        }
+        // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
+        let bounds = is_bound(text) && !is_nonzero(text);
+        let plainly = match is_number(text) && !bounds {
+            true => is_plain(index, self.tokens),
+            false => !(bounds && follows(index, self.tokens, &["for"])),
+        };
+        plainly && !is_origin(index, Reach::Sentence, self.tokens)
+    }
+
+    /// A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
+    fn mark(&mut self, mark: Token<'_>) {
+        let Some((kind, reach)) = self.sentence.active else {
+            if mark == Token::Mark(';') {
+                self.open = self.found.len();
+            }
+            return;
+        };
+        match mark {
+            Token::Mark(',') => {
+                self.sentence.active = reach.past_comma().map(|reach| (kind, reach));
+                return;
+            }
+            Token::Mark(';') => self.open = self.found.len(),
+            _ => {}
+        }
+        if matches!(reach, Reach::Joined { .. }) && mark != Token::Dash {
+            self.sentence.active = None;
+        }
+    }
+
+    /// Takes back what the sentence has supposed: it only names it.
+    fn withdraw(&mut self) {
+        let own = self.found.extract_if(self.sentence.start.., |s| {
+            s.kind != SuppositionKind::General
+        });
+        self.mentions.extend(own.map(|s| s.body));
+    }
+
+    fn withdraw_facts(&mut self) {
+        let told = (self.found).extract_if(self.sentence.start.., |s| is_fact(s.kind));
+        self.mentions.extend(told.map(|s| s.body));
+    }
+
+    fn finish(mut self) -> (Vec<Supposition>, Vec<Span>) {
+        for supposition in self.found.iter_mut().skip(self.open) {
+            use SuppositionKind::{Case, Fact};
+            if let Case { runs_on } | Fact { runs_on } = &mut supposition.kind {
+                *runs_on = true;
+            }
+        }
+        self.mentions.sort();
+        (self.found, self.mentions)
+    }
 }
 
 fn is_fact(kind: SuppositionKind) -> bool {

@@ -1,0 +1,147 @@
+//! The words by which a sentence supposes, names, denies or concludes, in lower case.
+
+/// After these, too, a sentence no longer supposes.
+pub(super) const CONCLUDING: [&str; 20] = [
+    "show",
+    "shows",
+    "have",
+    "see",
+    "whether",
+    "us",
+    "we",
+    "want",
+    "need",
+    "because",
+    "since",
+    "derivative",
+    "gradient",
+    "logarithm",
+    "limit",
+    "difference",
+    "sum",
+    "average",
+    "square",
+    "equation",
+];
+/// With these, a sentence supposes nothing that could be used.
+pub(super) const DOUBTFUL: [&str; 35] = [
+    "or",
+    "either",
+    "if",
+    "unless",
+    "contradiction",
+    "contradicts",
+    "contrary",
+    "otherwise",
+    "example",
+    "instance",
+    "wrong",
+    "wrongly",
+    "false",
+    "fails",
+    "fail",
+    "violates",
+    "violated",
+    "impossible",
+    "absurd",
+    "neither",
+    "nor",
+    "longer",
+    "excluded",
+    "excluding",
+    "exclude",
+    "ruled",
+    "forbidden",
+    "trivial",
+    "trivially",
+    "useless",
+    "nowhere",
+    "else",
+    "elsewhere",
+    "rather",
+    "stop",
+];
+/// With these besides, a sentence supposes nothing by a mere "with" or "taking": they may deny what it names.
+pub(super) const DENYING: [&str; 14] = [
+    "not", "never", "no", "cannot", "would", "were", "without", "could", "might", "nothing",
+    "little", "only", "tried", "leads",
+];
+/// What comes between these and the next word is an origin or a name and no value: "Let $t = 0$ be the moment of release".
+pub(super) const NAMED_AFTER: [&str; 10] = [
+    "be", "is", "denote", "denotes", "mark", "marks", "when", "at", "only", "onwards",
+];
+/// With these a sentence tells no fact that could be used, whatever it names.
+pub(super) const UNDECIDED: [&str; 28] = [
+    "whether",
+    "distinguish",
+    "case",
+    "cases",
+    "compare",
+    "until",
+    "while",
+    "once",
+    "long",
+    "limit",
+    "see",
+    "when",
+    "except",
+    "apart",
+    "aside",
+    "near",
+    "beyond",
+    "unlike",
+    "instead",
+    "dropping",
+    "drop",
+    "relaxing",
+    "relax",
+    "even",
+    "far",
+    "away",
+    "than",
+    "before",
+];
+/// After these a fact is named also where a conclusion is drawn: "Hence, since $a = 2 c$".
+pub(super) const REASONS: [&str; 8] = [
+    "with", "since", "as", "because", "using", "where", "for", "by",
+];
+/// After these it is where something begins: "Suppose the motion starts at $t = 0$".
+pub(super) const NAMED_BEFORE: [&str; 5] = ["from", "at", "until", "after", "before"];
+/// After "we" these give a name: "We set $a = 2 c$".
+pub(super) const DEFINING: [&str; 8] = [
+    "set",
+    "put",
+    "write",
+    "define",
+    "introduce",
+    "choose",
+    "denote",
+    "abbreviate",
+];
+/// Before these, a value is named: supposed or not.
+pub(super) const NAMING: [&str; 20] = [
+    "with",
+    "where",
+    "for",
+    "when",
+    "at",
+    "if",
+    "since",
+    "because",
+    "as",
+    "while",
+    "setting",
+    "putting",
+    "taking",
+    "inserting",
+    "substituting",
+    "using",
+    "letting",
+    "choosing",
+    "case",
+    "let",
+];
+/// Before these, an introductory word means its opposite.
+pub(super) const NEGATING: [&str; 8] = [
+    "not", "without", "never", "cannot", "nor", "don", "can", "needn",
+];
