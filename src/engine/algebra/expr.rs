@@ -283,6 +283,12 @@ impl Expr {
         }
     }
 
+    /// Whether it is a power of a root.
+    pub fn is_root(&self) -> bool {
+        matches!(self, Expr::Power(_, exponent)
+            if matches!(&**exponent, Expr::Number(exponent) if !exponent.is_integer()))
+    }
+
     /// The symbols that have a value of their own in this term: not indices, not the variables of
     /// limits and integrals. The variable of a derivative has one: the point at which it is taken.
     pub fn free_symbols(&self) -> BTreeSet<Symbol> {

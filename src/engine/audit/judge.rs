@@ -284,6 +284,18 @@ impl Judge<'_> {
         says_so
     }
 
+    /// Hypotheses with the nearest of what stands before and is not cited, if there is anything.
+    pub(super) fn with_others(
+        &mut self,
+        assumed: &[Assumed],
+        premises: &[usize],
+    ) -> Option<Vec<Assumed>> {
+        let [others, _] = self.others(premises);
+        let near = others.into_iter().take(NEARBY[1].0);
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
+        (all.len() > assumed.len()).then_some(all)
+    }
+
     /// The slip of the pen in a step that needs what stands before and is not cited.
     fn mended_from_all(
         &mut self,
@@ -298,14 +310,10 @@ impl Judge<'_> {
         if self.names_its_premises() {
             return;
         }
-        let [others, _] = self.others(premises);
-        let near = others.into_iter().take(NEARBY[1].0);
-        let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
-        let said = |symbol: &Symbol| {
-            let mut terms = all.iter().flat_map(|a| a.formula.terms());
-            terms.any(|term| term.mentions(symbol))
+        let Some(all) = self.with_others(assumed, premises) else {
+            return;
         };
-        if all.len() == assumed.len() || !goal.formula.free_symbols().iter().all(said) {
+        if !speaks_of_all(all.iter(), &goal.formula) {
             return;
         }
         let claim = self.derivation.claim(self.at, &all, &goal.formula);
@@ -418,13 +426,7 @@ impl Judge<'_> {
         let tells_against =
             |a: &Assumed| matches!(a.source, Source::Equation(p) if against.contains(&p));
         for others in self.others(premises) {
-            // A symbol of which nothing at all is said can have any value.
-            let said = |symbol: &&Symbol| {
-                let mut all = assumed.iter().chain(&others);
-                all.any(|a| a.formula.terms().iter().any(|term| term.mentions(symbol)))
-            };
-            let named = Formula::free_symbols_of(std::iter::once(&goal.formula));
-            if others.is_empty() || !named.iter().all(said) {
+            if others.is_empty() || !speaks_of_all(assumed.iter().chain(&others), &goal.formula) {
                 continue;
             }
             // Together with what it was refuted from, what fails would prove nearly anything.
@@ -572,10 +574,8 @@ impl Judge<'_> {
             return false;
         };
         offer.under.iter().all(|&(page, local)| {
-            let supposed = own.locals.contains(&local) || own.told.contains(&local);
-            let in_effect = page == own.page && supposed;
             let formulas = &self.derivation.local(page, local).formulas;
-            in_effect || cites && formulas.iter().all(|f| f.as_equation().is_none())
+            own.is_under(page, local) || cites && formulas.iter().all(|f| f.as_equation().is_none())
         })
     }
 
@@ -623,6 +623,20 @@ impl Judge<'_> {
         }
         false
     }
+}
+
+/// Whether hypotheses say something of each symbol of a goal: one of which nothing at all is said can have any value.
+fn speaks_of_all<'a>(
+    hypotheses: impl Iterator<Item = &'a Assumed> + Clone,
+    goal: &Formula,
+) -> bool {
+    let said = |symbol: &&Symbol| {
+        let mut terms = hypotheses.clone().flat_map(|a| a.formula.terms());
+        terms.any(|term| term.mentions(symbol))
+    };
+    Formula::free_symbols_of(std::iter::once(goal))
+        .iter()
+        .all(said)
 }
 
 /// A hypothesis that is supposed, or was shown before, in the statement itself.

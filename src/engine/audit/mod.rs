@@ -551,9 +551,7 @@ impl Auditor<'_> {
         let own = &equations[at];
         let is_near = |source: &Source| match *source {
             Source::Equation(other) => premises.contains(&other) || before.contains(&other),
-            Source::Local(page, local) => {
-                page == own.page && (own.locals.contains(&local) || own.told.contains(&local))
-            }
+            Source::Local(page, local) => own.is_under(page, local),
             Source::Step => true,
         };
         let is_used = |premise: &usize| used.contains(&Source::Equation(*premise));

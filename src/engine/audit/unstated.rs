@@ -5,11 +5,11 @@
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Goal};
-use crate::kernel::Assignment;
+use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort};
 
 use super::Outcome;
-use super::judge::{Found, Judge, NEARBY, sources, step};
+use super::judge::{Found, Judge, sources, step};
 
 impl Judge<'_> {
     /// Whether a refuted step follows, from what it cites or from what stands before, where symbols that could be anything
@@ -34,11 +34,9 @@ impl Judge<'_> {
         if self.names_its_premises() && !page.declared.is_empty() {
             return false;
         }
-        let [others, _] = self.others(premises);
-        let mut all = assumed.to_vec();
-        all.extend(others.into_iter().take(NEARBY[1].0));
         // Of what is not cited nothing need be true at the witness.
-        all.len() > assumed.len() && self.under_conditions(goal, all, None, found)
+        let all = self.with_others(assumed, premises);
+        all.is_some_and(|all| self.under_conditions(goal, all, None, found))
     }
 
     fn under_conditions(
@@ -48,39 +46,26 @@ impl Judge<'_> {
         witness: Option<&Assignment>,
         found: &mut Found,
     ) -> bool {
-        let unbounded = self.unbounded(goal, &set);
+        let claim = self.derivation.claim(self.at, &set, &goal.formula);
+        let unbounded = unbounded(&claim);
         if unbounded.is_empty() {
             return false;
         }
         let conditions = self
-            .nonzero(goal, &set, &unbounded, witness, found)
+            .nonzero(&claim, &unbounded, witness, found)
             .or_else(|| self.positive(goal, &set, &unbounded));
         conditions.is_some_and(|conditions| self.holds_under(goal, set, &conditions, found))
-    }
-
-    /// The symbols that a step speaks of, or its premises, and of which nobody says where they lie.
-    fn unbounded(&self, goal: &Goal, set: &[Assumed]) -> Vec<Symbol> {
-        let claim = self.derivation.claim(self.at, set, &goal.formula);
-        let named = Formula::free_symbols_of(claim.formulas()).into_iter();
-        let said = |symbol: &Symbol| {
-            let domain = claim.domains.get(symbol);
-            domain.is_some_and(|d| d.nonzero || d.bounds().next().is_some())
-        };
-        let unbounded = named.filter(|symbol| !said(symbol) && !symbol.is_unit());
-        unbounded.cloned().collect()
     }
 
     /// What must not vanish for the step to follow, where that is told of single symbols.
     fn nonzero(
         &self,
-        goal: &Goal,
-        set: &[Assumed],
+        claim: &Claim,
         unbounded: &[Symbol],
         witness: Option<&Assignment>,
         found: &mut Found,
     ) -> Option<Vec<Formula>> {
-        let claim = self.derivation.claim(self.at, set, &goal.formula);
-        let unless = search::missing_conditions(&claim, witness, &self.auditor.hints());
+        let unless = search::missing_conditions(claim, witness, &self.auditor.hints());
         found.has_conditions |= witness.is_some();
         let unless = unless?;
         let may_be_meant = |condition: &Formula| {
@@ -98,7 +83,7 @@ impl Judge<'_> {
     /// That all symbols are positive, where a root is taken: who writes one means the positive one.
     fn positive(&self, goal: &Goal, set: &[Assumed], unbounded: &[Symbol]) -> Option<Vec<Formula>> {
         let mut terms = goal.formula.terms().into_iter();
-        if !terms.any(|term| term.any(&is_root)) {
+        if !terms.any(|term| term.any(&Expr::is_root)) {
             return None;
         }
         let positive = |symbol: &Symbol| Formula::Relation {
@@ -143,7 +128,13 @@ impl Judge<'_> {
     }
 }
 
-fn is_root(term: &Expr) -> bool {
-    matches!(term, Expr::Power(_, exponent)
-        if matches!(&**exponent, Expr::Number(exponent) if !exponent.is_integer()))
+/// The symbols that a step speaks of, or its premises, and of which nobody says where they lie.
+fn unbounded(claim: &Claim) -> Vec<Symbol> {
+    let named = Formula::free_symbols_of(claim.formulas()).into_iter();
+    let said = |symbol: &Symbol| {
+        let domain = claim.domains.get(symbol);
+        domain.is_some_and(|d| d.nonzero || d.bounds().next().is_some())
+    };
+    let unbounded = named.filter(|symbol| !said(symbol) && !symbol.is_unit());
+    unbounded.cloned().collect()
 }

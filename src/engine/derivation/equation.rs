@@ -218,6 +218,11 @@ impl Equation {
         self.statements.as_deref().unwrap_or_default()
     }
 
+    /// Whether what stands at a position of a page is supposed where it stands, or told before it.
+    pub fn is_under(&self, page: usize, local: usize) -> bool {
+        page == self.page && (self.locals.contains(&local) || self.told.contains(&local))
+    }
+
     /// The symbols and sequences that it speaks of.
     pub fn symbols(&self) -> BTreeSet<Symbol> {
         let formulas = self.statements().iter().flat_map(formulas);

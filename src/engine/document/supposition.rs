@@ -138,15 +138,15 @@ impl Reader<'_> {
             let (kind, body) = (SuppositionKind::General, span);
             self.found.push(Supposition { kind, body });
         }
-        let denies = self.sentence.careful && among(&DENYING);
-        let unsaid = self.sentence.active.is_some() && self.is_silent() && among(&NEGATING);
+        let denies = self.sentence.careful && among(DENYING);
+        let unsaid = self.sentence.active.is_some() && self.is_silent() && among(NEGATING);
         // A "non-trivial" solution is none of the trivial ones.
         let compound = index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
-        if denies || unsaid || !compound && among(&DOUBTFUL) {
+        if denies || unsaid || !compound && among(DOUBTFUL) {
             self.withdraw();
             self.sentence.doubtful = true;
         }
-        if among(&UNDECIDED) || among(&DENYING) {
+        if among(UNDECIDED) || among(DENYING) {
             self.sentence.factual = false;
             self.withdraw_facts();
         }
@@ -155,7 +155,7 @@ impl Reader<'_> {
         let introduced = introduction(self.source, word, index, self.tokens, self.sentence.begun);
         self.sentence.active = match (self.sentence.active, introduced) {
             _ if self.sentence.doubtful => None,
-            (Some(_), _) if draws || among(&CONCLUDING) => None,
+            (Some(_), _) if draws || among(CONCLUDING) => None,
             (_, Some(introduced)) => {
                 self.sentence.careful = !matches!(word, "let" | "assume" | "suppose");
                 Some(introduced)
@@ -163,7 +163,7 @@ impl Reader<'_> {
             (Some((kind, reach)), None) => reach.past_word(word).map(|reach| (kind, reach)),
             (None, None) => None,
         };
-        self.sentence.named = among(&NAMING) || self.sentence.named && word == "and";
+        self.sentence.named = among(NAMING) || self.sentence.named && word == "and";
         self.sentence.begun = true;
     }
 
@@ -201,7 +201,7 @@ impl Reader<'_> {
         // "At $\mu = 1$, $\eta = 1$" says what follows there.
         let mut others = self.found[own.start..].iter();
         let follows_here = own.concluded || others.any(|s| !is_fact(s.kind));
-        if follows_here && !follows(index, self.tokens, &REASONS) {
+        if follows_here && !follows(index, self.tokens, REASONS) {
             return false;
         }
         // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
@@ -293,8 +293,8 @@ fn is_origin(index: usize, reach: Reach, tokens: &[Placed<'_>]) -> bool {
         Some((Token::Word(word), _)) => words.contains(word),
         _ => false,
     };
-    let starts = || reach == Reach::Sentence && follows(index, tokens, &NAMED_BEFORE);
-    is(index + 1, &NAMED_AFTER) || starts()
+    let starts = || reach == Reach::Sentence && follows(index, tokens, NAMED_BEFORE);
+    is(index + 1, NAMED_AFTER) || starts()
 }
 
 /// Whether the word at `index` leaves special cases behind: "in general", "in the general case", "for arbitrary $w$",
@@ -342,7 +342,7 @@ fn introduction(
         }
     };
     let before = index.checked_sub(1).and_then(|before| tokens.get(before));
-    let negated = || follows(index, tokens, &NEGATING);
+    let negated = || follows(index, tokens, NEGATING);
     let by_us = || !begun || follows(index, tokens, &["we", "us", "now", "and"]);
     // "From (1) with $a = b$ …"
     let cited = || matches!(before, Some((Token::Tag(_) | Token::Keys(_), _)));

@@ -252,15 +252,13 @@ pub fn is_doomed(obligation: &Obligation, hints: &[Assignment]) -> bool {
         .any(|point| refuted(obligation, point).is_some())
 }
 
-/// Conditions under which a claim follows, with the proof that it does.
+/// Conditions under which a claim follows.
 #[derive(Clone, Debug)]
 pub struct Unless {
     /// What is divided out, and must not be 0.
     pub divided: Vec<Formula>,
     /// What must be so for the goal to be defined.
     pub own: Vec<Formula>,
-    /// The claim with the conditions among its hypotheses.
-    pub proven: Proven,
 }
 
 impl Unless {
@@ -270,8 +268,8 @@ impl Unless {
     }
 }
 
-/// What would have to be different from 0 for a claim to follow, with the proof that it then does. Of a claim that was refuted,
-/// only what vanishes at the witness is of interest.
+/// What would have to be different from 0 for a claim to follow; with it the proof goes through. Of a claim that was refuted, only
+/// what vanishes at the witness is of interest.
 pub fn missing_conditions(
     claim: &Claim,
     witness: Option<&Assignment>,
@@ -334,7 +332,7 @@ pub fn missing_conditions(
     let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
         let obligation = pose(assuming(claim, &formulas)).ok()?;
-        let (derived, own) = prove(&obligation, Effort::Light).ok()??;
+        let (_, own) = prove(&obligation, Effort::Light).ok()??;
         let conditions: Vec<Formula> = formulas.iter().chain(&own).cloned().collect();
         // What the premises rule out would prove anything.
         let possible = consistency(&assuming(claim, &conditions), hints);
@@ -342,7 +340,6 @@ pub fn missing_conditions(
         possible.then_some(Unless {
             divided: formulas,
             own,
-            proven: derived.proven,
         })
     };
     if witness.is_none()

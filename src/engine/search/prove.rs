@@ -209,17 +209,16 @@ impl Prover {
 
     /// Anything follows where something that cannot vanish does: `v = w` and `w = 2 v` leave nothing but 0 for both.
     fn zero_by_the_impossible(&self, goal: &Polynomial) -> Option<Proof> {
-        let certain =
+        let mut certain =
             (self.facts.iter()).filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive));
-        let vanishing = certain.filter_map(|fact| {
+        let element = certain.find_map(|fact| {
             let reduced = self.ideal.reduce(&fact.polynomial, false).ok()?;
             reduced.polynomial.is_zero().then(|| Tracked {
                 polynomial: fact.polynomial.clone(),
                 multiplier: reduced.multiplier,
                 cofactors: reduced.cofactors,
             })
-        });
-        let element = vanishing.into_iter().next()?;
+        })?;
         from_contradiction(&element, goal).ok()
     }
 

@@ -65,15 +65,9 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
 
 fn has_operands(formula: &Formula) -> bool {
     let is_operand =
-        |part: &Expr| matches!(part, Expr::Call(..)) || part.binder().is_some() || is_root(part);
+        |part: &Expr| matches!(part, Expr::Call(..)) || part.binder().is_some() || part.is_root();
     matches!(formula, Formula::AllEqual { .. })
         || formula.terms().iter().any(|term| term.any(&is_operand))
-}
-
-/// Whether a power is one of a root.
-fn is_root(term: &Expr) -> bool {
-    matches!(term, Expr::Power(_, exponent)
-        if matches!(&**exponent, Expr::Number(exponent) if !exponent.is_integer()))
 }
 
 /// The symbols to which something is done.
@@ -108,7 +102,7 @@ impl Operands {
             }
             Expr::Call(_, argument) => self.called.extend(argument.free_symbols()),
             Expr::Series { to, .. } => self.counts.extend(to.free_symbols()),
-            Expr::Power(base, _) if is_root(term) => self.rooted.extend(base.free_symbols()),
+            Expr::Power(base, _) if term.is_root() => self.rooted.extend(base.free_symbols()),
             _ => {}
         }
         for child in term.children() {

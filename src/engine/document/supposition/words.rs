@@ -1,7 +1,7 @@
 //! The words by which a sentence supposes, names, denies or concludes, in lower case.
 
 /// After these, too, a sentence no longer supposes.
-pub(super) const CONCLUDING: [&str; 20] = [
+pub(super) const CONCLUDING: &[&str] = &[
     "show",
     "shows",
     "have",
@@ -24,7 +24,7 @@ pub(super) const CONCLUDING: [&str; 20] = [
     "equation",
 ];
 /// With these, a sentence supposes nothing that could be used.
-pub(super) const DOUBTFUL: [&str; 35] = [
+pub(super) const DOUBTFUL: &[&str] = &[
     "or",
     "either",
     "if",
@@ -62,16 +62,16 @@ pub(super) const DOUBTFUL: [&str; 35] = [
     "stop",
 ];
 /// With these besides, a sentence supposes nothing by a mere "with" or "taking": they may deny what it names.
-pub(super) const DENYING: [&str; 14] = [
+pub(super) const DENYING: &[&str] = &[
     "not", "never", "no", "cannot", "would", "were", "without", "could", "might", "nothing",
     "little", "only", "tried", "leads",
 ];
 /// What comes between these and the next word is an origin or a name and no value: "Let $t = 0$ be the moment of release".
-pub(super) const NAMED_AFTER: [&str; 10] = [
+pub(super) const NAMED_AFTER: &[&str] = &[
     "be", "is", "denote", "denotes", "mark", "marks", "when", "at", "only", "onwards",
 ];
 /// With these a sentence tells no fact that could be used, whatever it names.
-pub(super) const UNDECIDED: [&str; 28] = [
+pub(super) const UNDECIDED: &[&str] = &[
     "whether",
     "distinguish",
     "case",
@@ -102,13 +102,13 @@ pub(super) const UNDECIDED: [&str; 28] = [
     "before",
 ];
 /// After these a fact is named also where a conclusion is drawn: "Hence, since $a = 2 c$".
-pub(super) const REASONS: [&str; 8] = [
+pub(super) const REASONS: &[&str] = &[
     "with", "since", "as", "because", "using", "where", "for", "by",
 ];
 /// After these it is where something begins: "Suppose the motion starts at $t = 0$".
-pub(super) const NAMED_BEFORE: [&str; 5] = ["from", "at", "until", "after", "before"];
+pub(super) const NAMED_BEFORE: &[&str] = &["from", "at", "until", "after", "before"];
 /// After "we" these give a name: "We set $a = 2 c$".
-pub(super) const DEFINING: [&str; 8] = [
+pub(super) const DEFINING: &[&str] = &[
     "set",
     "put",
     "write",
@@ -119,7 +119,7 @@ pub(super) const DEFINING: [&str; 8] = [
     "abbreviate",
 ];
 /// Before these, a value is named: supposed or not.
-pub(super) const NAMING: [&str; 20] = [
+pub(super) const NAMING: &[&str] = &[
     "with",
     "where",
     "for",
@@ -142,6 +142,6 @@ pub(super) const NAMING: [&str; 20] = [
     "let",
 ];
 /// Before these, an introductory word means its opposite.
-pub(super) const NEGATING: [&str; 8] = [
+pub(super) const NEGATING: &[&str] = &[
     "not", "without", "never", "cannot", "nor", "don", "can", "needn",
 ];
