@@ -1,6 +1,7 @@
 //! `report`: the whole audit as one page, with the report's own figures and table where it is about the report.
 
 use super::args::{Args, Format};
+use super::output::Content;
 use super::run::Done;
 use super::{Failure, halves};
 use crate::derivation::{Checker, Derivation};
@@ -33,7 +34,7 @@ pub(super) fn report(
     };
     let page = report.html(&pictures);
     let found = report.findings() > 0;
-    Ok((page.into(), found))
+    Ok((Content::Bytes(page.into_bytes()), found))
 }
 
 /// The figures and the table that are drawn from the report's own equations.

@@ -8,6 +8,7 @@ use anstyle::AnsiColor;
 
 use super::args::{Args, Color};
 use super::{Failure, file};
+use crate::report::uncoloured;
 
 impl From<Color> for ColorChoice {
     fn from(color: Color) -> Self {
@@ -24,7 +25,7 @@ impl From<Color> for ColorChoice {
 pub enum Content {
     /// Text, which may have colours in it.
     Text(String),
-    /// A picture that is no text: written as it is.
+    /// A page for a browser or a picture: written as it is.
     Bytes(Vec<u8>),
 }
 
@@ -53,7 +54,7 @@ pub fn deliver(content: &Content, args: &Args) -> Result<bool, Failure> {
     };
     let plain = match args.color {
         Color::Always => text.into_owned(),
-        _ => anstream::adapter::strip_str(&text).to_string(),
+        _ => uncoloured(&text),
     };
     file::replace(path, &plain)?;
     Ok(true)

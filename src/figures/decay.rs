@@ -1,7 +1,7 @@
 //! What is left of the energy after many collisions, by what is printed and by what is proved in its place.
 
 use num_bigint::BigUint;
-use num_traits::{One, Signed};
+use num_traits::{One, Pow, Signed};
 
 use super::FigureError;
 use super::halving::first_half;
@@ -39,7 +39,7 @@ impl Decay {
         std::iter::once(&self.printed).chain(&self.corrected)
     }
 
-    /// What a law leaves of an energy of 1 after 0, 1, … collisions, each with what the last one left.
+    /// What a law leaves of an energy of 1 after 0, 1, … collisions: the powers of its share.
     ///
     /// # Errors
     /// As [`share`].
@@ -48,13 +48,8 @@ impl Decay {
         material: &Material,
         collisions: usize,
     ) -> Result<Vec<BigRational>, FigureError> {
-        share(law, material)?;
-        let mut energies = vec![BigRational::one()];
-        for _ in 0..collisions {
-            let before = energies.last().expect("the first one is there").clone();
-            energies.push(after(law, material, before)?);
-        }
-        Ok(energies)
+        let share = share(law, material)?;
+        Ok((0..=collisions).map(|n| Pow::pow(&share, n)).collect())
     }
 
     /// The first number of collisions after which a law leaves no more than half; `None` if there is none.

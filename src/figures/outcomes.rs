@@ -16,9 +16,9 @@ use crate::algebra::{BigInt, BigRational, Symbol};
 use crate::derivation::{Checker, Point, goals};
 
 /// Points on the circle.
-const FINE: i32 = 180;
+const FINE: i32 = 90;
 /// A direction is rounded to so many parts of its length.
-const ROUNDED: f64 = 1000.0;
+const ROUNDED: f64 = 100.0;
 
 /// The velocities of three balls.
 type Outcome = [BigRational; 3];

@@ -154,14 +154,22 @@ fn encode(pixmap: &Pixmap, title: &str) -> Vec<u8> {
     chunk(&mut file, b"iTXt", &title);
     let row = pixmap.width() as usize * 4;
     let mut dots = Vec::with_capacity(pixmap.data().len());
-    let mut above = vec![0; row];
+    let blank = vec![0; row];
+    let mut above = blank.as_slice();
     for line in pixmap.data().chunks_exact(row) {
         // Each row as its difference from the one above: most of it is 0.
         dots.push(2);
-        for (dot, up) in line.chunks_exact(4).zip(above.chunks_exact(4)) {
-            dots.extend((0..3).map(|at| dot[at].wrapping_sub(up[at])));
+        let start = dots.len();
+        dots.resize(start + row / 4 * 3, 0);
+        if line != above {
+            let pairs = line.chunks_exact(4).zip(above.chunks_exact(4));
+            for (out, (dot, up)) in dots[start..].chunks_exact_mut(3).zip(pairs) {
+                out[0] = dot[0].wrapping_sub(up[0]);
+                out[1] = dot[1].wrapping_sub(up[1]);
+                out[2] = dot[2].wrapping_sub(up[2]);
+            }
         }
-        above.copy_from_slice(line);
+        above = line;
     }
     chunk(&mut file, b"IDAT", &compress_to_vec_zlib(&dots, EFFORT));
     chunk(&mut file, b"IEND", &[]);

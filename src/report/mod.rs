@@ -64,6 +64,7 @@ pub use fix::Fix;
 pub use github::github;
 pub use meant::meant;
 pub use short::short;
+pub use style::uncoloured;
 
 /// A derivation with its audit: what every view looks at.
 #[derive(Clone, Copy, Debug)]

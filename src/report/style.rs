@@ -38,3 +38,17 @@ pub(super) fn of(entry: &Entry, is_finding: bool) -> Style {
         Verdict::Undecided => WARN,
     }
 }
+
+/// Text of which nothing but its colours commands a terminal, without them.
+pub fn uncoloured(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once('\u{1b}') {
+        plain += before;
+        rest = match (after.starts_with('['), after.split_once('m')) {
+            (true, Some((_, after))) => after,
+            _ => after,
+        };
+    }
+    plain + rest
+}

@@ -479,9 +479,12 @@ fn add(sum: &mut Series, other: &Series) {
 
 /// $$ c_n = \sum_{k=0}^n a_k b_{n-k} $$
 fn multiply(a: &Series, b: &Series) -> Series {
-    (0..a.len())
-        .map(|n| (0..=n).map(|k| &a[k] * &b[n - k]).sum())
-        .collect()
+    // A sum that began at 0 would cost as much again: every sum is brought to lowest terms.
+    let sum = |n: usize| {
+        let products = (0..=n).map(|k| &a[k] * &b[n - k]);
+        products.reduce(|sum, product| sum + product)
+    };
+    (0..a.len()).map(|n| sum(n).unwrap_or_default()).collect()
 }
 
 /// $$ c_0 = 1/a_0, \qquad c_n = -c_0 \sum_{k=1}^n a_k c_{n-k} $$

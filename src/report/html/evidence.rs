@@ -5,7 +5,7 @@ use crate::derivation::Source;
 use crate::kernel::{Claim, Proven, Refuted};
 use crate::notation::{escape, latex_statement};
 use crate::report::evidence::{Point, is_idle};
-use crate::report::{explain, implied, scaling};
+use crate::report::{explain, implied, scaling, uncoloured};
 
 use super::{Page, words};
 
@@ -61,7 +61,7 @@ impl Page<'_> {
         }
         let numeric = report.numeric_lines(entry);
         if !numeric.is_empty() {
-            text += &preformatted(&words::uncoloured(&numeric));
+            text += &preformatted(&uncoloured(&numeric));
         }
         for step in 0..entry.judged.len() {
             text += &self.step(entry, step);

@@ -20,8 +20,8 @@ mod prose;
 mod summary;
 mod words;
 
-use super::Report;
 use super::graph::Graph;
+use super::{Report, uncoloured};
 use crate::notation::escape;
 use anchors::Anchors;
 
@@ -112,7 +112,7 @@ impl Page<'_> {
              <div class=\"scroll drawing\" role=\"region\" aria-label=\"Drawing of what rests on what\" tabindex=\"0\">\n{}</div>\n\
              <details><summary>The same in words</summary>\n<pre>{}</pre></details>\n</section>\n",
             graph.svg_linked(&address),
-            escape(&words::uncoloured(&graph.text(self.report)))
+            escape(&uncoloured(&graph.text(self.report)))
         )
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::audit::{Entry, Verdict};
 use crate::notation::escape;
-use crate::report::Report;
+use crate::report::{Report, uncoloured};
 
 use super::Pictures;
 use super::entry::Tone;
@@ -13,7 +13,7 @@ impl Page<'_> {
     /// Title, closing sentences, numbers and the table, in the landmark of a banner.
     pub(super) fn head(&self, title: &str, pictures: &Pictures) -> String {
         let report = self.report;
-        let closing = words::uncoloured(&report.closing());
+        let closing = uncoloured(&report.closing());
         let mut lines = closing.lines();
         let (first, second) = (lines.next().unwrap_or(""), lines.next().unwrap_or(""));
         // What to type to see more is no news where all is to be seen.

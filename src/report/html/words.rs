@@ -183,20 +183,6 @@ fn between_ticks(text: &str, shown: impl Fn(&str) -> String) -> String {
     parts.iter().enumerate().map(part).collect()
 }
 
-/// Without the colours of a terminal.
-pub(super) fn uncoloured(text: &str) -> String {
-    let mut plain = String::with_capacity(text.len());
-    let mut rest = text;
-    while let Some((before, after)) = rest.split_once('\u{1b}') {
-        plain += before;
-        rest = match (after.starts_with('['), after.split_once('m')) {
-            (true, Some((_, after))) => after,
-            _ => after,
-        };
-    }
-    plain + rest
-}
-
 /// The first letter large.
 pub(super) fn capital(text: &str) -> String {
     let mut letters = text.chars();
