@@ -158,3 +158,13 @@ fn difference_of_squares_needs_both_factors() {
     let known = known(&["x > y", "x > 0"]);
     known.are(NOTHING, &["x^2 - y^2"]);
 }
+
+#[test]
+fn no_factor_of_what_does_not_vanish_does() {
+    let known = known(&["x^2 y - x^2 z \\neq 0"]);
+    known.are(NOT_ZERO, &["y - z", "2 z - 2 y", "x", "x^3", "x y - x z"]);
+    known.are(NOTHING, &["y", "z", "y + z", "x y + x z", "y^2 - z"]);
+    // The product may have a sign that its factors have not.
+    let positive = self::known(&["x y - x z > 0"]);
+    positive.are(NOT_ZERO, &["y - z", "x"]);
+}

@@ -1,6 +1,8 @@
 //! Roots and fractional powers: what is known of them, and what is not.
 
-use cradle_verify::kernel::{Claim, Domain, Fact, Origin, Reject, Sign};
+use cradle_verify::kernel::{
+    Claim, Domain, Fact, Lemma, Origin, PositiveTerm, Proof, Reject, Sign,
+};
 
 use super::claims::*;
 
@@ -237,4 +239,98 @@ fn power_of_0_is_0_where_its_exponent_is_positive() {
     assert!(power(natural(), "0^n = 0").is_err());
     assert!(power(from_1(), "0^{n - 1} = 0").is_err());
     assert!(power(positive(), "0^n = 0").is_err());
+}
+
+/// `v = b √x` from `v² = b² x`, with what may be forged about the root: a lemma on `lemma`, the one that is named for it by
+/// its distance from the first, and what is said of the power.
+fn root_by_its_base(lemma: &str, sign: Sign, named: usize, said: &str) -> Result<(), Reject> {
+    let own = claim(&["v^2 = b^2 x"], r"v = b \sqrt{x}");
+    let own = own.domain("v", positive()).domain("b", positive());
+    let mut p = Proving::new(own);
+    let first = p.problem.facts.len();
+    let squares = PositiveTerm {
+        squares: vec![p.p("v")],
+        ..one()
+    };
+    p.lemmas.push(Lemma {
+        fact: Fact {
+            polynomial: p.p(lemma),
+            sign,
+        },
+        proof: p.positivity(&[("b", 2)], vec![squares], &[(0, "-1")]),
+    });
+    let root = p.p(r"\sqrt{x}");
+    let power = root.vars()[0];
+    let fact = |polynomial, sign| Fact { polynomial, sign };
+    for fact in [fact(p.p(said), Sign::Zero), fact(root.clone(), sign)] {
+        let base = first + named;
+        let proof = Proof::OfPower { power, base };
+        p.lemmas.push(Lemma { fact, proof });
+    }
+    let multiplier = p.factors(&[(r"v + b \sqrt{x}", 1)]);
+    p.checked(Proof::Combination {
+        multiplier,
+        power: 1,
+        cofactors: vec![(0, p.p("1")), (first + 1, p.p("-b^2"))],
+    })
+}
+
+#[test]
+fn what_a_root_is_follows_once_its_base_is_proved_not_to_be_negative() {
+    let square = r"\sqrt{x}^2 - x";
+    let with = root_by_its_base;
+    assert_eq!(with("x", Sign::NonNegative, 0, square), Ok(()));
+    assert_eq!(with("x", Sign::Positive, 0, square), Ok(()));
+    // The lemma is on something else, or there is none.
+    assert_eq!(
+        with("x - v", Sign::NonNegative, 0, square),
+        Err(Reject::IdentityFails)
+    );
+    assert!(matches!(
+        with("x", Sign::NonNegative, 7, square),
+        Err(Reject::NoSuchFact(_))
+    ));
+    // More is said of the root than it is.
+    for said in [r"\sqrt{x} - x", r"\sqrt{x}^2 - 2 x", r"\sqrt{x}"] {
+        assert_eq!(
+            with("x", Sign::NonNegative, 0, said),
+            Err(Reject::WrongKind),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn nothing_is_said_of_a_root_whose_base_has_no_sign() {
+    let mut p = Proving::new(claim(&["y \\geq 0", "z = 0"], r"\sqrt{x}^2 = x"));
+    let power = p.p(r"\sqrt{x}").vars()[0];
+    let fact = Fact {
+        polynomial: p.p(r"\sqrt{x}^2 - x"),
+        sign: Sign::Zero,
+    };
+    let of_power = |power, base| Proof::OfPower { power, base };
+    // That `y` is not negative says nothing of `x`, and that `z` is 0 is no sign.
+    let base = p.hypothesis(0);
+    let verdicts = [
+        (of_power(power, base), Reject::MayBeNegative(term("x"))),
+        (
+            of_power(power, p.hypothesis(1)),
+            Reject::NoSuchFact(p.hypothesis(1)),
+        ),
+        (of_power(power, 99), Reject::NoSuchFact(99)),
+        // Neither a symbol nor what is not there is a power.
+        (of_power(p.p("y").vars()[0], base), Reject::WrongKind),
+    ];
+    for (proof, reject) in verdicts {
+        p.lemmas = vec![Lemma {
+            fact: fact.clone(),
+            proof,
+        }];
+        assert_eq!(p.trivially(), Err(reject));
+    }
+    let foreign = Proving::new(claim(&[], r"\sqrt{a} + b + c + d + x + y + z = 0"));
+    let last = foreign.problem.atoms.iter().map(|(var, _)| var).last();
+    let proof = of_power(last.expect("there are some"), base);
+    p.lemmas = vec![Lemma { fact, proof }];
+    assert_eq!(p.trivially(), Err(Reject::NoSuchUnknown));
 }

@@ -638,7 +638,7 @@ fn power_of(atom: &Atom, symbol: &Symbol) -> Option<Rational> {
 }
 
 /// A polynomial with the sign of a rational function.
-pub(super) fn sign_of_fraction(value: &Fraction) -> Result<Polynomial, TooLarge> {
+pub fn sign_of_fraction(value: &Fraction) -> Result<Polynomial, TooLarge> {
     let mut polynomial = value.numerator().clone();
     for (factor, exponent) in value.denominator() {
         if exponent % 2 == 1 {

@@ -34,7 +34,7 @@ pub use function::{Functions, SineCosine, multiplied};
 pub use indexed::{Moved, Place, element_at, running_symbol};
 pub use lower::{
     Conditions, LowerError, Lowering, element_parts, element_symbol, expr_of, expr_of_atom,
-    expr_of_fraction, power_sum, product_of, raised,
+    expr_of_fraction, power_sum, product_of, raised, sign_of_fraction,
 };
 pub use monomial::{Monomial, Var};
 pub use num_bigint::BigInt;

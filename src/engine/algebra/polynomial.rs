@@ -342,6 +342,16 @@ impl Polynomial {
         monomials.fold(first, |gcd, m| gcd.gcd(m))
     }
 
+    /// The greatest monomial that divides every term, and the rest.
+    pub fn without_content(&self) -> (Monomial, Self) {
+        let content = self.content();
+        if content.is_one() {
+            return (content, self.clone());
+        }
+        let rest = self.divided_by(&Polynomial::term(content.clone(), Rational::one()));
+        (content, rest.unwrap_or_default())
+    }
+
     /// The polynomial divided by its leading coefficient; 0 stays 0.
     pub fn monic(&self) -> Self {
         match self.leading() {

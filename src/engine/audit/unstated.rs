@@ -51,10 +51,13 @@ impl Judge<'_> {
         if unbounded.is_empty() {
             return false;
         }
-        let conditions = self
-            .nonzero(&claim, &unbounded, witness, found)
-            .or_else(|| self.positive(goal, &set, &unbounded));
-        conditions.is_some_and(|conditions| self.holds_under(goal, set, &conditions, found))
+        if let Some(conditions) = self.nonzero(&claim, &unbounded, witness, found) {
+            return self.holds_under(goal, set, &conditions, Effort::Light, found);
+        }
+        let conditions = self.positive(goal, &set, &unbounded);
+        // That there is a root at all may have to be proved.
+        conditions
+            .is_some_and(|conditions| self.holds_under(goal, set, &conditions, Effort::Full, found))
     }
 
     /// What must not vanish for the step to follow, where that is told of single symbols.
@@ -108,6 +111,7 @@ impl Judge<'_> {
         goal: &Goal,
         set: Vec<Assumed>,
         conditions: &[Formula],
+        effort: Effort,
         found: &mut Found,
     ) -> bool {
         let with: Vec<Assumed> = set.into_iter().chain(conditions.iter().map(step)).collect();
@@ -115,7 +119,7 @@ impl Judge<'_> {
         let Ok(posed) = posed else {
             return false;
         };
-        let Some(derived) = search::prove_posed(&posed, Effort::Light) else {
+        let Some(derived) = search::prove_posed(&posed, effort) else {
             return false;
         };
         let (kept, least) = self.least(with, goal, &posed, derived);

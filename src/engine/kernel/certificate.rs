@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use crate::algebra::{BigRational, Expr, Polynomial, Rational, Symbol, TooLarge};
+use crate::algebra::{BigRational, Expr, Polynomial, Rational, Symbol, TooLarge, Var};
 
 /// What the search hands over. Nothing in here is believed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -134,6 +134,13 @@ pub enum Proof {
         larger: Polynomial,
         /// That the difference of the squares has the sign.
         squares: Box<Proof>,
+    },
+    /// What a root or a power is, `s^q = base` and `s ≥ 0`, once its base is known not to be negative.
+    OfPower {
+        /// The root or power.
+        power: Var,
+        /// The fact that says so of its base, by position.
+        base: usize,
     },
 }
 
@@ -325,6 +332,7 @@ impl Proof {
                 all.push(larger);
                 squares.collect_polynomials(all);
             }
+            Proof::OfPower { .. } => {}
         }
     }
 }

@@ -42,9 +42,12 @@ impl Knowledge {
         }
         if matches!(fact.sign, Sign::NonZero | Sign::Positive) {
             // A product that does not vanish has no factor that does.
-            let content = polynomial.content();
+            let (content, rest) = polynomial.without_content();
             self.nonzero_vars
                 .extend(content.powers().iter().map(|p| p.0));
+            if !content.is_one() {
+                self.nonzero.insert(rest.monic());
+            }
         }
         self.learn_bound(fact);
     }
@@ -101,7 +104,7 @@ impl Knowledge {
         if self.inspect(polynomial).1 || self.positive.contains(&normal(polynomial)) {
             return true;
         }
-        let (content, rest) = split(polynomial);
+        let (content, rest) = polynomial.without_content();
         match content.is_one() {
             false => self.monomial_is_positive(&content) && self.is_positive(&rest),
             // a² − b² = (a − b)(a + b)
@@ -122,7 +125,7 @@ impl Knowledge {
         if polynomial.is_zero() {
             return false;
         }
-        let (content, rest) = split(polynomial);
+        let (content, rest) = polynomial.without_content();
         self.nonzero.contains(&polynomial.monic())
             || self.monomial_is_nonzero(&content)
                 && (self.nonzero.contains(&rest.monic())
@@ -163,12 +166,4 @@ fn normal(polynomial: &Polynomial) -> Polynomial {
         Some((_, c)) => polynomial.scaled(&c.abs().recip()),
         None => Polynomial::zero(),
     }
-}
-
-/// The greatest monomial factor and the rest.
-fn split(polynomial: &Polynomial) -> (Monomial, Polynomial) {
-    let content = polynomial.content();
-    let one = Rational::one();
-    let rest = polynomial.divided_by(&Polynomial::term(content.clone(), one));
-    (content, rest.unwrap_or_default())
 }

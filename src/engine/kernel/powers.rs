@@ -7,8 +7,8 @@ use num_traits::{One, Signed, Zero};
 
 use super::{Claim, Fact, Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
-    Atom, BigInt, BigRational, Expr, Fraction, Function, Functions, Polynomial, Powers, Rational,
-    Symbol, element_parts, mentions_symbol,
+    Atom, Atoms, BigInt, BigRational, Expr, Fraction, Function, Functions, Polynomial, Powers,
+    Rational, Symbol, Var, element_parts, mentions_symbol, sign_of_fraction,
 };
 
 /// The highest order of a root that a symbol is read as a power of.
@@ -158,61 +158,89 @@ impl Problem {
     /// root at all, and that there is one must not follow from what is said of it. Each fact can be made true at
     /// every point at which those before it are, whether or not the terms of the goal have a value there.
     pub(super) fn add_facts_about_powers(&mut self) -> Result<(), Reject> {
-        let Some(functions) = self.functions.clone().filter(|_| self.powers.is_some()) else {
+        if self.powers.is_none() || self.functions.is_none() {
             return Ok(());
-        };
+        }
         let mut knowledge = Knowledge::new(&self.facts);
+        let mut atoms = std::mem::take(&mut self.atoms);
         let mut at = 0;
         loop {
-            let next = self.atoms.iter().nth(at);
-            let Some((var, atom)) = next.map(|(var, atom)| (var, atom.clone())) else {
-                return Ok(());
+            let next = atoms.iter().nth(at).map(|(var, _)| var);
+            let Some(var) = next else {
+                break;
             };
             at += 1;
-            let Atom::Opaque(Expr::Power(base, exponent)) = atom else {
+            let Some(base) = self.base_over(&mut atoms, var) else {
                 continue;
             };
-            let mut lowering = self.lowering();
-            let Ok(value) = lowering.lower(&base) else {
-                continue;
-            };
-            if !lowering.conditions.doubtful.is_empty() || !lowering.conditions.zero.is_empty() {
-                continue;
-            }
-            // What it is made of comes before it.
-            let before = |p: &Polynomial| p.vars().iter().all(|v| *v < var);
-            let mut divisors = value.denominator();
-            let sure = divisors.all(|(d, _)| before(d) && knowledge.is_nonzero(d));
-            if !sure || !before(value.numerator()) {
-                continue;
-            }
-            for fact in about_power(
-                Polynomial::var(var),
-                &value,
-                &exponent,
-                &functions,
-                &knowledge,
-            )? {
+            for fact in self.about(var, &base, &knowledge)? {
                 knowledge.learn(&fact);
                 self.add(fact.polynomial, fact.sign, Origin::Powers);
             }
         }
+        self.atoms = atoms;
+        Ok(())
     }
+
+    /// The sign that the base of a root or power has: what must be known of it for [`Problem::about_power`] to say anything.
+    /// `None` for any other unknown.
+    pub fn sign_of_base(&self, power: Var) -> Option<Polynomial> {
+        let base = self.base_over(&mut self.atoms.clone(), power)?;
+        sign_of_fraction(&base.value).ok()
+    }
+
+    /// What a root or a power is, by what is known of its base.
+    ///
+    /// # Errors
+    /// It is too large to be told.
+    pub fn about_power(&self, power: Var, knowledge: &Knowledge) -> Result<Vec<Fact>, Reject> {
+        match self.base_over(&mut self.atoms.clone(), power) {
+            Some(base) => self.about(power, &base, knowledge),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    fn base_over(&self, atoms: &mut Atoms, power: Var) -> Option<Base> {
+        let Atom::Opaque(Expr::Power(base, exponent)) = atoms.atom(power).clone() else {
+            return None;
+        };
+        let mut lowering = self.lowering_over(atoms);
+        let value = lowering.lower(&base).ok()?;
+        let conditions = lowering.conditions;
+        let exponent = *exponent;
+        (conditions.doubtful.is_empty() && conditions.zero.is_empty())
+            .then_some(Base { value, exponent })
+    }
+
+    fn about(&self, power: Var, base: &Base, knowledge: &Knowledge) -> Result<Vec<Fact>, Reject> {
+        // What it is made of comes before it.
+        let before = |p: &Polynomial| p.vars().iter().all(|v| *v < power);
+        let mut divisors = base.value.denominator();
+        let sure = divisors.all(|(d, _)| before(d) && knowledge.is_nonzero(d));
+        let apart = self.functions.as_ref().filter(|_| self.powers.is_some());
+        match apart {
+            Some(functions) if sure && before(base.value.numerator()) => {
+                about_power(Polynomial::var(power), base, functions, knowledge)
+            }
+            _ => Ok(Vec::new()),
+        }
+    }
+}
+
+/// What a root or a power is taken of, and how.
+struct Base {
+    value: Fraction,
+    exponent: Expr,
 }
 
 fn about_power(
     power: Polynomial,
-    base: &Fraction,
-    exponent: &Expr,
+    base: &Base,
     functions: &Functions,
     knowledge: &Knowledge,
 ) -> Result<Vec<Fact>, Reject> {
-    let mut sign = base.numerator().clone();
-    for (factor, own) in base.denominator() {
-        if own % 2 == 1 {
-            sign = sign.times(factor)?;
-        }
-    }
+    let sign = sign_of_fraction(&base.value)?;
+    let (base, exponent) = (&base.value, &base.exponent);
     let fact = |polynomial: &Polynomial, sign| Fact {
         polynomial: polynomial.clone(),
         sign,

@@ -2,7 +2,7 @@ use super::series::{bounded_series, series_square};
 use super::{
     Certificate, Cofactors, Fact, Factors, Knowledge, PositiveTerm, Problem, Proof, Reject, Sign,
 };
-use crate::algebra::{Polynomial, expr_of, product};
+use crate::algebra::{Polynomial, Var, expr_of, product};
 
 /// Facts with what they say at a glance; lemmas are added to both.
 pub(super) struct State<'a> {
@@ -137,7 +137,27 @@ impl<'a> State<'a> {
                 let sign = fact.sign;
                 self.proof(&Fact { polynomial, sign }, squares)
             }
+            (Proof::OfPower { power, base }, _) => self.of_power(fact, *power, *base),
             _ => Err(Reject::WrongKind),
+        }
+    }
+
+    /// What is said of a power follows from nothing that is said of it: its base is spoken of without it.
+    fn of_power(&self, fact: &Fact, power: Var, base: usize) -> Result<(), Reject> {
+        let known = |f: &&Fact| matches!(f.sign, Sign::NonNegative | Sign::Positive);
+        let own = self.facts.get(base).filter(known);
+        let own = own.ok_or(Reject::NoSuchFact(base))?;
+        if power.position() >= self.problem.atoms.len() {
+            return Err(Reject::NoSuchUnknown);
+        }
+        let sign = self.problem.sign_of_base(power).ok_or(Reject::WrongKind)?;
+        if own.polynomial != sign {
+            return Err(Reject::MayBeNegative(expr_of(&sign, &self.problem.atoms)));
+        }
+        let told = self.problem.about_power(power, &self.knowledge)?;
+        match told.contains(fact) {
+            true => Ok(()),
+            false => Err(Reject::WrongKind),
         }
     }
 

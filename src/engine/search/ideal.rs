@@ -141,7 +141,7 @@ fn divisors(facts: &[Fact]) -> Vec<Polynomial> {
     let mut divisors: Vec<Polynomial> = facts
         .iter()
         .filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive) && f.polynomial.len() > 1)
-        .map(|f| f.polynomial.monic())
+        .map(|f| f.polynomial.without_content().1.monic())
         .collect();
     divisors.sort();
     divisors.dedup();

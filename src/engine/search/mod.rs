@@ -30,8 +30,8 @@ use crate::algebra::{
     Atom, Expr, Formula, Polynomial, Rational, Relation, Symbol, expr_of, factors,
 };
 use crate::kernel::{
-    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Model, Obligation,
-    Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
+    Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Knowledge, Model,
+    Obligation, Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
 pub use algebraic::without_rational_points;
 pub use implied::{Implied, implied};
@@ -405,7 +405,11 @@ fn prove(
     obligation: &Obligation,
     effort: Effort,
 ) -> Result<Option<(Derived, Vec<Formula>)>, Reject> {
-    match attempt(obligation, effort)? {
+    let found = match attempt(obligation, effort)? {
+        Attempt::Nothing if effort == Effort::Full => divided_below_roots(obligation.problem()),
+        found => found,
+    };
+    match found {
         Attempt::Nothing => Ok(None),
         Attempt::Proof(certificate) => {
             Ok(derived(obligation, certificate).map(|derived| (derived, Vec::new())))
@@ -457,6 +461,25 @@ pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
         })
 }
 
+/// What a goal with roots divides by, if it is not known not to vanish: before that is, nothing is known of the roots.
+fn divided_below_roots(problem: &Problem) -> Attempt {
+    let vars = problem.goal.polynomial.vars();
+    let mut atoms = vars.into_iter().map(|var| problem.atoms.atom(var));
+    let divisors = &problem.conditions.nonzero;
+    if divisors.is_empty() || !atoms.any(|a| matches!(a, Atom::Opaque(Expr::Power(..)))) {
+        return Attempt::Nothing;
+    }
+    let knowledge = Knowledge::new(&problem.facts);
+    let unknown = divisors.iter().filter(|p| !knowledge.is_nonzero(p));
+    let needs: Vec<Formula> = unknown
+        .map(|p| Formula::nonzero(expr_of(p, &problem.atoms)))
+        .collect();
+    match needs.is_empty() {
+        true => Attempt::Nothing,
+        false => Attempt::Needs(needs),
+    }
+}
+
 fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
     let prover = Prover::new(obligation.problem())?;
     Ok(attempt_with(prover, obligation, effort))
@@ -464,6 +487,9 @@ fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
 
 fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> Attempt {
     let problem = obligation.problem();
+    if effort == Effort::Full && prover.learn_powers(problem).is_err() {
+        return Attempt::Nothing;
+    }
     let Some(conclusion) = prover.prove(&problem.goal, effort) else {
         return Attempt::Nothing;
     };
@@ -580,6 +606,7 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
             all
         }
         Proof::Square(inner) | Proof::Larger { squares: inner, .. } => facts_of(inner),
+        Proof::OfPower { base, .. } => vec![*base],
     }
 }
 

@@ -1,5 +1,6 @@
-//! From facts to a certificate: consequence first, sign (`sign`) second.
+//! From facts to a certificate: consequence first, sign (`sign`) second, and what roots are (`power`) before both.
 
+mod power;
 mod sign;
 
 use std::collections::BTreeMap;
@@ -101,8 +102,15 @@ impl Prover {
             if !found {
                 return Ok(());
             }
-            self.ideal = Ideal::new(&self.facts, &self.knowledge)?;
+            self.read_equations()?;
         }
+        Ok(())
+    }
+
+    /// Reads the equations anew, with those that were added.
+    fn read_equations(&mut self) -> Result<(), TooLarge> {
+        self.ideal = Ideal::new(&self.facts, &self.knowledge)?;
+        (self.basis, self.signed) = (None, None);
         Ok(())
     }
 
@@ -274,11 +282,7 @@ impl Prover {
         if self.facts.len() == before {
             return false;
         }
-        let Ok(ideal) = Ideal::new(&self.facts, &self.knowledge) else {
-            return false;
-        };
-        (self.ideal, self.basis, self.signed) = (ideal, None, None);
-        true
+        self.read_equations().is_ok()
     }
 
     /// `a = b` from `a² = b²`, where neither is negative: what is a root of something is told by its square.

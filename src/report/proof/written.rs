@@ -132,6 +132,15 @@ impl<'a> Written<'a> {
                     self.step(&fact, inner, &format!("(−{name}²)"), indent + 2);
                 }
             }
+            Proof::OfPower { power, base } => {
+                self.used.insert(*base);
+                let power = self.polynomial(&Polynomial::var(*power));
+                let text = format!(
+                    "by what {power} is, its base being known from [{}]",
+                    base + 1
+                );
+                self.say(indent, &text);
+            }
         }
     }
 

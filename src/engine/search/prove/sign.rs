@@ -196,8 +196,10 @@ impl Prover {
         positive.dedup();
         let power = |var: &Var| Monomial::power(*var, 1);
         positive.retain(|var| self.knowledge.monomial_is_positive(&power(var)));
-        for var in positive.iter().take(MOST_EXCHANGED) {
-            let factor = Polynomial::term(power(var), Rational::one());
+        let mut tried: Vec<Monomial> = positive.iter().take(MOST_EXCHANGED).map(power).collect();
+        tried.extend(self.shared_factors(&reduced.polynomial));
+        for factor in tried {
+            let factor = Polynomial::term(factor, Rational::one());
             if let Some(mut other) = times(&factor)
                 && let before = other.polynomial.clone()
                 && (other.normal_form(&self.ideal.rest, &mut { LIGHT_REDUCTIONS })).is_ok()
@@ -208,6 +210,18 @@ impl Prover {
             }
         }
         all
+    }
+
+    /// What is positive and makes a polynomial's first term one of an equation's.
+    fn shared_factors(&self, polynomial: &Polynomial) -> Vec<Monomial> {
+        let Some((lead, _)) = polynomial.leading() else {
+            return Vec::new();
+        };
+        let rest = self.ideal.rest.iter().take(MOST_EXCHANGED);
+        let terms = rest.flat_map(|element| element.polynomial.terms());
+        let quotients = terms.filter_map(|(monomial, _)| monomial.divided_by(lead));
+        let positive = quotients.filter(|q| !q.is_one() && self.knowledge.monomial_is_positive(q));
+        positive.take(MOST_EXCHANGED).collect()
     }
 
     /// Makes every factor of the multiplier positive or even, and the outer factor with it.
