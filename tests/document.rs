@@ -245,8 +245,18 @@ fn citations() {
 #[test]
 fn suppositions() {
     use SuppositionKind::{Assume, Case, Define, Fact, General, Let};
-    let told = Fact { runs_on: false };
-    let telling = Fact { runs_on: true };
+    let told = Fact {
+        runs_on: false,
+        of_case: false,
+    };
+    let telling = Fact {
+        runs_on: true,
+        of_case: false,
+    };
+    let of_case = Fact {
+        runs_on: true,
+        of_case: true,
+    };
     let ended = Case { runs_on: false };
     let open = Case { runs_on: true };
     for (text, expected) in [
@@ -299,6 +309,23 @@ fn suppositions() {
         ("When $v = 0$, (1) becomes $a = b$.", vec![(ended, "v = 0")]),
         ("At $Q=0$, when it is empty,", vec![(open, "Q=0")]),
         ("For $N = 3$ the values are $a = b$.", vec![]),
+        ("For $u = c$ this gives", vec![(open, "u = c")]),
+        ("For $u = c$ (1) gives", vec![(open, "u = c")]),
+        ("which is zero at $s = 2 f$, where", vec![(open, "s = 2 f")]),
+        ("It is zero at $s = 2 f$, where it turns.", vec![]),
+        (
+            "For a narrow pipe, $h = k$, (1) becomes",
+            vec![(of_case, "h = k")],
+        ),
+        (
+            "For a tank, $p = q$ and $v = 0$ in (1) give",
+            vec![(of_case, "p = q"), (of_case, "v = 0")],
+        ),
+        (
+            "The magnification $M = -s/f$ is",
+            vec![(telling, "M = -s/f")],
+        ),
+        ("The start $t = 0$ is the time of release.", vec![]),
         ("For $x > 0$, it grows. For $x < 0$, it falls.", vec![]),
         ("It vanishes when $v = 0$, as it must.", vec![]),
         ("With $g = 10$, the weight is", vec![(open, "g = 10")]),

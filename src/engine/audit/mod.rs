@@ -345,7 +345,15 @@ impl Auditor<'_> {
             }
             entries.push(entry);
         }
-        if says_so && entries.iter().all(|e| e.verdict == Verdict::Holds) {
+        // What the text tells may come of what is cited.
+        let by_words = |note: &Note| match note {
+            Note::Uncited(sources) => sources.iter().any(|source| self.is_told(at, source)),
+            _ => false,
+        };
+        if says_so
+            && entries.iter().all(|e| e.verdict == Verdict::Holds)
+            && !entries.iter().flat_map(|e| &e.notes).any(by_words)
+        {
             let unused = unused(&entries, &premises);
             if let Some(first) = entries.first_mut()
                 && !unused.is_empty()
@@ -538,7 +546,17 @@ impl Auditor<'_> {
         nearest(failing)
     }
 
-    /// Whether a step uses all that it cites, and besides only what stands just before it: "Inserting this into (1)".
+    /// Whether the text tells something in passing before a step.
+    fn is_told(&self, at: usize, source: &Source) -> bool {
+        let own = &self.derivation.equations[at];
+        match source {
+            Source::Local(page, local) => *page == own.page && own.told.contains(local),
+            _ => false,
+        }
+    }
+
+    /// Whether a step uses all that it cites, and besides only what stands just before it: "Inserting this into (1)". What the
+    /// text tells may come of what is cited: "With (2), $v_2 = a v_1$, so".
     fn goes_on(&self, at: usize, premises: &[usize], used: &BTreeSet<Source>) -> bool {
         let equations = &self.derivation.equations;
         let first = at - equations[at].row.min(at);
@@ -555,7 +573,8 @@ impl Auditor<'_> {
             Source::Step => true,
         };
         let is_used = |premise: &usize| used.contains(&Source::Equation(*premise));
-        premises.iter().all(is_used) && used.iter().all(is_near)
+        let uses_all = premises.iter().all(is_used) || used.iter().any(|s| self.is_told(at, s));
+        uses_all && used.iter().all(is_near)
     }
 
     /// The premises that are not proved themselves, or only under a condition that nothing states, and those

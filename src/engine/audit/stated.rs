@@ -62,7 +62,7 @@ impl Judge<'_> {
         // A second law may speak of nothing new, where nobody could have said that it is one; a value of something known is none.
         let silent = self.derivation.pages[equation.page].declared.is_empty();
         let is_law = || silent && !matches!(left, Expr::Symbol(_));
-        if symbols.is_empty() && !is_law() {
+        if symbols.is_empty() && !equation.meant && !is_law() {
             return None;
         }
         // What is wrong itself contradicts others already.

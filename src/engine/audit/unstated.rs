@@ -94,13 +94,21 @@ impl Judge<'_> {
             relation: Relation::Greater,
             right: Expr::integer(0),
         };
-        let conditions: Vec<Formula> = unbounded.iter().map(positive).collect();
-        let all: Vec<Assumed> = set
-            .iter()
-            .cloned()
-            .chain(conditions.iter().map(step))
-            .collect();
-        let claim = self.derivation.claim(self.at, &all, &goal.formula);
+        let is_number = |symbol: &Symbol| {
+            let mut equations = set.iter().filter_map(|a| a.formula.as_equation());
+            equations
+                .any(|sides| matches!(sides, (Expr::Symbol(own), Expr::Number(_)) if own == symbol))
+        };
+        let open = unbounded.iter().filter(|symbol| !is_number(symbol));
+        let mut conditions: Vec<Formula> = open.map(positive).collect();
+        let under = |conditions: &[Formula]| {
+            let all = set.iter().cloned().chain(conditions.iter().map(step));
+            let all: Vec<Assumed> = all.collect();
+            self.derivation.claim(self.at, &all, &goal.formula)
+        };
+        let posed = search::pose(under(&conditions)).ok()?;
+        conditions.extend(search::divided_beside_roots(posed.problem()));
+        let claim = under(&conditions);
         let possible = search::consistency(&claim, &self.auditor.hints());
         matches!(possible, search::Consistency::Model(_)).then_some(conditions)
     }
@@ -114,14 +122,34 @@ impl Judge<'_> {
         effort: Effort,
         found: &mut Found,
     ) -> bool {
-        let with: Vec<Assumed> = set.into_iter().chain(conditions.iter().map(step)).collect();
-        let posed = search::pose(self.derivation.claim(self.at, &with, &goal.formula));
-        let Ok(posed) = posed else {
+        let with = |conditions: &[Formula]| -> Vec<Assumed> {
+            let conditions = conditions.iter().map(step);
+            set.iter().cloned().chain(conditions).collect()
+        };
+        let proved = |conditions: &[Formula]| {
+            let claim = self
+                .derivation
+                .claim(self.at, &with(conditions), &goal.formula);
+            let posed = search::pose(claim).ok()?;
+            let derived = search::prove_posed(&posed, effort)?;
+            Some((posed, derived))
+        };
+        let Some((mut posed, mut derived)) = proved(conditions) else {
             return false;
         };
-        let Some(derived) = search::prove_posed(&posed, effort) else {
-            return false;
-        };
+        let mut conditions = conditions.to_vec();
+        // What is only found in earnest is not left out by those who try for little.
+        if effort == Effort::Full {
+            for at in (0..conditions.len()).rev() {
+                let mut fewer = conditions.clone();
+                fewer.remove(at);
+                if let Some(found) = proved(&fewer) {
+                    (posed, derived) = found;
+                    conditions = fewer;
+                }
+            }
+        }
+        let with = with(&conditions);
         let (kept, least) = self.least(with, goal, &posed, derived);
         let is_kept = |condition: &&Formula| kept.contains(&step(condition));
         found.conditions = conditions.iter().filter(is_kept).cloned().collect();

@@ -29,6 +29,8 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page]) {
             // All cases of a definition define the same symbol.
             let defined = defined_symbol(statement, &seen, case.as_ref());
             let defined = defined.filter(|symbol| !sequences.know(symbol, &seen));
+            // "The magnification $M = -s'/s$ is": the display says what comes of it.
+            let defined = defined.filter(|symbol| !is_told(symbol, equation, page));
             if defined.is_none() {
                 defines.remove(&part);
             }
@@ -51,6 +53,16 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page]) {
         }
         (equation.defines, equation.introduces) = (defines, introduces);
     }
+}
+
+/// Whether the text has told in passing what a symbol is.
+fn is_told(symbol: &Symbol, equation: &Equation, page: &Page) -> bool {
+    let told = equation.told.iter().map(|&local| &page.locals[local]);
+    let mut formulas = told.flat_map(|local| &local.formulas);
+    formulas.any(|formula| match formula.as_equation() {
+        Some((Expr::Symbol(own), _)) => own == symbol,
+        _ => false,
+    })
 }
 
 /// The symbols by themselves on a side of what could not be read as a whole: what is said of them is not known, but they are not new.

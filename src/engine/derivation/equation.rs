@@ -37,6 +37,8 @@ pub struct Equation {
     pub relative: bool,
     /// Whether words introduce it, and none of them cites anything or says that it follows.
     pub bare: bool,
+    /// Whether a mere "where" or "with" introduces it.
+    pub meant: bool,
     /// It is a numeric claim: how near `≈` is meant, where that is said.
     pub numeric: Option<Option<BigRational>>,
     /// What it is said to follow from.

@@ -79,6 +79,8 @@ pub struct Local {
     assigned: BTreeSet<Symbol>,
     /// Of a special case, the symbols that it sets to a number: what speaks of them again is no longer said of that case.
     set: BTreeSet<Symbol>,
+    /// It was told of a special case, and is left with it.
+    of_case: bool,
     level: u8,
 }
 
@@ -115,6 +117,8 @@ struct Between {
     concludes: Option<bool>,
     /// Whether they go on from the display before.
     relative: bool,
+    /// Whether they are a mere "where" or "with".
+    meant: bool,
 }
 
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
@@ -188,13 +192,17 @@ pub(super) fn read_page(
                 between.cited.extend(prose.citations.iter().cloned());
                 between.relative |= prose.is_relative && between.concludes.is_none();
                 between.concludes = prose.concludes.or(between.concludes);
+                between.meant |= prose.says_what_is_meant;
                 let mut mentioned = prose.mentions.clone();
+                if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
+                    told.retain(|&at| !page.locals[at].of_case);
+                }
                 for &Supposition { kind, body } in &prose.suppositions {
                     if kind == SuppositionKind::General {
                         active.retain(|&at| page.locals[at].set.is_empty());
                         continue;
                     }
-                    if let SuppositionKind::Fact { runs_on } = kind {
+                    if let SuppositionKind::Fact { runs_on, .. } = kind {
                         page.suppose(body, kind, level, &mut told, false);
                         told.retain(|&at| runs_on || page.locals[at].set.is_empty());
                         continue;
@@ -320,6 +328,7 @@ pub(super) fn read_page(
                         opens: alone && kind == Kind::Derived && !stated,
                         relative: said.relative,
                         bare: bare && kind == Kind::Derived && part.continues == 0,
+                        meant: said.meant,
                         numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
                         premises: match &said.from {
                             Some(named) => Premises::Named(named.clone()),
@@ -584,6 +593,7 @@ impl Page {
                 is_let,
                 span: statement.span,
                 assigned,
+                of_case: matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
                 level,
             });
         }

@@ -120,6 +120,15 @@ pub(super) fn is_relative(tokens: &[Placed<'_>]) -> bool {
     matches!(first, Some((Token::Word("which"), _)))
 }
 
+/// Whether nothing but a "where" or "with" leads on to the display: it says what is meant in the one before.
+pub(super) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
+    let mut said = tokens
+        .iter()
+        .filter(|(token, _)| !matches!(token, Token::Mark(',' | ';' | ':')));
+    let first = said.next().map(|(token, _)| *token);
+    matches!(first, Some(Token::Word("where" | "with"))) && said.next().is_none()
+}
+
 /// Whether the last sentence says that what comes after it follows from something, as far as words tell; `None` where nothing
 /// is said.
 pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {

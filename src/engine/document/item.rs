@@ -90,6 +90,8 @@ pub struct Prose {
     pub concludes: Option<bool>,
     /// Its first sentence is about the display before it: "which by (2) is".
     pub is_relative: bool,
+    /// It is a mere "where" or "with" between two displays.
+    pub says_what_is_meant: bool,
 }
 
 /// Mathematics in a line of text.
@@ -140,6 +142,8 @@ pub enum SuppositionKind {
     Fact {
         /// The sentence goes on with the display after it.
         runs_on: bool,
+        /// It is told of a special case: "For a horizontal pipe, $h_1 = h_2$, (1) becomes".
+        of_case: bool,
     },
     /// "In general": the cases that were gone through are left. It supposes nothing.
     General,
@@ -147,6 +151,14 @@ pub enum SuppositionKind {
     Assume,
     /// "…, where $k = m \omega^2$" after a display: the meaning of a symbol in it.
     Define,
+}
+
+impl SuppositionKind {
+    /// Whether what was told of another special case is no longer meant.
+    pub fn begins_a_case(self) -> bool {
+        use SuppositionKind::{Case, Fact, General};
+        matches!(self, Case { .. } | Fact { of_case: true, .. } | General)
+    }
 }
 
 /// One clause of a `check:` comment.

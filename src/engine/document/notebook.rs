@@ -151,6 +151,7 @@ fn moved(item: Item, by: usize) -> Item {
             mut mentions,
             concludes,
             is_relative,
+            says_what_is_meant,
         }) => {
             for inline in &mut math {
                 inline.span = at(inline.span);
@@ -173,6 +174,7 @@ fn moved(item: Item, by: usize) -> Item {
                 mentions,
                 concludes,
                 is_relative,
+                says_what_is_meant,
             })
         }
         Item::Display {

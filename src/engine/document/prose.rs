@@ -65,6 +65,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         mentions,
         concludes: conclusion::read(&tokens),
         is_relative: conclusion::is_relative(&tokens),
+        says_what_is_meant: conclusion::says_what_is_meant(&tokens),
     }
 }
 

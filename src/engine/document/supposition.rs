@@ -9,8 +9,8 @@
 mod words;
 
 use self::words::{
-    CONCLUDING, DEFINING, DENYING, DOUBTFUL, NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, REASONS,
-    UNDECIDED,
+    CONCLUDING, DEFINING, DENYING, DOUBTFUL, NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, OF_CASES,
+    REASONS, UNDECIDED,
 };
 use super::conclusion;
 use super::prose::{Placed, Token};
@@ -85,6 +85,8 @@ struct Sentence {
     /// The first of its suppositions.
     start: usize,
     begun: bool,
+    /// It begins with a special case: "For a horizontal pipe, …".
+    special: bool,
     /// It supposes nothing that could be used.
     doubtful: bool,
     /// The word before named a value.
@@ -104,6 +106,7 @@ impl Sentence {
         Sentence {
             start,
             begun: false,
+            special: false,
             doubtful: false,
             named: false,
             careful: false,
@@ -134,6 +137,7 @@ impl Reader<'_> {
 
     fn word(&mut self, index: usize, word: &str, span: Span) {
         let among = |words: &[&str]| words.contains(&word);
+        self.sentence.special |= !self.sentence.begun && among(OF_CASES);
         if self.is_silent() && generalizes(word, index, self.tokens) {
             let (kind, body) = (SuppositionKind::General, span);
             self.found.push(Supposition { kind, body });
@@ -184,7 +188,10 @@ impl Reader<'_> {
             self.mentions.push(body);
         }
         if states && self.tells(index, body) {
-            let kind = SuppositionKind::Fact { runs_on: false };
+            let kind = SuppositionKind::Fact {
+                runs_on: false,
+                of_case: self.sentence.special,
+            };
             self.found.push(Supposition { kind, body });
         } else if states {
             // "For $N = 3$ the values are $a = b$."
@@ -206,11 +213,18 @@ impl Reader<'_> {
         }
         // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
         let bounds = is_bound(text) && !is_nonzero(text);
+        let joined = || {
+            let told = self.found.last().filter(|last| is_fact(last.kind));
+            follows(index, self.tokens, &["and"])
+                && told.is_some_and(|last| ends_before(last.body, index, self.tokens))
+        };
         let plainly = match is_number(text) && !bounds {
-            true => is_plain(index, self.tokens),
+            true => is_plain(index, self.tokens) || joined(),
             false => !(bounds && follows(index, self.tokens, &["for"])),
         };
-        plainly && !is_origin(index, Reach::Sentence, self.tokens)
+        // "The magnification $M = f/s$ is": what is no number is no origin.
+        let is_name = is_number(text) && is_named(index, self.tokens);
+        plainly && !is_name && !follows(index, self.tokens, NAMED_BEFORE)
     }
 
     /// A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
@@ -250,7 +264,7 @@ impl Reader<'_> {
     fn finish(mut self) -> (Vec<Supposition>, Vec<Span>) {
         for supposition in self.found.iter_mut().skip(self.open) {
             use SuppositionKind::{Case, Fact};
-            if let Case { runs_on } | Fact { runs_on } = &mut supposition.kind {
+            if let Case { runs_on } | Fact { runs_on, .. } = &mut supposition.kind {
                 *runs_on = true;
             }
         }
@@ -280,6 +294,12 @@ fn is_number(math: &str) -> bool {
     !value.contains(char::is_alphabetic)
 }
 
+/// Whether mathematics stands two tokens before what is at `index`: one word is between them.
+fn ends_before(body: Span, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = index.checked_sub(2).and_then(|before| tokens.get(before));
+    matches!(before, Some((Token::Math(own), _)) if *own == body)
+}
+
 /// Whether what stands before the mathematics at `index` makes it a fact of its own: "For a target at rest, $u_2 = 0$, …".
 fn is_plain(index: usize, tokens: &[Placed<'_>]) -> bool {
     let before = index.checked_sub(1).map(|before| tokens[before].0);
@@ -289,12 +309,16 @@ fn is_plain(index: usize, tokens: &[Placed<'_>]) -> bool {
 
 /// Whether the mathematics at `index` is told where something begins, or what it is called, and supposed to be no value.
 fn is_origin(index: usize, reach: Reach, tokens: &[Placed<'_>]) -> bool {
-    let is = |at: usize, words: &[&str]| match tokens.get(at) {
-        Some((Token::Word(word), _)) => words.contains(word),
-        _ => false,
-    };
     let starts = || reach == Reach::Sentence && follows(index, tokens, NAMED_BEFORE);
-    is(index + 1, NAMED_AFTER) || starts()
+    is_named(index, tokens) || starts()
+}
+
+/// Whether what comes after the mathematics at `index` makes it a name.
+fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
+    match tokens.get(index + 1) {
+        Some((Token::Word(word), _)) => NAMED_AFTER.contains(word),
+        _ => false,
+    }
 }
 
 /// Whether the word at `index` leaves special cases behind: "in general", "in the general case", "for arbitrary $w$",
@@ -325,6 +349,13 @@ fn introduction(
     let direct = matches!(after(1), Some(Token::Math(_)));
     let that = matches!(after(1), Some(Token::Word("that")));
     let comma = matches!(after(2), Some(Token::Mark(',')));
+    // "For $u = c$ this gives": what comes is said of the case.
+    let referred = matches!(
+        after(2),
+        Some(
+            Token::Tag(_) | Token::Keys(_) | Token::Word("this" | "it" | "we" | "one" | "equation")
+        )
+    );
     let text = |body: Span| source.get(body.range()).unwrap_or_default();
     let next = |is: fn(&str) -> bool| match after(1) {
         Some(Token::Math(body)) => is(text(body)),
@@ -364,6 +395,10 @@ fn introduction(
     let introduced = match word {
         "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
         "at" if !begun && direct => Some((case, joined(true))),
+        // "which is zero at $s = 2f$, where"
+        "at" | "for" | "when" if value() && comes_to_there(index, tokens) => {
+            Some((case, joined(true)))
+        }
         // That something is not 0 is no value that something could be made true with.
         "for" | "when" | "where" | "since" | "as" | "with" if next(is_nonzero) && !goes_on() => {
             Some((SuppositionKind::Let, joined(true)))
@@ -372,7 +407,7 @@ fn introduction(
             Some((case, Reach::List { left: listed }))
         }
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
-        "for" | "when" if !begun && comma && value() => Some((case, joined(true))),
+        "for" | "when" if !begun && (comma || referred) && value() => Some((case, joined(true))),
         "for" if !begun && described() => Some((case, joined(true))),
         "case" if comma && value() => Some((case, joined(true))),
         "setting" | "putting" | "substituting" | "inserting" | "using" if !begun && value() => {
@@ -394,6 +429,17 @@ fn introduction(
         _ => None,
     };
     introduced.filter(|_| !negated())
+}
+
+/// Whether the text ends with the value that follows a word and a "where": what comes next is said of that place.
+fn comes_to_there(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 2..).unwrap_or_default();
+    let mut rest = rest.iter().map(|(token, _)| *token);
+    let mut next = rest.next();
+    if next == Some(Token::Mark(',')) {
+        next = rest.next();
+    }
+    next == Some(Token::Word("where")) && rest.next().is_none()
 }
 
 /// How many values are listed after a word: 3 in "With $a = 2$, $b = 3$ and $c = 4$ we get".

@@ -27,7 +27,7 @@ mod units;
 mod values;
 
 use crate::algebra::{
-    Atom, Expr, Formula, Polynomial, Rational, Relation, Symbol, expr_of, factors,
+    Atom, Atoms, Expr, Formula, Polynomial, Rational, Relation, Symbol, expr_of, factors,
 };
 use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Knowledge, Model,
@@ -406,7 +406,12 @@ fn prove(
     effort: Effort,
 ) -> Result<Option<(Derived, Vec<Formula>)>, Reject> {
     let found = match attempt(obligation, effort)? {
-        Attempt::Nothing if effort == Effort::Full => divided_below_roots(obligation.problem()),
+        Attempt::Nothing if effort == Effort::Full => {
+            match divided_beside_roots(obligation.problem()) {
+                needs if needs.is_empty() => Attempt::Nothing,
+                needs => Attempt::Needs(needs),
+            }
+        }
         found => found,
     };
     match found {
@@ -462,22 +467,29 @@ pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
 }
 
 /// What a goal with roots divides by, if it is not known not to vanish: before that is, nothing is known of the roots.
-fn divided_below_roots(problem: &Problem) -> Attempt {
+pub fn divided_beside_roots(problem: &Problem) -> Vec<Formula> {
     let vars = problem.goal.polynomial.vars();
     let mut atoms = vars.into_iter().map(|var| problem.atoms.atom(var));
-    let divisors = &problem.conditions.nonzero;
-    if divisors.is_empty() || !atoms.any(|a| matches!(a, Atom::Opaque(Expr::Power(..)))) {
-        return Attempt::Nothing;
+    if !atoms.any(|atom| matches!(atom, Atom::Opaque(Expr::Power(..)))) {
+        return Vec::new();
     }
     let knowledge = Knowledge::new(&problem.facts);
-    let unknown = divisors.iter().filter(|p| !knowledge.is_nonzero(p));
-    let needs: Vec<Formula> = unknown
-        .map(|p| Formula::nonzero(expr_of(p, &problem.atoms)))
-        .collect();
-    match needs.is_empty() {
-        true => Attempt::Nothing,
-        false => Attempt::Needs(needs),
-    }
+    let divisors = problem.conditions.nonzero.iter();
+    let unknown = divisors.filter(|divisor| !knowledge.is_nonzero(divisor));
+    unknown
+        .map(|divisor| does_not_vanish(divisor, &problem.atoms))
+        .collect()
+}
+
+/// `a - b ≠ 0`, and not `-b + a ≠ 0`.
+fn does_not_vanish(polynomial: &Polynomial, atoms: &Atoms) -> Formula {
+    let term = expr_of(polynomial, atoms);
+    Formula::nonzero(match &term {
+        Expr::Sum(terms) if matches!(terms.first(), Some(Expr::Negate(_))) => {
+            expr_of(&polynomial.negated(), atoms)
+        }
+        _ => term,
+    })
 }
 
 fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
@@ -514,11 +526,11 @@ fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> 
                 prover.add(fact, proof);
             }
             None => {
-                let term = expr_of(polynomial, &problem.atoms);
+                let term = || expr_of(polynomial, &problem.atoms);
                 needs.push(match sign {
-                    Sign::NonNegative => compared(term, Relation::GreaterOrEqual),
-                    Sign::Positive => compared(term, Relation::Greater),
-                    _ => Formula::nonzero(term),
+                    Sign::NonNegative => compared(term(), Relation::GreaterOrEqual),
+                    Sign::Positive => compared(term(), Relation::Greater),
+                    _ => does_not_vanish(polynomial, &problem.atoms),
                 });
             }
         }
