@@ -464,6 +464,10 @@ impl Lowering<'_> {
         let constant = |s: &Symbol| s != variable && self.constants.contains(s);
         match atom {
             Atom::Symbol(symbol) => constant(symbol),
+            // How many elements there are does not change while something else does.
+            Atom::PowerSum { to, powers } => {
+                to != variable && powers.iter().all(|(sequence, _)| constant(sequence))
+            }
             atom => {
                 let body = expr_of_atom(atom);
                 !body.has_elements() && body.free_symbols().iter().all(constant)

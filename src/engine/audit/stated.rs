@@ -65,6 +65,12 @@ impl Judge<'_> {
         if symbols.is_empty() && !equation.meant && !is_law() {
             return None;
         }
+        // How something changes of which is known what it is follows from that.
+        if let Expr::Derivative { body, .. } = left
+            && self.is_explicit(body)
+        {
+            return None;
+        }
         // What is wrong itself contradicts others already.
         let [sound, _] = self.others(&[]);
         let right = |a: &&Assumed| match a.source {
@@ -79,6 +85,16 @@ impl Judge<'_> {
         all.extend(sound);
         all.push(step(&goal.formula));
         (!self.is_contradictory(&all, &goal)).then_some(symbols)
+    }
+
+    /// Whether an equation that stands before says what a term is.
+    fn is_explicit(&mut self, term: &Expr) -> bool {
+        let [sound, _] = self.others(&[]);
+        let mut known = self.usable.assumed.iter().chain(&sound);
+        known.any(|assumed| {
+            let sides = assumed.formula.as_equation();
+            sides.is_some_and(|(left, right)| left == term && !matches!(right, Expr::Number(_)))
+        })
     }
 }
 
@@ -97,12 +113,16 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
         let (Expr::Derivative { body, variable }, Expr::Number(_)) = (slope, zero) else {
             return None;
         };
-        let Expr::Symbol(symbol) = &**body else {
-            return None;
+        let held = match &**body {
+            Expr::Symbol(symbol) => vec![symbol.clone()],
+            body @ Expr::Series { .. } => elements(body),
+            _ => return None,
         };
         variables.insert(variable.clone());
-        if !constants.contains(symbol) {
-            constants.push(symbol.clone());
+        for symbol in held {
+            if !constants.contains(&symbol) {
+                constants.push(symbol);
+            }
         }
     }
     let assumed = judged.assumed.iter().map(|a| &*a.formula);
@@ -122,6 +142,14 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
     let mut terms = said.iter().flat_map(|f| f.terms());
     let moves = terms.any(|term| moving.iter().any(|symbol| stands(term, symbol)));
     moves.then_some(constants)
+}
+
+/// The elements that a term speaks of, as the author names them: `x_i`.
+fn elements(term: &Expr) -> Vec<Symbol> {
+    match term {
+        Expr::Element { sequence, index } => vec![Symbol::new(format!("{sequence}_{index}"))],
+        _ => term.children().flat_map(elements).collect(),
+    }
 }
 
 /// Whether a symbol stands in a term by itself, not only with its derivative.

@@ -116,8 +116,7 @@ impl Problem {
             pi,
             ..functions.unwrap_or_default()
         });
-        let declared = claim.domains.iter().filter(|(_, d)| d.constant);
-        let number = pi.then(|| Symbol::new("\\pi"));
+        let constants = constants(claim, &named, pi);
         let mut problem = Problem {
             atoms: Atoms::default(),
             facts: Vec::new(),
@@ -132,7 +131,7 @@ impl Problem {
             sequences,
             elements: claim.sequences.clone(),
             counts: counts.clone(),
-            constants: declared.map(|(s, _)| s.clone()).chain(number).collect(),
+            constants,
             powers: powers.filter(|_| apart),
             functions,
             formulas: Vec::new(),
@@ -595,6 +594,15 @@ fn sequences(claim: &Claim) -> BTreeSet<Symbol> {
     claim.sequences.keys().cloned().chain(mentioned).collect()
 }
 
+/// The symbols that depend on no variable, and the sequences whose elements do not.
+fn constants(claim: &Claim, named: &[&Symbol], pi: bool) -> BTreeSet<Symbol> {
+    let declared = claim.domains.iter().filter(|(_, d)| d.constant);
+    // `x` may be something else than the elements `x_i`.
+    let sequences = (claim.sequences.iter()).filter(|(s, d)| d.constant && !named.contains(s));
+    let symbols = declared.chain(sequences).map(|(symbol, _)| symbol.clone());
+    symbols.chain(pi.then(|| Symbol::new("\\pi"))).collect()
+}
+
 /// The symbols that say how many elements there are. A sum up to the index of another says nothing of the symbol
 /// outside of it.
 fn counts(claim: &Claim) -> BTreeSet<Symbol> {
@@ -650,7 +658,22 @@ fn is_variable(term: &Expr, symbol: &Symbol) -> bool {
     })
 }
 
-/// Whether a sum binds an index that occurs in `value`.
+/// Whether a sum binds an index that occurs in `value` outside of any sum of its own.
 fn captures(term: &Expr, value: &Expr) -> bool {
-    term.any(&|part| matches!(part, Expr::Series { index, .. } if value.mentions(index)))
+    term.any(&|part| matches!(part, Expr::Series { index, .. } if is_free(index, value)))
+}
+
+fn is_free(index: &Symbol, term: &Expr) -> bool {
+    match term {
+        Expr::Series { .. } => term.scope().is_some_and(|(own, body, outside)| {
+            let mut outside = outside.into_iter();
+            own != index && is_free(index, body) || outside.any(|e| is_free(index, e))
+        }),
+        Expr::Symbol(own) | Expr::Apply(own, _) if own == index => true,
+        Expr::Element {
+            sequence,
+            index: own,
+        } => sequence == index || own == index,
+        _ => term.binder() == Some(index) || term.children().any(|e| is_free(index, e)),
+    }
 }

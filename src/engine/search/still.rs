@@ -53,10 +53,16 @@ fn held_still(obligation: &Obligation) -> Vec<Formula> {
     let said = said_to_move(obligation.claim());
     let mut still = Vec::new();
     for (_, atom) in obligation.problem().atoms.iter() {
-        if let Atom::Opaque(slope @ Expr::Derivative { body, .. }) = atom
-            && let Expr::Symbol(symbol) = &**body
-            && !said.contains(symbol)
-        {
+        let Atom::Opaque(slope @ Expr::Derivative { body, .. }) = atom else {
+            continue;
+        };
+        let is_still = match &**body {
+            Expr::Symbol(symbol) => !said.contains(symbol),
+            // A sum over data.
+            body @ Expr::Series { .. } => !said.iter().any(|symbol| body.mentions(symbol)),
+            _ => false,
+        };
+        if is_still {
             still.push(Formula::equal(slope.clone(), Expr::integer(0)));
         }
     }
