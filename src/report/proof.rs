@@ -24,6 +24,9 @@ impl Report<'_> {
             return vec!["the certificate cannot be written out".into()];
         };
         let mut lines = Vec::new();
+        if claim.goal != judged.goal.formula {
+            lines.push(format!("it is enough that {}", plain_formula(&claim.goal)));
+        }
         for &position in &certificate.unfold {
             if let Some(hypothesis) = claim.hypotheses.get(position) {
                 lines.push(format!(

@@ -5,6 +5,7 @@
 //! citation is told apart from an error.
 
 mod cases;
+mod constant;
 mod dimensions;
 mod entry;
 mod given;

@@ -19,9 +19,15 @@ impl Judge<'_> {
     /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.
     pub(super) fn stated(&mut self, entry: &Entry) -> Option<Vec<Symbol>> {
         let equation = &self.derivation.equations[self.at];
-        let [judged] = &entry.judged[..] else {
+        // `E = T + V = \text{const}` defines and says of what it defines that it does not change.
+        let defines = |judged: &&Judged| matches!(judged.outcome, Outcome::Defined);
+        let defined = entry.judged.iter().take_while(defines).count();
+        let [judged] = &entry.judged[defined..] else {
             return None;
         };
+        if defined > 0 && self.some_constant(&judged.goal, &[]).is_none() {
+            return None;
+        }
         if !equation.bare || entry.mended.is_some() || !entry.missing.is_empty() {
             return None;
         }
@@ -78,7 +84,10 @@ impl Judge<'_> {
         let mut all: Vec<Assumed> = own.cloned().collect();
         all.extend(sound);
         all.push(step(&goal.formula));
-        (!self.is_contradictory(&all, &goal)).then_some(symbols)
+        let named = symbols.into_iter();
+        let named = named.filter(|symbol| !self.derivation.is_some_constant(symbol));
+        let named = named.collect();
+        (!self.is_contradictory(&all, &goal)).then_some(named)
     }
 }
 

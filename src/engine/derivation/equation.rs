@@ -177,6 +177,31 @@ fn clause_goals(clause: &Clause, at: usize) -> Vec<Goal> {
     }
 }
 
+/// Changes each term of a statement, in its other readings too, given where it stands.
+pub(super) fn each_side(statement: &mut Statement, change: &mut impl FnMut(&mut Expr, Span)) {
+    let mut of = |clauses: &mut Vec<Clause>| {
+        for clause in clauses {
+            match clause {
+                Clause::Chain { sides, .. } => {
+                    sides.iter_mut().for_each(|s| change(&mut s.expr, s.span));
+                }
+                Clause::AllEqual {
+                    to, value, span, ..
+                } => {
+                    change(to, *span);
+                    value.iter_mut().for_each(|s| change(&mut s.expr, s.span));
+                }
+            }
+        }
+    };
+    of(&mut statement.clauses);
+    of(&mut statement.under);
+    for other in &mut statement.others {
+        of(&mut other.statement.clauses);
+        of(&mut other.statement.under);
+    }
+}
+
 /// The formulas of a statement that says one thing: no implication, no question.
 pub fn formulas(statement: &Statement) -> Vec<Formula> {
     let clauses = statement.clauses.iter().enumerate();

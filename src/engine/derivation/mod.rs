@@ -6,6 +6,7 @@
 
 mod beside;
 mod checker;
+mod constants;
 mod counts;
 mod definition;
 mod equation;
@@ -52,6 +53,8 @@ pub struct Derivation {
     neighbours: Vec<BTreeSet<usize>>,
     /// By page, the indices that run through sequences.
     running: Vec<Vec<Running>>,
+    /// The constants to which nobody gives a name: `\text{const}`.
+    constants: BTreeSet<Symbol>,
 }
 
 /// A hypothesis with where it comes from.
@@ -102,6 +105,7 @@ impl Derivation {
             pages_of: BTreeMap::new(),
             neighbours: Vec::new(),
             running: Vec::new(),
+            constants: BTreeSet::new(),
         };
         let documents = documents.into_iter().map(|(mut own, beside)| {
             own.beside = beside.as_ref().map(|beside| Arc::clone(&beside.file));
@@ -112,7 +116,9 @@ impl Derivation {
             derivation.pages.push(page);
             derivation.equations.extend(equations);
         }
-        definition::settle(&mut derivation.equations, &derivation.pages);
+        let (pages, equations) = (&mut derivation.pages, &mut derivation.equations);
+        derivation.constants = constants::tell_apart(pages, equations);
+        definition::settle(equations, pages, &derivation.constants);
         for (at, equation) in derivation.equations.iter().enumerate() {
             let labels = [
                 tag_key(equation.tag.as_deref()),
@@ -425,7 +431,8 @@ impl Derivation {
             let statements = read_formulas(source, body).ok()?;
             let plain = statements.iter().filter(|s| s.under.is_empty());
             let said: Vec<Formula> = plain.flat_map(formulas).collect();
-            Some(said.into_iter().map(move |formula| (body, formula)))
+            let said = said.into_iter().filter(|f| !constants::speaks_of_some(f));
+            Some(said.map(move |formula| (body, formula)))
         });
         read.flatten().collect()
     }
@@ -433,6 +440,11 @@ impl Derivation {
     /// A local hypothesis by its source.
     pub fn local(&self, page: usize, local: usize) -> &Local {
         &self.pages[page].locals[local]
+    }
+
+    /// Whether a symbol is a constant to which nobody gives a name: one of which is said somewhere that there is one.
+    pub fn is_some_constant(&self, symbol: &Symbol) -> bool {
+        self.constants.contains(symbol)
     }
 
     /// The claim that a goal of an equation follows from hypotheses, with the domains of all symbols in it.

@@ -13,11 +13,11 @@ use crate::document::{
 };
 use crate::document::{above_signs, nearest};
 use crate::kernel::Domain;
-use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
+use crate::notation::{Spanned, Statement, SyntaxError, read_formulas, read_symbol};
 
 use super::beside::{Beside, Clash, Place};
 use super::definition::Known;
-use super::equation::formulas;
+use super::equation::{each_side, formulas};
 use super::rows::Part;
 use super::{Equation, Kind, counts, names, rows};
 
@@ -500,27 +500,10 @@ impl Page {
         if self.euler.is_empty() {
             return;
         }
-        let read = |term: &mut Expr| *term = exponentials(term, &self.euler);
-        let clauses = statements.flat_map(|statement| {
-            let others = statement.others.iter_mut();
-            let others = others.flat_map(|other| {
-                let (clauses, under) = (&mut other.statement.clauses, &mut other.statement.under);
-                clauses.iter_mut().chain(under)
+        for statement in statements {
+            each_side(statement, &mut |term, _| {
+                *term = exponentials(term, &self.euler)
             });
-            statement
-                .clauses
-                .iter_mut()
-                .chain(&mut statement.under)
-                .chain(others)
-        });
-        for clause in clauses {
-            match clause {
-                Clause::Chain { sides, .. } => sides.iter_mut().for_each(|s| read(&mut s.expr)),
-                Clause::AllEqual { to, value, .. } => {
-                    read(to);
-                    value.iter_mut().for_each(|s| read(&mut s.expr));
-                }
-            }
         }
     }
 

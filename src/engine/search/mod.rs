@@ -34,7 +34,7 @@ use crate::kernel::{
     Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
 pub use algebraic::without_rational_points;
-pub use implied::{Implied, implied};
+pub use implied::{Implied, implied, value_in_constants};
 pub use induction::{prove_for_every, refute_by_first_elements};
 pub use mend::{Change, Mended, mended};
 pub use missing::{missing_among, missing_suppositions};
