@@ -236,6 +236,13 @@ impl Report<'_> {
                     false => "taken as given: it follows from nothing before".into(),
                 }
             }
+            Note::TakenAsGiven(symbols) if self.equation(own).drawn => {
+                let symbols = symbols.iter().map(words::symbol).collect();
+                format!(
+                    "taken for a definition, not checked: nothing before speaks of {}",
+                    words::list(symbols)
+                )
+            }
             Note::TakenAsGiven(symbols) => {
                 let new = &self.equation(own).introduces;
                 let what = match symbols.iter().all(|symbol| new.contains(symbol)) {

@@ -436,6 +436,7 @@ impl Auditor<'_> {
         }
         if defines && entry.judged.len() == 1 {
             entry.kind = Kind::Given;
+            entry.notes.extend(judge.unchecked(&entry));
         }
         let used: BTreeSet<usize> = entry
             .judged

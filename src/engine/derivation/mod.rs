@@ -4,12 +4,14 @@
 //! [`Equation`]: what it states, what kind of statement it is, and what it is said to rest on. From these
 //! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
 
+mod arguments;
 mod beside;
 mod checker;
 mod constants;
 mod counts;
 mod definition;
 mod equation;
+mod euler;
 mod names;
 mod page;
 mod rows;
@@ -117,6 +119,13 @@ impl Derivation {
             derivation.equations.extend(equations);
         }
         let (pages, equations) = (&mut derivation.pages, &mut derivation.equations);
+        for (at, page) in pages.iter_mut().enumerate() {
+            let own = equation::of_page(at, equations);
+            arguments::leave_out(page, &mut equations[own]);
+        }
+        for own in page::of_documents(pages) {
+            euler::recognize(&own, pages, equations);
+        }
         derivation.constants = constants::tell_apart(pages, equations);
         definition::settle(equations, pages, &derivation.constants);
         for (at, equation) in derivation.equations.iter().enumerate() {
@@ -395,8 +404,7 @@ impl Derivation {
 
     /// The positions of the equations of a page.
     pub fn equations_of(&self, page: usize) -> Range<usize> {
-        let start = self.equations.partition_point(|e| e.page < page);
-        start..self.equations.partition_point(|e| e.page <= page)
+        equation::of_page(page, &self.equations)
     }
 
     /// The hypotheses in effect where an equation stands.
@@ -426,9 +434,10 @@ impl Derivation {
     /// The values that the text around an equation names without supposing them, with their places.
     pub fn mentioned(&self, at: usize) -> Vec<(Span, Formula)> {
         let equation = &self.equations[at];
-        let source = &self.pages[equation.page].document.source;
+        let page = &self.pages[equation.page];
         let read = equation.mentioned.iter().filter_map(|&body| {
-            let statements = read_formulas(source, body).ok()?;
+            let mut statements = read_formulas(&page.document.source, body).ok()?;
+            page.read_exponentials(statements.iter_mut());
             let plain = statements.iter().filter(|s| s.under.is_empty());
             let said: Vec<Formula> = plain.flat_map(formulas).collect();
             let said = said.into_iter().filter(|f| !constants::speaks_of_some(f));

@@ -113,6 +113,10 @@ struct Between {
     mentioned: Vec<Span>,
     /// Whether words say that the display follows from something.
     concludes: Option<bool>,
+    /// Whether they cite something just before the display.
+    cites: bool,
+    /// Whether they say what something is meant by.
+    defines: bool,
     /// Whether they go on from the display before.
     relative: bool,
 }
@@ -188,6 +192,8 @@ pub(super) fn read_page(
                 between.cited.extend(prose.citations.iter().cloned());
                 between.relative |= prose.is_relative && between.concludes.is_none();
                 between.concludes = prose.concludes.or(between.concludes);
+                between.cites |= prose.cites;
+                between.defines |= prose.defines;
                 let mut mentioned = prose.mentions.clone();
                 for &Supposition { kind, body } in &prose.suppositions {
                     if kind == SuppositionKind::General {
@@ -276,6 +282,9 @@ pub(super) fn read_page(
                         || said.derived
                         || said.from.is_some()
                         || said.numeric.is_some());
+                // What is announced is not cited.
+                let cites = said.cites && !said.cited.iter().all(announces);
+                let drawn = (said.concludes == Some(true) || cites) && !said.defines;
                 let of_display = read.len();
                 last = equations.len()..equations.len() + of_display;
                 let mut name = said.name;
@@ -320,6 +329,7 @@ pub(super) fn read_page(
                         opens: alone && kind == Kind::Derived && !stated,
                         relative: said.relative,
                         bare: bare && kind == Kind::Derived && part.continues == 0,
+                        drawn: drawn && kind == Kind::Derived,
                         numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
                         premises: match &said.from {
                             Some(named) => Premises::Named(named.clone()),
@@ -351,7 +361,23 @@ pub(super) fn read_page(
     (page, equations)
 }
 
-fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
+/// The pages of each document: what LaTeX puts together from several files is one, and so is all else that is read together.
+pub(super) fn of_documents(pages: &[Page]) -> Vec<Vec<usize>> {
+    let mut documents: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
+    let mut first = 0;
+    for (at, page) in pages.iter().enumerate() {
+        let before = &pages[first].document;
+        if !before.is_latex || !Arc::ptr_eq(&page.document.origin, &before.origin) {
+            first = at;
+        }
+        let document = page.document.is_latex.then_some(first);
+        documents.entry(document).or_default().push(at);
+    }
+    documents.into_values().collect()
+}
+
+/// Reads powers of Euler's number as exponentials.
+pub(super) fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
     let is_euler = |term: &Expr| matches!(term, Expr::Symbol(symbol) if euler.contains(symbol));
     let raised = |exponent: Expr| Expr::Call(Function::Exp, exponent.into());
     match term {
@@ -496,7 +522,10 @@ impl Page {
     }
 
     /// Reads `e^x` as `\exp(x)`, where e is declared to be Euler's number.
-    fn read_exponentials<'a>(&self, statements: impl Iterator<Item = &'a mut Statement>) {
+    pub(super) fn read_exponentials<'a>(
+        &self,
+        statements: impl Iterator<Item = &'a mut Statement>,
+    ) {
         if self.euler.is_empty() {
             return;
         }

@@ -150,6 +150,8 @@ fn moved(item: Item, by: usize) -> Item {
             mut suppositions,
             mut mentions,
             concludes,
+            cites,
+            defines,
             is_relative,
         }) => {
             for inline in &mut math {
@@ -172,6 +174,8 @@ fn moved(item: Item, by: usize) -> Item {
                 suppositions,
                 mentions,
                 concludes,
+                cites,
+                defines,
                 is_relative,
             })
         }
