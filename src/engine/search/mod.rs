@@ -16,6 +16,7 @@ mod missing;
 mod point;
 mod positivity;
 mod prove;
+mod rates;
 mod refute;
 mod roots;
 mod scaling;
@@ -154,6 +155,9 @@ pub fn decide_within(
             }
         }
         if effort == Effort::Light {
+            if let Some(decision) = rates::decide(obligation) {
+                return decision;
+            }
             known = points.near(hints).find_map(|p| refuted(obligation, p));
         }
         if let Some(refuted) = first(&mut points, budget, |point| refuted(obligation, point)) {
@@ -424,7 +428,13 @@ fn prove(
 }
 
 fn derived(obligation: &Obligation, certificate: Certificate) -> Option<Derived> {
-    let combined = combined_hypotheses(obligation.problem(), &certificate);
+    let combined = match certificate.rates.is_empty() {
+        true => combined_hypotheses(obligation.problem(), &certificate),
+        false => {
+            let problem = obligation.problem().with_rates(&certificate.rates).ok()?;
+            combined_hypotheses(&problem, &certificate)
+        }
+    };
     match obligation.check(Candidate::Proof(certificate)) {
         Ok(Checked::Proven(proven)) => Some(Derived { proven, combined }),
         _ => None,
@@ -452,18 +462,27 @@ pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
     // What was put in is in every fact.
     obligation.unfold().contains(&hypothesis)
         || Prover::without(problem, silenced).is_ok_and(|prover| {
-            let attempt = attempt_with(prover, obligation, Effort::Light);
+            let attempt = attempt_with(prover, obligation, problem, Effort::Light);
             matches!(attempt, Attempt::Proof(_))
         })
 }
 
 fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
-    let prover = Prover::new(obligation.problem())?;
-    Ok(attempt_with(prover, obligation, effort))
+    let problem = obligation.problem();
+    let found = attempt_with(Prover::new(problem)?, obligation, problem, effort);
+    if !matches!(found, Attempt::Nothing) || effort == Effort::Light {
+        return Ok(found);
+    }
+    Ok(rates::attempt(obligation).unwrap_or(Attempt::Nothing))
 }
 
-fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> Attempt {
-    let problem = obligation.problem();
+/// The goal proved from the facts of `problem`: those of the obligation, or more.
+fn attempt_with(
+    mut prover: Prover,
+    obligation: &Obligation,
+    problem: &Problem,
+    effort: Effort,
+) -> Attempt {
     let Some(conclusion) = prover.prove(&problem.goal, effort) else {
         return Attempt::Nothing;
     };
@@ -511,6 +530,7 @@ fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> 
     }
     Attempt::Proof(Certificate {
         unfold: obligation.unfold().to_vec(),
+        rates: Vec::new(),
         lemmas: prover.into_lemmas(),
         conclusion,
     })
@@ -547,7 +567,7 @@ fn combined_hypotheses(problem: &Problem, certificate: &Certificate) -> BTreeSet
         }
         for fact in facts_of(proofs[at]) {
             match problem.origins.get(fact) {
-                Some(Origin::Hypothesis(position)) => {
+                Some(Origin::Hypothesis(position) | Origin::Rate(position)) => {
                     used.insert(*position);
                 }
                 Some(_) => {}
