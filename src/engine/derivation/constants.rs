@@ -9,13 +9,14 @@ use crate::document::Span;
 use crate::notation::is_constant_word;
 
 use super::Equation;
-use super::equation::each_side;
+use super::equation::{each_side, formulas};
 use super::page::Page;
 
 /// Gives each constant without a name one that nothing else has, and tells them all: the first of a word is called by the word, the
 /// second `\text{const}_2`. What a page declares by such a word is a symbol like any other there.
 ///
-/// A side that stands in two equations, for rows go on with one another, is the same in both.
+/// A side that stands in two equations, for rows go on with one another, is the same in both; and what a display bounds or orders,
+/// `F = \text{const} \cdot x, \text{const} > 0`, is what it spoke of before.
 pub(super) fn tell_apart(pages: &mut [Page], equations: &mut [Equation]) -> BTreeSet<Symbol> {
     let words = words(pages, equations);
     let mut names = Names {
@@ -26,6 +27,8 @@ pub(super) fn tell_apart(pages: &mut [Page], equations: &mut [Equation]) -> BTre
             .collect(),
         counts: BTreeMap::new(),
         told: BTreeSet::new(),
+        last: BTreeMap::new(),
+        again: false,
     };
     if words.iter().all(|symbol| names.taken.contains(symbol)) {
         return names.told;
@@ -33,8 +36,13 @@ pub(super) fn tell_apart(pages: &mut [Page], equations: &mut [Equation]) -> BTre
     let mut sides: BTreeMap<(usize, Span), Expr> = BTreeMap::new();
     for equation in equations {
         let page = &mut pages[equation.page];
+        if equation.row == 0 {
+            names.last.clear();
+        }
         let statements = equation.statements.iter_mut().flatten();
         for statement in statements {
+            let said = formulas(statement);
+            names.again = said.iter().all(|formula| formula.as_equation().is_none());
             each_side(statement, &mut |term, span| {
                 if mentions_word(term) {
                     let named = sides.entry((equation.page, span));
@@ -44,6 +52,7 @@ pub(super) fn tell_apart(pages: &mut [Page], equations: &mut [Equation]) -> BTre
             });
         }
     }
+    names.again = false;
     for page in pages {
         for at in 0..page.locals.len() {
             let supposed = page.locals[at].formulas.clone();
@@ -83,13 +92,19 @@ struct Names {
     /// How often each word was met.
     counts: BTreeMap<Symbol, usize>,
     told: BTreeSet<Symbol>,
+    /// What each word stood for last in the display.
+    last: BTreeMap<Symbol, Symbol>,
+    /// Whether it stands for that again.
+    again: bool,
 }
 
 impl Names {
     fn named(&mut self, term: &Expr, page: &mut Page) -> Expr {
         match term {
             Expr::Symbol(word) if is_constant_word(word) && !page.is_declared(word) => {
-                let symbol = self.next(word);
+                let again = self.last.get(word).filter(|_| self.again).cloned();
+                let symbol = again.unwrap_or_else(|| self.next(word));
+                self.last.insert(word.clone(), symbol.clone());
                 page.domains.entry(symbol.clone()).or_default().constant = true;
                 Expr::Symbol(symbol)
             }
