@@ -229,7 +229,19 @@ impl Report<'_> {
                 format!("{} taken as constant", words::list(shown))
             }
             Note::TakenAsGiven(symbols) if symbols.is_empty() => {
-                "taken as given: it follows from nothing before".into()
+                let symbols = self.equation(own).symbols();
+                let held = |symbol| self.derivation.is_some_constant(symbol);
+                match symbols.iter().any(held) {
+                    true => "taken as given: nothing before shows that it does not change".into(),
+                    false => "taken as given: it follows from nothing before".into(),
+                }
+            }
+            Note::TakenAsGiven(symbols) if self.equation(own).drawn => {
+                let symbols = symbols.iter().map(words::symbol).collect();
+                format!(
+                    "taken for a definition, not checked: nothing before speaks of {}",
+                    words::list(symbols)
+                )
             }
             Note::TakenAsGiven(symbols) => {
                 let new = &self.equation(own).introduces;

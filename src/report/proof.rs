@@ -20,10 +20,15 @@ impl Report<'_> {
     /// The proof of one link, a step a line.
     pub fn proof(&self, judged: &Judged, proven: &Proven) -> Vec<String> {
         let (claim, certificate) = (proven.claim(), proven.certificate());
-        let Ok(problem) = Problem::new(claim, &certificate.unfold) else {
+        let problem = Problem::new(claim, &certificate.unfold)
+            .and_then(|problem| problem.with_rates(&certificate.rates));
+        let Ok(problem) = problem else {
             return vec!["the certificate cannot be written out".into()];
         };
         let mut lines = Vec::new();
+        if claim.goal != judged.goal.formula {
+            lines.push(format!("it is enough that {}", plain_formula(&claim.goal)));
+        }
         for &position in &certificate.unfold {
             if let Some(hypothesis) = claim.hypotheses.get(position) {
                 lines.push(format!(
@@ -80,6 +85,9 @@ impl Report<'_> {
             .map(|&at| {
                 let origin = match &problem.origins[at] {
                     Origin::Hypothesis(position) => self.premise(judged, *position),
+                    Origin::Rate(position) => {
+                        format!("{}, differentiated", self.premise(judged, *position))
+                    }
                     Origin::Domain(symbol) => {
                         format!("declared domain of {}", words::symbol(symbol))
                     }

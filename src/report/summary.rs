@@ -1,6 +1,6 @@
 //! The end of the page: how many of each verdict, page by page, and a closing sentence.
 
-use crate::audit::{Entry, Verdict};
+use crate::audit::{Entry, Note, Verdict};
 
 use super::Report;
 use super::style::{BOLD, DIM, paint};
@@ -91,6 +91,10 @@ impl Report<'_> {
                     count(wrong, "statement")
                 )
             }
+            (0, 0) if entries.iter().any(|e| self.is_unchecked(e)) => {
+                "Nothing was found amiss, but what is taken for a definition was not checked."
+                    .into()
+            }
             (0, 0) => "Nothing is amiss.".to_owned(),
             (0, _) => "Nothing was found amiss, but what is undecided was not checked.".to_owned(),
             _ => {
@@ -104,6 +108,12 @@ impl Report<'_> {
             }
         };
         format!("{first}\n{}\n", paint(BOLD, &second))
+    }
+
+    /// Whether a step is taken for a definition.
+    fn is_unchecked(&self, entry: &Entry) -> bool {
+        let given = |note: &Note| matches!(note, Note::TakenAsGiven(_));
+        self.equation(entry.equation).drawn && entry.notes.iter().any(given)
     }
 
     fn cells(&self, entries: &[&Entry], problems: usize) -> String {

@@ -26,7 +26,8 @@ pub(super) struct Found {
     pub nameable: bool,
 }
 
-/// The symbols of a page in the order in which they first stand. What is bound is left out, and so is π.
+/// The symbols of a page in the order in which they first stand. What is bound is left out, and so are π and
+/// constants without a name.
 pub(super) fn symbols(derivation: &Derivation, dimensions: &Dimensions, page: usize) -> Vec<Found> {
     let mut terms: Vec<(Span, Formula)> = Vec::new();
     for at in derivation.equations_of(page) {
@@ -69,6 +70,7 @@ pub(super) fn symbols(derivation: &Derivation, dimensions: &Dimensions, page: us
             let element = element_parts(&name).is_some_and(|(own, _)| sequences.contains(&own));
             if name.name() == "\\pi"
                 || measured(&name).is_some()
+                || derivation.is_some_constant(&name)
                 || element
                 || !seen.insert(name.clone())
             {

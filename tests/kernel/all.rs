@@ -11,6 +11,7 @@ mod induction;
 mod knowledge;
 mod obligations;
 mod proofs;
+mod rates;
 mod readings;
 mod roots;
 mod scaling;

@@ -206,6 +206,7 @@ impl Proving {
     /// What the kernel says of a proof of the goal.
     pub fn checked(&self, conclusion: Proof) -> Result<(), Reject> {
         let certificate = Certificate {
+            rates: Vec::new(),
             unfold: self.unfold.clone(),
             lemmas: self.lemmas.clone(),
             conclusion,

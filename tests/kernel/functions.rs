@@ -224,6 +224,29 @@ fn logarithm_takes_any_value_of_something_positive() {
 }
 
 #[test]
+fn product_with_a_power_of_what_is_left_open_has_the_sign_of_the_rest() {
+    let claim = |premise: &str| claim(&[premise], "\\ln x = 7").domain("x", positive());
+    let at = |value| with(&[], &[(Function::Ln, "x", value)]);
+    assert_eq!(refuted(&claim("x^2 > 0"), at(ratio(1, 1))), Ok(()));
+    assert_eq!(refuted(&claim("x^3 \\neq 0"), at(ratio(1, 1))), Ok(()));
+    // The logarithm is positive above 1, and negative below.
+    assert_eq!(refuted(&claim("x^2 (x - 1) > 0"), at(ratio(1, 1))), Ok(()));
+    let below = at(ratio(-1, 1));
+    assert_eq!(
+        refuted(&claim("x^2 (x - 1) > 0"), below),
+        Err(Reject::OutsideDomain)
+    );
+    assert_eq!(
+        refuted(&claim("-x^2 > 0"), at(ratio(1, 1))),
+        Err(Reject::PremiseFalse(0))
+    );
+    assert_eq!(
+        refuted(&claim("x^2 = 4"), at(ratio(1, 1))),
+        Err(Reject::NotPrivate)
+    );
+}
+
+#[test]
 fn functions_of_known_numbers_have_their_own_values() {
     let at = || point(&[("x", 0)]);
     assert_eq!(refuted(&claim(&[], "\\sin(x) = 1"), at()), Ok(()));

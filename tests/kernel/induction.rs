@@ -58,6 +58,7 @@ fn part(
 
 fn conclusion(conclusion: Proof) -> Certificate {
     Certificate {
+        rates: Vec::new(),
         unfold: Vec::new(),
         lemmas: Vec::new(),
         conclusion,

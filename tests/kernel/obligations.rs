@@ -47,6 +47,7 @@ fn proof_is_judged_by_what_it_puts_in_itself() {
         let read = Obligation::new(goal.clone(), unfold).expect("a claim that can be read");
         let verdict = |unfold: &[usize]| {
             let certificate = Certificate {
+                rates: Vec::new(),
                 unfold: unfold.to_vec(),
                 lemmas: vec![],
                 conclusion: conclusion.clone(),

@@ -157,6 +157,7 @@ fn scaling_relation_says_at_one_point_that_its_sides_are_sizes_and_no_more() {
 fn goal_without_an_exact_meaning_is_rejected() {
     use cradle_verify::kernel::{Candidate, Certificate, check};
     let certificate = Certificate {
+        rates: Vec::new(),
         unfold: vec![],
         lemmas: vec![],
         conclusion: divided_out().combination(&[], 1, &[]),

@@ -411,7 +411,11 @@ impl Lowering<'_> {
         }
     }
 
-    pub(super) fn derivative(&mut self, value: &Fraction, variable: &Symbol) -> Lowered {
+    /// The derivative of a value by a symbol; [`Lowering::conditions`] grows by what it needs.
+    ///
+    /// # Errors
+    /// As [`Lowering::lower`].
+    pub fn derivative(&mut self, value: &Fraction, variable: &Symbol) -> Lowered {
         let mut total = Fraction::default();
         let mut vars: BTreeSet<Var> = value.numerator().vars().into_iter().collect();
         for (factor, _) in value.denominator() {

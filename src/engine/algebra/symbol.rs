@@ -37,6 +37,11 @@ impl Symbol {
         &self.0
     }
 
+    /// `M`, of `M_{\max}`.
+    pub fn without_subscript(&self) -> Option<Symbol> {
+        split_subscript(self.name()).map(|(stem, _)| Symbol::new(stem))
+    }
+
     /// Whether it stands for a unit of measurement: `\unit{m}`.
     pub fn is_unit(&self) -> bool {
         self.0.starts_with("\\unit{")

@@ -114,6 +114,9 @@ impl Judge<'_> {
             assumed: assumed.clone(),
             outcome: Outcome::Open(Stop::default()),
         });
+        if let Some(constant) = self.some_constant(goal, &assumed) {
+            return self.is_constant(goal, &constant, assumed, premises);
+        }
         if search::is_scaling(&goal.formula) {
             self.scaling(goal, &assumed, premises, &mut found);
             return found;
@@ -213,7 +216,7 @@ impl Judge<'_> {
     }
 
     /// How many choices of values may be tried, where the author limits that.
-    fn points(&self) -> Option<usize> {
+    pub(super) fn points(&self) -> Option<usize> {
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         page.beside.as_ref()?.budget.points
     }
@@ -382,7 +385,7 @@ impl Judge<'_> {
     }
 
     /// The same of the hypotheses of a claim that was read before.
-    fn contradicts_itself(&self, posed: &Obligation) -> bool {
+    pub(super) fn contradicts_itself(&self, posed: &Obligation) -> bool {
         if posed.claim().hypotheses.is_empty() {
             return false;
         }

@@ -5,6 +5,7 @@
 //! citation is told apart from an error.
 
 mod cases;
+mod constant;
 mod dimensions;
 mod entry;
 mod given;
@@ -443,6 +444,7 @@ impl Auditor<'_> {
         }
         if defines && entry.judged.len() == 1 {
             entry.kind = Kind::Given;
+            entry.notes.extend(judge.unchecked(&entry));
         }
         let used: BTreeSet<usize> = entry
             .judged

@@ -11,6 +11,7 @@ use std::collections::BTreeSet;
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Kind, Source};
 use crate::notation::measured;
+use crate::search::{self, Effort};
 
 use super::judge::{Judge, step};
 use super::{Entry, Judged, Note, Outcome, Verdict};
@@ -19,9 +20,15 @@ impl Judge<'_> {
     /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.
     pub(super) fn stated(&mut self, entry: &Entry) -> Option<Vec<Symbol>> {
         let equation = &self.derivation.equations[self.at];
-        let [judged] = &entry.judged[..] else {
+        // `E = T + V = \text{const}` defines and says of what it defines that it does not change.
+        let defines = |judged: &&Judged| matches!(judged.outcome, Outcome::Defined);
+        let defined = entry.judged.iter().take_while(defines).count();
+        let [judged] = &entry.judged[defined..] else {
             return None;
         };
+        if defined > 0 && self.some_constant(&judged.goal, &[]).is_none() {
+            return None;
+        }
         if !equation.bare || entry.mended.is_some() || !entry.missing.is_empty() {
             return None;
         }
@@ -84,7 +91,47 @@ impl Judge<'_> {
         let mut all: Vec<Assumed> = own.cloned().collect();
         all.extend(sound);
         all.push(step(&goal.formula));
-        (!self.is_contradictory(&all, &goal)).then_some(symbols)
+        let named = symbols.into_iter();
+        let named = named.filter(|symbol| !self.derivation.is_some_constant(symbol));
+        let named = named.collect();
+        (!self.is_contradictory(&all, &goal)).then_some(named)
+    }
+}
+
+impl Judge<'_> {
+    /// What to say of a definition that words before it announce as a step: nothing, where it is one and `M_{\max}` is what the
+    /// premises give for `M`.
+    pub(super) fn unchecked(&self, entry: &Entry) -> Option<Note> {
+        let equation = &self.derivation.equations[self.at];
+        let [judged] = &entry.judged[..] else {
+            return None;
+        };
+        let (Expr::Symbol(symbol), value) = judged.goal.formula.as_equation()? else {
+            return None;
+        };
+        // What goes on with the name in the same display defines it.
+        let alone = equation.statements().len() == 1;
+        if !equation.drawn || !alone || quantities(value).is_empty() {
+            return None;
+        }
+        let assumed = &self.usable.assumed;
+        let known = |base: &Symbol| {
+            let mut terms = assumed.iter().flat_map(|a| a.formula.terms());
+            terms.any(|term| term.mentions(base))
+        };
+        let base = symbol.without_subscript().filter(known);
+        let follows = base.is_some_and(|base| {
+            let goal = Formula::equal(Expr::Symbol(base), value.clone());
+            // "Its maximum at $x = L/2$ is" names where.
+            let named = self.derivation.mentioned(self.at).into_iter();
+            let named = named.map(|(_, formula)| Some(step(&formula)));
+            named.chain([None]).any(|named| {
+                let all: Vec<Assumed> = assumed.iter().cloned().chain(named).collect();
+                let claim = self.derivation.claim(self.at, &all, &goal);
+                search::prove_unconditionally(claim, Effort::Light).is_some()
+            })
+        });
+        (!follows).then(|| Note::TakenAsGiven(vec![symbol.clone()]))
     }
 
     /// Whether an equation that stands before says what a term is.

@@ -25,7 +25,11 @@ pub enum Without {
 /// For each source of premises that the proof of a link uses: what becomes of the link without it. Nothing for a link
 /// that is not proved.
 pub fn without_each(derivation: &Derivation, at: usize, judged: &Judged) -> Vec<(Source, Without)> {
-    if !matches!(judged.outcome, Outcome::Proven(_)) {
+    // Of what is said to be some constant it is not shown that it is none.
+    let mut symbols = judged.goal.formula.free_symbols().into_iter();
+    if !matches!(judged.outcome, Outcome::Proven(_))
+        || symbols.any(|symbol| derivation.is_some_constant(&symbol))
+    {
         return Vec::new();
     }
     let all = sources(&judged.assumed).into_iter().take(MOST_PREMISES);

@@ -13,7 +13,7 @@ use super::{Equation, Kind, counts};
 
 /// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, nor in an equation that is supposed
 /// where they stand ("Let $x = 2$ and $W = w$"), and notes which symbols are new.
-pub(super) fn settle(equations: &mut [Equation], pages: &[Page]) {
+pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTreeSet<Symbol>) {
     let mut seen = BTreeSet::new();
     let mut sequences = Sequences::default();
     for equation in equations {
@@ -28,7 +28,9 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page]) {
         for (part, statement) in equation.statements().iter().enumerate() {
             // All cases of a definition define the same symbol.
             let defined = defined_symbol(statement, &seen, case.as_ref());
-            let defined = defined.filter(|symbol| !sequences.know(symbol, &seen));
+            // `\text{const} = p V` says something of `p V`.
+            let defined = defined
+                .filter(|symbol| !sequences.know(symbol, &seen) && !constants.contains(symbol));
             // "The magnification $M = -s'/s$ is": the display says what comes of it.
             let defined = defined.filter(|symbol| !is_told(symbol, equation, page));
             if defined.is_none() {

@@ -1,4 +1,5 @@
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use crate::document::Span;
@@ -39,6 +40,8 @@ pub struct Equation {
     pub bare: bool,
     /// Whether a mere "where" or "with" introduces it.
     pub meant: bool,
+    /// Whether words before it cite something or say that it follows, and none that it defines anything.
+    pub drawn: bool,
     /// It is a numeric claim: how near `≈` is meant, where that is said.
     pub numeric: Option<Option<BigRational>>,
     /// What it is said to follow from.
@@ -176,6 +179,51 @@ fn clause_goals(clause: &Clause, at: usize) -> Vec<Goal> {
             suppositions: Vec::new(),
             clause: at,
         }],
+    }
+}
+
+/// Where the equations of a page stand.
+pub(super) fn of_page(page: usize, equations: &[Equation]) -> Range<usize> {
+    let start = equations.partition_point(|equation| equation.page < page);
+    start..equations.partition_point(|equation| equation.page <= page)
+}
+
+/// The equations of some pages, which are in order.
+pub(super) fn of_pages<'a>(
+    pages: &'a [usize],
+    equations: &'a mut [Equation],
+) -> impl Iterator<Item = &'a mut Equation> {
+    let (first, last) = (pages.first().copied(), pages.last().copied());
+    let all = match (first, last) {
+        (Some(first), Some(last)) => of_page(first, equations).start..of_page(last, equations).end,
+        _ => 0..0,
+    };
+    let own = |equation: &&mut Equation| pages.binary_search(&equation.page).is_ok();
+    equations[all].iter_mut().filter(own)
+}
+
+/// Changes each term of a statement, in its other readings too, given where it stands.
+pub(super) fn each_side(statement: &mut Statement, change: &mut impl FnMut(&mut Expr, Span)) {
+    let mut of = |clauses: &mut Vec<Clause>| {
+        for clause in clauses {
+            match clause {
+                Clause::Chain { sides, .. } => {
+                    sides.iter_mut().for_each(|s| change(&mut s.expr, s.span));
+                }
+                Clause::AllEqual {
+                    to, value, span, ..
+                } => {
+                    change(to, *span);
+                    value.iter_mut().for_each(|s| change(&mut s.expr, s.span));
+                }
+            }
+        }
+    };
+    of(&mut statement.clauses);
+    of(&mut statement.under);
+    for other in &mut statement.others {
+        of(&mut other.statement.clauses);
+        of(&mut other.statement.under);
     }
 }
 

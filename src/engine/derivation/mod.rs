@@ -4,11 +4,14 @@
 //! [`Equation`]: what it states, what kind of statement it is, and what it is said to rest on. From these
 //! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
 
+mod arguments;
 mod beside;
 mod checker;
+mod constants;
 mod counts;
 mod definition;
 mod equation;
+mod euler;
 mod names;
 mod page;
 mod rows;
@@ -52,6 +55,8 @@ pub struct Derivation {
     neighbours: Vec<BTreeSet<usize>>,
     /// By page, the indices that run through sequences.
     running: Vec<Vec<Running>>,
+    /// The constants to which nobody gives a name: `\text{const}`.
+    constants: BTreeSet<Symbol>,
 }
 
 /// A hypothesis with where it comes from.
@@ -102,6 +107,7 @@ impl Derivation {
             pages_of: BTreeMap::new(),
             neighbours: Vec::new(),
             running: Vec::new(),
+            constants: BTreeSet::new(),
         };
         let documents = documents.into_iter().map(|(mut own, beside)| {
             own.beside = beside.as_ref().map(|beside| Arc::clone(&beside.file));
@@ -112,7 +118,16 @@ impl Derivation {
             derivation.pages.push(page);
             derivation.equations.extend(equations);
         }
-        definition::settle(&mut derivation.equations, &derivation.pages);
+        let (pages, equations) = (&mut derivation.pages, &mut derivation.equations);
+        for (at, page) in pages.iter_mut().enumerate() {
+            let own = equation::of_page(at, equations);
+            arguments::leave_out(page, &mut equations[own]);
+        }
+        for own in page::of_documents(pages) {
+            euler::recognize(&own, pages, equations);
+        }
+        derivation.constants = constants::tell_apart(pages, equations);
+        definition::settle(equations, pages, &derivation.constants);
         for (at, equation) in derivation.equations.iter().enumerate() {
             let labels = [
                 tag_key(equation.tag.as_deref()),
@@ -389,8 +404,7 @@ impl Derivation {
 
     /// The positions of the equations of a page.
     pub fn equations_of(&self, page: usize) -> Range<usize> {
-        let start = self.equations.partition_point(|e| e.page < page);
-        start..self.equations.partition_point(|e| e.page <= page)
+        equation::of_page(page, &self.equations)
     }
 
     /// The hypotheses in effect where an equation stands.
@@ -420,12 +434,14 @@ impl Derivation {
     /// The values that the text around an equation names without supposing them, with their places.
     pub fn mentioned(&self, at: usize) -> Vec<(Span, Formula)> {
         let equation = &self.equations[at];
-        let source = &self.pages[equation.page].document.source;
+        let page = &self.pages[equation.page];
         let read = equation.mentioned.iter().filter_map(|&body| {
-            let statements = read_formulas(source, body).ok()?;
+            let mut statements = read_formulas(&page.document.source, body).ok()?;
+            page.read_exponentials(statements.iter_mut());
             let plain = statements.iter().filter(|s| s.under.is_empty());
             let said: Vec<Formula> = plain.flat_map(formulas).collect();
-            Some(said.into_iter().map(move |formula| (body, formula)))
+            let said = said.into_iter().filter(|f| !constants::speaks_of_some(f));
+            Some(said.map(move |formula| (body, formula)))
         });
         read.flatten().collect()
     }
@@ -433,6 +449,11 @@ impl Derivation {
     /// A local hypothesis by its source.
     pub fn local(&self, page: usize, local: usize) -> &Local {
         &self.pages[page].locals[local]
+    }
+
+    /// Whether a symbol is a constant to which nobody gives a name: one of which is said somewhere that there is one.
+    pub fn is_some_constant(&self, symbol: &Symbol) -> bool {
+        self.constants.contains(symbol)
     }
 
     /// The claim that a goal of an equation follows from hypotheses, with the domains of all symbols in it.

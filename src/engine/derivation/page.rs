@@ -13,11 +13,11 @@ use crate::document::{
 };
 use crate::document::{above_signs, nearest};
 use crate::kernel::Domain;
-use crate::notation::{Clause, Spanned, Statement, SyntaxError, read_formulas, read_symbol};
+use crate::notation::{Spanned, Statement, SyntaxError, read_formulas, read_symbol};
 
 use super::beside::{Beside, Clash, Place};
 use super::definition::Known;
-use super::equation::formulas;
+use super::equation::{each_side, formulas};
 use super::rows::Part;
 use super::{Equation, Kind, counts, names, rows};
 
@@ -115,6 +115,10 @@ struct Between {
     mentioned: Vec<Span>,
     /// Whether words say that the display follows from something.
     concludes: Option<bool>,
+    /// Whether they cite something just before the display.
+    cites: bool,
+    /// Whether they say what something is meant by.
+    defines: bool,
     /// Whether they go on from the display before.
     relative: bool,
     /// Whether they are a mere "where" or "with".
@@ -193,6 +197,8 @@ pub(super) fn read_page(
                 between.relative |= prose.is_relative && between.concludes.is_none();
                 between.concludes = prose.concludes.or(between.concludes);
                 between.meant |= prose.says_what_is_meant;
+                between.cites |= prose.cites;
+                between.defines |= prose.defines;
                 let mut mentioned = prose.mentions.clone();
                 if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
                     told.retain(|&at| !page.locals[at].of_case);
@@ -284,6 +290,9 @@ pub(super) fn read_page(
                         || said.derived
                         || said.from.is_some()
                         || said.numeric.is_some());
+                // What is announced is not cited.
+                let cites = said.cites && !said.cited.iter().all(announces);
+                let drawn = (said.concludes == Some(true) || cites) && !said.defines;
                 let of_display = read.len();
                 last = equations.len()..equations.len() + of_display;
                 let mut name = said.name;
@@ -329,6 +338,7 @@ pub(super) fn read_page(
                         relative: said.relative,
                         bare: bare && kind == Kind::Derived && part.continues == 0,
                         meant: said.meant,
+                        drawn: drawn && kind == Kind::Derived,
                         numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
                         premises: match &said.from {
                             Some(named) => Premises::Named(named.clone()),
@@ -360,7 +370,23 @@ pub(super) fn read_page(
     (page, equations)
 }
 
-fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
+/// The pages of each document: what LaTeX puts together from several files is one, and so is all else that is read together.
+pub(super) fn of_documents(pages: &[Page]) -> Vec<Vec<usize>> {
+    let mut documents: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
+    let mut first = 0;
+    for (at, page) in pages.iter().enumerate() {
+        let before = &pages[first].document;
+        if !before.is_latex || !Arc::ptr_eq(&page.document.origin, &before.origin) {
+            first = at;
+        }
+        let document = page.document.is_latex.then_some(first);
+        documents.entry(document).or_default().push(at);
+    }
+    documents.into_values().collect()
+}
+
+/// Reads powers of Euler's number as exponentials.
+pub(super) fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
     let is_euler = |term: &Expr| matches!(term, Expr::Symbol(symbol) if euler.contains(symbol));
     let raised = |exponent: Expr| Expr::Call(Function::Exp, exponent.into());
     match term {
@@ -505,31 +531,17 @@ impl Page {
     }
 
     /// Reads `e^x` as `\exp(x)`, where e is declared to be Euler's number.
-    fn read_exponentials<'a>(&self, statements: impl Iterator<Item = &'a mut Statement>) {
+    pub(super) fn read_exponentials<'a>(
+        &self,
+        statements: impl Iterator<Item = &'a mut Statement>,
+    ) {
         if self.euler.is_empty() {
             return;
         }
-        let read = |term: &mut Expr| *term = exponentials(term, &self.euler);
-        let clauses = statements.flat_map(|statement| {
-            let others = statement.others.iter_mut();
-            let others = others.flat_map(|other| {
-                let (clauses, under) = (&mut other.statement.clauses, &mut other.statement.under);
-                clauses.iter_mut().chain(under)
+        for statement in statements {
+            each_side(statement, &mut |term, _| {
+                *term = exponentials(term, &self.euler)
             });
-            statement
-                .clauses
-                .iter_mut()
-                .chain(&mut statement.under)
-                .chain(others)
-        });
-        for clause in clauses {
-            match clause {
-                Clause::Chain { sides, .. } => sides.iter_mut().for_each(|s| read(&mut s.expr)),
-                Clause::AllEqual { to, value, .. } => {
-                    read(to);
-                    value.iter_mut().for_each(|s| read(&mut s.expr));
-                }
-            }
         }
     }
 

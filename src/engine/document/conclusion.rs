@@ -107,6 +107,28 @@ const WORKED: [&str; 62] = [
     "deduced",
 ];
 
+/// What comes after these is what something is meant by.
+const DEFINING: [&str; 18] = [
+    "define",
+    "defines",
+    "defined",
+    "definition",
+    "denote",
+    "denotes",
+    "denoted",
+    "call",
+    "called",
+    "introduce",
+    "introducing",
+    "abbreviate",
+    "abbreviation",
+    "let",
+    "set",
+    "setting",
+    "put",
+    "notation",
+];
+
 /// Whether a word, in lower case, draws a conclusion.
 pub(super) fn draws(word: &str) -> bool {
     DRAWN.contains(&word)
@@ -129,12 +151,26 @@ pub(super) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
     matches!(first, Some(Token::Word("where" | "with"))) && said.next().is_none()
 }
 
+/// Whether the last sentence says what is meant by what comes after it.
+pub(super) fn defines(tokens: &[Placed<'_>]) -> bool {
+    let defining = |(token, _): &Placed<'_>| match token {
+        Token::Word(word) => DEFINING.contains(&word.to_lowercase().as_str()),
+        _ => false,
+    };
+    last_sentence(tokens).is_some_and(|last| last.iter().any(defining))
+}
+
+/// The last sentence with a word in it.
+pub(super) fn last_sentence<'t, 'a>(tokens: &'t [Placed<'a>]) -> Option<&'t [Placed<'a>]> {
+    let says = |(token, _): &Placed<'_>| matches!(token, Token::Word(_));
+    let mut sentences = tokens.split(|(token, _)| *token == Token::Stop);
+    sentences.rfind(|sentence| sentence.iter().any(says))
+}
+
 /// Whether the last sentence says that what comes after it follows from something, as far as words tell; `None` where nothing
 /// is said.
 pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
-    let says = |(token, _): &Placed<'_>| matches!(token, Token::Word(_));
-    let mut sentences = tokens.split(|(token, _)| *token == Token::Stop);
-    let last = sentences.rfind(|sentence| sentence.iter().any(says))?;
+    let last = last_sentence(tokens)?;
     Some(last.iter().enumerate().any(|(at, (token, _))| {
         let Token::Word(word) = token else {
             return false;

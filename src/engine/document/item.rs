@@ -88,6 +88,10 @@ pub struct Prose {
     pub mentions: Vec<Span>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
     pub concludes: Option<bool>,
+    /// Whether its last sentence cites something.
+    pub cites: bool,
+    /// Whether its last sentence says what is meant by what comes next: "we define".
+    pub defines: bool,
     /// Its first sentence is about the display before it: "which by (2) is".
     pub is_relative: bool,
     /// It is a mere "where" or "with" between two displays.

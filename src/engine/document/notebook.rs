@@ -150,6 +150,8 @@ fn moved(item: Item, by: usize) -> Item {
             mut suppositions,
             mut mentions,
             concludes,
+            cites,
+            defines,
             is_relative,
             says_what_is_meant,
         }) => {
@@ -173,6 +175,8 @@ fn moved(item: Item, by: usize) -> Item {
                 suppositions,
                 mentions,
                 concludes,
+                cites,
+                defines,
                 is_relative,
                 says_what_is_meant,
             })

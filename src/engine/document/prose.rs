@@ -3,7 +3,7 @@
 use super::citation;
 use super::conclusion;
 use super::supposition;
-use super::{Inline, Prose, Span};
+use super::{Citation, Inline, Prose, Span};
 
 /// A piece of prose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,13 +57,18 @@ const LONGEST_TAG: usize = 48;
 pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span]) -> Prose {
     let tokens = tokens(source, span, inline, hidden);
     let (suppositions, mentions) = supposition::read(source, &tokens);
+    let citations = citation::read(&tokens);
+    let last = conclusion::last_sentence(&tokens).and_then(|last| last.first());
+    let in_last = |citation: &Citation| last.is_some_and(|(_, at)| at.start <= citation.span.end);
     Prose {
         span,
         math: inline.to_vec(),
-        citations: citation::read(&tokens),
+        cites: citations.iter().any(in_last),
+        citations,
         suppositions,
         mentions,
         concludes: conclusion::read(&tokens),
+        defines: conclusion::defines(&tokens),
         is_relative: conclusion::is_relative(&tokens),
         says_what_is_meant: conclusion::says_what_is_meant(&tokens),
     }

@@ -6,6 +6,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use super::Rate;
 use crate::algebra::{BigRational, Expr, Polynomial, Rational, Symbol, TooLarge, Var};
 
 /// What the search hands over. Nothing in here is believed.
@@ -32,6 +33,8 @@ impl Candidate {
 pub struct Certificate {
     /// The hypotheses of the form `symbol = term` that are put in everywhere first, in order.
     pub unfold: Vec<usize>,
+    /// The facts that are differentiated, in order; what comes of them stands after all other facts.
+    pub rates: Vec<Rate>,
     /// Facts to be added, in order, each with its proof.
     pub lemmas: Vec<Lemma>,
     /// The proof of the goal.

@@ -13,6 +13,7 @@
 //! | [`Proof::BothBounds`] | a ≥ 0 and −a ≥ 0 |
 //! | [`Proof::Square`] | −a² ≥ 0 |
 //! | [`Proof::Larger`] | a ≥ 0 and a² − (a − goal)² ≥ 0 |
+//! | [`Rate`] | a law differentiated anew: its derivative vanishes too |
 //! | [`Assignment`] | evaluate: premises true, goal false |
 //! | [`Algebraic`] | the same, modulo a polynomial with one root between two numbers |
 //! | [`ScalingProof`] | exponents of the goal = Σ rational · exponents of a premise |
@@ -35,6 +36,7 @@ mod obligation;
 mod powers;
 mod private;
 mod problem;
+mod rates;
 mod replay;
 mod scaling;
 mod series;
@@ -57,6 +59,7 @@ pub use knowledge::Knowledge;
 pub use obligation::Obligation;
 pub use problem::{Origin, Problem};
 pub(crate) use problem::{applied_definition, definition};
+pub use rates::Rate;
 pub use scaling::{
     Alike, Combination, Product, Row, Rows, Scales, ScalesNot, ScalingCandidate, ScalingProof,
     ScalingVerdict, Situations, Size, check_scaling,

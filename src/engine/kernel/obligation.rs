@@ -73,7 +73,8 @@ impl Obligation {
         let claim = || self.claim.clone();
         match candidate {
             Candidate::Proof(certificate) => {
-                replay::State::new(&self.problem).certificate(&certificate)?;
+                let problem = self.problem.with_rates(&certificate.rates)?;
+                replay::State::new(&problem).certificate(&certificate)?;
                 Ok(Checked::Proven(Proven {
                     claim: claim(),
                     certificate,

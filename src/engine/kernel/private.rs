@@ -140,20 +140,19 @@ impl Point<'_> {
         Ok(Some(slope.scaled(&below.recip())))
     }
 
-    /// What is left of a product of several private symbols and something else, once each of them is asked to be
+    /// What is left of a product of powers of private symbols and something else, once each of them is asked to be
     /// positive, or not to vanish: that is enough, if not needed, for both to have the same sign.
     fn without_private_factors(
         &mut self,
         polynomial: &Polynomial,
         sign: Sign,
     ) -> Result<Option<Polynomial>, Reject> {
-        if self.private.len() < 2 {
-            return Ok(None);
-        }
         let content = polynomial.content();
         let own = self.private.iter().filter(|p| content.exponent(p.var) > 0);
         let own: Vec<Var> = own.map(|p| p.var).collect();
-        if own.len() < 2 {
+        // What is linear in one is met without asking for more.
+        let linear = |var: &Var| content.exponent(*var) == 1;
+        if own.is_empty() || own.len() == 1 && own.iter().all(linear) {
             return Ok(None);
         }
         let mut rest = polynomial.clone();

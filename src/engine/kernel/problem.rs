@@ -46,6 +46,8 @@ pub struct Problem {
 pub enum Origin {
     /// The hypothesis at this position.
     Hypothesis(usize),
+    /// The hypothesis at this position, differentiated.
+    Rate(usize),
     /// The declared domain of a symbol.
     Domain(Symbol),
     /// The nature of sums: counts and even power sums are not negative.

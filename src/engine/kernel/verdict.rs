@@ -148,6 +148,8 @@ pub enum Reject {
     NotSetAside(usize),
     /// The index is not known to run through all whole numbers from one on.
     NoRun(Symbol),
+    /// The fact with this position may have no derivative.
+    NoRate(usize),
     /// The hypothesis with this position is not said of every index.
     NotThroughout(usize),
     /// A premise is used at an index for which it is not said.
@@ -197,6 +199,7 @@ impl fmt::Display for Reject {
             Reject::NotAProduct(_) => "a term of a scaling relation is no product of powers",
             Reject::NotSetAside(_) => "a premise that is set aside may matter",
             Reject::NoRun(_) => "the index is not known to run through all whole numbers",
+            Reject::NoRate(_) => "a fact may have no derivative",
             Reject::NotThroughout(_) => "a premise is not said of every index",
             Reject::OutOfRange(_) => "a premise is used where it is not said",
             Reject::Unmovable => "what is said cannot be said of another index",

@@ -9,7 +9,7 @@ mod switch;
 use self::switch::Face;
 use super::commands::{PRINTED, SPACING};
 use super::{Connective, Mark, Spanned, SyntaxError};
-use crate::algebra::Relation;
+use crate::algebra::{Relation, Symbol};
 use crate::document::Span;
 
 /// The most characters of words between two braces; it keeps a run of unclosed ones from costing a scan each.
@@ -126,11 +126,24 @@ pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
     lexer.out
 }
 
-/// `const.` is `const`.
+/// What stands in the place of a constant that has no name.
+const CONSTANT: [&str; 6] = [
+    "const", "Const", "constant", "Constant", "konst", "konstant",
+];
+
+/// Whether a symbol is a word that stands for some constant, whichever that is: `\text{const}`.
+pub fn is_constant_word(symbol: &Symbol) -> bool {
+    let word = symbol.name().strip_prefix("\\text{");
+    let word = word.and_then(|word| word.strip_suffix('}'));
+    word.is_some_and(|word| CONSTANT.contains(&word))
+}
+
+/// ` const.` is `const`.
 fn unabbreviated(text: &str) -> &str {
-    match text.trim() {
-        "const." => text.trim().trim_end_matches('.'),
-        _ => text,
+    let word = text.trim().trim_end_matches('.');
+    match CONSTANT.contains(&word) {
+        true => word,
+        false => text,
     }
 }
 

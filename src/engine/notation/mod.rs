@@ -24,6 +24,7 @@ mod statement;
 mod unit;
 
 pub(crate) use commands::is_command;
+pub use lexer::is_constant_word;
 pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
     mathml_statement, plain, plain_formula, relation_latex,

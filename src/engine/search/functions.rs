@@ -171,7 +171,11 @@ fn is_open(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
     let pi = problem.pi_is_the_number() && symbol.name() == "\\pi";
     let bounded = problem.facts.iter().all(|fact| match fact.sign {
         Sign::Zero => fact.polynomial.degree_in(var) == 0,
-        _ => fact.polynomial.degree_in(var) <= 1,
+        // Of a product of powers it is enough that it is positive.
+        _ => {
+            let polynomial = &fact.polynomial;
+            polynomial.degree_in(var) <= polynomial.content().exponent(var).max(1)
+        }
     });
     let integer = claim.domains.get(symbol).is_some_and(|d| d.integer);
     bounded

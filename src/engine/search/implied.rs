@@ -9,7 +9,7 @@ use super::tracked::Tracked;
 use super::{Effort, pose, prove_unconditionally};
 use crate::algebra::{
     Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Polynomial, Rational, Symbol, Var,
-    expr_of, expr_of_fraction, factors, product_of, raised,
+    expr_of, expr_of_atom, expr_of_fraction, factors, product_of, raised,
 };
 use crate::kernel::{Claim, Knowledge, Problem, Proven};
 
@@ -97,6 +97,30 @@ fn solved(goal: &Formula) -> Option<(&Symbol, &Expr)> {
         }
         _ => None,
     }
+}
+
+/// What the premises give for a symbol in terms of constants alone.
+pub fn value_in_constants(claim: &Claim, symbol: &Symbol) -> Option<Expr> {
+    let obligation = pose(claim.clone()).ok()?;
+    let problem = obligation.problem();
+    let own = problem.atoms.find(&Atom::Symbol(symbol.clone()))?;
+    let is_constant = |name: &Symbol| {
+        let domain = claim.domains.get(name);
+        name != symbol && domain.is_some_and(|domain| domain.constant)
+            || name.name() == "\\pi" && problem.pi_is_the_number()
+    };
+    let is_made_of_constants = |atom: &Atom| {
+        let term = expr_of_atom(atom);
+        !term.has_elements() && term.free_symbols().iter().all(is_constant)
+    };
+    let atoms = problem.atoms.iter();
+    let kept = atoms.filter(|(_, atom)| is_made_of_constants(atom));
+    let kept: BTreeSet<Var> = kept.map(|(var, _)| var).collect();
+    let value = value_of(problem, own, &kept)?;
+    let below = value.denominator().map(|(factor, _)| factor);
+    let vars = below.chain([value.numerator()]).flat_map(Polynomial::vars);
+    let in_constants = { vars }.all(|var| kept.contains(&var));
+    in_constants.then(|| tidy(&value, &problem.atoms))
 }
 
 /// The value that the equations of a problem give to an unknown, in as few others as may be besides the `kept`.

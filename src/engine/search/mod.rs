@@ -16,6 +16,7 @@ mod missing;
 mod point;
 mod positivity;
 mod prove;
+mod rates;
 mod refute;
 mod roots;
 mod scaling;
@@ -34,7 +35,7 @@ use crate::kernel::{
     Obligation, Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
 pub use algebraic::without_rational_points;
-pub use implied::{Implied, implied};
+pub use implied::{Implied, implied, value_in_constants};
 pub use induction::{prove_for_every, refute_by_first_elements};
 pub use mend::{Change, Mended, mended};
 pub use missing::{missing_among, missing_suppositions};
@@ -154,6 +155,9 @@ pub fn decide_within(
             }
         }
         if effort == Effort::Light {
+            if let Some(decision) = rates::decide(obligation) {
+                return decision;
+            }
             known = points.near(hints).find_map(|p| refuted(obligation, p));
         }
         if let Some(refuted) = first(&mut points, budget, |point| refuted(obligation, point)) {
@@ -433,7 +437,13 @@ fn prove(
 }
 
 fn derived(obligation: &Obligation, certificate: Certificate) -> Option<Derived> {
-    let combined = combined_hypotheses(obligation.problem(), &certificate);
+    let combined = match certificate.rates.is_empty() {
+        true => combined_hypotheses(obligation.problem(), &certificate),
+        false => {
+            let problem = obligation.problem().with_rates(&certificate.rates).ok()?;
+            combined_hypotheses(&problem, &certificate)
+        }
+    };
     match obligation.check(Candidate::Proof(certificate)) {
         Ok(Checked::Proven(proven)) => Some(Derived { proven, combined }),
         _ => None,
@@ -461,7 +471,7 @@ pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
     // What was put in is in every fact.
     obligation.unfold().contains(&hypothesis)
         || Prover::without(problem, silenced).is_ok_and(|prover| {
-            let attempt = attempt_with(prover, obligation, Effort::Light);
+            let attempt = attempt_with(prover, obligation, problem, Effort::Light);
             matches!(attempt, Attempt::Proof(_))
         })
 }
@@ -493,12 +503,21 @@ fn does_not_vanish(polynomial: &Polynomial, atoms: &Atoms) -> Formula {
 }
 
 fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
-    let prover = Prover::new(obligation.problem())?;
-    Ok(attempt_with(prover, obligation, effort))
+    let problem = obligation.problem();
+    let found = attempt_with(Prover::new(problem)?, obligation, problem, effort);
+    if !matches!(found, Attempt::Nothing) || effort == Effort::Light {
+        return Ok(found);
+    }
+    Ok(rates::attempt(obligation).unwrap_or(Attempt::Nothing))
 }
 
-fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> Attempt {
-    let problem = obligation.problem();
+/// The goal proved from the facts of `problem`: those of the obligation, or more.
+fn attempt_with(
+    mut prover: Prover,
+    obligation: &Obligation,
+    problem: &Problem,
+    effort: Effort,
+) -> Attempt {
     if effort == Effort::Full && prover.learn_powers(problem).is_err() {
         return Attempt::Nothing;
     }
@@ -549,6 +568,7 @@ fn attempt_with(mut prover: Prover, obligation: &Obligation, effort: Effort) -> 
     }
     Attempt::Proof(Certificate {
         unfold: obligation.unfold().to_vec(),
+        rates: Vec::new(),
         lemmas: prover.into_lemmas(),
         conclusion,
     })
@@ -585,7 +605,7 @@ fn combined_hypotheses(problem: &Problem, certificate: &Certificate) -> BTreeSet
         }
         for fact in facts_of(proofs[at]) {
             match problem.origins.get(fact) {
-                Some(Origin::Hypothesis(position)) => {
+                Some(Origin::Hypothesis(position) | Origin::Rate(position)) => {
                     used.insert(*position);
                 }
                 Some(_) => {}

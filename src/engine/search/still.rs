@@ -5,36 +5,28 @@ use super::course::said_to_move;
 use super::refute::Points;
 use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
 use crate::algebra::{Atom, Expr, Formula};
-use crate::kernel::Obligation;
+use crate::kernel::{Claim, Obligation, Problem};
 
 /// More quantities than this that might change are not looked at one by one.
 const MOST_STILL: usize = 8;
 
 /// Decides a claim in which symbols might change of which the author does not say so.
 pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
-    let still = held_still(obligation);
-    if still.is_empty() || still.len() > MOST_STILL {
-        return None;
-    }
+    let still = held_still(obligation.claim(), obligation.problem());
     let claim = obligation.claim();
     let with = |still: &[Formula]| pose(assuming(claim, still)).ok();
     let proved = |still: &[Formula]| -> Option<Derived> {
         let posed = with(still)?;
         prove_posed(&posed, Effort::Light).or_else(|| prove_posed(&posed, Effort::Full))
     };
-    if let Some(mut derived) = proved(&still) {
-        let mut conditions = still;
-        for at in (0..conditions.len()).rev() {
-            let mut fewer = conditions.clone();
-            fewer.remove(at);
-            if let Some(own) = proved(&fewer) {
-                (conditions, derived) = (fewer, own);
-            }
-        }
+    if let Some((derived, conditions)) = fewest(still.clone(), proved) {
         return Some(Decision::Proven {
             derived,
             conditions,
         });
+    }
+    if still.is_empty() || still.len() > MOST_STILL {
+        return None;
     }
     let posed = with(&still)?;
     let own = claim.hypotheses.len();
@@ -48,11 +40,31 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
     found.map(Decision::Refuted)
 }
 
+/// A proof with as few of these held still as may be.
+pub(super) fn fewest(
+    still: Vec<Formula>,
+    proved: impl Fn(&[Formula]) -> Option<Derived>,
+) -> Option<(Derived, Vec<Formula>)> {
+    if still.is_empty() || still.len() > MOST_STILL {
+        return None;
+    }
+    let mut derived = proved(&still)?;
+    let mut conditions = still;
+    for at in (0..conditions.len()).rev() {
+        let mut fewer = conditions.clone();
+        fewer.remove(at);
+        if let Some(own) = proved(&fewer) {
+            (conditions, derived) = (fewer, own);
+        }
+    }
+    Some((derived, conditions))
+}
+
 /// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by.
-fn held_still(obligation: &Obligation) -> Vec<Formula> {
-    let said = said_to_move(obligation.claim());
+pub(super) fn held_still(claim: &Claim, problem: &Problem) -> Vec<Formula> {
+    let said = said_to_move(claim);
     let mut still = Vec::new();
-    for (_, atom) in obligation.problem().atoms.iter() {
+    for (_, atom) in problem.atoms.iter() {
         let Atom::Opaque(slope @ Expr::Derivative { body, .. }) = atom else {
             continue;
         };

@@ -151,6 +151,10 @@ impl ForEvery {
     fn prove(&self, goal: Moved, supposed: u32, part: Part) -> Result<ProvenPart, Reject> {
         let (claim, origins) = self.part(goal, supposed, &part.instances)?;
         if supposed > 0 {
+            // What is supposed of one index is supposed at one point.
+            if let Some(rate) = part.certificate.rates.first() {
+                return Err(Reject::NoRate(rate.fact));
+            }
             let problem = Problem::new(&claim, &part.certificate.unfold)?;
             part::has_value(&problem, &origins)?;
         }

@@ -1,0 +1,206 @@
+//! `p V = \text{const}` as a step: that there is a constant which `p V` is.
+//!
+//! Two things show it. What is cited gives the constant in terms of others (`n R T`, where these are declared `constant`): then
+//! `p V = n R T` is proved, for the name of the constant stands nowhere else. Or both sides change at the same rate with the one
+//! variable by which the page differentiates. What holds at one point only shows neither.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::derivation::{Assumed, Goal, Source};
+use crate::kernel::{Claim, Standing};
+use crate::search::{self, Decision, Stop};
+
+use super::judge::{Found, Judge, sources, step};
+use super::{Judged, Outcome, stated};
+
+/// Why it is not known whether something is constant.
+const UNKNOWN: &str = "nothing that it may follow from shows that this does not change";
+
+impl Judge<'_> {
+    /// The constant without a name of which a goal is the first to speak, if there is one.
+    pub(super) fn some_constant(&self, goal: &Goal, assumed: &[Assumed]) -> Option<Symbol> {
+        let said = |symbol: &Symbol| {
+            let mut terms = assumed.iter().flat_map(|a| a.formula.terms());
+            terms.any(|term| term.mentions(symbol))
+        };
+        let symbols = goal.formula.free_symbols();
+        let mut symbols = symbols.into_iter();
+        symbols.find(|symbol| self.derivation.is_some_constant(symbol) && !said(symbol))
+    }
+
+    /// Whether there is such a constant. That there is none is not said of anything.
+    pub(super) fn is_constant(
+        &mut self,
+        goal: &Goal,
+        constant: &Symbol,
+        assumed: Vec<Assumed>,
+        premises: &[usize],
+    ) -> Found {
+        let stop = Stop {
+            reason: UNKNOWN.into(),
+            hopeless: true,
+            ..Stop::default()
+        };
+        let mut found = Found::open(Judged {
+            goal: goal.clone(),
+            assumed: assumed.clone(),
+            outcome: Outcome::Open(stop),
+        });
+        let Some((left, right)) = goal.formula.as_equation() else {
+            return found;
+        };
+        let throughout = |assumed: Vec<Assumed>| -> Vec<Assumed> {
+            let all = assumed.into_iter();
+            all.filter(|a| a.standing == Standing::Identity).collect()
+        };
+        let cited = throughout(assumed);
+        let [others, _] = self.others(premises);
+        let near = throughout(others).into_iter();
+        let with: Vec<Assumed> = cited.iter().cloned().chain(near).collect();
+        for (at, all) in [cited, with].into_iter().enumerate() {
+            let shown = self.is_one_of(goal, constant, &all, &mut found)
+                || self.stands_still(goal, (left, right), constant, &all, &mut found);
+            if shown {
+                if at > 0 {
+                    found.instead = sources(&found.judged.assumed);
+                }
+                break;
+            }
+        }
+        found
+    }
+
+    /// The constant in terms of others.
+    fn is_one_of(
+        &mut self,
+        goal: &Goal,
+        constant: &Symbol,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
+        let mut with = assumed.to_vec();
+        with.push(Assumed {
+            formula: goal.formula.clone().into(),
+            standing: Standing::Identity,
+            source: Source::Step,
+        });
+        let nought = Formula::equal(Expr::Symbol(constant.clone()), Expr::integer(0));
+        let claim = self.derivation.claim(self.at, &with, &nought);
+        let Some(value) = search::value_in_constants(&claim, constant) else {
+            return false;
+        };
+        // Put in rather than supposed: what is supposed has a value.
+        let formula = goal
+            .formula
+            .map_terms(|term| term.substitute(constant, &value));
+        let claim = self.derivation.claim(self.at, assumed, &formula);
+        self.decided(claim, (goal, constant), assumed.to_vec(), found)
+    }
+
+    /// The same rate on both sides.
+    fn stands_still(
+        &mut self,
+        goal: &Goal,
+        (left, right): (&Expr, &Expr),
+        constant: &Symbol,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
+        let Some(variable) = self.variable() else {
+            return false;
+        };
+        // A constant that is a factor, say, is not the only thing that may be different for each value of the variable.
+        let slope = |term: &Expr| match term {
+            Expr::Symbol(own) if own == constant => Expr::integer(0),
+            term => Expr::Derivative {
+                body: term.clone().into(),
+                variable: variable.clone(),
+            },
+        };
+        let stands_alone = |one: &Expr, other: &Expr| {
+            matches!(one, Expr::Symbol(own) if own == constant) && !other.mentions(constant)
+        };
+        if !stands_alone(left, right) && !stands_alone(right, left) {
+            return false;
+        }
+        let formula = Formula::equal(slope(left), slope(right));
+        let claim = self.derivation.claim(self.at, assumed, &formula);
+        self.decided(claim, (goal, constant), assumed.to_vec(), found)
+    }
+
+    fn decided(
+        &mut self,
+        claim: Claim,
+        (goal, constant): (&Goal, &Symbol),
+        assumed: Vec<Assumed>,
+        found: &mut Found,
+    ) -> bool {
+        let Ok(posed) = search::pose(claim.clone()) else {
+            return false;
+        };
+        let decision = search::decide_within(&posed, &self.auditor.hints(), self.points());
+        let Decision::Proven {
+            derived,
+            conditions,
+        } = decision
+        else {
+            return false;
+        };
+        let own = Goal {
+            formula: claim.goal,
+            ..goal.clone()
+        };
+        let slopes = |formula: &Formula| {
+            let mut terms = formula.terms().into_iter();
+            terms.any(|term| matches!(term, Expr::Derivative { .. }))
+        };
+        // That all of it stands still shows nothing.
+        let judged = Judged {
+            goal: own.clone(),
+            assumed: assumed.clone(),
+            outcome: Outcome::Proven(derived.proven.clone().into()),
+        };
+        let symbols = goal.formula.free_symbols().into_iter();
+        let mut moves = symbols.filter(|symbol| symbol != constant);
+        let stands_still = conditions.iter().any(slopes)
+            && stated::constants(&judged, &conditions)
+                .is_none_or(|taken| moves.all(|symbol| taken.contains(&symbol)));
+        if stands_still || self.contradicts_itself(&posed) {
+            return false;
+        }
+        let (kept, proven) = match conditions.is_empty() {
+            true => self.least(assumed, &own, &posed, derived),
+            false => (assumed, derived.proven),
+        };
+        found.judged.assumed = kept;
+        found.judged.assumed.extend(conditions.iter().map(step));
+        found.conditions = conditions;
+        found.judged.outcome = Outcome::Proven(proven.into());
+        true
+    }
+
+    /// What the page differentiates by, where that is one thing.
+    fn variable(&self) -> Option<Symbol> {
+        let page = self.derivation.equations[self.at].page;
+        let mut variables = BTreeSet::new();
+        for at in self.derivation.equations_of(page) {
+            for (left, _, right) in self.derivation.equations[at].relations() {
+                differentiated_by(&left, &mut variables);
+                differentiated_by(&right, &mut variables);
+            }
+        }
+        match variables.len() {
+            1 => variables.pop_first(),
+            _ => None,
+        }
+    }
+}
+
+fn differentiated_by(term: &Expr, variables: &mut BTreeSet<Symbol>) {
+    if let Expr::Derivative { variable, .. } = term {
+        variables.insert(variable.clone());
+    }
+    let children = term.children();
+    children.for_each(|child| differentiated_by(child, variables));
+}

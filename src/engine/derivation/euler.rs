@@ -1,0 +1,182 @@
+//! Euler's number where nobody declares it: what `e` is, is seen from all that a document says of it.
+//!
+//! It is the number where it is nowhere anything but the base of powers such as `e^{-t/\tau}`, in a denominator by itself, or in `\ln e`.
+//! Whatever else is said of it, `1 - e^2`, `e v`, "where $e$ is", makes it a symbol throughout; so do powers that only count, `e^{2n}`,
+//! for a coefficient of restitution is raised to them.
+
+use num_traits::{One, Signed};
+
+use crate::algebra::{Expr, Formula, Function, Symbol};
+use crate::document::{Item, Prose};
+use crate::notation::{read_expr, read_formulas};
+
+use super::Equation;
+use super::equation::{conditions, each_side, formulas, of_pages};
+use super::page::{Page, exponentials};
+
+/// The letters that mostly count something.
+const COUNTING: [&str; 4] = ["j", "k", "n", "N"];
+/// Words that say what `e` is, where it stands in their sentence.
+const SAID: [&str; 3] = ["Euler", "natural log", "2.718"];
+
+/// How a document speaks of `e`.
+#[derive(Clone, Copy, Default)]
+struct Use {
+    /// As the base of a power that only the number can be meant by.
+    number: bool,
+    /// As something else.
+    other: bool,
+}
+
+/// Reads `e` as the number where it can be nothing else, and `\mathrm e` wherever it is not declared; `own` are the pages of one
+/// document.
+pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &mut [Equation]) {
+    let italic = Symbol::new("e");
+    let upright = Symbol::new("\\text{e}");
+    let is_number = is_the_number(own, pages, equations);
+    for &at in own {
+        let page = &mut pages[at];
+        if is_number {
+            page.euler.insert(italic.clone());
+        }
+        if !page.is_declared(&upright) {
+            page.euler.insert(upright.clone());
+        }
+    }
+    for equation in of_pages(own, equations) {
+        let euler = &pages[equation.page].euler;
+        for statement in equation.statements.iter_mut().flatten() {
+            each_side(statement, &mut |term, _| {
+                if euler.iter().any(|e| term.mentions(e)) {
+                    *term = exponentials(term, euler);
+                }
+            });
+        }
+    }
+    for &at in own {
+        let Page { locals, euler, .. } = &mut pages[at];
+        for formula in locals.iter_mut().flat_map(|local| &mut local.formulas) {
+            if formula
+                .terms()
+                .iter()
+                .any(|term| euler.iter().any(|e| term.mentions(e)))
+            {
+                *formula = formula.map_terms(|term| exponentials(term, euler)).into();
+            }
+        }
+    }
+}
+
+fn is_the_number(own: &[usize], pages: &[Page], equations: &[Equation]) -> bool {
+    let mut found = Use::default();
+    let e = Symbol::new("e");
+    for &at in own {
+        let page = &pages[at];
+        if page.is_declared(&e) || page.euler.contains(&e) {
+            return false;
+        }
+        let of_page = super::equation::of_page(at, equations);
+        for statement in equations[of_page].iter().flat_map(Equation::statements) {
+            for formula in formulas(statement).iter().chain(&conditions(statement)) {
+                found.see_formula(formula, page);
+            }
+        }
+        for formula in page.locals.iter().flat_map(|local| &local.formulas) {
+            found.see_formula(formula, page);
+        }
+    }
+    if found.number && !found.other {
+        for &at in own {
+            let page = &pages[at];
+            for item in &page.document.items {
+                if let Item::Prose(prose) = item {
+                    found.see_prose(prose, page);
+                }
+            }
+        }
+    }
+    found.number && !found.other
+}
+
+impl Use {
+    fn see_formula(&mut self, formula: &Formula, page: &Page) {
+        if let Formula::AllEqual { sequence, .. } = formula {
+            self.other |= sequence.name() == "e";
+        }
+        for term in formula.terms() {
+            self.see(term, page);
+        }
+    }
+
+    /// Mathematics in a line of text: `$e$` by itself is spoken of as something that has a meaning here.
+    fn see_prose(&mut self, prose: &Prose, page: &Page) {
+        let source = &page.document.source;
+        for inline in &prose.math {
+            let body = inline.body;
+            if !source
+                .get(body.range())
+                .is_some_and(|text| text.contains('e'))
+            {
+                continue;
+            }
+            if let Ok(term) = read_expr(source, body) {
+                let says = |word: &str| page.document.text(prose.span).contains(word);
+                let is_alone = matches!(&term, Expr::Symbol(symbol) if symbol.name() == "e");
+                if !(is_alone && SAID.into_iter().any(says)) {
+                    self.see(&term, page);
+                }
+            } else if let Ok(statements) = read_formulas(source, body) {
+                for formula in statements.iter().flat_map(formulas) {
+                    self.see_formula(&formula, page);
+                }
+            }
+        }
+    }
+
+    fn see(&mut self, term: &Expr, page: &Page) {
+        let is_e = |term: &Expr| matches!(term, Expr::Symbol(symbol) if symbol.name() == "e");
+        match term {
+            Expr::Power(base, exponent) if is_e(base) => {
+                match number(exponent) {
+                    Some(is_inverse) => self.other |= !is_inverse,
+                    None if counts(exponent, page) => self.other = true,
+                    None => self.number = true,
+                }
+                self.see(exponent, page);
+            }
+            Expr::Quotient(above, below) if is_e(below) => self.see(above, page),
+            Expr::Call(Function::Ln, argument) if is_e(argument) => {}
+            Expr::Symbol(symbol) => self.other |= symbol.name() == "e",
+            Expr::Element { sequence, index } => {
+                self.other |= sequence.name() == "e" || index.name() == "e";
+            }
+            Expr::Apply(function, _) if function.name() == "e" => self.other = true,
+            term => {
+                self.other |= term.binder().is_some_and(|bound| bound.name() == "e");
+                term.children().for_each(|child| self.see(child, page));
+            }
+        }
+    }
+}
+
+/// Of an exponent that is a number, whether it is -1.
+fn number(exponent: &Expr) -> Option<bool> {
+    match exponent {
+        Expr::Number(value) => Some(value.is_negative() && (-value).is_one()),
+        Expr::Negate(inner) => match &**inner {
+            Expr::Number(value) => Some(value.is_one()),
+            inner => number(inner).map(|_| false),
+        },
+        term => term.free_symbols().is_empty().then_some(false),
+    }
+}
+
+/// Whether an exponent is a whole number of times that something is done.
+fn counts(exponent: &Expr, page: &Page) -> bool {
+    let counted = |symbol: &Symbol| {
+        let domain = page.domains.get(symbol);
+        COUNTING.contains(&symbol.name()) || domain.is_some_and(|domain| domain.integer)
+    };
+    let divided = exponent.any(&|part| matches!(part, Expr::Quotient(..) | Expr::Call(..)));
+    !divided && exponent.free_symbols().iter().all(counted)
+}

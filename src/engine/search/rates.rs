@@ -1,0 +1,132 @@
+//! Laws differentiated: a law holds at all times, so its two sides change at the same rate.
+
+use std::collections::BTreeSet;
+
+use super::course::said_to_move;
+use super::prove::Prover;
+use super::{Attempt, Decision, Derived, Effort, assuming, attempt_with, derived, pose, still};
+use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol};
+use crate::kernel::{Certificate, Fact, Obligation, Origin, Problem, Rate, Sign};
+
+/// No more equations than this are differentiated, nor more often than this.
+const MOST_RATES: usize = 8;
+const MOST_TIMES: usize = 2;
+
+/// Decides what follows from laws that are differentiated, with what is differentiated nowhere held still if need be. Before points
+/// are looked for: at them such things may move.
+pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
+    let (problem, _) = with_rates(obligation)?;
+    let claim = obligation.claim();
+    let still = still::held_still(claim, &problem);
+    let found = |conditions: &[Formula]| attempt(&pose(assuming(claim, conditions)).ok()?);
+    let needs = match found(&still)? {
+        Attempt::Needs(needs) => needs,
+        _ => Vec::new(),
+    };
+    let proved = |still: &[Formula]| -> Option<Derived> {
+        let conditions: Vec<Formula> = still.iter().chain(&needs).cloned().collect();
+        let posed = pose(assuming(claim, &conditions)).ok()?;
+        match attempt(&posed)? {
+            Attempt::Proof(certificate) => derived(&posed, certificate),
+            _ => None,
+        }
+    };
+    let (derived, mut conditions) = match proved(&[]) {
+        Some(derived) => (derived, Vec::new()),
+        None => still::fewest(still, proved)?,
+    };
+    conditions.extend(needs);
+    Some(Decision::Proven {
+        derived,
+        conditions,
+    })
+}
+
+/// A proof with the laws of a claim differentiated by the variables that it differentiates by, or what it needs besides.
+pub(super) fn attempt(obligation: &Obligation) -> Option<Attempt> {
+    let (problem, rates) = with_rates(obligation)?;
+    let proved = |effort| {
+        let prover = Prover::new(&problem).ok()?;
+        match attempt_with(prover, obligation, &problem, effort) {
+            Attempt::Nothing => None,
+            found => Some(found),
+        }
+    };
+    let found = proved(Effort::Light).or_else(|| proved(Effort::Full))?;
+    // What holds at one value of the variable alone, be it meant as a law or not, contradicts its own slope.
+    let mut prover = Prover::new(&problem).ok()?;
+    let impossible = Fact {
+        polynomial: Polynomial::constant(Rational::one()),
+        sign: Sign::Zero,
+    };
+    if prover.prove(&impossible, Effort::Full).is_some() {
+        return None;
+    }
+    Some(match found {
+        Attempt::Proof(certificate) => Attempt::Proof(Certificate {
+            rates,
+            ..certificate
+        }),
+        found => found,
+    })
+}
+
+/// The problem of a claim with the slopes of its laws, where there are such.
+pub(super) fn with_rates(obligation: &Obligation) -> Option<(Problem, Vec<Rate>)> {
+    let moving = said_to_move(obligation.claim());
+    if moving.is_empty() {
+        return None;
+    }
+    let mut problem = obligation.problem().clone();
+    let mut rates = Vec::new();
+    let mut from = 0;
+    for _ in 0..MOST_TIMES {
+        let (end, variables) = (problem.facts.len(), variables(&problem));
+        for fact in from..end {
+            for variable in &variables {
+                if rates.len() >= MOST_RATES || !is_law(&problem, fact, &moving) {
+                    continue;
+                }
+                let rate = Rate {
+                    fact,
+                    variable: variable.clone(),
+                };
+                if let Ok(more) = problem.with_rates(std::slice::from_ref(&rate)) {
+                    problem = more;
+                    rates.push(rate);
+                }
+            }
+        }
+        from = end;
+    }
+    (!rates.is_empty()).then_some((problem, rates))
+}
+
+/// Whether a fact is an equation between what moves. What says where something stands still, or what value the variable has, is
+/// mostly said of one moment.
+fn is_law(problem: &Problem, fact: usize, moving: &BTreeSet<Symbol>) -> bool {
+    let Fact { polynomial, sign } = &problem.facts[fact];
+    let from_law = matches!(
+        problem.origins[fact],
+        Origin::Hypothesis(_) | Origin::Rate(_)
+    );
+    if !from_law || *sign != Sign::Zero || polynomial.len() < 2 {
+        return false;
+    }
+    let mut vars = polynomial.vars().into_iter();
+    vars.any(|var| match problem.atoms.atom(var) {
+        Atom::Symbol(symbol) | Atom::Root { of: symbol, .. } => moving.contains(symbol),
+        Atom::Opaque(term) => moving.iter().any(|symbol| term.mentions(symbol)),
+        _ => false,
+    })
+}
+
+/// What is differentiated by.
+fn variables(problem: &Problem) -> BTreeSet<Symbol> {
+    let atoms = problem.atoms.iter();
+    let found = atoms.filter_map(|(_, atom)| match atom {
+        Atom::Opaque(Expr::Derivative { variable, .. }) => Some(variable.clone()),
+        _ => None,
+    });
+    found.collect()
+}
