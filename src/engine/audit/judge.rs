@@ -1,9 +1,9 @@
 use std::collections::BTreeSet;
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation, Proven, Reject, Standing};
-use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, Mended, Stop};
+use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, InChain, Mended, Stop};
 
 use super::premise::{Usable, usable};
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
@@ -230,6 +230,9 @@ impl Judge<'_> {
             return;
         };
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        let Some(chain) = self.in_chain(goal, assumed) else {
+            return;
+        };
         // What the text itself names is likelier meant than that the pen slipped.
         let mentioned = self.derivation.mentioned(self.at);
         if !mentioned.is_empty() {
@@ -241,11 +244,15 @@ impl Judge<'_> {
                 return;
             }
         }
-        found.implied = search::implied(&claim).map(Box::new);
+        let begins = matches!(goal.formula.as_equation(), Some((Expr::Symbol(_), _)));
+        if begins || !chain.settled {
+            found.implied = search::implied(&claim).map(Box::new);
+        }
         // Where only a factor is wrong, the author's own words are kept already.
         if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {
             let witness = refuted.witness();
-            let mended = search::mended(&claim, witness, &self.auditor.hints(), values_at);
+            let hints = self.auditor.hints();
+            let mended = search::mended(&claim, &chain, witness, &hints, values_at);
             found.mended = mended.map(Box::new);
         }
         if !found.has_conditions
@@ -273,9 +280,37 @@ impl Judge<'_> {
             if let Some((all, _)) = missing {
                 (found.missing, found.implied) = (all, None);
             } else {
-                self.mended_from_all(goal, assumed, premises, found);
+                self.mended_from_all(goal, assumed, premises, &chain, found);
             }
         }
+    }
+
+    /// Which side of a refuted link may be wrong, as far as its neighbours tell; nothing where it is only the left one,
+    /// which is the link before to put right.
+    fn in_chain(&self, goal: &Goal, assumed: &[Assumed]) -> Option<InChain> {
+        let sides = |goal: &Goal| {
+            let (left, right) = goal.formula.as_equation()?;
+            Some((left.clone(), right.clone()))
+        };
+        // Where a chain goes on rightly past a member, that member is wrong.
+        let joined = |one: &Goal, other: &Goal| {
+            let joined = sides(one).zip(sides(other));
+            joined.is_some_and(|((left, _), (_, right))| {
+                let formula = Formula::equal(left, right);
+                let claim = self.derivation.claim(self.at, assumed, &formula);
+                search::prove_unconditionally(claim, Effort::Light).is_some()
+            })
+        };
+        let before = self.derivation.link_before(self.at, goal);
+        if before.as_ref().is_some_and(|before| joined(before, goal)) {
+            return None;
+        }
+        let after = self.derivation.link_after(self.at, goal);
+        let passed = after.as_ref().is_some_and(|after| joined(goal, after));
+        Some(InChain {
+            settled: before.is_some() || passed,
+            next: after.map(|after| after.formula),
+        })
     }
 
     /// Whether the author says what the step follows from.
@@ -302,6 +337,7 @@ impl Judge<'_> {
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
+        chain: &InChain,
         found: &mut Found,
     ) {
         let Outcome::Refuted(refuted) = &found.judged.outcome else {
@@ -317,7 +353,8 @@ impl Judge<'_> {
             return;
         }
         let claim = self.derivation.claim(self.at, &all, &goal.formula);
-        let mended = search::mended(&claim, refuted.witness(), &self.auditor.hints(), values_at);
+        let hints = self.auditor.hints();
+        let mended = search::mended(&claim, chain, refuted.witness(), &hints, values_at);
         if let Some(mended) = mended {
             (found.mended, found.implied) = (Some(Box::new(mended)), None);
         }

@@ -152,8 +152,9 @@ pub(super) fn is_identity(entry: &Entry) -> bool {
 }
 
 /// Whether what a page begins with goes on with something false: a link whose sides speak of the same (`A = \pi r^2 = 2 \pi r`), what
-/// is implied, or another value of a symbol that is not `new`. A law may go on with another, `p V = n R T = N k T`.
-pub(super) fn slips(entry: &Entry, new: &BTreeSet<Symbol>) -> bool {
+/// is implied, or another value of a symbol that is not `new`. A law may go on with another, `p V = n R T = N k T`. Of a row that goes on
+/// with others, which are `before`, the first link is no beginning.
+pub(super) fn slips(entry: &Entry, new: &BTreeSet<Symbol>, before: usize) -> bool {
     let first = entry.judged.first().map(|judged| judged.goal.clause);
     let mut refuted = (entry.judged.iter().enumerate()).filter(|(_, j)| j.outcome.is_refuted());
     refuted.any(|(link, judged)| {
@@ -162,7 +163,7 @@ pub(super) fn slips(entry: &Entry, new: &BTreeSet<Symbol>) -> bool {
         };
         let (named, others) = (quantities(left), quantities(right));
         let again = matches!(left, Expr::Symbol(symbol) if !new.contains(symbol));
-        match link {
+        match link + before {
             0 => again && !others.is_empty(),
             _ => first != Some(judged.goal.clause) || !named.is_empty() && named == others,
         }

@@ -5,6 +5,7 @@
 //! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
 
 mod beside;
+mod chain;
 mod checker;
 mod counts;
 mod definition;

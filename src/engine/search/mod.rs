@@ -36,7 +36,7 @@ use crate::kernel::{
 pub use algebraic::without_rational_points;
 pub use implied::{Implied, implied};
 pub use induction::{prove_for_every, refute_by_first_elements};
-pub use mend::{Change, Mended, mended};
+pub use mend::{Change, InChain, Mended, mended};
 pub use missing::{missing_among, missing_suppositions};
 pub use prove::Effort;
 use prove::Prover;

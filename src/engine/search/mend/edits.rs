@@ -80,8 +80,8 @@ pub struct Edit {
 }
 
 /// All formulas one edit away from a printed one, the likeliest slip first. `names` are what a symbol may have been
-/// mistaken for.
-pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
+/// mistaken for. Where the left side is `settled`, nothing is changed in it.
+pub fn edits(printed: &Formula, names: &[Symbol], settled: bool) -> Vec<Edit> {
     let Formula::Relation {
         left,
         relation,
@@ -103,11 +103,15 @@ pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
         names,
         found: Vec::new(),
     };
-    for is_left in [false, true] {
+    let sides: &[bool] = if settled { &[false] } else { &[false, true] };
+    for &is_left in sides {
         let side = if is_left { left } else { right };
         editor.whole(side);
         editor.missing_factor(side);
-        editor.missing_one(side);
+        // Of what a number is said to be, no other number is missing.
+        if own_number(if is_left { right } else { left }).is_none() {
+            editor.missing_one(side);
+        }
         for (change, cost, term) in editor.found.drain(..) {
             let formula = match is_left {
                 true => rebuilt(&term, *relation, right),

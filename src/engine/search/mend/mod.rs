@@ -36,28 +36,66 @@ pub struct Mended {
     pub proven: Proven,
     /// What was changed.
     pub change: Change,
+    /// The kernel's word for the next link of its chain, which begins with the right side, once that is changed.
+    pub next: Option<Proven>,
+}
+
+/// What a refuted link of a chain has to do with its neighbours.
+#[derive(Clone, Debug, Default)]
+pub struct InChain {
+    /// The left side is right, as far as the links beside it tell: only the right side is wrong.
+    pub settled: bool,
+    /// The link that goes on with the right side.
+    pub next: Option<Formula>,
+}
+
+impl InChain {
+    /// The next link after an edit of the right side.
+    fn next_after(&self, edit: &Edit) -> Option<Formula> {
+        let (Formula::Relation { right: changed, .. }, false) = (&edit.formula, edit.right_kept)
+        else {
+            return None;
+        };
+        match self.next.clone()? {
+            Formula::Relation {
+                relation, right, ..
+            } => Some(Formula::Relation {
+                left: changed.clone(),
+                relation,
+                right,
+            }),
+            Formula::AllEqual { .. } => None,
+        }
+    }
 }
 
 /// The likeliest slip of the pen in a refuted goal: one edit with which it follows from the claim's hypotheses.
 ///
 /// `evaluate` gives the values that a point has under a claim; `hints` are points at which premises like these are known to hold. Nothing where no edit is good: what would follow from
 /// no premises at all is none, unless what is printed is a piece of algebra.
+///
+/// In a chain an edit that leaves the next link true, or makes it so, goes before others.
 pub fn mended(
     claim: &Claim,
+    chain: &InChain,
     witness: &Assignment,
     hints: &[Assignment],
     evaluate: impl Fn(&Claim, &Assignment) -> Values,
 ) -> Option<Mended> {
     let names: Vec<Symbol> = claim.free_symbols().into_iter().cloned().collect();
     let names = &names[..names.len().min(MOST_NAMES)];
-    let mut left = edits(&claim.goal, names);
+    let mut left = edits(&claim.goal, names, chain.settled);
     left.retain(|edit| !defines_afresh(claim, &edit.formula));
     if left.is_empty() {
         return None;
     }
+    let mut points: Vec<Values> = Vec::new();
     let mut weigh = |values: &Values| {
         let printed = Printed::new(&claim.goal, values);
         left.retain(|edit| !printed.is_false(edit, values));
+        if chain.next.is_some() {
+            points.push(values.clone());
+        }
         left.is_empty()
     };
     let there = evaluate(claim, witness);
@@ -91,6 +129,15 @@ pub fn mended(
         };
         left.sort_by_cached_key(|edit| (letters(&edit.change), slack(edit, &there), edit.cost));
     }
+    if chain.next.is_some() {
+        // A symbol that a chain begins with is what it is about.
+        let begins = matches!(claim.goal.as_equation(), Some((Expr::Symbol(_), _)));
+        let breaks = |edit: &Edit| {
+            let next = chain.next_after(edit);
+            next.is_some_and(|next| points.iter().any(|p| p.holds(&next) == Ok(false)))
+        };
+        left.sort_by_cached_key(|edit| breaks(edit) || begins && !edit.left_kept);
+    }
     left.truncate(MOST_TRIED);
     let with = |goal: &Formula| Claim {
         goal: goal.clone(),
@@ -110,9 +157,12 @@ pub fn mended(
             if is_vacuous(claim, &edit.change, &edit.formula) {
                 continue;
             }
+            let next = chain.next_after(edit);
+            let next = next.and_then(|next| prove_unconditionally(with(&next), Effort::Light));
             return Some(Mended {
                 proven: derived.proven,
                 change: edit.change.clone(),
+                next: next.map(|derived| derived.proven),
             });
         }
     }
