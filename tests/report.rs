@@ -4,6 +4,7 @@
 mod algebraic;
 mod induction;
 mod numeric;
+mod shifted;
 
 use cradle_verify::proofs;
 
