@@ -2,6 +2,7 @@
 //! here; and how single things are told.
 
 mod algebraic;
+mod borrowed;
 mod induction;
 mod numeric;
 mod shifted;

@@ -2,8 +2,8 @@ use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, unconditional, values_at};
-use crate::kernel::{Assignment, Obligation, Proven, Reject, Standing};
-use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, InChain, Mended, Stop};
+use crate::kernel::{Assignment, Obligation, Reject, Standing};
+use crate::search::{self, Consistency, Decision, Effort, Implied, InChain, Mended, Stop};
 
 use super::premise::{Usable, usable};
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
@@ -360,53 +360,6 @@ impl Judge<'_> {
         }
     }
 
-    /// Leaves out every hypothesis that a proof does without, the last first. `posed` is the claim that was proved.
-    pub(super) fn least(
-        &self,
-        mut assumed: Vec<Assumed>,
-        goal: &Goal,
-        posed: &Obligation,
-        derived: Derived,
-    ) -> (Vec<Assumed>, Proven) {
-        let pose = |assumed: &[Assumed]| {
-            search::pose(self.derivation.claim(self.at, assumed, &goal.formula)).ok()
-        };
-        // What the certificate combines nearly always suffices; what only keeps something from vanishing is not in it.
-        let Derived {
-            mut proven,
-            combined,
-        } = derived;
-        let all = assumed.iter().enumerate();
-        let few: Vec<Assumed> = all
-            .filter(|(position, _)| combined.contains(position))
-            .map(|(_, own)| own.clone())
-            .collect();
-        let mut shorter: Option<Obligation> = None;
-        if few.len() < assumed.len()
-            && let Some(posed) = pose(&few)
-            && let Some(derived) = search::prove_posed(&posed, Effort::Light)
-                .or_else(|| search::prove_posed(&posed, Effort::Full))
-        {
-            (assumed, proven, shorter) = (few, derived.proven, Some(posed));
-        }
-        for position in (0..assumed.len()).rev() {
-            if assumed.len() < 2 {
-                break;
-            }
-            if !search::may_do_without(shorter.as_ref().unwrap_or(posed), position) {
-                continue;
-            }
-            let mut fewer = assumed.clone();
-            fewer.remove(position);
-            if let Some(posed) = pose(&fewer)
-                && let Some(derived) = search::prove_posed(&posed, Effort::Light)
-            {
-                (assumed, proven, shorter) = (fewer, derived.proven, Some(posed));
-            }
-        }
-        (assumed, proven)
-    }
-
     /// Whether hypotheses are known not to be true together.
     pub(super) fn is_contradictory(&self, assumed: &[Assumed], goal: &Goal) -> bool {
         if assumed.is_empty() {
@@ -470,11 +423,11 @@ impl Judge<'_> {
             let mut harmless = others.clone();
             harmless.retain(|a| !tells_against(a));
             let mut choices = Vec::new();
-            if !harmless.is_empty() {
-                choices.push((assumed.to_vec(), harmless));
-            }
             if sound.len() < assumed.len() {
                 choices.push((sound.clone(), others));
+            }
+            if !harmless.is_empty() {
+                choices.push((assumed.to_vec(), harmless));
             }
             for (cited, others) in choices {
                 let all: Vec<Assumed> = cited.iter().chain(&others).cloned().collect();
@@ -531,7 +484,8 @@ impl Judge<'_> {
                 let Some(derived) = search::prove_posed(posed, effort) else {
                     continue;
                 };
-                let (kept, least) = self.least(all, goal, posed, derived);
+                let cited = cited.len();
+                let (kept, least) = self.least_borrowed(all, cited, goal, posed, derived);
                 if self.is_contradictory(&kept, goal) {
                     continue;
                 }
@@ -550,32 +504,35 @@ impl Judge<'_> {
             return others.clone();
         }
         let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
-        // What is cited may rest on something false already; then so may what is found instead.
-        let cited = self
-            .auditor
-            .failing(self.at, &premises.iter().copied().collect());
+        // What is cited may rest on something false already, or not proved; then so may what is found instead.
+        let own_premises: BTreeSet<usize> = premises.iter().copied().collect();
+        let failing = self.auditor.failing(self.at, &own_premises);
+        let open = self.auditor.unproved(self.at, &own_premises);
         let (mut sound, mut all) = (Vec::new(), Vec::new());
         // Of a wrong citation, or one of what is not there, is told whatever is found.
         let (_, _, unknown) = self.derivation.premises(self.at);
         let cites = !premises.is_empty() || !unknown.is_empty();
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
             let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
-            let doubtful =
-                |n: &Note| matches!(n, Note::UnstatedCondition(_) | Note::RestsOnUnproved(_));
+            let conditional = |n: &&Note| matches!(n, Note::UnstatedCondition(_));
             let unsound = |e: &&Entry| {
-                e.is_wrong() || e.verdict == Verdict::Undecided || e.notes.iter().any(doubtful)
+                let mut conditions = e.notes.iter().filter(conditional);
+                e.is_wrong() || e.verdict == Verdict::Undecided || conditions.next().is_some()
             };
             if entries.iter().any(unsound) || !self.may_borrow(other, cites) {
                 continue;
             }
-            if entries.iter().all(|e| e.rests_on.is_empty()) {
+            let unproved = |n: &Note| match n {
+                Note::RestsOnUnproved(on) => on.clone(),
+                _ => Vec::new(),
+            };
+            let notes = entries.iter().flat_map(|e| &e.notes);
+            let unproved: Vec<usize> = notes.flat_map(unproved).collect();
+            let mut rests_on = entries.iter().flat_map(|e| &e.rests_on).peekable();
+            if rests_on.peek().is_none() && unproved.is_empty() {
                 sound.push(other);
             }
-            if entries
-                .iter()
-                .flat_map(|e| &e.rests_on)
-                .all(|r| cited.contains(r))
-            {
+            if rests_on.all(|r| failing.contains(r)) && unproved.iter().all(|u| open.contains(u)) {
                 all.push(other);
             }
         }

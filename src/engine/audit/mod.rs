@@ -10,6 +10,7 @@ mod entry;
 mod given;
 mod induction;
 mod judge;
+mod least;
 mod numeric;
 mod premise;
 mod readings;
