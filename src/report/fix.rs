@@ -27,6 +27,9 @@ impl Report<'_> {
     pub(super) fn fix(&self, entry: &Entry) -> Option<Fix> {
         let (message, proven) = implied::instead_plainly(entry)?;
         let (judged, _) = entry.refuted()?;
+        if entry.mended.as_ref().is_some_and(|m| !m.under.is_empty()) {
+            return None;
+        }
         let goal = &judged.goal;
         let (first, second) = proven.claim().goal.as_equation()?;
         let (left, right) = goal.formula.as_equation()?;

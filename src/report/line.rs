@@ -257,6 +257,9 @@ impl Report<'_> {
                         .collect()
                 )
             ),
+            Note::InconsistentPremises(sources) if sources.is_empty() => {
+                "true for no values that its symbols may have".into()
+            }
             Note::InconsistentPremises(sources) => {
                 format!("contradicts {}", self.sources(sources))
             }

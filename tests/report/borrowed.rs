@@ -86,3 +86,21 @@ fn what_fails_is_not_needed_where_it_follows_without() {
         );
     }
 }
+
+#[test]
+fn what_contradicts_itself_contradicts_more_than_nothing() {
+    for (symbols, display) in [
+        ("v: nonzero; symbols w: real", r"v = w, \qquad v = 2 w"),
+        ("v, w: positive", "v + w = 0"),
+    ] {
+        let page = format!(
+            "<!-- check: symbols {symbols} -->\n\n<!-- check: law -->\n$$ {display} \\tag{{1}} $$\n"
+        );
+        let derivation = Derivation::from_markdown("page.md", &page);
+        let text = anstream::adapter::strip_str(&common::human(&derivation)).to_string();
+        let title = text.lines().find(|line| line.starts_with("error"));
+        let title = title.expect(&text);
+        assert!(title.contains("for no values that"), "{title}");
+        assert!(!text.contains("contradicts nothing"), "{text}");
+    }
+}

@@ -245,8 +245,15 @@ impl Judge<'_> {
             }
         }
         let begins = matches!(goal.formula.as_equation(), Some((Expr::Symbol(_), _)));
-        if begins || !chain.settled {
-            found.implied = search::implied(&claim).map(Box::new);
+        let settled = match begins {
+            true => chain.right_settled,
+            false => chain.left_settled,
+        };
+        if !settled {
+            let implied = search::implied(&claim);
+            // To be told what a premise says helps nobody who cites it.
+            let helps = |i: &Implied| !i.restates() || i.ratio.is_some();
+            found.implied = implied.filter(helps).map(Box::new);
         }
         // Where only a factor is wrong, the author's own words are kept already.
         if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {
@@ -281,6 +288,9 @@ impl Judge<'_> {
                 (found.missing, found.implied) = (all, None);
             } else {
                 self.mended_from_all(goal, assumed, premises, &chain, found);
+                if found.mended.is_none() {
+                    self.mended_under_conditions(goal, assumed, premises, &chain, found);
+                }
             }
         }
     }
@@ -302,13 +312,19 @@ impl Judge<'_> {
             })
         };
         let before = self.derivation.link_before(self.at, goal);
-        if before.as_ref().is_some_and(|before| joined(before, goal)) {
-            return None;
+        if let Some(before) = before.as_ref().filter(|before| joined(before, goal)) {
+            // Of what an author only asks no repair is looked for.
+            let asked = InChain {
+                right_settled: true,
+                ..InChain::default()
+            };
+            return before.questioned.then_some(asked);
         }
         let after = self.derivation.link_after(self.at, goal);
         let passed = after.as_ref().is_some_and(|after| joined(goal, after));
         Some(InChain {
-            settled: before.is_some() || passed,
+            left_settled: before.is_some() || passed,
+            right_settled: false,
             next: after.map(|after| after.formula),
         })
     }

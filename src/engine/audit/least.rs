@@ -6,6 +6,9 @@ use crate::search::{self, Derived, Effort};
 
 use super::judge::Judge;
 
+/// So many equations that are not cited a reader takes in; of more it is asked in earnest which are needed.
+const FEW: usize = 3;
+
 impl Judge<'_> {
     /// Leaves out every hypothesis that a proof does without, the last first. `posed` is the claim that was proved.
     pub(super) fn least(
@@ -41,38 +44,56 @@ impl Judge<'_> {
         let (mut kept, mut proven) = self.without_needless(assumed, order, goal, posed, derived);
         let mut needless: Vec<Source> = borrowed.iter().map(|a| a.source).collect();
         needless.dedup();
-        let left = |kept: &[Assumed]| -> Vec<Source> {
-            let is_left = |source: &&Source| kept.iter().any(|a| a.source == **source);
-            needless.iter().filter(is_left).copied().collect()
-        };
-        let proved = |hypotheses: Vec<Assumed>| {
-            let claim = self.derivation.claim(self.at, &hypotheses, &goal.formula);
-            let derived = search::prove_unconditionally(claim, Effort::Full)?;
-            Some((hypotheses, derived.proven))
-        };
-        // From what is cited alone it does not follow.
-        for source in left(&kept) {
-            let fewer = kept.iter().filter(|a| a.source != source);
-            if left(&kept).len() > 1
-                && let Some(found) = proved(fewer.cloned().collect())
-            {
-                (kept, proven) = found;
-            }
-        }
-        // What none of several can be spared of may follow from two of them, from all that these say.
-        let several = left(&kept);
-        if several.len() > 2 {
-            let near = || several.iter().rev().enumerate();
-            let mut pairs = near()
-                .flat_map(|(at, one)| near().skip(at + 1).map(move |(_, other)| [*one, *other]));
-            let found = pairs.find_map(|pair| {
-                let (own, borrowed) = all.split_at(cited);
-                let borrowed = borrowed.iter().filter(|a| pair.contains(&a.source));
-                proved(own.iter().chain(borrowed).cloned().collect())
-            });
-            (kept, proven) = found.unwrap_or((kept, proven));
+        let is_left = |source: &Source| kept.iter().any(|a| a.source == *source);
+        needless.retain(is_left);
+        if needless.len() > FEW {
+            let own = &all[..cited];
+            let pair = self.two_of(own, &all[cited..], &needless, goal);
+            (kept, proven) = pair.unwrap_or_else(|| self.fewer(kept, proven, &needless, goal));
         }
         (kept, proven)
+    }
+
+    /// What is cited with all that two equations say, the nearest first, if that is enough.
+    fn two_of(
+        &self,
+        own: &[Assumed],
+        borrowed: &[Assumed],
+        sources: &[Source],
+        goal: &Goal,
+    ) -> Option<(Vec<Assumed>, Proven)> {
+        let near = || sources.iter().rev().enumerate();
+        let mut pairs =
+            near().flat_map(|(at, one)| near().skip(at + 1).map(move |(_, other)| [one, other]));
+        pairs.find_map(|pair| {
+            let both = borrowed.iter().filter(|a| pair.contains(&&a.source));
+            let hypotheses: Vec<Assumed> = own.iter().chain(both).cloned().collect();
+            let proven = self.proved_in_earnest(&hypotheses, goal)?;
+            Some((hypotheses, proven))
+        })
+    }
+
+    /// Leaves out one equation after another, as far as the rest is enough.
+    fn fewer(
+        &self,
+        mut kept: Vec<Assumed>,
+        mut proven: Proven,
+        sources: &[Source],
+        goal: &Goal,
+    ) -> (Vec<Assumed>, Proven) {
+        for source in sources {
+            let fewer = kept.iter().filter(|a| a.source != *source);
+            let fewer: Vec<Assumed> = fewer.cloned().collect();
+            if let Some(found) = self.proved_in_earnest(&fewer, goal) {
+                (kept, proven) = (fewer, found);
+            }
+        }
+        (kept, proven)
+    }
+
+    fn proved_in_earnest(&self, hypotheses: &[Assumed], goal: &Goal) -> Option<Proven> {
+        let claim = self.derivation.claim(self.at, hypotheses, &goal.formula);
+        search::prove_unconditionally(claim, Effort::Full).map(|derived| derived.proven)
     }
 
     /// Leaves out every hypothesis that a proof does without, in an order.

@@ -22,7 +22,7 @@ impl Judge<'_> {
         let [judged] = &entry.judged[..] else {
             return None;
         };
-        if !equation.bare || entry.mended.is_some() || !entry.missing.is_empty() {
+        if !equation.bare || is_slip(entry) || !entry.missing.is_empty() {
             return None;
         }
         // What could not be read may speak of all of it.
@@ -133,6 +133,12 @@ fn stands(term: &Expr, symbol: &Symbol) -> bool {
     }
 }
 
+/// Whether one edit makes it follow from what is said.
+fn is_slip(entry: &Entry) -> bool {
+    let mended = entry.mended.as_ref();
+    mended.is_some_and(|mended| mended.under.is_empty())
+}
+
 /// Whether a refuted statement is no law but an identity that the pen slipped on: both sides of what fails speak of the same, and
 /// either one edit makes it true, or that is whole numbers alone.
 pub(super) fn is_identity(entry: &Entry) -> bool {
@@ -145,9 +151,7 @@ pub(super) fn is_identity(entry: &Entry) -> bool {
             let domain = refuted.claim().domains.get(symbol);
             domain.is_some_and(|domain| domain.integer)
         };
-        !named.is_empty()
-            && named == others
-            && (entry.mended.is_some() || named.iter().all(counted))
+        !named.is_empty() && named == others && (is_slip(entry) || named.iter().all(counted))
     })
 }
 
