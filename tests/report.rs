@@ -3,6 +3,7 @@
 
 mod algebraic;
 mod borrowed;
+mod convincing;
 mod induction;
 mod numeric;
 mod shifted;

@@ -182,6 +182,9 @@ impl Judge<'_> {
                 found.judged.outcome = Outcome::Proven(derived.proven.into());
             }
             Decision::Refuted(refuted) => {
+                let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+                let better = search::without_powers_of_nought(&claim, &refuted);
+                let refuted = better.unwrap_or(refuted);
                 let witness = refuted.witness().clone();
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 let marked = self.derivation.equations[self.at].kind == Kind::Marked;

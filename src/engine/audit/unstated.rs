@@ -87,8 +87,13 @@ impl Judge<'_> {
                 continue;
             };
             let meant = mended.proven.claim().goal.clone();
+            // What must not vanish in the equation itself is told rather than what would make it so.
+            let names = meant.free_symbols();
+            let foreign = |condition: &Formula| condition.free_symbols().is_disjoint(&names);
+            let mut order = conditions.clone();
+            order.sort_by_key(|condition| !foreign(condition));
             mended.under.clone_from(&conditions);
-            for condition in &conditions {
+            for condition in &order {
                 let mut fewer = mended.under.clone();
                 fewer.retain(|own| own != condition);
                 let claim = with(&fewer, &meant);
