@@ -5,6 +5,7 @@ mod codes;
 mod config;
 mod escapes;
 mod fingerprint;
+mod fixes;
 mod guide;
 mod input;
 mod junit;

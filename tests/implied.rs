@@ -50,7 +50,8 @@ fn what_is_printed_may_be_wrong_in_more_than_a_factor() {
     let page = format!(r"{CARTS} $$ Q = \frac{{M m}}{{2 (M - m)}} v^2 \tag{{3}} $$");
     let (formula, ratio) = instead(&page);
     assert_eq!(formula, r"Q = \frac{M m v^2}{2 (M + m)}");
-    assert_eq!(ratio.as_deref(), Some("(M + m)/(M − m)"));
+    // A ratio that is neither a number nor a short product helps nobody.
+    assert_eq!(ratio, None);
 }
 
 #[test]

@@ -2,8 +2,11 @@
 //! here; and how single things are told.
 
 mod algebraic;
+mod borrowed;
+mod convincing;
 mod induction;
 mod numeric;
+mod shifted;
 
 use cradle_verify::proofs;
 

@@ -21,7 +21,7 @@ fn nearest(entry: &Entry) -> Option<Instead<'_>> {
     if let Some(mended) = &entry.mended {
         return Some(Instead {
             proven: &mended.proven,
-            difference: format!("; {}", slip(&mended.change)),
+            difference: format!("{}; {}", under(&mended.under), slip(&mended.change)),
         });
     }
     entry.implied.as_ref().map(|implied| Instead {
@@ -113,6 +113,17 @@ impl Report<'_> {
             "nothing before it speaks of {}; if it is a law, a model or a definition, write `{directive}` above it",
             words::symbol(symbol),
         ))
+    }
+}
+
+/// What must hold besides.
+fn under(conditions: &[Formula]) -> String {
+    match conditions {
+        [] => String::new(),
+        all => format!(
+            ", if {}",
+            words::list(all.iter().map(plain_formula).collect())
+        ),
     }
 }
 

@@ -188,6 +188,20 @@ impl Report<'_> {
         }
     }
 
+    /// What a step follows from in the place of what it cites.
+    fn exchanged(&self, cited: &[usize], instead: &[Source]) -> String {
+        let (added, dropped) = exchange(cited, instead);
+        match (added.is_empty(), dropped.is_empty()) {
+            (true, _) => format!("follows from {}", self.sources(instead)),
+            (false, true) => format!("follows from {}, not cited", self.sources(&added)),
+            (false, false) => format!(
+                "follows from {}, not {}",
+                self.sources(&added),
+                self.references(&dropped)
+            ),
+        }
+    }
+
     /// A note as a clause.
     pub(super) fn aside(&self, own: usize, note: &Note) -> Option<String> {
         Some(match note {
@@ -196,31 +210,16 @@ impl Report<'_> {
                 format!("rests on {}, not proved", self.references(open))
             }
             Note::Miscited { cited, instead } => {
-                let (added, dropped) = exchange(cited, instead);
-                match (added.is_empty(), dropped.is_empty()) {
-                    (true, _) => format!("miscited: follows from {}", self.sources(instead)),
-                    (false, true) => {
-                        format!("miscited: follows from {}, not cited", self.sources(&added))
-                    }
-                    (false, false) => format!(
-                        "miscited: follows from {}, not {}",
-                        self.sources(&added),
-                        self.references(&dropped)
-                    ),
-                }
+                format!("miscited: {}", self.exchanged(cited, instead))
             }
             Note::CitationsShifted {
                 by, cited, instead, ..
-            } => {
-                let (added, dropped) = exchange(cited, instead);
-                format!(
-                    "cites numbers {} too {}: follows from {}, not {}",
-                    by.abs(),
-                    if *by > 0 { "small" } else { "large" },
-                    self.sources(&added),
-                    self.references(&dropped)
-                )
-            }
+            } => format!(
+                "cites numbers {} too {}: {}",
+                by.abs(),
+                if *by > 0 { "small" } else { "large" },
+                self.exchanged(cited, instead)
+            ),
             Note::UnusedPremise(unused) => {
                 format!("cites {} to no use", self.references(unused))
             }
@@ -270,6 +269,9 @@ impl Report<'_> {
                         .collect()
                 )
             ),
+            Note::InconsistentPremises(sources) if sources.is_empty() => {
+                "true for no values that its symbols may have".into()
+            }
             Note::InconsistentPremises(sources) => {
                 format!("contradicts {}", self.sources(sources))
             }

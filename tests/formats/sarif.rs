@@ -1,4 +1,4 @@
-//! SARIF: as its schema says, with fingerprints that stay and repairs that mend.
+//! SARIF: as its schema says, with fingerprints that stay.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -6,19 +6,19 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::schema::faults;
-use super::{code, err, folder, hostile, json as read, out, run, run_in, well};
+use super::{code, err, hostile, json as read, out, run, run_in, well};
 
 fn schema() -> Value {
     serde_json::from_str(include_str!("../schemas/sarif-2.1.0.json")).unwrap()
 }
 
-fn sarif(folder: &Path, args: &[&str]) -> Value {
+pub(super) fn sarif(folder: &Path, args: &[&str]) -> Value {
     let output = run_in(folder, &[args, &["--format", "sarif"]].concat());
     assert!(code(&output) <= 1, "{}", err(&output));
     read(&output)
 }
 
-fn results(log: &Value) -> Vec<Value> {
+pub(super) fn results(log: &Value) -> Vec<Value> {
     log["runs"][0]["results"].as_array().unwrap().clone()
 }
 
@@ -134,89 +134,6 @@ fn paths_are_told_from_where_the_program_was_started() {
     for log in [relative, absolute] {
         assert_eq!(results(&log)[0].pointer(uri), Some(&json!("well.md")));
     }
-}
-
-/// The byte at a line and a column, both from 1, columns in characters.
-fn offset(text: &str, line: u64, column: u64) -> usize {
-    let start: usize = text
-        .split_inclusive('\n')
-        .take(line as usize - 1)
-        .map(str::len)
-        .sum();
-    let own = &text[start..];
-    let mut characters = own.char_indices().map(|(at, _)| at);
-    start + characters.nth(column as usize - 1).unwrap_or(own.len())
-}
-
-fn mended(text: &str, fix: &Value) -> String {
-    let replacement = &fix["artifactChanges"][0]["replacements"][0];
-    let at = |line: &str, column: &str| {
-        let number = |name: &str| replacement["deletedRegion"][name].as_u64().unwrap();
-        offset(text, number(line), number(column))
-    };
-    let (start, end) = (at("startLine", "startColumn"), at("endLine", "endColumn"));
-    let new = replacement["insertedContent"]["text"].as_str().unwrap();
-    format!("{}{new}{}", &text[..start], &text[end..])
-}
-
-#[test]
-fn a_repair_mends_the_equation_and_leaves_the_others() {
-    let folder = folder("repairs");
-    // A slip in each place where one can be, among them behind a command and behind letters that are no ASCII.
-    let text = "<!-- check: symbols t, g, h, v: positive -->\n<!-- check: law -->\n$$ v = g t \\tag{1} $$\n\n\
-        <!-- check: law -->\n$$ h = \\frac12 g t^2 \\tag{2} $$\n\nBy (1) and (2) (größer),\n\n\
-        $$ h = \\frac{v^2}{3 g} \\tag{3} $$\n\nBy (1),\n\n$$ t = \\frac{g}{v} \\tag{4} $$\n";
-    std::fs::write(folder.join("page.md"), text).unwrap();
-    let before = sarif(&folder, &["check", "page.md"]);
-    let with_fix: Vec<Value> = results(&before)
-        .into_iter()
-        .filter(|result| result.get("fixes").is_some())
-        .collect();
-    assert_eq!(with_fix.len(), 2, "{before:#}");
-    for result in with_fix {
-        let repaired = mended(text, &result["fixes"][0]);
-        std::fs::write(folder.join("page.md"), &repaired).unwrap();
-        let after = sarif(&folder, &["check", "page.md"]);
-        let names = |log: &Value| -> Vec<Value> {
-            let name = |r: &Value| r["locations"][0]["logicalLocations"][0]["name"].clone();
-            results(log).iter().map(name).collect()
-        };
-        let left = names(&after);
-        let own = &result["locations"][0]["logicalLocations"][0]["name"];
-        assert!(!left.contains(own), "{repaired}");
-        assert_eq!(left.len() + 1, names(&before).len(), "{repaired}");
-    }
-}
-
-#[test]
-fn every_repair_of_the_report_and_of_the_test_pages_mends_what_it_is_for() {
-    let root = super::root();
-    let scratch = folder("all-repairs");
-    let log = sarif(root, &["check", "tests/pages"]);
-    let mut tried = 0;
-    for result in results(&log).iter().filter(|r| r.get("fixes").is_some()) {
-        let uri = "/locations/0/physicalLocation/artifactLocation/uri";
-        let path = result.pointer(uri).unwrap().as_str().unwrap();
-        let text = std::fs::read_to_string(root.join(path)).unwrap();
-        let alone = |text: &str| -> BTreeSet<String> {
-            std::fs::write(scratch.join("page.md"), text).unwrap();
-            let log = sarif(&scratch, &["check", "page.md"]);
-            let wrong = results(&log).into_iter().filter(|r| r["ruleId"] == "fails");
-            wrong
-                .map(|r| r["properties"]["understood"].to_string())
-                .collect()
-        };
-        let before = alone(&text);
-        let own = result["properties"]["understood"].to_string();
-        if !before.contains(&own) {
-            continue;
-        }
-        let after = alone(&mended(&text, &result["fixes"][0]));
-        // What was derived from the slip may fail now: the repair is of this equation alone.
-        assert!(!after.contains(&own), "{path}: {own}");
-        tried += 1;
-    }
-    assert!(tried > 0, "no page has a repair");
 }
 
 #[test]

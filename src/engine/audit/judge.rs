@@ -1,9 +1,9 @@
 use std::collections::BTreeSet;
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, unconditional, values_at};
-use crate::kernel::{Assignment, Obligation, Proven, Reject, Standing};
-use crate::search::{self, Consistency, Decision, Derived, Effort, Implied, Mended, Stop};
+use crate::kernel::{Assignment, Obligation, Reject, Standing};
+use crate::search::{self, Consistency, Decision, Effort, Implied, InChain, Mended, Stop};
 
 use super::premise::{Usable, usable};
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
@@ -185,6 +185,9 @@ impl Judge<'_> {
                 found.judged.outcome = Outcome::Proven(derived.proven.into());
             }
             Decision::Refuted(refuted) => {
+                let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+                let better = search::without_powers_of_nought(&claim, &refuted);
+                let refuted = better.unwrap_or(refuted);
                 let witness = refuted.witness().clone();
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 let marked = self.derivation.equations[self.at].kind == Kind::Marked;
@@ -233,6 +236,9 @@ impl Judge<'_> {
             return;
         };
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        let Some(chain) = self.in_chain(goal, assumed) else {
+            return;
+        };
         // What the text itself names is likelier meant than that the pen slipped.
         let mentioned = self.derivation.mentioned(self.at);
         if !mentioned.is_empty() {
@@ -244,11 +250,22 @@ impl Judge<'_> {
                 return;
             }
         }
-        found.implied = search::implied(&claim).map(Box::new);
+        let begins = matches!(goal.formula.as_equation(), Some((Expr::Symbol(_), _)));
+        let settled = match begins {
+            true => chain.right_settled,
+            false => chain.left_settled,
+        };
+        if !settled {
+            let implied = search::implied(&claim);
+            // To be told what a premise says helps nobody who cites it.
+            let helps = |i: &Implied| !i.restates() || i.ratio.is_some();
+            found.implied = implied.filter(helps).map(Box::new);
+        }
         // Where only a factor is wrong, the author's own words are kept already.
         if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {
             let witness = refuted.witness();
-            let mended = search::mended(&claim, witness, &self.auditor.hints(), values_at);
+            let hints = self.auditor.hints();
+            let mended = search::mended(&claim, &chain, witness, &hints, values_at);
             found.mended = mended.map(Box::new);
         }
         if !found.has_conditions
@@ -276,9 +293,46 @@ impl Judge<'_> {
             if let Some((all, _)) = missing {
                 (found.missing, found.implied) = (all, None);
             } else {
-                self.mended_from_all(goal, assumed, premises, found);
+                self.mended_from_all(goal, assumed, premises, &chain, found);
+                if found.mended.is_none() {
+                    self.mended_under_conditions(goal, assumed, premises, &chain, found);
+                }
             }
         }
+    }
+
+    /// Which side of a refuted link may be wrong, as far as its neighbours tell; nothing where it is only the left one,
+    /// which is the link before to put right.
+    fn in_chain(&self, goal: &Goal, assumed: &[Assumed]) -> Option<InChain> {
+        let sides = |goal: &Goal| {
+            let (left, right) = goal.formula.as_equation()?;
+            Some((left.clone(), right.clone()))
+        };
+        // Where a chain goes on rightly past a member, that member is wrong.
+        let joined = |one: &Goal, other: &Goal| {
+            let joined = sides(one).zip(sides(other));
+            joined.is_some_and(|((left, _), (_, right))| {
+                let formula = Formula::equal(left, right);
+                let claim = self.derivation.claim(self.at, assumed, &formula);
+                search::prove_unconditionally(claim, Effort::Light).is_some()
+            })
+        };
+        let before = self.derivation.link_before(self.at, goal);
+        if let Some(before) = before.as_ref().filter(|before| joined(before, goal)) {
+            // Of what an author only asks no repair is looked for.
+            let asked = InChain {
+                right_settled: true,
+                ..InChain::default()
+            };
+            return before.questioned.then_some(asked);
+        }
+        let after = self.derivation.link_after(self.at, goal);
+        let passed = after.as_ref().is_some_and(|after| joined(goal, after));
+        Some(InChain {
+            left_settled: before.is_some() || passed,
+            right_settled: false,
+            next: after.map(|after| after.formula),
+        })
     }
 
     /// Whether the author says what the step follows from.
@@ -305,6 +359,7 @@ impl Judge<'_> {
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
+        chain: &InChain,
         found: &mut Found,
     ) {
         let Outcome::Refuted(refuted) = &found.judged.outcome else {
@@ -320,57 +375,11 @@ impl Judge<'_> {
             return;
         }
         let claim = self.derivation.claim(self.at, &all, &goal.formula);
-        let mended = search::mended(&claim, refuted.witness(), &self.auditor.hints(), values_at);
+        let hints = self.auditor.hints();
+        let mended = search::mended(&claim, chain, refuted.witness(), &hints, values_at);
         if let Some(mended) = mended {
             (found.mended, found.implied) = (Some(Box::new(mended)), None);
         }
-    }
-
-    /// Leaves out every hypothesis that a proof does without, the last first. `posed` is the claim that was proved.
-    pub(super) fn least(
-        &self,
-        mut assumed: Vec<Assumed>,
-        goal: &Goal,
-        posed: &Obligation,
-        derived: Derived,
-    ) -> (Vec<Assumed>, Proven) {
-        let pose = |assumed: &[Assumed]| {
-            search::pose(self.derivation.claim(self.at, assumed, &goal.formula)).ok()
-        };
-        // What the certificate combines nearly always suffices; what only keeps something from vanishing is not in it.
-        let Derived {
-            mut proven,
-            combined,
-        } = derived;
-        let all = assumed.iter().enumerate();
-        let few: Vec<Assumed> = all
-            .filter(|(position, _)| combined.contains(position))
-            .map(|(_, own)| own.clone())
-            .collect();
-        let mut shorter: Option<Obligation> = None;
-        if few.len() < assumed.len()
-            && let Some(posed) = pose(&few)
-            && let Some(derived) = search::prove_posed(&posed, Effort::Light)
-                .or_else(|| search::prove_posed(&posed, Effort::Full))
-        {
-            (assumed, proven, shorter) = (few, derived.proven, Some(posed));
-        }
-        for position in (0..assumed.len()).rev() {
-            if assumed.len() < 2 {
-                break;
-            }
-            if !search::may_do_without(shorter.as_ref().unwrap_or(posed), position) {
-                continue;
-            }
-            let mut fewer = assumed.clone();
-            fewer.remove(position);
-            if let Some(posed) = pose(&fewer)
-                && let Some(derived) = search::prove_posed(&posed, Effort::Light)
-            {
-                (assumed, proven, shorter) = (fewer, derived.proven, Some(posed));
-            }
-        }
-        (assumed, proven)
     }
 
     /// Whether hypotheses are known not to be true together.
@@ -436,11 +445,11 @@ impl Judge<'_> {
             let mut harmless = others.clone();
             harmless.retain(|a| !tells_against(a));
             let mut choices = Vec::new();
-            if !harmless.is_empty() {
-                choices.push((assumed.to_vec(), harmless));
-            }
             if sound.len() < assumed.len() {
                 choices.push((sound.clone(), others));
+            }
+            if !harmless.is_empty() {
+                choices.push((assumed.to_vec(), harmless));
             }
             for (cited, others) in choices {
                 let all: Vec<Assumed> = cited.iter().chain(&others).cloned().collect();
@@ -497,7 +506,8 @@ impl Judge<'_> {
                 let Some(derived) = search::prove_posed(posed, effort) else {
                     continue;
                 };
-                let (kept, least) = self.least(all, goal, posed, derived);
+                let cited = cited.len();
+                let (kept, least) = self.least_borrowed(all, cited, goal, posed, derived);
                 if self.is_contradictory(&kept, goal) {
                     continue;
                 }
@@ -516,32 +526,35 @@ impl Judge<'_> {
             return others.clone();
         }
         let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
-        // What is cited may rest on something false already; then so may what is found instead.
-        let cited = self
-            .auditor
-            .failing(self.at, &premises.iter().copied().collect());
+        // What is cited may rest on something false already, or not proved; then so may what is found instead.
+        let own_premises: BTreeSet<usize> = premises.iter().copied().collect();
+        let failing = self.auditor.failing(self.at, &own_premises);
+        let open = self.auditor.unproved(self.at, &own_premises);
         let (mut sound, mut all) = (Vec::new(), Vec::new());
         // Of a wrong citation, or one of what is not there, is told whatever is found.
         let (_, _, unknown) = self.derivation.premises(self.at);
         let cites = !premises.is_empty() || !unknown.is_empty();
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
             let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
-            let doubtful =
-                |n: &Note| matches!(n, Note::UnstatedCondition(_) | Note::RestsOnUnproved(_));
+            let conditional = |n: &&Note| matches!(n, Note::UnstatedCondition(_));
             let unsound = |e: &&Entry| {
-                e.is_wrong() || e.verdict == Verdict::Undecided || e.notes.iter().any(doubtful)
+                let mut conditions = e.notes.iter().filter(conditional);
+                e.is_wrong() || e.verdict == Verdict::Undecided || conditions.next().is_some()
             };
             if entries.iter().any(unsound) || !self.may_borrow(other, cites) {
                 continue;
             }
-            if entries.iter().all(|e| e.rests_on.is_empty()) {
+            let unproved = |n: &Note| match n {
+                Note::RestsOnUnproved(on) => on.clone(),
+                _ => Vec::new(),
+            };
+            let notes = entries.iter().flat_map(|e| &e.notes);
+            let unproved: Vec<usize> = notes.flat_map(unproved).collect();
+            let mut rests_on = entries.iter().flat_map(|e| &e.rests_on).peekable();
+            if rests_on.peek().is_none() && unproved.is_empty() {
                 sound.push(other);
             }
-            if entries
-                .iter()
-                .flat_map(|e| &e.rests_on)
-                .all(|r| cited.contains(r))
-            {
+            if rests_on.all(|r| failing.contains(r)) && unproved.iter().all(|u| open.contains(u)) {
                 all.push(other);
             }
         }

@@ -11,6 +11,7 @@ mod entry;
 mod given;
 mod induction;
 mod judge;
+mod least;
 mod numeric;
 mod premise;
 mod readings;
@@ -367,13 +368,15 @@ impl Auditor<'_> {
         if equation.opens && entries.iter().all(law) {
             if !entries
                 .iter()
-                .any(|e| stated::slips(e, &equation.introduces))
+                .any(|e| stated::slips(e, &equation.introduces, equation.continues))
             {
                 return (0..parts)
                     .map(|part| blank(at, part, parts, Kind::Given, Verdict::Given))
                     .collect();
             }
-            entries.iter_mut().for_each(stated::begin);
+            if equation.continues == 0 {
+                entries.iter_mut().for_each(stated::begin);
+            }
         }
         entries
     }

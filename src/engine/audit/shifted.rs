@@ -1,6 +1,7 @@
 //! Citations that are all off by the same number, as where a section was once numbered from 1.
 
 use std::cell::RefCell;
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
@@ -29,6 +30,16 @@ struct Miscited {
     instead: Vec<Source>,
 }
 
+/// What a shift comes to.
+#[derive(Default)]
+struct Shift<'a> {
+    by: i64,
+    /// The steps that it explains on pages where it explains all of which it can be told.
+    explained: Vec<&'a Miscited>,
+    /// The pages on which it explains any, or might if nothing were wrong: no other number is told of these.
+    touched: BTreeSet<usize>,
+}
+
 /// Puts one finding in the place of many where every miscited step of a page follows once the same number is added to
 /// all that it cites. Pages with the same shift are taken together. What comes out are the notes to put in the place of
 /// `miscited`, with the positions of their entries.
@@ -49,33 +60,30 @@ pub(super) fn gather(shared: &Shared<'_>) -> Vec<(usize, Note)> {
         }
     }
     let mut order: Vec<(i64, usize)> = votes.into_iter().collect();
-    order.sort_by_key(|&(shift, number)| (std::cmp::Reverse(number), shift.abs(), shift));
-    let mut settled: BTreeSet<usize> = BTreeSet::new();
-    let mut of_page: BTreeMap<usize, Vec<&Miscited>> = BTreeMap::new();
-    for step in &all {
-        of_page.entry(step.page).or_default().push(step);
-    }
+    order.sort_by_key(|&(shift, number)| (Reverse(number), shift.abs(), shift));
+    let mut found: Vec<Shift<'_>> = Vec::new();
     for (by, _) in order.into_iter().take(MOST_SHIFTS) {
-        let mut explained: Vec<&Miscited> = Vec::new();
-        for (_, own) in of_page.iter().filter(|(page, _)| !settled.contains(page)) {
-            if own
-                .iter()
-                .all(|step| is_explained(shared, entries, step, by, &mut budget))
-            {
-                explained.extend(own.iter().copied());
-            }
+        let shift = weighed(shared, entries, &all, by, &mut budget);
+        // One number for all of them is what was meant.
+        if shift.explained.len() == all.len() {
+            found = vec![shift];
+            break;
         }
-        if explained.len() < FEWEST {
+        found.push(shift);
+    }
+    found.sort_by_key(|shift| Reverse(shift.explained.len()));
+    let mut touched: BTreeSet<usize> = BTreeSet::new();
+    for mut shift in found {
+        shift.explained.retain(|step| !touched.contains(&step.page));
+        if shift.explained.len() < FEWEST {
             continue;
         }
-        settled.extend(explained.iter().map(|step| step.page));
-        let steps: Vec<usize> = explained
-            .iter()
-            .map(|step| entries[step.entry].equation)
-            .collect();
-        for (at, step) in explained.into_iter().enumerate() {
+        touched.extend(shift.touched);
+        let steps = shift.explained.iter();
+        let steps: Vec<usize> = steps.map(|step| entries[step.entry].equation).collect();
+        for (at, step) in shift.explained.into_iter().enumerate() {
             let note = Note::CitationsShifted {
-                by,
+                by: shift.by,
                 cited: step.cited.clone(),
                 instead: step.instead.clone(),
                 steps: if at == 0 { steps.clone() } else { Vec::new() },
@@ -86,16 +94,57 @@ pub(super) fn gather(shared: &Shared<'_>) -> Vec<(usize, Note)> {
     notes
 }
 
+fn weighed<'a>(
+    shared: &Shared<'_>,
+    entries: &[&Entry],
+    all: &'a [Miscited],
+    by: i64,
+    budget: &mut usize,
+) -> Shift<'a> {
+    let mut shift = Shift {
+        by,
+        ..Shift::default()
+    };
+    for own in all.chunk_by(|one, other| one.page == other.page) {
+        let mut explained = Vec::new();
+        let (mut is_against, mut is_open) = (false, false);
+        for step in own {
+            match is_explained(shared, entries, step, by, budget) {
+                Some(true) => explained.push(step),
+                Some(false) => is_against = true,
+                None => is_open = true,
+            }
+        }
+        if is_open || !explained.is_empty() {
+            shift.touched.insert(own[0].page);
+        }
+        if !is_against {
+            shift.explained.extend(explained);
+        }
+    }
+    shift
+}
+
+/// Whether an equation is no mistake, and comes from none.
+fn is_sound(shared: &Shared<'_>, at: usize) -> bool {
+    let done = shared.done[at].get();
+    let mut entries = done.iter().flat_map(|done| &done.entries);
+    entries.all(|e| !e.is_mistake() && e.rests_on.is_empty())
+}
+
+/// Steps that cite what is right, and do not follow from it. Of what is wrong itself its number need not be.
 fn miscited(shared: &Shared<'_>, entries: &[&Entry]) -> Vec<Miscited> {
     let found = entries.iter().enumerate().flat_map(|(at, entry)| {
         let page = shared.derivation.equations[entry.equation].page;
         entry.notes.iter().filter_map(move |note| match note {
-            Note::Miscited { cited, instead } => Some(Miscited {
-                entry: at,
-                page,
-                cited: cited.clone(),
-                instead: instead.clone(),
-            }),
+            Note::Miscited { cited, instead } if cited.iter().all(|&c| is_sound(shared, c)) => {
+                Some(Miscited {
+                    entry: at,
+                    page,
+                    cited: cited.clone(),
+                    instead: instead.clone(),
+                })
+            }
             _ => None,
         })
     });
@@ -119,55 +168,70 @@ fn shifts(shared: &Shared<'_>, step: &Miscited) -> BTreeSet<i64> {
     differences.filter(|&shift| shift != 0).collect()
 }
 
-/// Whether a step follows from what it cites once `by` is added to every number, with the equation just before it and
-/// what it needs and has no number.
+/// Whether a step follows from exactly what it cites once `by` is added to every number, with what it needs and has no number;
+/// if need be with the equation just before it, too. Nothing can be told where one of these is wrong.
 fn is_explained(
     shared: &Shared<'_>,
     entries: &[&Entry],
     step: &Miscited,
     by: i64,
     budget: &mut usize,
-) -> bool {
+) -> Option<bool> {
     let derivation = shared.derivation;
     let at = entries[step.entry].equation;
-    let mut targets: Vec<usize> = Vec::new();
-    let mut any = false;
+    let mut named: Vec<usize> = Vec::new();
+    let mut shifted: Vec<usize> = Vec::new();
     for &cited in &step.cited {
         let Some(number) = derivation.number(cited) else {
-            targets.push(cited);
+            named.push(cited);
             continue;
         };
-        any = true;
-        let target = number
-            .checked_add(by)
-            .and_then(|n| derivation.numbered(n, step.page));
-        match target {
-            Some(target) if target < at => targets.push(target),
-            _ => return false,
+        let target = number.checked_add(by);
+        match target.and_then(|n| derivation.numbered(n, step.page)) {
+            Some(target) if target < at => shifted.push(target),
+            _ => return Some(false),
         }
     }
-    if !any {
-        return false;
+    if shifted.is_empty() {
+        return Some(false);
     }
-    if at > 0 && derivation.equations[at - 1].page == step.page {
-        targets.push(at - 1);
+    if !shifted.iter().all(|&target| is_sound(shared, target)) {
+        return None;
     }
+    // What is cited as it is printed and needed is cited rightly.
+    let before = at.checked_sub(1).filter(|before| {
+        let own_page = derivation.equations[*before].page == step.page;
+        own_page && !step.cited.contains(before) && is_sound(shared, *before)
+    });
     let needed = step.instead.iter().filter_map(|source| match source {
         Source::Equation(premise) => Some(*premise),
         _ => None,
     });
-    let (numbered, named): (Vec<usize>, Vec<usize>) =
+    let (numbered, others): (Vec<usize>, Vec<usize>) =
         needed.partition(|&premise| derivation.number(premise).is_some());
-    if numbered.iter().all(|premise| targets.contains(premise)) {
-        return true;
+    let is_meant = |premise: &usize| shifted.contains(premise);
+    if numbered.iter().any(is_meant)
+        && (numbered.iter()).all(|premise| is_meant(premise) || before == Some(*premise))
+    {
+        return Some(true);
     }
-    let Some(left) = budget.checked_sub(1) else {
-        return false;
+    named.extend(others);
+    let mut proves = |premises: &[usize]| {
+        let enough = *budget > 0;
+        *budget = budget.saturating_sub(1);
+        let mut premises = [premises, &named].concat();
+        premises.sort_unstable();
+        premises.dedup();
+        enough && follows(shared, entries[step.entry], &premises)
     };
-    *budget = left;
-    targets.extend(named);
-    targets.dedup();
-    follows(shared, entries[step.entry], &targets)
+    if proves(&shifted) {
+        return Some(true);
+    }
+    let Some(before) = before else {
+        return Some(false);
+    };
+    // What follows from the equation before it alone says nothing of the numbers.
+    Some(proves(&[&shifted[..], &[before]].concat()) && !proves(&[before]))
 }
 
 /// Whether a step follows from equations, by the kernel.

@@ -29,7 +29,7 @@ impl Judge<'_> {
         if defined > 0 && self.some_constant(&judged.goal, &[]).is_none() {
             return None;
         }
-        if !equation.bare || entry.mended.is_some() || !entry.missing.is_empty() {
+        if !equation.bare || is_slip(entry) || !entry.missing.is_empty() {
             return None;
         }
         // What could not be read may speak of all of it.
@@ -208,6 +208,12 @@ fn stands(term: &Expr, symbol: &Symbol) -> bool {
     }
 }
 
+/// Whether one edit makes it follow from what is said.
+fn is_slip(entry: &Entry) -> bool {
+    let mended = entry.mended.as_ref();
+    mended.is_some_and(|mended| mended.under.is_empty())
+}
+
 /// Whether a refuted statement is no law but an identity that the pen slipped on: both sides of what fails speak of the same, and
 /// either one edit makes it true, or that is whole numbers alone.
 pub(super) fn is_identity(entry: &Entry) -> bool {
@@ -220,15 +226,14 @@ pub(super) fn is_identity(entry: &Entry) -> bool {
             let domain = refuted.claim().domains.get(symbol);
             domain.is_some_and(|domain| domain.integer)
         };
-        !named.is_empty()
-            && named == others
-            && (entry.mended.is_some() || named.iter().all(counted))
+        !named.is_empty() && named == others && (is_slip(entry) || named.iter().all(counted))
     })
 }
 
 /// Whether what a page begins with goes on with something false: a link whose sides speak of the same (`A = \pi r^2 = 2 \pi r`), what
-/// is implied, or another value of a symbol that is not `new`. A law may go on with another, `p V = n R T = N k T`.
-pub(super) fn slips(entry: &Entry, new: &BTreeSet<Symbol>) -> bool {
+/// is implied, or another value of a symbol that is not `new`. A law may go on with another, `p V = n R T = N k T`. Of a row that goes on
+/// with others, which are `before`, the first link is no beginning.
+pub(super) fn slips(entry: &Entry, new: &BTreeSet<Symbol>, before: usize) -> bool {
     let first = entry.judged.first().map(|judged| judged.goal.clause);
     let mut refuted = (entry.judged.iter().enumerate()).filter(|(_, j)| j.outcome.is_refuted());
     refuted.any(|(link, judged)| {
@@ -237,7 +242,7 @@ pub(super) fn slips(entry: &Entry, new: &BTreeSet<Symbol>) -> bool {
         };
         let (named, others) = (quantities(left), quantities(right));
         let again = matches!(left, Expr::Symbol(symbol) if !new.contains(symbol));
-        match link {
+        match link + before {
             0 => again && !others.is_empty(),
             _ => first != Some(judged.goal.clause) || !named.is_empty() && named == others,
         }

@@ -4,9 +4,9 @@
 //! What follows under such conditions holds, and the conditions are told, as a denominator is that must not vanish.
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Goal};
+use crate::derivation::{Assumed, Goal, values_at};
 use crate::kernel::{Assignment, Claim};
-use crate::search::{self, Effort};
+use crate::search::{self, Effort, InChain};
 
 use super::Outcome;
 use super::judge::{Found, Judge, sources, step};
@@ -37,6 +37,74 @@ impl Judge<'_> {
         // Of what is not cited nothing need be true at the witness.
         let all = self.with_others(assumed, premises);
         all.is_some_and(|all| self.under_conditions(goal, all, None, found))
+    }
+
+    /// The slip of the pen in a step that would follow, without it, where symbols that could be anything are not 0: with a counterexample at
+    /// which none of them is.
+    pub(super) fn mended_under_conditions(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        chain: &InChain,
+        found: &mut Found,
+    ) {
+        // What nothing introduces as a step may be a law.
+        if self.derivation.equations[self.at].bare {
+            return;
+        }
+        let mut sets = vec![assumed.to_vec()];
+        if !self.names_its_premises() {
+            sets.extend(self.with_others(assumed, premises));
+        }
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        for set in sets {
+            let bare = self.derivation.claim(self.at, &set, &goal.formula);
+            let nonzero = |symbol: &Symbol| Formula::Relation {
+                left: Expr::Symbol(symbol.clone()),
+                relation: Relation::NotEqual,
+                right: Expr::integer(0),
+            };
+            let conditions: Vec<Formula> = unbounded(&bare).iter().map(nonzero).collect();
+            if conditions.is_empty() {
+                return;
+            }
+            let with = |conditions: &[Formula], formula: &Formula| {
+                let all: Vec<Assumed> = set
+                    .iter()
+                    .cloned()
+                    .chain(conditions.iter().map(step))
+                    .collect();
+                self.derivation.claim(self.at, &all, formula)
+            };
+            let larger = with(&conditions, &goal.formula);
+            let Some(refuted) = search::refute_in_context(&claim, larger.clone()) else {
+                continue;
+            };
+            let hints = self.auditor.hints();
+            let mended = search::mended(&larger, chain, refuted.witness(), &hints, values_at);
+            let Some(mut mended) = mended else {
+                continue;
+            };
+            let meant = mended.proven.claim().goal.clone();
+            // What must not vanish in the equation itself is told rather than what would make it so.
+            let names = meant.free_symbols();
+            let foreign = |condition: &Formula| condition.free_symbols().is_disjoint(&names);
+            let mut order = conditions.clone();
+            order.sort_by_key(|condition| !foreign(condition));
+            mended.under.clone_from(&conditions);
+            for condition in &order {
+                let mut fewer = mended.under.clone();
+                fewer.retain(|own| own != condition);
+                let claim = with(&fewer, &meant);
+                if let Some(derived) = search::prove_unconditionally(claim, Effort::Light) {
+                    (mended.under, mended.proven) = (fewer, derived.proven);
+                }
+            }
+            found.judged.outcome = Outcome::Refuted(refuted.into());
+            (found.mended, found.implied) = (Some(mended.into()), None);
+            return;
+        }
     }
 
     fn under_conditions(

@@ -6,6 +6,7 @@
 
 mod arguments;
 mod beside;
+mod chain;
 mod checker;
 mod constants;
 mod counts;

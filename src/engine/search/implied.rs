@@ -15,6 +15,8 @@ use crate::kernel::{Claim, Knowledge, Problem, Proven};
 
 /// More terms than this tell a reader nothing.
 const MOST_TERMS: usize = 12;
+/// A ratio of greater numbers is no slip in a coefficient.
+const LARGEST_FACTOR: i64 = 64;
 
 /// What follows in the place of a failing `symbol = term`.
 #[derive(Clone, Debug)]
@@ -37,11 +39,16 @@ impl Implied {
         claim.hypotheses.iter().any(|h| said(&h.formula))
     }
 
-    /// Whether what is printed differs in a number alone.
+    /// Whether what is printed differs in a number alone, and in one that a pen may have slipped by.
     pub fn is_multiple(&self) -> bool {
+        let is_short = |term: &Expr| {
+            let most = BigInt::from(LARGEST_FACTOR);
+            let own = own_number(term).map(|own| own.abs());
+            own.is_some_and(|own| own.numer() <= most && own.denom() <= most)
+        };
         let number = |ratio: &Expr| match ratio {
-            Expr::Negate(inner) => own_number(inner).is_some(),
-            ratio => own_number(ratio).is_some(),
+            Expr::Negate(inner) => is_short(inner),
+            ratio => is_short(ratio),
         };
         self.ratio.as_ref().is_some_and(number)
     }
@@ -68,6 +75,12 @@ pub fn implied(claim: &Claim) -> Option<Implied> {
     // Where only a factor is wrong, the author's own words are kept.
     let factor = quotient.as_ref().and_then(Fraction::as_constant);
     let mut candidates = Vec::new();
+    if factor
+        .as_ref()
+        .is_some_and(|f| f.is_negative() && f.abs().is_one())
+    {
+        candidates.extend(turned(printed));
+    }
     candidates.extend(factor.as_ref().map(|factor| scaled(printed, factor)));
     candidates.push(tidy(&value, &atoms));
     candidates.push(expr_of_fraction(&value, &atoms));
@@ -83,9 +96,47 @@ pub fn implied(claim: &Claim) -> Option<Implied> {
     })?;
     let ratio = quotient
         .and_then(|q| q.recip().ok()?)
-        .filter(|r| r.numerator().len() <= 2 && r.denominator().count() <= 2)
+        .filter(is_short)
         .map(|ratio| tidy(&ratio, &atoms));
     Some(Implied { proven, ratio })
+}
+
+/// Whether a ratio tells a reader something: a number, a product of two unknowns, or what one unknown makes of it.
+fn is_short(ratio: &Fraction) -> bool {
+    let below: Vec<&Polynomial> = ratio.denominator().map(|(factor, _)| factor).collect();
+    let all = below.iter().copied().chain([ratio.numerator()]);
+    let unknowns: BTreeSet<Var> = all.clone().flat_map(Polynomial::vars).collect();
+    match unknowns.len() {
+        0 => true,
+        1 => ratio.numerator().len() <= 2 && below.len() <= 2,
+        2 => all.into_iter().all(|factor| factor.len() == 1),
+        _ => false,
+    }
+}
+
+/// A difference the other way round, where a term is one or has one as a factor: the wrong sign undone without a minus before it.
+fn turned(term: &Expr) -> Option<Expr> {
+    match term {
+        Expr::Sum(items) => match &items[..] {
+            [first, Expr::Negate(second)] if !matches!(first, Expr::Negate(_)) => {
+                let first = Expr::Negate(first.clone().into());
+                Some(Expr::Sum(vec![(**second).clone(), first]))
+            }
+            _ => None,
+        },
+        Expr::Product(factors) => {
+            let mut factors = factors.clone();
+            let (at, other) = (factors.iter().enumerate())
+                .find_map(|(at, factor)| Some((at, turned(factor)?)))?;
+            factors[at] = other;
+            Some(Expr::Product(factors))
+        }
+        Expr::Quotient(above, below) => {
+            let above = turned(above)?;
+            Some(Expr::Quotient(above.into(), below.clone()))
+        }
+        _ => None,
+    }
 }
 
 /// `symbol = term` or `term = symbol`, the term not mentioning the symbol.
@@ -287,7 +338,7 @@ fn tidy(value: &Fraction, atoms: &Atoms) -> Expr {
             _ => {
                 let (content, primitive) = primitive(&factor);
                 number_before *= content;
-                sums.push(expr_of(&primitive, atoms));
+                sums.push(primitive);
             }
         }
     }
@@ -295,6 +346,12 @@ fn tidy(value: &Fraction, atoms: &Atoms) -> Expr {
     if let Some((_, lead)) = numerator.leading() {
         number_before *= lead.clone();
     }
+    // `(a - b) c` rather than `-(-a + b) c`.
+    if let Some(sum) = sums.first_mut().filter(|_| number_before.is_negative()) {
+        (number_before, *sum) = (-number_before, sum.negated());
+    }
+    let sums = sums.iter().map(|sum| positive_first(expr_of(sum, atoms)));
+    let mut sums: Vec<Expr> = sums.collect();
     powers.sort();
     sums.extend(powers);
     let mut below: Vec<Expr> = value
@@ -315,6 +372,21 @@ fn tidy(value: &Fraction, atoms: &Atoms) -> Expr {
         true => above,
         false => Expr::Quotient(above.into(), scaled(&product_of(below), &under).into()),
     }
+}
+
+/// A sum that does not begin with a minus, if it can.
+fn positive_first(sum: Expr) -> Expr {
+    let Expr::Sum(mut items) = sum else {
+        return sum;
+    };
+    let is_negative = |item: &Expr| matches!(item, Expr::Negate(_));
+    if is_negative(&items[0])
+        && let Some(at) = items.iter().position(|item| !is_negative(item))
+    {
+        let first = items.remove(at);
+        items.insert(0, first);
+    }
+    Expr::Sum(items)
 }
 
 /// A sum as a number times a sum with whole coefficients that have no divisor in common, the lowest positive.

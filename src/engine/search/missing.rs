@@ -1,6 +1,7 @@
 //! What would have to be supposed besides for a refuted claim to follow: a sign, an order of two quantities, or an
 //! equation that stands elsewhere.
 
+use super::mend::is_nought;
 use super::{
     Consistency, Effort, assuming, consistency, defines_afresh, pose, prove_unconditionally,
     refute, refuted,
@@ -150,6 +151,8 @@ fn simple(claim: &Claim) -> Vec<Formula> {
             }
         }
     }
+    // Of what is 0 nothing is left to suppose.
+    symbols.retain(|symbol| !claim.hypotheses.iter().any(|h| is_nought(h, symbol)));
     symbols.truncate(MOST_SYMBOLS);
     let relation = |left: Expr, relation: Relation, right: Expr| Formula::Relation {
         left,

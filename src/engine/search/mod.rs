@@ -13,6 +13,7 @@ mod implied;
 mod induction;
 mod mend;
 mod missing;
+mod nought;
 mod point;
 mod positivity;
 mod prove;
@@ -37,8 +38,9 @@ use crate::kernel::{
 pub use algebraic::without_rational_points;
 pub use implied::{Implied, implied, value_in_constants};
 pub use induction::{prove_for_every, refute_by_first_elements};
-pub use mend::{Change, Mended, mended};
+pub use mend::{Change, InChain, Mended, mended};
 pub use missing::{missing_among, missing_suppositions};
+pub use nought::without_powers_of_nought;
 pub use prove::Effort;
 use prove::Prover;
 pub use scaling::{

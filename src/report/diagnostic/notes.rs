@@ -132,12 +132,25 @@ impl Report<'_> {
             }
             Note::InconsistentPremises(sources) => {
                 finding.level = Level::ERROR;
-                finding.title = match entry.kind {
-                    crate::derivation::Kind::Given => format!(
+                let given = entry.kind == crate::derivation::Kind::Given;
+                finding.title = match (sources.is_empty(), given) {
+                    // Nothing else is needed but the rest of its display, and what is declared.
+                    (true, true) if entry.parts > 1 => {
+                        format!(
+                            "{subject} and the others of its display are true for no values that their symbols may have"
+                        )
+                    }
+                    (true, true) => {
+                        format!("{subject} is true for no values that its symbols may have")
+                    }
+                    (true, false) => format!(
+                        "{subject} is derived from what is true for no values that its symbols may have"
+                    ),
+                    (false, true) => format!(
                         "{subject} contradicts {}: they cannot all be true",
                         self.sources(sources)
                     ),
-                    _ => format!(
+                    (false, false) => format!(
                         "{subject} is derived from what cannot all be true: {}",
                         self.sources(sources)
                     ),

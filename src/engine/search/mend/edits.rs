@@ -1,5 +1,7 @@
 //! The slips of the pen that may have been made: every formula that is one small edit away from a printed one.
 
+use std::collections::BTreeSet;
+
 use crate::algebra::{
     BigRational, Expr, Formula, Function, Rational, Relation, Symbol, product_of,
 };
@@ -79,9 +81,17 @@ pub struct Edit {
     pub right_kept: bool,
 }
 
-/// All formulas one edit away from a printed one, the likeliest slip first. `names` are what a symbol may have been
-/// mistaken for.
-pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
+/// The symbols that a formula may speak of.
+#[derive(Default)]
+pub struct Names {
+    /// What a symbol may have been mistaken for, or what may be missing.
+    pub all: Vec<Symbol>,
+    /// Shares of a whole: `p` may stand for `1 - p`.
+    pub shares: BTreeSet<Symbol>,
+}
+
+/// All formulas one edit away from a printed one, the likeliest slip first.
+pub fn edits(printed: &Formula, names: &Names) -> Vec<Edit> {
     let Formula::Relation {
         left,
         relation,
@@ -101,13 +111,17 @@ pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
     let mut all = Vec::new();
     let mut editor = Editor {
         names,
+        is_equation: *relation == Relation::Equal,
         found: Vec::new(),
     };
     for is_left in [false, true] {
         let side = if is_left { left } else { right };
         editor.whole(side);
         editor.missing_factor(side);
-        editor.missing_one(side);
+        // Of what a number is said to be, no other number is missing.
+        if own_number(if is_left { right } else { left }).is_none() {
+            editor.missing_one(side);
+        }
         for (change, cost, term) in editor.found.drain(..) {
             let formula = match is_left {
                 true => rebuilt(&term, *relation, right),
@@ -115,9 +129,11 @@ pub fn edits(printed: &Formula, names: &[Symbol]) -> Vec<Edit> {
             };
             // What an equation is solved for is less often wrong than what it says of it.
             let solved = matches!((is_left, left), (true, Expr::Symbol(_)));
-            let leading = change == Change::Sign && starts_with_minus(&term);
-            let cost =
-                4 * cost + u32::from(is_left) + 2 * u32::from(leading) + 8 * u32::from(solved);
+            let is_sign = change == Change::Sign;
+            let leading = is_sign && starts_with_minus(&term);
+            let more = is_sign && minuses(&term) > minuses(side);
+            let unlikely = u32::from(is_left) + u32::from(more) + 2 * u32::from(leading);
+            let cost = 4 * cost + unlikely + 8 * u32::from(solved);
             all.push(Edit {
                 change,
                 formula,
@@ -173,6 +189,11 @@ fn starts_with_minus(term: &Expr) -> bool {
     }
 }
 
+fn minuses(term: &Expr) -> usize {
+    let own = usize::from(matches!(term, Expr::Negate(_)));
+    own + term.children().map(minuses).sum::<usize>()
+}
+
 fn parts(term: &Expr) -> usize {
     1 + term.children().map(parts).sum::<usize>()
 }
@@ -180,7 +201,8 @@ fn parts(term: &Expr) -> usize {
 type Found = Vec<(Change, u32, Expr)>;
 
 struct Editor<'a> {
-    names: &'a [Symbol],
+    names: &'a Names,
+    is_equation: bool,
     found: Found,
 }
 
@@ -203,33 +225,63 @@ impl Editor<'_> {
     }
 
     fn factors(&mut self, term: &Expr) {
-        if let Expr::Number(value) = term {
-            let one = BigRational::from_integer(1.into());
-            for other in [value + &one, value - &one] {
-                self.found
-                    .push((Change::Coefficient, 2, number(&Rational::from(&other))));
-            }
-        }
+        let one = || Rational::one();
         let (term, negative) = match term {
             Expr::Negate(inner) => (&**inner, true),
             term => (term, false),
         };
+        let signed = |term: Expr| match negative {
+            true => Expr::Negate(term.into()),
+            false => term,
+        };
+        let before = self.found.len();
+        let printed = whole_coefficient(term);
+        if let Some(printed) = &printed {
+            for other in [printed + &one(), printed - &one()] {
+                // Nobody writes a 0, nor a number for one, but among others.
+                let cost = match (printed.is_zero(), other.is_zero()) {
+                    (false, false) => 2,
+                    (_, zero) => {
+                        if zero {
+                            5
+                        } else {
+                            6
+                        }
+                    }
+                };
+                let other = match own_number(term) {
+                    Some(_) => number(&other),
+                    None if other.is_zero() => continue,
+                    None => scaled(term, &(&other / printed)),
+                };
+                self.found.push((Change::Coefficient, cost, signed(other)));
+            }
+        }
         if let Some(value) = own_number(term).filter(|v| !v.is_integer()) {
             let below = BigRational::from_integer(value.denom());
             for other in [1, -1].map(|step| &below + BigRational::from_integer(step.into())) {
                 let other = Rational::from(value.numer()) / Rational::from(&other);
-                self.found.push((Change::Coefficient, 2, number(&other)));
+                self.found
+                    .push((Change::Coefficient, 2, signed(number(&other))));
             }
         }
+        if printed.as_ref().is_some_and(Rational::is_zero) {
+            return;
+        }
         for (at, (above, below)) in FACTORS.into_iter().enumerate() {
-            let factor = BigRational::new(above.into(), below.into());
-            let other = scaled(term, &Rational::from(&factor));
-            let other = match negative {
-                true => Expr::Negate(other.into()),
-                false => other,
-            };
-            let cost = 2 + u32::from(at >= 6) + u32::from(at >= 12);
-            self.found.push((Change::Coefficient, cost, other));
+            let factor = Rational::from(&BigRational::new(above.into(), below.into()));
+            // Who writes whole numbers means a whole number.
+            let broken = printed
+                .as_ref()
+                .is_some_and(|own| !((own * &factor).is_integer() || own.is_one() && above == 1));
+            let cost = 2 + u32::from(at >= 6) + u32::from(at >= 12) + 2 * u32::from(broken);
+            let other = signed(scaled(term, &factor));
+            if self.found[before..]
+                .iter()
+                .all(|(.., found)| *found != other)
+            {
+                self.found.push((Change::Coefficient, cost, other));
+            }
         }
     }
 
@@ -277,7 +329,7 @@ impl Editor<'_> {
             Expr::Number(_) => vec![term.clone()],
             _ => return,
         };
-        for name in self.names {
+        for name in &self.names.all {
             let name = Expr::Symbol(name.clone());
             // A square is written as one.
             if !factors.contains(&name) {
@@ -291,7 +343,7 @@ impl Editor<'_> {
     fn within(&mut self, term: &Expr) {
         match term {
             Expr::Symbol(symbol) => {
-                for name in self.names.iter().filter(|name| *name != symbol) {
+                for name in self.names.all.iter().filter(|name| *name != symbol) {
                     let change = Change::Symbol {
                         printed: symbol.clone(),
                         meant: name.clone(),
@@ -304,10 +356,21 @@ impl Editor<'_> {
                 }
                 let squared = Expr::Power(term.clone().into(), Expr::integer(2).into());
                 self.found.push((Change::Exponent, 3, squared));
+                if self.names.shares.contains(symbol) {
+                    let rest = vec![Expr::integer(1), Expr::Negate(term.clone().into())];
+                    self.found.push((Change::Summand, 4, Expr::Sum(rest)));
+                }
             }
             Expr::Power(base, exponent) => {
                 self.exponents(base, exponent);
+                let root = term.is_root();
                 self.inside(term, 0, |editor, base| match base {
+                    // What a root is taken of is written as a side is. Of a bound nearly any number would do.
+                    base if root && editor.is_equation => {
+                        let before = editor.found.len();
+                        editor.whole(base);
+                        editor.found[before..].iter_mut().for_each(|f| f.1 += 1);
+                    }
                     // A symbol that has an exponent is not given another.
                     Expr::Symbol(_) => {
                         let before = editor.found.len();
@@ -342,6 +405,14 @@ impl Editor<'_> {
                         _ => Expr::Sum(others),
                     };
                     self.found.push((Change::Summand, 4, rest));
+                    let nought = |item: &Expr| own_number(item).is_some_and(|own| own.is_zero());
+                    if own_number(&items[at]).is_some_and(|own| own.is_one())
+                        && items.iter().any(nought)
+                    {
+                        let mut others = items.clone();
+                        others[at] = Expr::integer(0);
+                        self.found.push((Change::Coefficient, 1, Expr::Sum(others)));
+                    }
                     self.inside(term, at, |editor, item| {
                         editor.whole(item);
                         editor.sum_in_brackets(item);
@@ -412,8 +483,12 @@ impl Editor<'_> {
                 true => base.clone(),
                 false => Expr::Power(base.clone().into(), number(&other).into()),
             };
-            self.found
-                .push((Change::Exponent, 2 + u32::from(at > 2), term));
+            // A negative exponent is a fraction upside down; a root of a power is rarely left out.
+            let turned = other.is_negative() && !printed.is_negative();
+            let broken = printed.is_integer() && !other.is_integer();
+            let unlikely = 3 * u32::from(turned) + 2 * u32::from(broken);
+            let cost = 2 + u32::from(at > 2) + unlikely;
+            self.found.push((Change::Exponent, cost, term));
         }
     }
 
@@ -435,6 +510,21 @@ impl Editor<'_> {
             });
         }
     }
+}
+
+/// The whole number that a term is or begins with, 1 if it begins with none; nothing where that is a fraction.
+fn whole_coefficient(term: &Expr) -> Option<Rational> {
+    let own = match term {
+        Expr::Number(_) => own_number(term),
+        Expr::Quotient(..) | Expr::Sum(_) => None,
+        Expr::Product(factors) => match factors.first() {
+            Some(Expr::Quotient(..)) => None,
+            Some(first) => Some(own_number(first).unwrap_or_else(Rational::one)),
+            None => None,
+        },
+        _ => Some(Rational::one()),
+    };
+    own.filter(Rational::is_integer)
 }
 
 /// Whether two names differ in primes or in an index alone.

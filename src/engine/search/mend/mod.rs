@@ -7,19 +7,22 @@ mod edits;
 
 use std::collections::BTreeSet;
 
-use num_traits::Signed;
+use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
 
 use super::{Effort, defines_afresh, prove_unconditionally, refute, unfold};
 pub use edits::Change;
-use edits::{Edit, edits};
+use edits::{Edit, Names, edits};
 
 /// How many edits that are true at every point are handed to the prover.
 const MOST_TRIED: usize = 6;
-/// How many of these are tried in earnest.
+/// How many are where functions or derivatives have no value at a point.
+const MOST_UNWEIGHED: usize = 40;
+/// How many of these are tried in earnest, and how many of those that have no value.
 const IN_EARNEST: usize = 2;
+const UNWEIGHED_IN_EARNEST: usize = 8;
 /// How many bounds are: none of them is seen at first sight.
 const BOUNDS_IN_EARNEST: usize = 4;
 /// How many choices a search for a further point may try.
@@ -36,87 +39,222 @@ pub struct Mended {
     pub proven: Proven,
     /// What was changed.
     pub change: Change,
+    /// The kernel's word for the next link of its chain, which begins with the right side, once that is changed.
+    pub next: Option<Proven>,
+    /// What must hold besides, and nothing says so.
+    pub under: Vec<Formula>,
+}
+
+/// What a refuted link of a chain has to do with its neighbours.
+#[derive(Clone, Debug, Default)]
+pub struct InChain {
+    /// The left side is right, as far as the links beside it tell: only the right side is wrong.
+    pub left_settled: bool,
+    /// The other way round.
+    pub right_settled: bool,
+    /// The link that goes on with the right side.
+    pub next: Option<Formula>,
+}
+
+impl InChain {
+    /// The next link after an edit of the right side.
+    fn next_after(&self, edit: &Edit) -> Option<Formula> {
+        let (Formula::Relation { right: changed, .. }, false) = (&edit.formula, edit.right_kept)
+        else {
+            return None;
+        };
+        match self.next.clone()? {
+            Formula::Relation {
+                relation, right, ..
+            } => Some(Formula::Relation {
+                left: changed.clone(),
+                relation,
+                right,
+            }),
+            Formula::AllEqual { .. } => None,
+        }
+    }
 }
 
 /// The likeliest slip of the pen in a refuted goal: one edit with which it follows from the claim's hypotheses.
 ///
 /// `evaluate` gives the values that a point has under a claim; `hints` are points at which premises like these are known to hold. Nothing where no edit is good: what would follow from
 /// no premises at all is none, unless what is printed is a piece of algebra.
+///
+/// In a chain an edit that leaves the next link true, or makes it so, goes before others.
 pub fn mended(
     claim: &Claim,
+    chain: &InChain,
     witness: &Assignment,
     hints: &[Assignment],
     evaluate: impl Fn(&Claim, &Assignment) -> Values,
 ) -> Option<Mended> {
-    let names: Vec<Symbol> = claim.free_symbols().into_iter().cloned().collect();
-    let names = &names[..names.len().min(MOST_NAMES)];
-    let mut left = edits(&claim.goal, names);
-    left.retain(|edit| !defines_afresh(claim, &edit.formula));
-    if left.is_empty() {
-        return None;
-    }
-    let mut weigh = |values: &Values| {
-        let printed = Printed::new(&claim.goal, values);
-        left.retain(|edit| !printed.is_false(edit, values));
-        left.is_empty()
-    };
-    let there = evaluate(claim, witness);
-    if weigh(&there) {
-        return None;
-    }
-    for hint in hints.iter().filter(|hint| is_admissible(claim, hint)) {
-        let values = evaluate(claim, hint);
-        let mut premises = claim.hypotheses.iter();
-        if premises.all(|h| values.holds(&h.formula) == Ok(true)) && weigh(&values) {
-            return None;
+    let mut candidates = Candidates::new(claim, chain);
+    candidates.weigh_at_points(claim, witness, hints, evaluate);
+    candidates.sort(claim, chain);
+    candidates.first_proved(claim, chain)
+}
+
+/// The edits that are false at no point that was looked at.
+struct Candidates {
+    left: Vec<Edit>,
+    /// These points, the counterexample first.
+    points: Vec<Values>,
+}
+
+impl Candidates {
+    fn new(claim: &Claim, chain: &InChain) -> Candidates {
+        let mut left = edits(&claim.goal, &names(claim));
+        left.retain(|edit| edit.left_kept || !chain.left_settled);
+        left.retain(|edit| edit.right_kept || !chain.right_settled);
+        left.retain(|edit| !defines_afresh(claim, &edit.formula));
+        Candidates {
+            left,
+            points: Vec::new(),
         }
     }
-    // What is proved at first sight, or not at all, is not worth a long search for points.
-    let light = !claim.sequences.is_empty() && !claim.goal.is_inequality();
-    let shifts = if light { 0 } else { 2 };
-    for shift in 0..shifts {
-        if let Some((pinned, point)) = generic(claim, shift)
-            && weigh(&evaluate(&pinned, &point))
-        {
-            return None;
-        }
+
+    fn weigh(&mut self, goal: &Formula, values: Values) {
+        let printed = Printed::new(goal, &values);
+        self.left.retain(|edit| !printed.is_false(edit, &values));
+        self.points.push(values);
     }
-    // Of several bounds that hold the nearest true one is the tightest.
-    if claim.goal.is_inequality() {
-        let letters = |change: &Change| {
-            matches!(
-                change,
-                Change::Symbol { .. } | Change::Factor | Change::Summand
-            )
-        };
-        left.sort_by_cached_key(|edit| (letters(&edit.change), slack(edit, &there), edit.cost));
-    }
-    left.truncate(MOST_TRIED);
-    let with = |goal: &Formula| Claim {
-        goal: goal.clone(),
-        ..claim.clone()
-    };
-    // Sums with a symbolic number of terms are proved at first sight or after a long search.
-    let in_earnest = match claim.goal.is_inequality() {
-        true if claim.sequences.is_empty() => BOUNDS_IN_EARNEST,
-        false if !claim.sequences.is_empty() => 0,
-        _ => IN_EARNEST,
-    };
-    for (effort, most) in [(Effort::Light, MOST_TRIED), (Effort::Full, in_earnest)] {
-        for edit in left.iter().take(most) {
-            let Some(derived) = prove_unconditionally(with(&edit.formula), effort) else {
-                continue;
-            };
-            if is_vacuous(claim, &edit.change, &edit.formula) {
-                continue;
+
+    fn weigh_at_points(
+        &mut self,
+        claim: &Claim,
+        witness: &Assignment,
+        hints: &[Assignment],
+        evaluate: impl Fn(&Claim, &Assignment) -> Values,
+    ) {
+        self.weigh(&claim.goal, evaluate(claim, witness));
+        for hint in hints.iter().filter(|hint| is_admissible(claim, hint)) {
+            if self.left.is_empty() {
+                return;
             }
-            return Some(Mended {
-                proven: derived.proven,
-                change: edit.change.clone(),
+            let values = evaluate(claim, hint);
+            let mut premises = claim.hypotheses.iter();
+            if says_how_all_varies(&claim.goal, &values)
+                && premises.all(|h| values.holds(&h.formula) == Ok(true))
+            {
+                self.weigh(&claim.goal, values);
+            }
+        }
+        // What is proved at first sight, or not at all, is not worth a long search for points.
+        let light = !claim.sequences.is_empty() && !claim.goal.is_inequality();
+        let shifts = if light { 0 } else { 2 };
+        for shift in 0..shifts {
+            if self.left.is_empty() {
+                return;
+            }
+            if let Some((pinned, point)) = generic(claim, shift) {
+                let values = evaluate(&pinned, &point);
+                if says_how_all_varies(&claim.goal, &values) {
+                    self.weigh(&claim.goal, values);
+                }
+            }
+        }
+    }
+
+    /// The likeliest first.
+    fn sort(&mut self, claim: &Claim, chain: &InChain) {
+        let points = &self.points;
+        let begins = matches!(
+            &claim.goal,
+            Formula::Relation {
+                left: Expr::Symbol(_),
+                ..
+            }
+        );
+        // Of several bounds that hold the nearest true one is the tightest.
+        if claim.goal.is_inequality() {
+            let letters = |change: &Change| {
+                matches!(
+                    change,
+                    Change::Symbol { .. } | Change::Factor | Change::Summand
+                )
+            };
+            self.left.sort_by_cached_key(|edit| {
+                // Half of what a bound is for is nearer to it, and says nothing else.
+                let named = begins && !edit.left_kept;
+                let slack = points.first().and_then(|there| slack(edit, there));
+                (letters(&edit.change), named, slack, edit.cost)
             });
         }
+        if chain.next.is_some() {
+            // A symbol that a chain begins with is what it is about.
+            let breaks = |edit: &Edit| {
+                let next = chain.next_after(edit);
+                next.is_some_and(|next| points.iter().any(|p| p.holds(&next) == Ok(false)))
+            };
+            let left = &mut self.left;
+            left.sort_by_cached_key(|edit| breaks(edit) || begins && !edit.left_kept);
+        }
     }
-    None
+
+    /// Whether most of what is left was seen to be true somewhere; elsewhere the right one may stand far down.
+    fn are_weighed(&self) -> bool {
+        // At one point much is true by chance.
+        let [there, _, ..] = &self.points[..] else {
+            return false;
+        };
+        let open = |edit: &&Edit| there.holds(&edit.formula).is_err();
+        self.left.iter().filter(open).count() <= MOST_TRIED
+    }
+
+    fn first_proved(&self, claim: &Claim, chain: &InChain) -> Option<Mended> {
+        let with = |goal: &Formula| Claim {
+            goal: goal.clone(),
+            ..claim.clone()
+        };
+        let weighed = !claim.sequences.is_empty() || self.are_weighed();
+        let at_sight = if weighed { MOST_TRIED } else { MOST_UNWEIGHED };
+        // Sums with a symbolic number of terms are proved at first sight or after a long search.
+        let in_earnest = match claim.goal.is_inequality() {
+            true if claim.sequences.is_empty() => BOUNDS_IN_EARNEST,
+            false if !claim.sequences.is_empty() => 0,
+            false if !weighed => UNWEIGHED_IN_EARNEST,
+            _ => IN_EARNEST,
+        };
+        for (effort, most) in [(Effort::Light, at_sight), (Effort::Full, in_earnest)] {
+            for edit in self.left.iter().take(most) {
+                let Some(derived) = prove_unconditionally(with(&edit.formula), effort) else {
+                    continue;
+                };
+                if is_vacuous(claim, &edit.change, &edit.formula) || is_slack(claim, edit) {
+                    continue;
+                }
+                let next = chain.next_after(edit);
+                let next = next.and_then(|next| prove_unconditionally(with(&next), Effort::Light));
+                return Some(Mended {
+                    proven: derived.proven,
+                    change: edit.change.clone(),
+                    next: next.map(|derived| derived.proven),
+                    under: Vec::new(),
+                });
+            }
+        }
+        None
+    }
+}
+
+/// Whether a point says how all varies that a goal differentiates: where nothing is said of a symbol, it would stand still.
+fn says_how_all_varies(goal: &Formula, values: &Values) -> bool {
+    let is_unsaid = |term: &Expr| {
+        let Expr::Derivative { body, variable } = term else {
+            return false;
+        };
+        let is_said = |symbol: &Symbol| {
+            symbol == variable
+                || values.terms.contains_key(symbol)
+                || values.constants.contains(symbol)
+                || values
+                    .slopes
+                    .contains_key(&(symbol.clone(), variable.clone()))
+        };
+        values.terms.contains_key(variable) || !body.free_symbols().iter().all(is_said)
+    };
+    !goal.terms().iter().any(|term| term.any(&is_unsaid))
 }
 
 /// Whether the symbols that a point gives a value lie where they may.
@@ -243,6 +381,62 @@ fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
         return !algebra;
     }
     // Of what rests on nothing only the best bound is worth a word: both sides can be equal.
+    let mut reached = claim.clone();
+    reached.hypotheses.push(Hypothesis {
+        formula: Formula::equal(left.clone(), right.clone()).into(),
+        standing: Standing::AtPoint,
+    });
+    model(&reached).is_none()
+}
+
+/// What may be written for a symbol, or beside it: nobody writes what is supposed to be 0.
+fn names(claim: &Claim) -> Names {
+    let vanishes = |symbol: &&Symbol| claim.hypotheses.iter().any(|h| is_nought(h, symbol));
+    let all = claim.free_symbols().into_iter();
+    let all = all.filter(|symbol| !vanishes(symbol)).cloned();
+    let all: Vec<Symbol> = all.take(MOST_NAMES).collect();
+    let (nought, one) = (BigRational::zero(), BigRational::one());
+    let is_share = |symbol: &Symbol| {
+        let domain = claim.domains.get(symbol);
+        let ends = domain.and_then(|d| Some((&d.lower.as_ref()?.0, &d.upper.as_ref()?.0)));
+        ends == Some((&nought, &one))
+    };
+    Names {
+        shares: all.iter().filter(|s| is_share(s)).cloned().collect(),
+        all,
+    }
+}
+
+/// Whether a hypothesis says that a symbol is 0.
+pub(super) fn is_nought(hypothesis: &Hypothesis, symbol: &Symbol) -> bool {
+    match hypothesis.formula.as_equation() {
+        Some((Expr::Symbol(own), Expr::Number(value))) => own == symbol && value.is_zero(),
+        _ => false,
+    }
+}
+
+/// Whether an edited number makes a bound that nothing comes near, where premises leave bounds that are reached.
+fn is_slack(claim: &Claim, edit: &Edit) -> bool {
+    let Formula::Relation { left, right, .. } = &edit.formula else {
+        return false;
+    };
+    let strict = |h: &Hypothesis| {
+        let relation = |f: &Formula| match f {
+            Formula::Relation { relation, .. } => Some(*relation),
+            Formula::AllEqual { .. } => None,
+        };
+        matches!(
+            relation(&h.formula),
+            Some(Relation::Less | Relation::Greater)
+        )
+    };
+    if edit.change != Change::Coefficient
+        || !edit.formula.is_inequality()
+        || claim.hypotheses.is_empty()
+        || claim.hypotheses.iter().any(strict)
+    {
+        return false;
+    }
     let mut reached = claim.clone();
     reached.hypotheses.push(Hypothesis {
         formula: Formula::equal(left.clone(), right.clone()).into(),
