@@ -4,6 +4,7 @@
 //! A step that does not follow from these is tried once more from what stands before it, so that a stale
 //! citation is told apart from an error.
 
+mod borrowed;
 mod cases;
 mod constant;
 mod dimensions;

@@ -81,7 +81,7 @@ fn mentions_word(term: &Expr) -> bool {
 fn words(pages: &[Page], equations: &[Equation]) -> BTreeSet<Symbol> {
     let stated = equations.iter().flat_map(Equation::symbols);
     let locals = pages.iter().flat_map(|page| &page.locals);
-    let all = stated.chain(locals.flat_map(super::page::Local::names));
+    let all = stated.chain(locals.flat_map(super::supposed::Local::names));
     all.filter(|symbol| symbol.name().starts_with("\\text{"))
         .collect()
 }

@@ -8,7 +8,8 @@ use crate::document::Span;
 use crate::notation::{Clause, Statement, read_expr, read_formulas};
 
 use super::equation::{conditions, formulas};
-use super::page::{Local, Page};
+use super::page::Page;
+use super::supposed::Local;
 use super::{Equation, Kind, counts};
 
 /// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, nor in an equation that is supposed

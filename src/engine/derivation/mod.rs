@@ -17,6 +17,7 @@ mod names;
 mod page;
 mod rows;
 mod running;
+mod supposed;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -30,8 +31,9 @@ use crate::notation::{Spanned, measured, read_formulas};
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
-pub use page::{Datum, Local, Page, Premises};
+pub use page::{Datum, Page, Premises};
 pub use running::Running;
+pub use supposed::Local;
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
 const LONGEST_RANGE: usize = 1000;

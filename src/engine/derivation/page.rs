@@ -3,9 +3,7 @@ use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{
-    BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, element_symbol,
-};
+use crate::algebra::{BigRational, Dimension, Expr, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::{
     Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, Supposition,
@@ -13,12 +11,12 @@ use crate::document::{
 };
 use crate::document::{above_signs, nearest};
 use crate::kernel::Domain;
-use crate::notation::{Spanned, Statement, SyntaxError, read_formulas, read_symbol};
+use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
 
 use super::beside::{Beside, Clash, Place};
 use super::definition::Known;
-use super::equation::{each_side, formulas};
-use super::rows::Part;
+use super::equation::each_side;
+use super::supposed::Local;
 use super::{Equation, Kind, counts, names, rows};
 
 /// Of the values that a piece of text names, so many are looked at.
@@ -64,32 +62,6 @@ pub struct Datum {
     pub source: String,
     /// The clause.
     pub span: Span,
-}
-
-/// A hypothesis that is in effect in a part of a page.
-#[derive(Clone, Debug)]
-pub struct Local {
-    /// What is supposed.
-    pub formulas: Vec<Arc<Formula>>,
-    /// `let`: a value for this section alone; otherwise `assuming`, which conclusions carry with them.
-    pub is_let: bool,
-    /// Where it stands.
-    pub span: Span,
-    /// The symbols that a `let` gives a value.
-    assigned: BTreeSet<Symbol>,
-    /// Of a special case, the symbols that it sets to a number: what speaks of them again is no longer said of that case.
-    set: BTreeSet<Symbol>,
-    /// It was told of a special case, and is left with it.
-    of_case: bool,
-    level: u8,
-}
-
-impl Local {
-    /// The symbols and sequences that it speaks of.
-    pub fn names(&self) -> BTreeSet<Symbol> {
-        let formulas = self.formulas.iter();
-        formulas.flat_map(|formula| formula.names()).collect()
-    }
 }
 
 /// What an equation is said to follow from.
@@ -397,7 +369,7 @@ pub(super) fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
 }
 
 impl Page {
-    fn complain(&mut self, error: SyntaxError) {
+    pub(super) fn complain(&mut self, error: SyntaxError) {
         self.problems.push(Problem {
             span: error.span,
             message: error.message,
@@ -545,88 +517,6 @@ impl Page {
         }
     }
 
-    /// Takes up a `let` or an assumption. Prose that cannot be read supposes nothing; a directive must be readable.
-    fn suppose(
-        &mut self,
-        body: Span,
-        kind: SuppositionKind,
-        level: u8,
-        active: &mut Vec<usize>,
-        strict: bool,
-    ) {
-        let is_case = matches!(kind, SuppositionKind::Case { .. });
-        let is_fact = matches!(kind, SuppositionKind::Fact { .. });
-        let is_let = is_case || kind == SuppositionKind::Let;
-        let mut statements = match read_formulas(&self.document.source, body) {
-            Ok(statements) => statements,
-            Err(error) => {
-                if strict {
-                    self.complain(error);
-                }
-                return;
-            }
-        };
-        self.read_exponentials(statements.iter_mut());
-        if let Some(conditional) = statements.iter().find(|s| !s.under.is_empty()) {
-            if strict {
-                self.complain(SyntaxError {
-                    span: conditional.span,
-                    message: "what is supposed here is said under a condition".into(),
-                    help: Some("suppose the condition first".into()),
-                });
-            }
-            return;
-        }
-        for statement in &statements {
-            let formulas = formulas(statement);
-            let assigned: BTreeSet<Symbol> = match is_let {
-                true => formulas.iter().flat_map(assigned).collect(),
-                false => BTreeSet::new(),
-            };
-            let locals = &self.locals;
-            let own: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::names).collect();
-            active.retain(|&at| {
-                let old = &locals[at];
-                // "For $m_1 = m_2$, … For $m_2 = 3 m_1$, …" goes from one case to the next.
-                let other_case = || {
-                    let gives_values = !assigned.is_empty() && !old.assigned.is_empty();
-                    gives_values && own.len() > 1 && old.names() == own
-                };
-                !old.is_let || old.assigned.is_disjoint(&assigned) && !other_case()
-            });
-            let set = match is_case || is_fact {
-                true => formulas.iter().filter_map(set_to_a_number).collect(),
-                false => BTreeSet::new(),
-            };
-            active.push(self.locals.len());
-            self.locals.push(Local {
-                set,
-                formulas: formulas.into_iter().map(Arc::new).collect(),
-                is_let,
-                span: statement.span,
-                assigned,
-                of_case: matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
-                level,
-            });
-        }
-    }
-
-    /// Leaves the cases of whose symbols a display speaks again: "At $t = 0$ the switch is closed. Later $q = I t$". In the
-    /// sentence that sets the case it is said of that: "at $\mu = 1$, $\eta = 4 \mu / (1 + \mu)^2 = 1$".
-    fn leave_cases(&self, display: &[Part], running: &[usize], active: &mut Vec<usize>) {
-        let is_left = |at: usize| {
-            let set = &self.locals[at].set;
-            let statements = || {
-                display
-                    .iter()
-                    .flat_map(|part| part.statements.iter().flatten())
-            };
-            let mut spoken_of = statements().flat_map(formulas).flat_map(|f| f.names());
-            !set.is_empty() && !running.contains(&at) && spoken_of.any(|name| set.contains(&name))
-        };
-        active.retain(|&at| !is_left(at));
-    }
-
     /// The domain of the elements of a sequence: that declared for `u_i`, whatever the index is called.
     pub fn element_domain(&self, sequence: &Symbol) -> Option<&Domain> {
         of_elements(&self.domains, sequence)
@@ -757,29 +647,5 @@ fn dimension_help(word: Option<&str>) -> String {
         None => "a dimension is a name (`mass`, `velocity`, `energy/temperature`) or a product of powers of the bases \
                  `M L T I \\Theta N J`, such as `M L^{-1/2} T^{-2}`"
             .into(),
-    }
-}
-
-/// The symbol that an equation says is a number: `t = 0`.
-fn set_to_a_number(formula: &Formula) -> Option<Symbol> {
-    match formula {
-        Formula::Relation {
-            left: Expr::Symbol(symbol),
-            relation: Relation::Equal,
-            right,
-        } if right.free_symbols().iter().all(Symbol::is_unit) => Some(symbol.clone()),
-        _ => None,
-    }
-}
-
-/// The symbols that an equation between them gives a value.
-fn assigned(formula: &Formula) -> BTreeSet<Symbol> {
-    match formula {
-        Formula::Relation {
-            left: Expr::Symbol(symbol),
-            ..
-        } => BTreeSet::from([symbol.clone()]),
-        Formula::AllEqual { sequence, .. } => BTreeSet::from([sequence.clone()]),
-        Formula::Relation { .. } => BTreeSet::new(),
     }
 }

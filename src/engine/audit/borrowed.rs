@@ -1,0 +1,309 @@
+//! What stands before and is not cited: what a step follows from in the place of what it cites, or besides.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Formula, Symbol};
+use crate::derivation::{Assumed, Goal, Kind, Source, unconditional, values_at};
+use crate::kernel::{Assignment, Obligation, Reject};
+use crate::search::{self, Effort, InChain};
+
+use super::judge::{Found, Judge, NEARBY, sources};
+use super::premise::usable;
+use super::{Entry, Note, Outcome, Verdict};
+
+/// How many earlier equations are looked at for a step that does not follow from what it cites.
+const MOST_RELATIVES: usize = 12;
+/// How many formulas that are given only later are tried with what does not follow.
+const MOST_LATER: usize = 4;
+
+/// What a step that does not follow from what it cites may be tried with.
+pub(super) struct Attempt {
+    cited: Vec<Assumed>,
+    /// The likeliest first.
+    others: Vec<Assumed>,
+    /// The goal from all of them.
+    posed: Result<Obligation, Reject>,
+}
+
+impl Judge<'_> {
+    /// Hypotheses with the nearest of what stands before and is not cited, if there is anything.
+    pub(super) fn with_others(
+        &mut self,
+        assumed: &[Assumed],
+        premises: &[usize],
+    ) -> Option<Vec<Assumed>> {
+        let [others, _] = self.others(premises);
+        let near = others.into_iter().take(NEARBY[1].0);
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
+        (all.len() > assumed.len()).then_some(all)
+    }
+
+    /// The slip of the pen in a step that needs what stands before and is not cited.
+    pub(super) fn mended_from_all(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        chain: &InChain,
+        found: &mut Found,
+    ) {
+        let Outcome::Refuted(refuted) = &found.judged.outcome else {
+            return;
+        };
+        if self.names_its_premises() {
+            return;
+        }
+        let Some(all) = self.with_others(assumed, premises) else {
+            return;
+        };
+        if !speaks_of_all(all.iter(), &goal.formula) {
+            return;
+        }
+        let claim = self.derivation.claim(self.at, &all, &goal.formula);
+        let hints = self.auditor.hints();
+        let mended = search::mended(&claim, chain, refuted.witness(), &hints, values_at);
+        if let Some(mended) = mended {
+            (found.mended, found.implied) = (Some(Box::new(mended)), None);
+        }
+    }
+
+    /// What a step that does not follow may be tried with: what is cited, and what is not but stands before.
+    /// The witness against it may stand against all of these too.
+    pub(super) fn attempts(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        witness: Option<Assignment>,
+    ) -> Vec<Attempt> {
+        let mut attempts = Vec::new();
+        let hints: Vec<Assignment> = witness
+            .into_iter()
+            .chain(self.auditor.hints().iter().cloned())
+            .collect();
+        // What is cited and fails can stand in the way of what does follow.
+        let failing = self
+            .auditor
+            .failing(self.at, &premises.iter().copied().collect());
+        let fails = |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
+        let sound: Vec<Assumed> = assumed.iter().filter(|a| !fails(a)).cloned().collect();
+        let against = self.refuted_from(&failing);
+        let tells_against =
+            |a: &Assumed| matches!(a.source, Source::Equation(p) if against.contains(&p));
+        for others in self.others(premises) {
+            if others.is_empty() || !speaks_of_all(assumed.iter().chain(&others), &goal.formula) {
+                continue;
+            }
+            // Together with what it was refuted from, what fails would prove nearly anything.
+            let mut harmless = others.clone();
+            harmless.retain(|a| !tells_against(a));
+            let mut choices = Vec::new();
+            if sound.len() < assumed.len() {
+                choices.push((sound.clone(), others));
+            }
+            if !harmless.is_empty() {
+                choices.push((assumed.to_vec(), harmless));
+            }
+            for (cited, others) in choices {
+                let all: Vec<Assumed> = cited.iter().chain(&others).cloned().collect();
+                let posed = search::pose(self.derivation.claim(self.at, &all, &goal.formula));
+                // Where all of it is true and the goal is not, no part of it will do.
+                if !posed.as_ref().is_ok_and(|p| search::is_doomed(p, &hints)) {
+                    attempts.push(Attempt {
+                        cited,
+                        others,
+                        posed,
+                    });
+                }
+            }
+        }
+        attempts
+    }
+
+    /// The equations at a common point of which failing ones were found to be false.
+    fn refuted_from(&self, failing: &[usize]) -> BTreeSet<usize> {
+        let entries = failing.iter().flat_map(|&at| self.auditor.entries_of(at));
+        let refuted = entries.filter_map(|entry| entry.refuted());
+        let premises = refuted.flat_map(|(judged, _)| sources(&judged.assumed));
+        let equations = premises.filter_map(|source| match source {
+            Source::Equation(at) => Some(at),
+            _ => None,
+        });
+        equations.collect()
+    }
+
+    /// Tries again with what stands before, cited or not.
+    pub(super) fn rescue(
+        &mut self,
+        goal: &Goal,
+        attempts: &[Attempt],
+        stages: &[(usize, Effort)],
+        found: &mut Found,
+    ) -> bool {
+        for attempt in attempts {
+            let Attempt { cited, others, .. } = attempt;
+            let mut last = None;
+            for &(most, effort) in stages {
+                // Where there are no more of them, the same would be tried again.
+                let most = most.min(others.len());
+                if last.replace((most, effort)) == Some((most, effort)) {
+                    continue;
+                }
+                let near = others.iter().take(most);
+                let all: Vec<Assumed> = cited.iter().chain(near).cloned().collect();
+                let fewer = (most < others.len())
+                    .then(|| search::pose(self.derivation.claim(self.at, &all, &goal.formula)));
+                let Ok(posed) = fewer.as_ref().unwrap_or(&attempt.posed) else {
+                    continue;
+                };
+                let Some(derived) = search::prove_posed(posed, effort) else {
+                    continue;
+                };
+                let cited = cited.len();
+                let (kept, least) = self.least_borrowed(all, cited, goal, posed, derived);
+                if self.is_contradictory(&kept, goal) {
+                    continue;
+                }
+                found.instead = sources(&kept);
+                found.conditions.clear();
+                found.judged.assumed = kept;
+                found.judged.outcome = Outcome::Proven(least.into());
+                return true;
+            }
+        }
+        false
+    }
+
+    pub(super) fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 2] {
+        if let Some(others) = &self.others {
+            return others.clone();
+        }
+        let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
+        // What is cited may rest on something false already, or not proved; then so may what is found instead.
+        let own_premises: BTreeSet<usize> = premises.iter().copied().collect();
+        let failing = self.auditor.failing(self.at, &own_premises);
+        let open = self.auditor.unproved(self.at, &own_premises);
+        let (mut sound, mut all) = (Vec::new(), Vec::new());
+        // Of a wrong citation, or one of what is not there, is told whatever is found.
+        let (_, _, unknown) = self.derivation.premises(self.at);
+        let cites = !premises.is_empty() || !unknown.is_empty();
+        for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
+            let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
+            let conditional = |n: &&Note| matches!(n, Note::UnstatedCondition(_));
+            let unsound = |e: &&Entry| {
+                let mut conditions = e.notes.iter().filter(conditional);
+                e.is_wrong() || e.verdict == Verdict::Undecided || conditions.next().is_some()
+            };
+            if entries.iter().any(unsound) || !self.may_borrow(other, cites) {
+                continue;
+            }
+            let unproved = |n: &Note| match n {
+                Note::RestsOnUnproved(on) => on.clone(),
+                _ => Vec::new(),
+            };
+            let notes = entries.iter().flat_map(|e| &e.notes);
+            let unproved: Vec<usize> = notes.flat_map(unproved).collect();
+            let mut rests_on = entries.iter().flat_map(|e| &e.rests_on).peekable();
+            if rests_on.peek().is_none() && unproved.is_empty() {
+                sound.push(other);
+            }
+            if rests_on.all(|r| failing.contains(r)) && unproved.iter().all(|u| open.contains(u)) {
+                all.push(other);
+            }
+        }
+        let own = self.usable.assumed.len();
+        let told = self.derivation.told(self.at);
+        let gather = |list: &[usize]| {
+            let gathered = {
+                let offer = |premise| self.auditor.offer(self.at, premise);
+                usable(self.derivation, offer, self.at, list).assumed
+            };
+            let mut extra: Vec<Assumed> = told
+                .iter()
+                .cloned()
+                .chain(gathered)
+                .filter(|a| !self.usable.assumed.contains(a))
+                .collect();
+            extra.truncate(own + 40);
+            extra
+        };
+        let others = match sound.len() == all.len() {
+            true => [gather(&sound), Vec::new()],
+            false => [gather(&sound), gather(&all)],
+        };
+        self.others = Some(others.clone());
+        others
+    }
+
+    /// Whether all that an earlier equation was shown under is supposed here too: what is not cited brings no special case with it.
+    /// In the place of a wrong citation, which is told of, one under mere conditions will do.
+    fn may_borrow(&self, other: usize, cites: bool) -> bool {
+        let own = &self.derivation.equations[self.at];
+        let Some(offer) = self.auditor.offer(self.at, other) else {
+            return false;
+        };
+        offer.under.iter().all(|&(page, local)| {
+            let formulas = &self.derivation.local(page, local).formulas;
+            own.is_under(page, local) || cites && formulas.iter().all(|f| f.as_equation().is_none())
+        })
+    }
+
+    /// What is given further on in the page and not cited: an author may have used it too soon.
+    pub(super) fn later(&self, premises: &[usize]) -> Vec<Formula> {
+        let equations = &self.derivation.equations;
+        let own = self.derivation.equations_of(equations[self.at].page);
+        let given = (self.at + 1..own.end)
+            .take(MOST_RELATIVES)
+            .filter(|at| equations[*at].kind == Kind::Given && !premises.contains(at));
+        let statements = given.flat_map(|at| equations[at].statements());
+        statements
+            .flat_map(unconditional)
+            .take(MOST_LATER)
+            .collect()
+    }
+
+    /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that
+    /// stands before can then be what the step follows from.
+    pub(super) fn strengthen(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        // Other pages may mean other things by the same letters.
+        let page = self.derivation.equations[self.at].page;
+        let near = |a: &Assumed| match a.source {
+            Source::Equation(other) => self.derivation.equations[other].page == page,
+            Source::Local(other, _) => other == page,
+            Source::Step => true,
+        };
+        let [mut sound, _] = self.others(premises);
+        sound.retain(near);
+        if sound.is_empty() {
+            return false;
+        }
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        if let Some(refuted) = search::refute_in_context(&claim, larger) {
+            found.judged.outcome = Outcome::Refuted(refuted.into());
+            return true;
+        }
+        false
+    }
+}
+
+/// Whether hypotheses say something of each symbol of a goal: one of which nothing at all is said can have any value.
+fn speaks_of_all<'a>(
+    hypotheses: impl Iterator<Item = &'a Assumed> + Clone,
+    goal: &Formula,
+) -> bool {
+    let said = |symbol: &&Symbol| {
+        let mut terms = hypotheses.clone().flat_map(|a| a.formula.terms());
+        terms.any(|term| term.mentions(symbol))
+    };
+    Formula::free_symbols_of(std::iter::once(goal))
+        .iter()
+        .all(said)
+}
