@@ -210,12 +210,14 @@ pub fn usable<'a>(
         let mut standing = Standing::Identity;
         for &(page, local) in &offer.under {
             for formula in &derivation.local(page, local).formulas {
-                if !is_open(formula) {
-                    standing = Standing::AtPoint;
+                let own = derivation.pages[page].standing_of(formula);
+                // What explains a symbol is meant throughout, as a definition is.
+                if !is_open(formula) && !equation.explains && own == Standing::AtPoint {
+                    standing = own;
                 }
                 let assumed = Assumed {
                     formula: formula.clone(),
-                    standing: Standing::AtPoint,
+                    standing: own,
                     source: Source::Local(page, local),
                 };
                 if !usable.assumed.contains(&assumed) {

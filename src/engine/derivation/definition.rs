@@ -26,6 +26,7 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
         let mut defines = std::mem::take(&mut equation.defines);
         let mut introduces = BTreeSet::new();
         let mut case: Option<Symbol> = None;
+        let mut explains = false;
         for (part, statement) in equation.statements().iter().enumerate() {
             // All cases of a definition define the same symbol.
             let defined = defined_symbol(statement, &seen, case.as_ref());
@@ -33,7 +34,9 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
             let defined = defined
                 .filter(|symbol| !sequences.know(symbol, &seen) && !constants.contains(symbol));
             // "The magnification $M = -s'/s$ is": the display says what comes of it.
-            let defined = defined.filter(|symbol| !is_told(symbol, equation, page));
+            let told = (defined.as_ref()).is_some_and(|symbol| is_told(symbol, equation, page));
+            explains |= told;
+            let defined = defined.filter(|_| !told);
             if defined.is_none() {
                 defines.remove(&part);
             }
@@ -55,6 +58,7 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
             seen.extend(names_in(&page.document.source, equation.body));
         }
         (equation.defines, equation.introduces) = (defines, introduces);
+        equation.explains = explains;
     }
 }
 

@@ -32,6 +32,8 @@ pub struct Equation {
     pub defines: BTreeSet<usize>,
     /// The symbols of which no equation before speaks.
     pub introduces: BTreeSet<Symbol>,
+    /// Whether it would define its symbol, had the text not told what that is.
+    pub explains: bool,
     /// Whether the page opens with it and nothing is said of where it comes from.
     pub opens: bool,
     /// Whether words say that it is about the display before, too: "which by (2) is".

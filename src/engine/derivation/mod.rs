@@ -427,7 +427,7 @@ impl Derivation {
             let formulas = page.locals[local].formulas.iter();
             formulas.map(move |formula| Assumed {
                 formula: formula.clone(),
-                standing: Standing::AtPoint,
+                standing: page.standing_of(formula),
                 source: Source::Local(number, local),
             })
         });

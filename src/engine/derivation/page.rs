@@ -306,6 +306,7 @@ pub(super) fn read_page(
                         kind,
                         defines,
                         introduces: BTreeSet::new(),
+                        explains: false,
                         opens: alone && kind == Kind::Derived && !stated,
                         relative: said.relative,
                         bare: bare && kind == Kind::Derived && part.continues == 0,

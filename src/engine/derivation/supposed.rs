@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::document::{Span, SuppositionKind};
+use crate::kernel::Standing;
 use crate::notation::{SyntaxError, read_formulas};
 
 use super::equation::formulas;
@@ -38,6 +39,15 @@ impl Local {
 }
 
 impl Page {
+    /// What is supposed is so at one point; of constants alone it is so throughout.
+    pub fn standing_of(&self, formula: &Formula) -> Standing {
+        let is_constant = |s: &Symbol| self.domains.get(s).is_some_and(|d| d.constant);
+        match formula.free_symbols().iter().all(is_constant) && formula.sequences().is_empty() {
+            true => Standing::Identity,
+            false => Standing::AtPoint,
+        }
+    }
+
     /// Takes up a `let` or an assumption. Prose that cannot be read supposes nothing; a directive must be readable.
     pub(super) fn suppose(
         &mut self,

@@ -158,7 +158,7 @@ impl Problem {
     /// root at all, and that there is one must not follow from what is said of it. Each fact can be made true at
     /// every point at which those before it are, whether or not the terms of the goal have a value there.
     pub(super) fn add_facts_about_powers(&mut self) -> Result<(), Reject> {
-        if self.powers.is_none() || self.functions.is_none() {
+        if self.powers.is_none() {
             return Ok(());
         }
         let mut knowledge = Knowledge::new(&self.facts);

@@ -181,7 +181,16 @@ pub fn decide_within(
 /// # Errors
 /// As [`Obligation::new`].
 pub fn pose(claim: Claim) -> Result<Obligation, Reject> {
-    let unfold = unfold::definitions_to_unfold(&claim);
+    let mut unfold = unfold::definitions_to_unfold(&claim);
+    while !unfold.is_empty() {
+        match Obligation::new(claim.clone(), unfold.clone()) {
+            // What holds at one moment cannot be put in where something moves.
+            Err(Reject::NotUnfoldable(stuck)) if unfold.contains(&stuck) => {
+                unfold.retain(|&position| position != stuck);
+            }
+            posed => return posed,
+        }
+    }
     Obligation::new(claim, unfold)
 }
 
