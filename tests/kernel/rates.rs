@@ -101,9 +101,14 @@ fn by_a_whole_number_nothing_is_differentiated() {
         integer: true,
         ..Domain::default()
     };
-    let claim = claim(&["z = n^2"], r"\frac{dz}{dn} = 2 n").domain("n", whole());
-    let result = problem(&claim).with_rates(&[rate(0, "n")]).map(|_| ());
+    let squares = claim(&["z = n^2"], "z = 2 n").domain("n", whole());
+    let result = problem(&squares).with_rates(&[rate(0, "n")]).map(|_| ());
     assert_eq!(result, Err(Reject::NoRate(0)));
+    // Nor is a derivative by one read.
+    let slope = r"\frac{dz}{dn}";
+    let asked = claim(&["z = n^2"], &format!("{slope} = 2 n")).domain("n", whole());
+    let read = Problem::new(&asked, &[]).map(|_| ());
+    assert_eq!(read, Err(Reject::MayHaveNoValue(term(slope))));
     // Nor by what never changes.
     let claim = circle().domain("t", constant());
     assert_eq!(halved(claim, vec![rate(0, "t")]), Err(Reject::NoRate(0)));

@@ -470,7 +470,9 @@ impl Lowering<'_> {
             Atom::Symbol(symbol) => constant(symbol),
             // How many elements there are does not change while something else does.
             Atom::PowerSum { to, powers } => {
-                to != variable && powers.iter().all(|(sequence, _)| constant(sequence))
+                let own = element_parts(variable).map(|parts| parts.0);
+                let still = |s: &Symbol| constant(s) && own.as_ref() != Some(s);
+                to != variable && powers.iter().all(|(sequence, _)| still(sequence))
             }
             atom => {
                 let body = expr_of_atom(atom);

@@ -13,6 +13,7 @@ mod given;
 mod induction;
 mod judge;
 mod least;
+mod moving;
 mod numeric;
 mod premise;
 mod readings;
@@ -25,7 +26,7 @@ mod stated;
 mod unstated;
 mod without;
 
-use std::cell::{Ref, RefCell};
+use std::cell::{OnceCell, Ref, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -193,6 +194,7 @@ impl Shared<'_> {
             derivation: self.derivation,
             givens,
             points: RefCell::new(vec![givens.point.clone()]),
+            moving: OnceCell::new(),
         };
         for at in equations {
             // Others may be waiting for this equation: whatever happens, there is a result.
@@ -211,6 +213,8 @@ struct Auditor<'a> {
     givens: &'a given::Models,
     /// Points at which premises were found to hold together, the latest first.
     points: RefCell<Vec<Assignment>>,
+    /// What the page says of what moves, once it is asked for.
+    moving: OnceCell<moving::Moving>,
 }
 
 impl Auditor<'_> {
@@ -424,8 +428,10 @@ impl Auditor<'_> {
             if !found.conditions.is_empty() {
                 let constants = stated::constants(&found.judged, &found.conditions);
                 entry.notes.push(match constants {
-                    Some(symbols) => Note::TakenAsConstant(symbols),
-                    None => Note::UnstatedCondition(found.conditions),
+                    Some(symbols) if !self.says_otherwise(at, &found.conditions) => {
+                        Note::TakenAsConstant(symbols)
+                    }
+                    _ => Note::UnstatedCondition(found.conditions),
                 });
             }
             if !found.contradictory.is_empty() {

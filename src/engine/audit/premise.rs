@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{
-    Assumed, Derivation, Kind, Running, Source, conditions, formulas, is_open,
+    Assumed, Derivation, Kind, Local, Running, Source, conditions, formulas, is_open,
 };
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
@@ -174,11 +174,18 @@ pub fn usable<'a>(
         ..Usable::default()
     };
     let page = derivation.equations[at].page;
-    let in_effect: BTreeSet<(usize, usize)> = derivation.equations[at]
-        .locals
-        .iter()
+    let own = &derivation.equations[at];
+    let in_effect: BTreeSet<(usize, usize)> = (own.locals.iter().chain(&own.told))
         .map(|&local| (page, local))
         .collect();
+    // A value that the text has given to another symbol's place since is no longer meant.
+    let replaced = |own: &Local| {
+        let values = own.values();
+        let mut others = in_effect
+            .iter()
+            .map(|&(page, at)| derivation.local(page, at));
+        others.any(|other| !other.values().is_disjoint(&values))
+    };
     for &premise in premises {
         let equation = &derivation.equations[premise];
         if equation.statements.is_err() {
@@ -197,12 +204,12 @@ pub fn usable<'a>(
                 continue;
             }
         };
-        let is_let = |&(page, local): &(usize, usize)| derivation.local(page, local).is_let;
-        if offer
-            .under
-            .iter()
-            .any(|local| is_let(local) && !in_effect.contains(local))
-        {
+        let is_left = |place: &(usize, usize)| {
+            let local = derivation.local(place.0, place.1);
+            let is_case = local.is_let || local.is_case() || local.is_told && replaced(local);
+            is_case && !in_effect.contains(place)
+        };
+        if offer.under.iter().any(is_left) {
             usable.out_of_scope.push(premise);
             continue;
         }

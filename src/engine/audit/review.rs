@@ -2,7 +2,7 @@
 //!
 //! None of this is done in the audit itself: it answers questions that are asked afterwards.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicUsize;
@@ -174,6 +174,7 @@ impl<'a> Review<'a> {
             derivation: self.shared.derivation,
             givens: &self.models,
             points: RefCell::new(points),
+            moving: OnceCell::new(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Citations that are all off by the same number, as where a section was once numbered from 1.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
@@ -244,6 +244,7 @@ fn follows(shared: &Shared<'_>, entry: &Entry, premises: &[usize]) -> bool {
         derivation,
         givens: &models,
         points: RefCell::new(Vec::new()),
+        moving: OnceCell::new(),
     };
     let own = usable(
         derivation,

@@ -129,6 +129,8 @@ impl Use {
                 for formula in statements.iter().flat_map(formulas) {
                     self.see_formula(&formula, page);
                 }
+            } else {
+                self.other |= speaks_of_e(source.get(body.range()).unwrap_or_default());
             }
         }
     }
@@ -157,6 +159,16 @@ impl Use {
             }
         }
     }
+}
+
+/// Whether mathematics that could not be read speaks of `e` other than as the base of a power: `e \in (0, 1)`.
+fn speaks_of_e(text: &str) -> bool {
+    let glued = |c: Option<char>| c.is_some_and(|c| c.is_alphabetic() || c == '\\');
+    text.match_indices('e').any(|(at, _)| {
+        let before = text[..at].chars().next_back();
+        let after = text[at + 1..].trim_start();
+        !glued(before) && !glued(text[at + 1..].chars().next()) && !after.starts_with('^')
+    })
 }
 
 /// Of an exponent that is a number, whether it is -1.

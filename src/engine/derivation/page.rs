@@ -177,7 +177,7 @@ pub(super) fn read_page(
                 }
                 for &Supposition { kind, body } in &prose.suppositions {
                     if kind == SuppositionKind::General {
-                        active.retain(|&at| page.locals[at].set.is_empty());
+                        active.retain(|&at| !page.locals[at].of_case);
                         continue;
                     }
                     if let SuppositionKind::Fact { runs_on, .. } = kind {

@@ -25,12 +25,24 @@ pub struct Local {
     pub(super) assigned: BTreeSet<Symbol>,
     /// Of a special case, the symbols that it sets to a number: what speaks of them again is no longer said of that case.
     pub(super) set: BTreeSet<Symbol>,
-    /// It was told of a special case, and is left with it.
+    /// It is a special case, or was told of one, and is left with it.
     pub(super) of_case: bool,
+    /// The text told it in passing.
+    pub is_told: bool,
     pub(super) level: u8,
 }
 
 impl Local {
+    /// Whether it is a special case.
+    pub fn is_case(&self) -> bool {
+        self.of_case || !self.set.is_empty()
+    }
+
+    /// The symbols that it says the value of.
+    pub fn values(&self) -> BTreeSet<Symbol> {
+        self.formulas.iter().flat_map(|f| assigned(f)).collect()
+    }
+
     /// The symbols and sequences that it speaks of.
     pub fn names(&self) -> BTreeSet<Symbol> {
         let formulas = self.formulas.iter();
@@ -82,6 +94,11 @@ impl Page {
         }
         for statement in &statements {
             let formulas = formulas(statement);
+            if is_fact {
+                // "The height is $x = h$, so … The width is $x = w$, so".
+                let told: BTreeSet<Symbol> = formulas.iter().flat_map(assigned).collect();
+                active.retain(|&at| self.locals[at].values().is_disjoint(&told));
+            }
             let assigned: BTreeSet<Symbol> = match is_let {
                 true => formulas.iter().flat_map(assigned).collect(),
                 false => BTreeSet::new(),
@@ -108,7 +125,8 @@ impl Page {
                 is_let,
                 span: statement.span,
                 assigned,
-                of_case: matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
+                of_case: is_case || matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
+                is_told: is_fact,
                 level,
             });
         }

@@ -330,6 +330,8 @@ fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
     };
     match word {
         "general" => before(1) == "in" || before(1) == "the" && before(2) == "in",
+        "generally" => true,
+        "cases" => before(1) == "all" && before(2) == "in",
         "arbitrary" | "all" | "any" | "every" => before(1) == "for",
         "to" => before(1) == "return",
         "later" | "otherwise" | "else" | "elsewhere" => before(1).is_empty(),

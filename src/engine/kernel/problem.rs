@@ -96,6 +96,9 @@ impl Problem {
     }
 
     fn read_as(claim: &Claim, unfold: &[usize], apart: bool) -> Result<Problem, Reject> {
+        if let Some(slope) = by_whole_number(claim) {
+            return Err(Reject::MayHaveNoValue(slope));
+        }
         let sequences = sequences(claim);
         let (formulas, goal, values) = unfolded(claim, unfold, &sequences)?;
         let named = claim.free_symbols();
@@ -594,6 +597,22 @@ pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
 fn sequences(claim: &Claim) -> BTreeSet<Symbol> {
     let mentioned = claim.formulas().flat_map(Formula::sequences);
     claim.sequences.keys().cloned().chain(mentioned).collect()
+}
+
+/// A derivative by what is always a whole number: there is none.
+fn by_whole_number(claim: &Claim) -> Option<Expr> {
+    let whole = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(|d| d.integer);
+    if !claim.domains.values().any(|domain| domain.integer) {
+        return None;
+    }
+    fn find(term: &Expr, whole: &impl Fn(&Symbol) -> bool) -> Option<Expr> {
+        match term {
+            Expr::Derivative { variable, .. } if whole(variable) => Some(term.clone()),
+            term => term.children().find_map(|child| find(child, whole)),
+        }
+    }
+    let mut terms = claim.formulas().flat_map(Formula::terms);
+    terms.find_map(|term| find(term, &whole))
 }
 
 /// The symbols that depend on no variable, and the sequences whose elements do not.

@@ -4,7 +4,7 @@
 use super::course::said_to_move;
 use super::refute::Points;
 use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
-use crate::algebra::{Atom, Expr, Formula};
+use crate::algebra::{Atom, Expr, Formula, element_parts};
 use crate::kernel::{Claim, Obligation, Problem};
 
 /// More quantities than this that might change are not looked at one by one.
@@ -65,13 +65,17 @@ pub(super) fn held_still(claim: &Claim, problem: &Problem) -> Vec<Formula> {
     let said = said_to_move(claim);
     let mut still = Vec::new();
     for (_, atom) in problem.atoms.iter() {
-        let Atom::Opaque(slope @ Expr::Derivative { body, .. }) = atom else {
+        let Atom::Opaque(slope @ Expr::Derivative { body, variable }) = atom else {
             continue;
         };
         let is_still = match &**body {
             Expr::Symbol(symbol) => !said.contains(symbol),
-            // A sum over data.
-            body @ Expr::Series { .. } => !said.iter().any(|symbol| body.mentions(symbol)),
+            // A sum over data, and not one that runs to the variable.
+            body @ Expr::Series { .. } => {
+                let own = element_parts(variable).map(|parts| parts.0);
+                let mut moving = said.iter().chain([variable]).chain(&own);
+                !moving.any(|symbol| body.mentions(symbol))
+            }
             _ => false,
         };
         if is_still {

@@ -1,0 +1,92 @@
+//! What a page says of what changes with what: something of which it says so is not taken as constant, cited or not.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::derivation::{Derivation, Equation, formulas};
+
+use super::Auditor;
+
+/// What some equations and suppositions say of what moves.
+#[derive(Default)]
+pub(super) struct Moving {
+    differentiated: BTreeSet<Symbol>,
+    /// Symbols by themselves on a side of an equation, with what stands on the other.
+    explicit: Vec<(Symbol, BTreeSet<Symbol>)>,
+}
+
+impl Moving {
+    fn of(derivation: &Derivation, page: usize) -> Moving {
+        let mut found = Moving::default();
+        let equations = &derivation.equations[derivation.equations_of(page)];
+        let statements = equations.iter().flat_map(Equation::statements);
+        for formula in statements.flat_map(formulas) {
+            found.learn(&formula);
+        }
+        let locals = derivation.pages[page].locals.iter();
+        for formula in locals.flat_map(|local| &local.formulas) {
+            found.learn(formula);
+        }
+        found
+    }
+
+    fn learn(&mut self, formula: &Formula) {
+        for term in formula.terms() {
+            term.collect_differentiated(&mut self.differentiated);
+        }
+        if let Some((left, right)) = formula.as_equation() {
+            for (side, other) in [(left, right), (right, left)] {
+                // "At $t = \tau$" names a moment.
+                if let Expr::Symbol(symbol) = side
+                    && !matches!(other, Expr::Symbol(_) | Expr::Number(_))
+                {
+                    let named = other.free_symbols().into_iter().chain(sequences(other));
+                    self.explicit.push((symbol.clone(), named.collect()));
+                }
+            }
+        }
+    }
+
+    /// Whether a symbol is said to change with a variable; of a sequence, one of its elements.
+    fn says(&self, name: &Symbol, is_sequence: bool, variable: &Symbol) -> bool {
+        let is_meant = |own: &Symbol| {
+            let stem = own.name().rsplit_once('_').map(|parts| parts.0);
+            own == name || is_sequence && stem == Some(name.name())
+        };
+        let dotted = Symbol::new(format!("\\dot{{{name}}}"));
+        let changes = |named: &BTreeSet<Symbol>| {
+            let mut all = named.iter();
+            all.any(|other| other == variable || self.differentiated.contains(other))
+        };
+        let mut explicit = self.explicit.iter();
+        self.differentiated.iter().any(is_meant)
+            || explicit.any(|(own, named)| {
+                *own == dotted || named.contains(&dotted) || is_meant(own) && changes(named)
+            })
+    }
+}
+
+fn sequences(term: &Expr) -> Vec<Symbol> {
+    match term {
+        Expr::Element { sequence, .. } => vec![sequence.clone()],
+        _ => term.children().flat_map(sequences).collect(),
+    }
+}
+
+impl Auditor<'_> {
+    /// Whether the page says that something moves of which conditions say that it does not.
+    pub(super) fn says_otherwise(&self, at: usize, conditions: &[Formula]) -> bool {
+        let page = self.derivation.equations[at].page;
+        let moving = self
+            .moving
+            .get_or_init(|| Moving::of(self.derivation, page));
+        conditions.iter().any(|condition| {
+            let Some((Expr::Derivative { body, variable }, _)) = condition.as_equation() else {
+                return false;
+            };
+            let says = |name: &Symbol, is_sequence| moving.says(name, is_sequence, variable);
+            body.free_symbols().iter().any(|symbol| says(symbol, false))
+                || sequences(body).iter().any(|sequence| says(sequence, true))
+        })
+    }
+}
