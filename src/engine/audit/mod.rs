@@ -189,13 +189,7 @@ impl Shared<'_> {
         let models = || given::models(self.derivation, page);
         let givens = self.givens[page]
             .get_or_init(|| catch_unwind(AssertUnwindSafe(models)).unwrap_or_default());
-        let auditor = Auditor {
-            shared: self,
-            derivation: self.derivation,
-            givens,
-            points: RefCell::new(vec![givens.point.clone()]),
-            moving: OnceCell::new(),
-        };
+        let auditor = Auditor::new(self, givens, vec![givens.point.clone()]);
         for at in equations {
             // Others may be waiting for this equation: whatever happens, there is a result.
             let result = catch_unwind(AssertUnwindSafe(|| auditor.done(at)));
@@ -215,6 +209,18 @@ struct Auditor<'a> {
     points: RefCell<Vec<Assignment>>,
     /// What the page says of what moves, once it is asked for.
     moving: OnceCell<moving::Moving>,
+}
+
+impl<'a> Auditor<'a> {
+    fn new(shared: &'a Shared<'a>, givens: &'a given::Models, points: Vec<Assignment>) -> Self {
+        Auditor {
+            shared,
+            derivation: shared.derivation,
+            givens,
+            points: RefCell::new(points),
+            moving: OnceCell::new(),
+        }
+    }
 }
 
 impl Auditor<'_> {

@@ -11,7 +11,7 @@ use super::Auditor;
 #[derive(Default)]
 pub(super) struct Moving {
     differentiated: BTreeSet<Symbol>,
-    /// Symbols by themselves on a side of an equation, with what stands on the other.
+    /// Symbols by themselves on a side of an equation, with all that it speaks of.
     explicit: Vec<(Symbol, BTreeSet<Symbol>)>,
 }
 
@@ -34,15 +34,15 @@ impl Moving {
         for term in formula.terms() {
             term.collect_differentiated(&mut self.differentiated);
         }
-        if let Some((left, right)) = formula.as_equation() {
-            for (side, other) in [(left, right), (right, left)] {
-                // "At $t = \tau$" names a moment.
-                if let Expr::Symbol(symbol) = side
-                    && !matches!(other, Expr::Symbol(_) | Expr::Number(_))
-                {
-                    let named = other.free_symbols().into_iter().chain(sequences(other));
-                    self.explicit.push((symbol.clone(), named.collect()));
-                }
+        let Some((left, right)) = formula.as_equation() else {
+            return;
+        };
+        for (side, other) in [(left, right), (right, left)] {
+            // "At $t = \tau$" names a moment.
+            if let Expr::Symbol(symbol) = side
+                && !matches!(other, Expr::Symbol(_) | Expr::Number(_))
+            {
+                self.explicit.push((symbol.clone(), formula.names()));
             }
         }
     }
@@ -66,13 +66,6 @@ impl Moving {
     }
 }
 
-fn sequences(term: &Expr) -> Vec<Symbol> {
-    match term {
-        Expr::Element { sequence, .. } => vec![sequence.clone()],
-        _ => term.children().flat_map(sequences).collect(),
-    }
-}
-
 impl Auditor<'_> {
     /// Whether the page says that something moves of which conditions say that it does not.
     pub(super) fn says_otherwise(&self, at: usize, conditions: &[Formula]) -> bool {
@@ -81,12 +74,12 @@ impl Auditor<'_> {
             .moving
             .get_or_init(|| Moving::of(self.derivation, page));
         conditions.iter().any(|condition| {
-            let Some((Expr::Derivative { body, variable }, _)) = condition.as_equation() else {
+            let Some((Expr::Derivative { variable, .. }, _)) = condition.as_equation() else {
                 return false;
             };
-            let says = |name: &Symbol, is_sequence| moving.says(name, is_sequence, variable);
-            body.free_symbols().iter().any(|symbol| says(symbol, false))
-                || sequences(body).iter().any(|sequence| says(sequence, true))
+            let (names, sequences) = (condition.names(), condition.sequences());
+            let mut held = names.iter().filter(|name| *name != variable);
+            held.any(|name| moving.says(name, sequences.contains(name), variable))
         })
     }
 }

@@ -2,7 +2,6 @@
 //!
 //! None of this is done in the audit itself: it answers questions that are asked afterwards.
 
-use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicUsize;
@@ -169,13 +168,7 @@ impl<'a> Review<'a> {
             .filter_map(|e| e.refuted())
             .map(|(_, refuted)| refuted.witness().clone())
             .collect();
-        Auditor {
-            shared: &self.shared,
-            derivation: self.shared.derivation,
-            givens: &self.models,
-            points: RefCell::new(points),
-            moving: OnceCell::new(),
-        }
+        Auditor::new(&self.shared, &self.models, points)
     }
 
     /// Proves one goal, and says from what.

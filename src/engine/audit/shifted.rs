@@ -1,6 +1,5 @@
 //! Citations that are all off by the same number, as where a section was once numbered from 1.
 
-use std::cell::{OnceCell, RefCell};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
@@ -239,13 +238,7 @@ fn follows(shared: &Shared<'_>, entry: &Entry, premises: &[usize]) -> bool {
     let derivation = shared.derivation;
     let at = entry.equation;
     let models = given::Models::default();
-    let auditor = Auditor {
-        shared,
-        derivation,
-        givens: &models,
-        points: RefCell::new(Vec::new()),
-        moving: OnceCell::new(),
-    };
+    let auditor = Auditor::new(shared, &models, Vec::new());
     let own = usable(
         derivation,
         |premise| auditor.offer(at, premise),

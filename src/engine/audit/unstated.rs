@@ -202,21 +202,15 @@ impl Judge<'_> {
             let derived = search::prove_posed(&posed, effort)?;
             Some((posed, derived))
         };
-        let Some((mut posed, mut derived)) = proved(conditions) else {
+        let conditions = conditions.to_vec();
+        // What is only found in earnest is not left out by those who try for little.
+        let found_under = match effort {
+            Effort::Full => search::fewest(conditions, proved),
+            Effort::Light => proved(&conditions).map(|found| (found, conditions)),
+        };
+        let Some(((posed, derived), conditions)) = found_under else {
             return false;
         };
-        let mut conditions = conditions.to_vec();
-        // What is only found in earnest is not left out by those who try for little.
-        if effort == Effort::Full {
-            for at in (0..conditions.len()).rev() {
-                let mut fewer = conditions.clone();
-                fewer.remove(at);
-                if let Some(found) = proved(&fewer) {
-                    (posed, derived) = found;
-                    conditions = fewer;
-                }
-            }
-        }
         let with = with(&conditions);
         let (kept, least) = self.least(with, goal, &posed, derived);
         let is_kept = |condition: &&Formula| kept.contains(&step(condition));

@@ -21,8 +21,6 @@ pub struct Local {
     pub is_let: bool,
     /// Where it stands.
     pub span: Span,
-    /// The symbols that a `let` gives a value.
-    pub(super) assigned: BTreeSet<Symbol>,
     /// Of a special case, the symbols that it sets to a number: what speaks of them again is no longer said of that case.
     pub(super) set: BTreeSet<Symbol>,
     /// It is a special case, or was told of one, and is left with it.
@@ -94,25 +92,22 @@ impl Page {
         }
         for statement in &statements {
             let formulas = formulas(statement);
-            if is_fact {
-                // "The height is $x = h$, so … The width is $x = w$, so".
-                let told: BTreeSet<Symbol> = formulas.iter().flat_map(assigned).collect();
-                active.retain(|&at| self.locals[at].values().is_disjoint(&told));
-            }
-            let assigned: BTreeSet<Symbol> = match is_let {
-                true => formulas.iter().flat_map(assigned).collect(),
-                false => BTreeSet::new(),
-            };
-            let locals = &self.locals;
+            let values: BTreeSet<Symbol> = formulas.iter().flat_map(assigned).collect();
             let own: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::names).collect();
+            let locals = &self.locals;
             active.retain(|&at| {
                 let old = &locals[at];
+                let before = old.values();
                 // "For $m_1 = m_2$, … For $m_2 = 3 m_1$, …" goes from one case to the next.
                 let other_case = || {
-                    let gives_values = !assigned.is_empty() && !old.assigned.is_empty();
+                    let gives_values = !values.is_empty() && !before.is_empty();
                     gives_values && own.len() > 1 && old.names() == own
                 };
-                !old.is_let || old.assigned.is_disjoint(&assigned) && !other_case()
+                match old.is_let && is_let {
+                    true => before.is_disjoint(&values) && !other_case(),
+                    // "The height is $x = h$, so … The width is $x = w$, so".
+                    false => !is_fact || before.is_disjoint(&values),
+                }
             });
             let set = match is_case || is_fact {
                 true => formulas.iter().filter_map(set_to_a_number).collect(),
@@ -124,7 +119,6 @@ impl Page {
                 formulas: formulas.into_iter().map(Arc::new).collect(),
                 is_let,
                 span: statement.span,
-                assigned,
                 of_case: is_case || matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
                 is_told: is_fact,
                 level,

@@ -9,7 +9,7 @@ use serde_json::value::RawValue;
 use super::markdown;
 use super::origin::{Cell, File};
 use super::source::line_starts;
-use super::{Directive, Document, Item, Origin, Prose, Span};
+use super::{Directive, Document, Item, Origin, Span};
 
 /// A file that is no notebook, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -143,43 +143,22 @@ fn moved(item: Item, by: usize) -> Item {
             title,
             span: at(span),
         },
-        Item::Prose(Prose {
-            span,
-            mut math,
-            mut citations,
-            mut suppositions,
-            mut mentions,
-            concludes,
-            cites,
-            defines,
-            is_relative,
-            says_what_is_meant,
-        }) => {
-            for inline in &mut math {
+        Item::Prose(mut prose) => {
+            prose.span = at(prose.span);
+            for inline in &mut prose.math {
                 inline.span = at(inline.span);
                 inline.body = at(inline.body);
             }
-            for citation in &mut citations {
+            for citation in &mut prose.citations {
                 citation.span = at(citation.span);
             }
-            for mention in &mut mentions {
+            for mention in &mut prose.mentions {
                 *mention = at(*mention);
             }
-            for supposition in &mut suppositions {
+            for supposition in &mut prose.suppositions {
                 supposition.body = at(supposition.body);
             }
-            Item::Prose(Prose {
-                span: at(span),
-                math,
-                citations,
-                suppositions,
-                mentions,
-                concludes,
-                cites,
-                defines,
-                is_relative,
-                says_what_is_meant,
-            })
+            Item::Prose(prose)
         }
         Item::Display {
             span,

@@ -385,6 +385,22 @@ pub fn missing_conditions(
     with(&candidates)
 }
 
+/// What is found under conditions, and those of them without which it is not; the last are left out first.
+pub fn fewest<T>(
+    mut conditions: Vec<Formula>,
+    found: impl Fn(&[Formula]) -> Option<T>,
+) -> Option<(T, Vec<Formula>)> {
+    let mut least = found(&conditions)?;
+    for at in (0..conditions.len()).rev() {
+        let mut fewer = conditions.clone();
+        fewer.remove(at);
+        if let Some(own) = found(&fewer) {
+            (conditions, least) = (fewer, own);
+        }
+    }
+    Some((least, conditions))
+}
+
 /// Whether a formula gives a value to a symbol of which no hypothesis says anything: then it can only define it.
 fn defines_afresh(claim: &Claim, formula: &Formula) -> bool {
     let unsaid = |symbol: &Symbol| {

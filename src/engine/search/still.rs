@@ -48,16 +48,7 @@ pub(super) fn fewest(
     if still.is_empty() || still.len() > MOST_STILL {
         return None;
     }
-    let mut derived = proved(&still)?;
-    let mut conditions = still;
-    for at in (0..conditions.len()).rev() {
-        let mut fewer = conditions.clone();
-        fewer.remove(at);
-        if let Some(own) = proved(&fewer) {
-            (conditions, derived) = (fewer, own);
-        }
-    }
-    Some((derived, conditions))
+    super::fewest(still, proved)
 }
 
 /// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by.
