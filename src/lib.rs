@@ -99,7 +99,7 @@
 
 #[doc(inline)]
 pub use cradle_engine::{
-    algebra, audit, derivation, dimension, document, interval, kernel, notation, search,
+    algebra, audit, derivation, dimension, document, interval, kernel, notation, search, sorted,
 };
 
 pub mod cli;

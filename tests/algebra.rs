@@ -3,13 +3,13 @@
 mod effort;
 
 use std::collections::hash_map::DefaultHasher;
-use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{Hash, Hasher};
 
 use cradle_verify::algebra::{
     Atom, Atoms, BigInt, BigRational, Conditions, Expr, Fraction, Lowering, Monomial, Polynomial,
     Rational, Symbol, Var,
 };
+use cradle_verify::sorted::{Map, Set};
 use num_traits::{One, Pow, Signed, Zero};
 use proptest::prelude::*;
 
@@ -86,7 +86,7 @@ fn boundary_integers() -> Vec<BigInt> {
 #[test]
 fn rationals_agree_with_bigrational_at_the_limits_of_machine_integers() {
     let integers = boundary_integers();
-    let mut values: BTreeSet<BigRational> = BTreeSet::new();
+    let mut values: Set<BigRational> = Set::new();
     for n in &integers {
         values.insert(BigRational::from_integer(n.clone()));
         if !n.is_zero() {
@@ -166,7 +166,7 @@ fn polynomial() -> impl Strategy<Value = Polynomial> {
 }
 
 fn at(point: &[Rational; 3]) -> impl Fn(Var) -> Option<Rational> {
-    let pairs: BTreeMap<Var, Rational> = vars().into_iter().zip(point.clone()).collect();
+    let pairs: Map<Var, Rational> = vars().into_iter().zip(point.clone()).collect();
     move |var| pairs.get(&var).cloned()
 }
 
@@ -320,7 +320,7 @@ proptest! {
     }
 }
 
-type Values = BTreeMap<Symbol, BigRational>;
+type Values = Map<Symbol, BigRational>;
 
 /// The value of a term by the definition of each operation; `None` where it is not defined.
 fn naive(expr: &Expr, at: &Values) -> Option<BigRational> {
@@ -446,7 +446,7 @@ proptest! {
             .map(|(name, &(n, d))| (Symbol::new(*name), BigRational::new(n.into(), d.into())))
             .collect();
         let mut atoms = Atoms::default();
-        let sequences = BTreeSet::new();
+        let sequences = Set::new();
         let mut lowering = Lowering {
             atoms: &mut atoms,
             sequences: &sequences,

@@ -31,4 +31,5 @@ mod readme;
 mod repairs;
 mod report;
 mod robust;
+mod sorted;
 mod undeclared;

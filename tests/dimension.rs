@@ -2,8 +2,6 @@
 //! nothing about a well-dimensioned equation. The last is checked by evaluating both sides, which shares no code with
 //! the inference.
 
-use std::collections::BTreeMap;
-
 use cradle_verify::algebra::{
     Base, BigInt, BigRational, Dimension, Formula, Rational, Symbol, Values,
 };
@@ -11,6 +9,7 @@ use cradle_verify::audit::{Audit, Verdict};
 use cradle_verify::derivation::{Derivation, formulas};
 use cradle_verify::dimension::{names, parse};
 use cradle_verify::kernel::dimension::{Form, comparisons};
+use cradle_verify::sorted::Map;
 use proptest::prelude::*;
 
 fn dimension(exponents: &[(Base, i32)]) -> Dimension {
@@ -294,7 +293,7 @@ fn value(
     dimensions: &[(Symbol, [i32; 3])],
     base: usize,
 ) -> [BigRational; 2] {
-    let symbols: BTreeMap<Symbol, BigRational> = (2..)
+    let symbols: Map<Symbol, BigRational> = (2..)
         .zip(dimensions)
         .map(|(own, (symbol, dimension))| {
             let scale = BigRational::from_integer(BigInt::from(factor)).pow(dimension[base]);

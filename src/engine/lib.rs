@@ -13,3 +13,4 @@ pub mod interval;
 pub mod kernel;
 pub mod notation;
 pub mod search;
+pub mod sorted;

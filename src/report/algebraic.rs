@@ -1,6 +1,5 @@
 //! Values in terms of one irrational root, in words: closed forms with a square root, a name and a decimal for others.
 
-use std::collections::BTreeSet;
 use std::fmt;
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -14,6 +13,7 @@ use crate::notation::plain;
 use super::evidence::number;
 use super::numeric::about;
 use super::words;
+use crate::sorted::Set;
 
 /// What a root is called that is the value of no symbol.
 const NAMES: [&str; 4] = ["\\alpha", "\\xi", "\\zeta", "\\rho"];
@@ -123,7 +123,7 @@ impl<'a> Root<'a> {
     }
 
     /// The name of the root, where a value of one of the symbols is told by it.
-    pub fn name_for(&self, symbols: &BTreeSet<Symbol>) -> Option<String> {
+    pub fn name_for(&self, symbols: &Set<Symbol>) -> Option<String> {
         let told = self.own.symbols.keys().any(|own| symbols.contains(own));
         (told && !self.is_quadratic()).then(|| words::symbol(&self.symbol().0))
     }

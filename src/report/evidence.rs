@@ -2,8 +2,6 @@
 //!
 //! It repeats in its own way what the kernel has done to accept the witness: a reader sees both sides as numbers.
 
-use std::collections::BTreeSet;
-
 use num_traits::Signed;
 
 use crate::algebra::{
@@ -17,6 +15,7 @@ use crate::search::without_rational_points;
 use super::algebraic::{Exact, Root};
 use super::proof::has_calculus;
 use super::{Report, words};
+use crate::sorted::Set;
 
 /// A point, with what is needed to evaluate the terms of a claim at it.
 #[derive(Clone, Debug)]
@@ -95,7 +94,7 @@ impl<'a> Point<'a> {
         let symbols = formula.free_symbols();
         let calls = self.at.functions.keys();
         let calls = calls.filter(|call| call.free_symbols().is_subset(&symbols));
-        let wanted: BTreeSet<String> = symbols
+        let wanted: Set<String> = symbols
             .iter()
             .chain(&formula.sequences())
             .map(words::symbol)

@@ -12,6 +12,7 @@ use super::implied;
 use super::scaling;
 use super::style::{self, BOLD, DIM, paint};
 use super::words::{self, plain_statement};
+use crate::sorted::Map;
 
 impl Report<'_> {
     /// An equation with all its statements.
@@ -289,8 +290,8 @@ fn evaluated(point: &Point<'_>, formula: &Formula) -> String {
 /// The values of an assignment alone.
 pub(super) fn assigned(at: &crate::kernel::Assignment) -> Vec<String> {
     let empty = Claim {
-        domains: std::collections::BTreeMap::new(),
-        sequences: std::collections::BTreeMap::new(),
+        domains: Map::new(),
+        sequences: Map::new(),
         hypotheses: Vec::new(),
         goal: crate::algebra::Formula::nonzero(crate::algebra::Expr::integer(1)),
     };

@@ -9,6 +9,7 @@ use crate::notation::{latex, latex_formula, plain, plain_formula};
 use crate::search::{Repair, kept_hypotheses};
 
 use super::Report;
+use crate::sorted::Map;
 
 impl Report<'_> {
     /// A proof so that it can be redone on paper: a row of exponents for each premise, and the sum of rows that
@@ -277,7 +278,7 @@ fn written(combination: &Combination) -> String {
     }
 }
 
-fn exponents_written(exponents: &BTreeMap<Expr, Rational>) -> String {
+fn exponents_written(exponents: &Map<Expr, Rational>) -> String {
     let product = Product {
         exponents: exponents.clone(),
         ..Product::default()
@@ -295,11 +296,11 @@ fn exponents_written(exponents: &BTreeMap<Expr, Rational>) -> String {
 /// Rows of exponents in columns.
 #[derive(Default)]
 struct Table {
-    rows: Vec<(String, BTreeMap<Expr, Rational>, String)>,
+    rows: Vec<(String, Map<Expr, Rational>, String)>,
 }
 
 impl Table {
-    fn push(&mut self, number: String, row: BTreeMap<Expr, Rational>, name: String) {
+    fn push(&mut self, number: String, row: Map<Expr, Rational>, name: String) {
         self.rows.push((number, row, name));
     }
 
@@ -312,7 +313,7 @@ impl Table {
                 }
             }
         }
-        let cell = |row: &BTreeMap<Expr, Rational>, column: &Expr| {
+        let cell = |row: &Map<Expr, Rational>, column: &Expr| {
             let exponent = row.get(column);
             exponent.map_or_else(|| "·".to_owned(), |e| e.to_string().replace('-', "−"))
         };

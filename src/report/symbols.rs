@@ -9,6 +9,7 @@ use crate::dimension::occur;
 use crate::document::Span;
 use crate::kernel::dimension::Form;
 use crate::notation::{measured, read_symbol};
+use crate::sorted::Set;
 
 /// A symbol of a page, or the elements of a sequence.
 pub(super) struct Found {
@@ -119,7 +120,7 @@ fn names(formula: &Formula) -> Vec<(Symbol, bool)> {
     names
 }
 
-fn functions(term: &Expr, found: &mut BTreeSet<Symbol>) {
+fn functions(term: &Expr, found: &mut Set<Symbol>) {
     if let Expr::Apply(name, _) = term {
         found.insert(name.clone());
     }

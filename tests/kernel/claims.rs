@@ -1,7 +1,5 @@
 //! Claims in notation, and certificates about them.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use cradle_verify::algebra::{BigRational, Expr, Formula, Lowering, Polynomial, Symbol};
 use cradle_verify::document::Span;
 use cradle_verify::kernel::{
@@ -9,6 +7,7 @@ use cradle_verify::kernel::{
     Lemma, Origin, PositiveTerm, Problem, Proof, Reject, Standing, check,
 };
 use cradle_verify::notation::{Clause, read_expr, read_formulas};
+use cradle_verify::sorted::{Map, Set};
 
 pub fn symbol(name: &str) -> Symbol {
     Symbol::new(name)
@@ -62,8 +61,8 @@ pub fn claim(hypotheses: &[&str], goal: &str) -> Claim {
         standing: Standing::Identity,
     };
     Claim {
-        domains: BTreeMap::new(),
-        sequences: BTreeMap::new(),
+        domains: Map::new(),
+        sequences: Map::new(),
         hypotheses: hypotheses.iter().map(assumed).collect(),
         goal: formula(goal),
     }
@@ -137,7 +136,7 @@ impl Proving {
         let value = Lowering {
             atoms: &mut atoms,
             sequences: &self.claim.sequences.keys().cloned().collect(),
-            constants: &BTreeSet::new(),
+            constants: &Set::new(),
             powers: None,
             functions: None,
             conditions: Default::default(),

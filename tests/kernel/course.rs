@@ -1,8 +1,7 @@
 //! Points through which something moves, and points through which nothing can.
 
-use std::collections::BTreeMap;
-
 use cradle_verify::kernel::{Assignment, Claim, Course, Domain, Reject};
+use cradle_verify::sorted::Map;
 
 use super::claims::*;
 
@@ -155,7 +154,7 @@ fn numbers_and_what_is_not_followed_do_not_move() {
 
 fn point_of(value: i64) -> Assignment {
     Assignment {
-        symbols: BTreeMap::from([(symbol("x"), number(value))]),
+        symbols: Map::from([(symbol("x"), number(value))]),
         ..Assignment::default()
     }
 }

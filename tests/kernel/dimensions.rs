@@ -1,6 +1,5 @@
 //! Forged evidence about dimensions.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use cradle_verify::algebra::{Base, Dimension, Rational, Symbol};
@@ -8,6 +7,7 @@ use cradle_verify::kernel::dimension::{
     Disagreement, Form, Mismatch, Part, Rescaling, Said, Scope, Unknown, check_agreement,
     check_disagreement, comparisons,
 };
+use cradle_verify::sorted::Map;
 
 use super::claims::{formula, number};
 
@@ -18,7 +18,7 @@ const ENERGY: &[(Base, i32)] = &[(Base::Mass, 1), (Base::Length, 2), (Base::Time
 /// `m`, `v` and `E` are declared, `p` and `q` are not.
 fn scope() -> Arc<Scope> {
     let declared = [("m", MASS), ("v", VELOCITY), ("E", ENERGY)];
-    let mut symbols: BTreeMap<Symbol, Said> = declared
+    let mut symbols: Map<Symbol, Said> = declared
         .iter()
         .map(|(name, exponents)| (Symbol::new(*name), Said::Declared(Dimension::of(exponents))))
         .collect();
@@ -26,7 +26,7 @@ fn scope() -> Arc<Scope> {
     symbols.insert(Symbol::new("q"), Said::Unknown(Unknown(1)));
     Arc::new(Scope {
         symbols,
-        sequences: BTreeMap::new(),
+        sequences: Map::new(),
     })
 }
 
@@ -51,7 +51,7 @@ fn momentum() -> Form {
 fn alone() -> Disagreement {
     Disagreement {
         parts: vec![part("E = m v", 1)],
-        solution: BTreeMap::new(),
+        solution: Map::new(),
         rescaling: Some(Rescaling {
             base: Base::Length,
             factor: number(2),
@@ -65,7 +65,7 @@ fn alone() -> Disagreement {
 fn together() -> Disagreement {
     Disagreement {
         parts: vec![part("p = m v", 1), part("E = p", 1)],
-        solution: BTreeMap::from([(Unknown(0), known(ENERGY))]),
+        solution: Map::from([(Unknown(0), known(ENERGY))]),
         rescaling: None,
     }
 }
@@ -100,7 +100,7 @@ fn what_agrees_is_rejected() {
     let mut evidence = alone();
     evidence.rescaling = None;
     evidence.parts = vec![part("E = m q", 1), part("q = v", 1)];
-    evidence.solution = BTreeMap::from([(Unknown(1), known(VELOCITY))]);
+    evidence.solution = Map::from([(Unknown(1), known(VELOCITY))]);
     assert!(check_disagreement(evidence.clone()).is_ok());
     evidence.parts[0] = part("E = m v q", 1);
     assert_eq!(rejected(evidence), Mismatch::Agrees);
@@ -147,7 +147,7 @@ fn a_solution_that_does_not_solve_is_rejected() {
 fn a_solution_in_a_circle_is_rejected() {
     let mut evidence = together();
     let unknown = |at| Form::said(&Said::Unknown(Unknown(at)));
-    evidence.solution = BTreeMap::from([(Unknown(0), unknown(1)), (Unknown(1), unknown(0))]);
+    evidence.solution = Map::from([(Unknown(0), unknown(1)), (Unknown(1), unknown(0))]);
     assert_eq!(rejected(evidence), Mismatch::NoSolution);
 }
 
@@ -187,7 +187,7 @@ fn a_power_of_an_unknown_with_a_symbolic_exponent_says_nothing() {
 #[test]
 fn agreement_needs_every_comparison() {
     let scope = scope();
-    let solution = BTreeMap::from([(Unknown(0), momentum())]);
+    let solution = Map::from([(Unknown(0), momentum())]);
     let agreed = |text| check_agreement(&formula(text), &scope, &solution);
     let sides = agreed("E = \\frac{p^2}{2 m}").unwrap();
     assert_eq!(sides.sides()[1], Some(known(ENERGY)));

@@ -1,11 +1,10 @@
 //! Points at which functions have values, and forgeries of such points.
 
-use std::collections::BTreeMap;
-
 use cradle_verify::algebra::{BigRational, Expr, Function};
 use cradle_verify::document::Span;
 use cradle_verify::kernel::{Assignment, Claim, Domain, Reject};
 use cradle_verify::notation::read_expr;
+use cradle_verify::sorted::Map;
 
 use super::claims::*;
 
@@ -290,7 +289,7 @@ fn what_digits_of_pi_do_not_tell_is_rejected() {
 fn value_may_be_a_polynomial_in_pi() {
     let claim = || claim(&["A = \\pi r^2"], "A = 2 \\pi r^2");
     let at = |r, parts: &[i64]| Assignment {
-        in_pi: BTreeMap::from([(symbol("A"), parts.iter().map(|&c| number(c)).collect())]),
+        in_pi: Map::from([(symbol("A"), parts.iter().map(|&c| number(c)).collect())]),
         ..point(&[("r", r)])
     };
     assert_eq!(refuted(&claim(), at(2, &[0, 4])), Ok(()));

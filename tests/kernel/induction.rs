@@ -1,12 +1,11 @@
 //! Proofs for every element of a sequence, and those that are none.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use cradle_verify::algebra::Moved;
 use cradle_verify::kernel::{
     Assignment, Certificate, Claim, Domain, ForEvery, Instance, Part, Proof, Reasoning, Reject,
     at_the_index, check_for_every, refute_for_every,
 };
+use cradle_verify::sorted::{Map, Set};
 
 use super::claims::*;
 
@@ -26,8 +25,8 @@ fn for_every(start: i64, claim: Claim, throughout: &[usize]) -> ForEvery {
         claim,
         index: symbol("n"),
         throughout: throughout.iter().copied().collect(),
-        elements: BTreeMap::new(),
-        varying: BTreeSet::new(),
+        elements: Map::new(),
+        varying: Set::new(),
     }
 }
 

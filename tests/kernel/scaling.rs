@@ -1,13 +1,12 @@
 //! Scaling relations: combinations of exponents and pairs of situations, forged in one thing each.
 
-use std::collections::BTreeMap;
-
 use cradle_verify::algebra::Rational;
 use cradle_verify::kernel::{
     Alike, Claim, Combination, Domain, Reject, ScalingCandidate, ScalingProof, ScalingVerdict,
     Situations, Size, check_scaling,
 };
 use cradle_verify::search::{ScalingDecision, decide_scaling};
+use cradle_verify::sorted::Map;
 
 use super::claims::*;
 
@@ -358,7 +357,7 @@ fn pi_stays_what_it_is() {
     let claim = claim(&["x = \\pi y^2"], "x \\sim y");
     let changed = pair(&[("x", "1", "1"), ("\\pi", "1", "1"), ("y", "1", "0")]);
     assert_eq!(refuted(&claim, changed), Err(Reject::OutsideDomain));
-    let mut values = BTreeMap::new();
+    let mut values = Map::new();
     let one = Size::one();
     let four = Size::from(rational("4")).times(&Size::pi(), &Rational::one());
     values.insert(term("x"), (Size::pi(), four));

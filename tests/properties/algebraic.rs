@@ -1,11 +1,10 @@
 //! Systems with known irrational solutions, drawn at random: what is true at every solution is never refuted, and what
 //! is broken in one place is, at a point that plain numbers confirm.
 
-use std::collections::BTreeMap;
-
 use cradle_verify::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use cradle_verify::kernel::{Assignment, Claim, Domain, Hypothesis, Standing};
 use cradle_verify::search::{Decision, decide};
+use cradle_verify::sorted::Map;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
@@ -32,7 +31,7 @@ fn claim(premises: Vec<Formula>, goal: Formula, domain: Option<Domain>) -> Claim
     };
     Claim {
         domains: domain.map(|d| (Symbol::new("x"), d)).into_iter().collect(),
-        sequences: BTreeMap::new(),
+        sequences: Map::new(),
         hypotheses: premises.into_iter().map(assumed).collect(),
         goal,
     }

@@ -1,14 +1,13 @@
 //! Normal forms of functions against functions: each term as it is read agrees with the term as it is written, to the
 //! precision of floating point. It proves nothing, and would show a wrong rule.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use cradle_verify::algebra::{
     Atom, Atoms, Conditions, Expr, Fraction, Function, Functions, Lowering, Polynomial, Powers,
     Symbol,
 };
 use cradle_verify::document::Span;
 use cradle_verify::notation::read_expr;
+use cradle_verify::sorted::{Map, Set};
 use num_traits::ToPrimitive;
 
 const TERMS: [&str; 34] = [
@@ -48,7 +47,7 @@ const TERMS: [&str; 34] = [
     "\\sqrt{p x^2}",
 ];
 
-fn value(term: &Expr, at: &BTreeMap<&str, f64>) -> f64 {
+fn value(term: &Expr, at: &Map<&str, f64>) -> f64 {
     let inner = |term: &Expr| value(term, at);
     match term {
         Expr::Number(number) => number.to_f64().expect("a small number"),
@@ -75,7 +74,7 @@ fn value(term: &Expr, at: &BTreeMap<&str, f64>) -> f64 {
     }
 }
 
-fn value_of(fraction: &Fraction, atoms: &Atoms, at: &BTreeMap<&str, f64>) -> f64 {
+fn value_of(fraction: &Fraction, atoms: &Atoms, at: &Map<&str, f64>) -> f64 {
     let polynomial = |polynomial: &Polynomial| -> f64 {
         let terms = polynomial.terms().map(|(monomial, coefficient)| {
             let number = coefficient.to_big().to_f64().expect("a small number");
@@ -100,10 +99,10 @@ fn value_of(fraction: &Fraction, atoms: &Atoms, at: &BTreeMap<&str, f64>) -> f64
 }
 
 /// Points spread over both signs of x and y; p and q are positive.
-fn points() -> impl Iterator<Item = BTreeMap<&'static str, f64>> {
+fn points() -> impl Iterator<Item = Map<&'static str, f64>> {
     (1..=24).map(|n| {
         let spread = |step: f64, width: f64| (f64::from(n) * step).fract() * width;
-        BTreeMap::from([
+        Map::from([
             ("x", spread(0.618_034, 6.0) - 3.0),
             ("y", spread(0.414_214, 5.0) - 2.5),
             ("p", spread(0.732_051, 3.0) + 0.1),
@@ -119,14 +118,14 @@ fn close(a: f64, b: f64, tolerance: f64) -> bool {
 
 /// The readings that there are: with nothing known, with signs known, with powers taken apart.
 fn readings() -> [(Option<Functions>, Option<Powers>); 3] {
-    let positive: BTreeSet<Symbol> = ["p", "q"].into_iter().map(Symbol::new).collect();
+    let positive: Set<Symbol> = ["p", "q"].into_iter().map(Symbol::new).collect();
     let functions = Functions {
         pi: true,
         positive: positive.clone(),
         ..Functions::default()
     };
     let powers = Powers {
-        roots: BTreeMap::from([(Symbol::new("p"), 2)]),
+        roots: Map::from([(Symbol::new("p"), 2)]),
         positive,
         ..Powers::default()
     };
@@ -139,7 +138,7 @@ fn readings() -> [(Option<Functions>, Option<Powers>); 3] {
 
 #[test]
 fn what_is_read_agrees_with_what_is_written() {
-    let nothing = BTreeSet::new();
+    let nothing = Set::new();
     let constants = ["y", "p", "q", "\\pi"]
         .into_iter()
         .map(Symbol::new)

@@ -3,11 +3,10 @@
 //!
 //! The numbers here are machine numbers, at points that no proof speaks of; they stand guard over the kernel's rules, and prove nothing.
 
-use std::collections::BTreeMap;
-
 use cradle_verify::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use cradle_verify::kernel::{Claim, Domain};
 use cradle_verify::search::{Decision, decide};
+use cradle_verify::sorted::Map;
 use num_traits::{ToPrimitive, Zero};
 use proptest::prelude::*;
 
@@ -113,8 +112,8 @@ fn decided(left: &Term, right: &Term) -> Decision {
     };
     let domains = NAMES.map(|name| (Symbol::new(name), positive.clone()));
     let claim = Claim {
-        domains: BTreeMap::from(domains),
-        sequences: BTreeMap::new(),
+        domains: Map::from(domains),
+        sequences: Map::new(),
         hypotheses: Vec::new(),
         goal,
     };

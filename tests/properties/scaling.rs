@@ -1,10 +1,9 @@
 //! Scaling relations that follow by construction, then changed in one exponent.
 
-use std::collections::BTreeMap;
-
 use cradle_verify::algebra::{BigRational, Expr, Formula, Rational, Relation};
 use cradle_verify::kernel::{Claim, Hypothesis, Standing};
 use cradle_verify::search::{ScalingDecision, decide_scaling};
+use cradle_verify::sorted::Map;
 use num_traits::Zero;
 use proptest::prelude::*;
 
@@ -49,8 +48,8 @@ fn claim(premises: &[(Row, bool)], goal: &Row) -> Claim {
         standing: Standing::Identity,
     });
     Claim {
-        domains: BTreeMap::new(),
-        sequences: BTreeMap::new(),
+        domains: Map::new(),
+        sequences: Map::new(),
         hypotheses: hypotheses.collect(),
         goal: relation(goal, Relation::Scales, 1),
     }

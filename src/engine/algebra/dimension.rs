@@ -1,6 +1,5 @@
-use std::collections::BTreeMap;
-
 use super::{Expr, Rational};
+use crate::sorted::Map;
 
 /// The seven bases of the SI, in the order in which dimensions are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -39,7 +38,7 @@ impl Base {
 /// Exponents are rational, or rational multiples of an opaque term: the dimension of `V^\gamma`, with `V` a volume,
 /// is Length to the power 3γ. Canonical: no exponent is 0, so equality is equality of dimensions.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Dimension(BTreeMap<(Base, Option<Expr>), Rational>);
+pub struct Dimension(Map<(Base, Option<Expr>), Rational>);
 
 impl Dimension {
     /// That of pure numbers.
@@ -49,7 +48,7 @@ impl Dimension {
 
     /// That of one base.
     pub fn base(base: Base) -> Self {
-        Dimension(BTreeMap::from([((base, None), Rational::one())]))
+        Dimension(Map::from([((base, None), Rational::one())]))
     }
 
     /// From integer exponents of the bases.

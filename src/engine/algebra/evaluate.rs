@@ -4,7 +4,6 @@
 //! rewriting: it shares next to nothing with [`Lowering`], which the proofs rest on, so that each can be held against
 //! the other.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -13,6 +12,7 @@ use super::{
     Atoms, BigInt, BigRational, Conditions, Expr, Formula, Function, Lowering, Polynomial,
     Relation, Symbol, element_parts, element_symbol, expr_of_atom,
 };
+use crate::sorted::{Map, Set};
 
 /// A definite sum longer than this is not written out.
 const LONGEST_SUM: i64 = 512;
@@ -25,17 +25,17 @@ const DEEPEST: usize = 64;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Values {
     /// The value of each symbol.
-    pub symbols: BTreeMap<Symbol, BigRational>,
+    pub symbols: Map<Symbol, BigRational>,
     /// The elements of each sequence, from the first.
-    pub sequences: BTreeMap<Symbol, Vec<BigRational>>,
+    pub sequences: Map<Symbol, Vec<BigRational>>,
     /// Symbols that are given by a term in other symbols; one that has a value of its own keeps it.
-    pub terms: BTreeMap<Symbol, Expr>,
+    pub terms: Map<Symbol, Expr>,
     /// The value of `ds/dx`, for a symbol `s` that no term gives.
-    pub slopes: BTreeMap<(Symbol, Symbol), BigRational>,
+    pub slopes: Map<(Symbol, Symbol), BigRational>,
     /// The second derivative of a symbol and those above it, where its slope is given.
-    pub higher: BTreeMap<(Symbol, Symbol), Vec<BigRational>>,
+    pub higher: Map<(Symbol, Symbol), Vec<BigRational>>,
     /// The symbols that depend on no variable.
-    pub constants: BTreeSet<Symbol>,
+    pub constants: Set<Symbol>,
     /// A symbol whose slope is not known does not vary; otherwise that is an error.
     pub still: bool,
 }
@@ -394,7 +394,7 @@ impl Values {
         .lower(&self.unfolded(term))
         .map_err(|_| unsupported())?;
         let polynomial = |polynomial: &Polynomial| {
-            let mut values = BTreeMap::new();
+            let mut values = Map::new();
             for var in polynomial.vars() {
                 let atom = expr_of_atom(atoms.atom(var));
                 if matches!(atom, Expr::Limit { .. }) {

@@ -1,8 +1,7 @@
-use std::collections::BTreeSet;
-
 use num_traits::One;
 
 use super::{BigInt, BigRational, Symbol};
+use crate::sorted::Set;
 
 /// The terms directly below a term, in the order of reading.
 #[derive(Clone, Debug)]
@@ -165,7 +164,7 @@ impl Expr {
     }
 
     /// Adds the symbols that are differentiated in it, once or more often.
-    pub fn collect_differentiated(&self, found: &mut BTreeSet<Symbol>) {
+    pub fn collect_differentiated(&self, found: &mut Set<Symbol>) {
         if let Expr::Derivative { body, .. } = self
             && let Expr::Symbol(symbol) = &**body
         {
@@ -291,7 +290,7 @@ impl Expr {
 
     /// The symbols that have a value of their own in this term: not indices, not the variables of
     /// limits and integrals. The variable of a derivative has one: the point at which it is taken.
-    pub fn free_symbols(&self) -> BTreeSet<Symbol> {
+    pub fn free_symbols(&self) -> Set<Symbol> {
         let mut free = Vec::new();
         self.collect_free(&mut Vec::new(), &mut free);
         free.into_iter().cloned().collect()

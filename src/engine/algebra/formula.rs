@@ -1,8 +1,7 @@
-use std::collections::BTreeSet;
-
 use smallvec::{SmallVec, smallvec};
 
 use super::{Expr, Moved, Symbol};
+use crate::sorted::Set;
 
 /// How two terms are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -168,7 +167,7 @@ impl Formula {
     }
 
     /// The symbols that have a value of their own.
-    pub fn free_symbols(&self) -> BTreeSet<Symbol> {
+    pub fn free_symbols(&self) -> Set<Symbol> {
         Formula::free_symbols_of(std::iter::once(self))
             .into_iter()
             .cloned()
@@ -187,15 +186,15 @@ impl Formula {
     }
 
     /// The symbols that have a value of their own, and the sequences.
-    pub fn names(&self) -> BTreeSet<Symbol> {
+    pub fn names(&self) -> Set<Symbol> {
         let mut names = self.free_symbols();
         names.append(&mut self.sequences());
         names
     }
 
     /// The sequences that occur.
-    pub fn sequences(&self) -> BTreeSet<Symbol> {
-        fn collect(expr: &Expr, found: &mut BTreeSet<Symbol>) {
+    pub fn sequences(&self) -> Set<Symbol> {
+        fn collect(expr: &Expr, found: &mut Set<Symbol>) {
             match expr {
                 Expr::Element { sequence, .. } => {
                     found.insert(sequence.clone());
@@ -208,7 +207,7 @@ impl Formula {
                 _ => expr.children().for_each(|child| collect(child, found)),
             }
         }
-        let mut found = BTreeSet::new();
+        let mut found = Set::new();
         self.terms()
             .into_iter()
             .for_each(|term| collect(term, &mut found));

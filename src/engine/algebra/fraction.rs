@@ -1,7 +1,6 @@
-use std::collections::BTreeMap;
-
 use super::effort::is_spent;
 use super::{BigRational, Polynomial, Rational, TooLarge, Var};
+use crate::sorted::Map;
 
 /// A rational function whose denominator is kept in factors.
 ///
@@ -10,14 +9,14 @@ use super::{BigRational, Polynomial, Rational, TooLarge, Var};
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Fraction {
     numerator: Polynomial,
-    denominator: BTreeMap<Polynomial, u32>,
+    denominator: Map<Polynomial, u32>,
 }
 
 impl From<Polynomial> for Fraction {
     fn from(numerator: Polynomial) -> Self {
         Fraction {
             numerator,
-            denominator: BTreeMap::new(),
+            denominator: Map::new(),
         }
     }
 }
@@ -49,7 +48,7 @@ impl Fraction {
     }
 
     /// The numerator, and the factors of the denominator with their exponents.
-    pub fn into_parts(self) -> (Polynomial, BTreeMap<Polynomial, u32>) {
+    pub fn into_parts(self) -> (Polynomial, Map<Polynomial, u32>) {
         (self.numerator, self.denominator)
     }
 
@@ -88,7 +87,7 @@ impl Fraction {
     }
 
     /// What this fraction must be multiplied by, above and below, to have a larger denominator.
-    fn missing(&self, denominator: &BTreeMap<Polynomial, u32>) -> Result<Polynomial, TooLarge> {
+    fn missing(&self, denominator: &Map<Polynomial, u32>) -> Result<Polynomial, TooLarge> {
         let own = |factor| self.denominator.get(factor).copied().unwrap_or(0);
         product(denominator.iter().map(|(f, &e)| (f, e - own(f))))
     }
@@ -129,7 +128,7 @@ impl Fraction {
 
     /// A natural power.
     pub fn pow(&self, exponent: u32) -> Result<Self, TooLarge> {
-        let mut denominator = BTreeMap::new();
+        let mut denominator = Map::new();
         for (factor, own) in self.denominator() {
             let raised = own.checked_mul(exponent).ok_or(TooLarge)?;
             if raised > 0 {
@@ -176,9 +175,9 @@ pub fn product<'a>(
 }
 
 /// The factors that a polynomial visibly has: its unknowns' powers and what is left, monic. Constants are dropped.
-pub fn factors(polynomial: &Polynomial) -> BTreeMap<Polynomial, u32> {
+pub fn factors(polynomial: &Polynomial) -> Map<Polynomial, u32> {
     let content = polynomial.content();
-    let mut factors: BTreeMap<Polynomial, u32> = content
+    let mut factors: Map<Polynomial, u32> = content
         .powers()
         .iter()
         .map(|&(v, e): &(Var, u32)| (Polynomial::var(v), e))

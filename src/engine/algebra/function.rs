@@ -13,8 +13,6 @@
 //! A unit is a product of powers over q, without a numeric factor above: `ω t`, `θ/2`. Functions of units are
 //! unknowns; how those of `θ` and `θ/2` belong together is said by facts about them.
 
-use std::collections::BTreeSet;
-
 use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive};
 
@@ -24,6 +22,7 @@ use super::{
     Atom, BigInt, BigRational, Expr, Fraction, Function, Monomial, Polynomial, Rational, Symbol,
     TooLarge, Var, expr_of, expr_of_fraction,
 };
+use crate::sorted::Set;
 
 /// An angle with more summands, or a greater multiple of a unit, is an angle of its own.
 const MOST_SUMMANDS: usize = 4;
@@ -43,11 +42,11 @@ pub struct Functions {
     /// Whether `\pi` is the number.
     pub pi: bool,
     /// Positive symbols.
-    pub positive: BTreeSet<Symbol>,
+    pub positive: Set<Symbol>,
     /// Whole numbers that are not negative.
-    pub naturals: BTreeSet<Symbol>,
+    pub naturals: Set<Symbol>,
     /// All whole numbers.
-    pub integers: BTreeSet<Symbol>,
+    pub integers: Set<Symbol>,
 }
 
 /// The sine and the cosine of an angle.

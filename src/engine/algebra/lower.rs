@@ -1,6 +1,5 @@
 //! From terms as written to rational functions: `Expr` in, [`Fraction`] out, with all that must not vanish.
 
-use std::collections::BTreeSet;
 use std::fmt;
 
 use num_integer::Integer;
@@ -11,6 +10,7 @@ use super::{
     Atom, Atoms, BigRational, Expr, Fraction, Functions, LimitPoint, Monomial, Polynomial, Powers,
     Rational, Symbol, TooLarge, Var,
 };
+use crate::sorted::Set;
 
 /// Sums with definite limits are written out up to this many terms.
 const MOST_EXPLICIT_TERMS: i64 = 512;
@@ -48,18 +48,18 @@ impl fmt::Display for LowerError {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Conditions {
     /// Denominators: they must not vanish.
-    pub nonzero: BTreeSet<Polynomial>,
+    pub nonzero: Set<Polynomial>,
     /// Derivatives of what was held constant: they must vanish, and not at one point only.
-    pub zero: BTreeSet<Polynomial>,
+    pub zero: Set<Polynomial>,
     /// What an even root is taken of: it must not be negative.
-    pub nonnegative: BTreeSet<Polynomial>,
+    pub nonnegative: Set<Polynomial>,
     /// What a logarithm or a symbolic power is taken of: it must be positive.
-    pub positive: BTreeSet<Polynomial>,
+    pub positive: Set<Polynomial>,
     /// What a power with a whole exponent that may be negative is taken of: it must not vanish. Where such a power is
     /// asserted it may all the same, for the exponent need not be negative.
-    pub bases: BTreeSet<Polynomial>,
+    pub bases: Set<Polynomial>,
     /// Terms of which it is not known whether they have a value: a limit that may not exist.
-    pub doubtful: BTreeSet<Expr>,
+    pub doubtful: Set<Expr>,
 }
 
 impl Conditions {
@@ -89,9 +89,9 @@ pub struct Lowering<'a> {
     /// The unknowns met so far.
     pub atoms: &'a mut Atoms,
     /// The symbols that name sequences.
-    pub sequences: &'a BTreeSet<Symbol>,
+    pub sequences: &'a Set<Symbol>,
     /// The symbols that depend on no variable of differentiation.
-    pub constants: &'a BTreeSet<Symbol>,
+    pub constants: &'a Set<Symbol>,
     /// How powers are taken apart; `None` to read them as they are written.
     pub powers: Option<&'a Powers>,
     /// What is known of symbols where functions are taken apart.
@@ -417,7 +417,7 @@ impl Lowering<'_> {
     /// As [`Lowering::lower`].
     pub fn derivative(&mut self, value: &Fraction, variable: &Symbol) -> Lowered {
         let mut total = Fraction::default();
-        let mut vars: BTreeSet<Var> = value.numerator().vars().into_iter().collect();
+        let mut vars: Set<Var> = value.numerator().vars().into_iter().collect();
         for (factor, _) in value.denominator() {
             vars.extend(factor.vars());
         }
@@ -585,7 +585,7 @@ impl Lowering<'_> {
         let own = self.atom_of_symbol(variable);
         let var = self.atoms.var(own);
         let below = value.expanded_denominator()?;
-        let mut others: BTreeSet<Var> = value.numerator().vars().into_iter().collect();
+        let mut others: Set<Var> = value.numerator().vars().into_iter().collect();
         others.extend(below.vars());
         others.remove(&var);
         let (mut held, mut plain) = (Vec::new(), true);

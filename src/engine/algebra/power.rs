@@ -2,8 +2,6 @@
 //!
 //! Only where [`Powers`] says so. Terms are read as they are written elsewhere, and at points always.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 
@@ -12,6 +10,7 @@ use super::{
     Atom, BigInt, BigRational, Expr, Fraction, Function, Monomial, Polynomial, Rational, Symbol,
     TooLarge, expr_of, expr_of_atom, expr_of_fraction,
 };
+use crate::sorted::{Map, Set};
 
 /// Prime factors of numbers are looked for up to this.
 const LARGEST_PRIME: u32 = 1_000;
@@ -23,11 +22,11 @@ const MOST_BITS: u64 = 2_048;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Powers {
     /// Positive symbols that are read as powers of their roots, with the order of the root.
-    pub roots: BTreeMap<Symbol, u32>,
+    pub roots: Map<Symbol, u32>,
     /// All positive symbols.
-    pub positive: BTreeSet<Symbol>,
+    pub positive: Set<Symbol>,
     /// All symbols that are not 0.
-    pub nonzero: BTreeSet<Symbol>,
+    pub nonzero: Set<Symbol>,
     /// Whether a power with a whole exponent that may be negative is taken apart only where its base is seen not to be 0: what is asserted
     /// is true for `x^{n-1} = y` at `n = 1` and `x = 0` too.
     pub cautious: bool,

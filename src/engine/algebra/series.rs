@@ -7,8 +7,6 @@
 //! and the same with minus for negative `c`. What is left is an unknown, of which no more is known; its values are
 //! found by induction.
 
-use std::collections::BTreeSet;
-
 use num_traits::ToPrimitive;
 
 use super::lower::{LowerError, Lowering};
@@ -16,6 +14,7 @@ use super::{
     Atom, BigRational, Conditions, Expr, Fraction, Functions, Monomial, Polynomial, Rational,
     Symbol, Var, expr_of, expr_of_fraction,
 };
+use crate::sorted::Set;
 
 /// A limit with a larger number in it is left as it is.
 const FARTHEST: i64 = 8;
@@ -157,7 +156,7 @@ impl Lowering<'_> {
         if others || !conditions.nonnegative.is_empty() || !conditions.positive.is_empty() {
             return None;
         }
-        let outside = |divisors: &BTreeSet<Polynomial>| {
+        let outside = |divisors: &Set<Polynomial>| {
             let sure = |divisor: &&Polynomial| {
                 self.is_plainly_positive(divisor)
                     || self.least(divisor).is_some_and(|least| least > 0)

@@ -1,7 +1,5 @@
 //! What stands before and is not cited: what a step follows from in the place of what it cites, or besides.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation, Reject};
@@ -10,6 +8,7 @@ use crate::search::{self, Effort, InChain};
 use super::judge::{Found, Judge, NEARBY, sources};
 use super::premise::usable;
 use super::{Entry, Note, Outcome, Verdict};
+use crate::sorted::Set;
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
 const MOST_RELATIVES: usize = 12;
@@ -121,7 +120,7 @@ impl Judge<'_> {
     }
 
     /// The equations at a common point of which failing ones were found to be false.
-    fn refuted_from(&self, failing: &[usize]) -> BTreeSet<usize> {
+    fn refuted_from(&self, failing: &[usize]) -> Set<usize> {
         let entries = failing.iter().flat_map(|&at| self.auditor.entries_of(at));
         let refuted = entries.filter_map(|entry| entry.refuted());
         let premises = refuted.flat_map(|(judged, _)| sources(&judged.assumed));
@@ -180,7 +179,7 @@ impl Judge<'_> {
         }
         let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
         // What is cited may rest on something false already, or not proved; then so may what is found instead.
-        let own_premises: BTreeSet<usize> = premises.iter().copied().collect();
+        let own_premises: Set<usize> = premises.iter().copied().collect();
         let failing = self.auditor.failing(self.at, &own_premises);
         let open = self.auditor.unproved(self.at, &own_premises);
         let (mut sound, mut all) = (Vec::new(), Vec::new());

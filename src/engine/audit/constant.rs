@@ -4,8 +4,6 @@
 //! `p V = n R T` is proved, for the name of the constant stands nowhere else. Or both sides change at the same rate with the one
 //! variable by which the page differentiates. What holds at one point only shows neither.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::{Claim, Standing};
@@ -13,6 +11,7 @@ use crate::search::{self, Decision, Stop};
 
 use super::judge::{Found, Judge, sources, step};
 use super::{Judged, Outcome, stated};
+use crate::sorted::Set;
 
 /// Why it is not known whether something is constant.
 const UNKNOWN: &str = "nothing that it may follow from shows that this does not change";
@@ -183,7 +182,7 @@ impl Judge<'_> {
     /// What the page differentiates by, where that is one thing.
     fn variable(&self) -> Option<Symbol> {
         let page = self.derivation.equations[self.at].page;
-        let mut variables = BTreeSet::new();
+        let mut variables = Set::new();
         for at in self.derivation.equations_of(page) {
             for (left, _, right) in self.derivation.equations[at].relations() {
                 differentiated_by(&left, &mut variables);
@@ -197,7 +196,7 @@ impl Judge<'_> {
     }
 }
 
-fn differentiated_by(term: &Expr, variables: &mut BTreeSet<Symbol>) {
+fn differentiated_by(term: &Expr, variables: &mut Set<Symbol>) {
     if let Expr::Derivative { variable, .. } = term {
         variables.insert(variable.clone());
     }

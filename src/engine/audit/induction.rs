@@ -1,7 +1,5 @@
 //! Goals about the elements of sequences, where what is said of every index is needed.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::Symbol;
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::kernel::{ForEvery, HoldsForEvery};
@@ -9,6 +7,7 @@ use crate::search::{self, Stop};
 
 use super::Outcome;
 use super::judge::{Found, Judge, NEARBY, sources};
+use crate::sorted::Set;
 
 impl Judge<'_> {
     /// Settles a goal that does not follow from what its premises say at the index itself, where they say more: by
@@ -105,7 +104,7 @@ impl Judge<'_> {
         &self,
         claim: &ForEvery,
         holds: HoldsForEvery,
-        used: &BTreeSet<usize>,
+        used: &Set<usize>,
         goal: &Goal,
         assumed: &[Assumed],
     ) -> (Vec<Assumed>, HoldsForEvery) {

@@ -27,7 +27,6 @@ mod unstated;
 mod without;
 
 use std::cell::{OnceCell, Ref, RefCell};
-use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
@@ -38,6 +37,7 @@ use crate::derivation::{Assumed, Derivation, Kind, Source, goals};
 use crate::document::threads;
 use crate::kernel::{Assignment, Standing};
 use crate::notation::{Mark, Statement};
+use crate::sorted::{Map, Set};
 
 pub use dimensions::Dimensions;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
@@ -128,8 +128,8 @@ impl Audit {
     }
 
     /// How many entries have each verdict.
-    pub fn counts(&self) -> BTreeMap<Verdict, usize> {
-        let mut counts: BTreeMap<Verdict, usize> = Verdict::ALL.iter().map(|&v| (v, 0)).collect();
+    pub fn counts(&self) -> Map<Verdict, usize> {
+        let mut counts: Map<Verdict, usize> = Verdict::ALL.iter().map(|&v| (v, 0)).collect();
         for entry in &self.entries {
             *counts.entry(entry.verdict).or_default() += 1;
         }
@@ -143,7 +143,7 @@ impl Audit {
 }
 
 /// The last ones, in order.
-fn nearest(ancestors: BTreeSet<usize>) -> Vec<usize> {
+fn nearest(ancestors: Set<usize>) -> Vec<usize> {
     let far = ancestors.len().saturating_sub(MOST_ANCESTORS);
     ancestors.into_iter().skip(far).collect()
 }
@@ -162,7 +162,7 @@ struct Shared<'a> {
     dimensions: OnceLock<Dimensions>,
     /// What is given on each page, once somebody has looked at it.
     givens: Vec<OnceLock<given::Models>>,
-    duplicates: BTreeMap<usize, usize>,
+    duplicates: Map<usize, usize>,
     /// Filled in reading order within each part.
     done: Vec<OnceLock<Done>>,
     /// How many are filled.
@@ -411,7 +411,7 @@ impl Auditor<'_> {
             auditor: self,
         };
         let mut steps: Vec<(usize, crate::algebra::Formula)> = Vec::new();
-        let mut instead: BTreeSet<Source> = BTreeSet::new();
+        let mut instead: Set<Source> = Set::new();
         for (position, goal) in goals(statement).into_iter().enumerate() {
             if defines && position == 0 {
                 let outcome = Outcome::Defined;
@@ -462,7 +462,7 @@ impl Auditor<'_> {
             entry.kind = Kind::Given;
             entry.notes.extend(judge.unchecked(&entry));
         }
-        let used: BTreeSet<usize> = entry
+        let used: Set<usize> = entry
             .judged
             .iter()
             .flat_map(|j| j.assumed.iter())
@@ -551,8 +551,8 @@ impl Auditor<'_> {
     }
 
     /// The failing equations among premises, and those that these rest on.
-    fn failing(&self, at: usize, premises: &BTreeSet<usize>) -> Vec<usize> {
-        let mut failing = BTreeSet::new();
+    fn failing(&self, at: usize, premises: &Set<usize>) -> Vec<usize> {
+        let mut failing = Set::new();
         for &premise in premises.iter().filter(|&&p| p < at) {
             for entry in self.entries_of(premise) {
                 if entry.is_mistake() {
@@ -575,7 +575,7 @@ impl Auditor<'_> {
 
     /// Whether a step uses all that it cites, and besides only what stands just before it: "Inserting this into (1)". What the
     /// text tells may come of what is cited: "With (2), $v_2 = a v_1$, so".
-    fn goes_on(&self, at: usize, premises: &[usize], used: &BTreeSet<Source>) -> bool {
+    fn goes_on(&self, at: usize, premises: &[usize], used: &Set<Source>) -> bool {
         let equations = &self.derivation.equations;
         let first = at - equations[at].row.min(at);
         let before = match first.checked_sub(1) {
@@ -597,8 +597,8 @@ impl Auditor<'_> {
 
     /// The premises that are not proved themselves, or only under a condition that nothing states, and those
     /// that these rest on.
-    fn unproved(&self, at: usize, premises: &BTreeSet<usize>) -> Vec<usize> {
-        let mut open = BTreeSet::new();
+    fn unproved(&self, at: usize, premises: &Set<usize>) -> Vec<usize> {
+        let mut open = Set::new();
         for &premise in premises.iter().filter(|&&p| p < at) {
             for entry in self.entries_of(premise) {
                 let conditional = entry

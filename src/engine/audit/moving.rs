@@ -1,18 +1,17 @@
 //! What a page says of what changes with what: something of which it says so is not taken as constant, cited or not.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Derivation, Equation, formulas};
 
 use super::Auditor;
+use crate::sorted::Set;
 
 /// What some equations and suppositions say of what moves.
 #[derive(Default)]
 pub(super) struct Moving {
-    differentiated: BTreeSet<Symbol>,
+    differentiated: Set<Symbol>,
     /// Symbols by themselves on a side of an equation, with all that it speaks of.
-    explicit: Vec<(Symbol, BTreeSet<Symbol>)>,
+    explicit: Vec<(Symbol, Set<Symbol>)>,
 }
 
 impl Moving {
@@ -54,7 +53,7 @@ impl Moving {
             own == name || is_sequence && stem == Some(name.name())
         };
         let dotted = Symbol::new(format!("\\dot{{{name}}}"));
-        let changes = |named: &BTreeSet<Symbol>| {
+        let changes = |named: &Set<Symbol>| {
             let mut all = named.iter();
             all.any(|other| other == variable || self.differentiated.contains(other))
         };

@@ -1,11 +1,10 @@
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_traits::{One, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Function, Relation, Symbol};
 use crate::derivation::{Assumed, Datum, Derivation, Goal, Source, goals};
 use crate::interval::{Compared, Figures, Interval, NoInterval};
 use crate::notation::{Statement, measured};
+use crate::sorted::{Map, Set};
 
 /// "Much greater" is taken for: at least so many times.
 pub const FAR: i32 = 10;
@@ -18,7 +17,7 @@ pub struct Numeric {
     /// A link at a time.
     pub links: Vec<Link>,
     /// The figures that were used, and the page that declares each.
-    pub data: BTreeMap<Symbol, (usize, Datum)>,
+    pub data: Map<Symbol, (usize, Datum)>,
     /// What was put in for the symbols without figures, each once, and where it comes from.
     pub put_in: Vec<(Symbol, Expr, Source)>,
 }
@@ -98,7 +97,7 @@ pub(super) fn evaluate(
         pages,
         assumed,
         tried: 0,
-        data: BTreeMap::new(),
+        data: Map::new(),
         put_in: Vec::new(),
     };
     let near = derivation.equations[at].numeric.clone().flatten();
@@ -120,7 +119,7 @@ struct Known<'a> {
     pages: Vec<usize>,
     assumed: &'a [Assumed],
     tried: usize,
-    data: BTreeMap<Symbol, (usize, Datum)>,
+    data: Map<Symbol, (usize, Datum)>,
     put_in: Vec<(Symbol, Expr, Source)>,
 }
 
@@ -407,7 +406,7 @@ fn weigh(
 }
 
 /// The premises whose equations were put in.
-pub(super) fn used(numeric: &Numeric) -> BTreeSet<usize> {
+pub(super) fn used(numeric: &Numeric) -> Set<usize> {
     let sources = numeric.put_in.iter().map(|(.., source)| source);
     sources
         .filter_map(|source| match source {

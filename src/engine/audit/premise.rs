@@ -1,4 +1,3 @@
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::{Formula, Symbol};
@@ -9,6 +8,7 @@ use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
 
 use super::{Entry, Note};
+use crate::sorted::Set;
 
 /// What an equation offers to those that cite it.
 #[derive(Clone, Debug, Default)]
@@ -18,9 +18,9 @@ pub struct Offer {
     /// What it states under conditions.
     pub cases: Vec<(Vec<Formula>, Arc<Formula>)>,
     /// The local hypotheses that its derivation used, itself or through its premises: page and position.
-    pub under: BTreeSet<(usize, usize)>,
+    pub under: Set<(usize, usize)>,
     /// Which formulas, by position, are true for every value of an index that runs on the page.
-    pub throughout: BTreeSet<(usize, Symbol)>,
+    pub throughout: Set<(usize, Symbol)>,
 }
 
 impl Offer {
@@ -175,7 +175,7 @@ pub fn usable<'a>(
     };
     let page = derivation.equations[at].page;
     let own = &derivation.equations[at];
-    let in_effect: BTreeSet<(usize, usize)> = (own.locals.iter().chain(&own.told))
+    let in_effect: Set<(usize, usize)> = (own.locals.iter().chain(&own.told))
         .map(|&local| (page, local))
         .collect();
     // A value that the text has given to another symbol's place since is no longer meant.

@@ -4,7 +4,6 @@
 //! judged as it was, then those of the equations that it cites; where it holds, it is asked whether another reading would
 //! be refuted.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::{Formula, Symbol};
@@ -16,6 +15,7 @@ use crate::search::{self, Decision};
 
 use super::premise::Usable;
 use super::{Auditor, Entry, Note, Verdict};
+use crate::sorted::Set;
 
 /// More places of this kind are not tried for one statement.
 const MOST_CHOICES: usize = 6;
@@ -44,7 +44,7 @@ fn is_spoken_of(product: &Statement, read: &Statement, usable: &Usable) -> bool 
     let symbols = |statement| {
         let formulas = formulas(statement);
         let all = formulas.iter().flat_map(Formula::free_symbols);
-        all.collect::<BTreeSet<Symbol>>()
+        all.collect::<Set<Symbol>>()
     };
     let (fewer, assumed) = (symbols(read), &usable.assumed);
     let spoken = |symbol: &Symbol| {
@@ -127,7 +127,7 @@ impl Auditor<'_> {
         if !open || ill {
             return None;
         }
-        let choices: BTreeSet<Choice> = cited().filter(|c| *c != Choice::Product).collect();
+        let choices: Set<Choice> = cited().filter(|c| *c != Choice::Product).collect();
         for choice in choices.into_iter().take(MOST_CHOICES) {
             let Some((usable, premise)) = self.reread(how, choice) else {
                 continue;

@@ -2,7 +2,6 @@
 //!
 //! None of this is done in the audit itself: it answers questions that are asked afterwards.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicUsize;
 
@@ -17,6 +16,7 @@ use super::schedule::Schedule;
 use super::{
     Audit, Auditor, Done, Entry, Judged, MOST_WORK, Note, Outcome, Shared, Verdict, given,
 };
+use crate::sorted::{Map, Set};
 
 /// How many earlier equations are looked at for another way to a step.
 const MOST_RELATIVES: usize = 12;
@@ -66,7 +66,7 @@ impl<'a> Review<'a> {
             schedule: Schedule::finished(),
             dimensions: OnceLock::new(),
             givens: Vec::new(),
-            duplicates: BTreeMap::new(),
+            duplicates: Map::new(),
             done: done.into_iter().map(OnceLock::from).collect(),
             progress: &FINISHED,
         };
@@ -79,7 +79,7 @@ impl<'a> Review<'a> {
 
     /// Every step that comes from something false, in reading order.
     pub fn fallen(&self) -> Vec<Fallen> {
-        let mut standing: BTreeSet<usize> = BTreeSet::new();
+        let mut standing: Set<usize> = Set::new();
         let mut all: Vec<Fallen> = Vec::new();
         for (position, entry) in self.audit.entries.iter().enumerate() {
             if entry.rests_on.is_empty() {
@@ -110,7 +110,7 @@ impl<'a> Review<'a> {
     }
 
     /// What a step follows from that does not come from anything false. `standing` are those known to stand without.
-    fn without(&self, entry: &Entry, standing: &BTreeSet<usize>) -> Option<Vec<Source>> {
+    fn without(&self, entry: &Entry, standing: &Set<usize>) -> Option<Vec<Source>> {
         let derivation = self.shared.derivation;
         let at = entry.equation;
         let is_sound = |&premise: &usize| {
@@ -123,7 +123,7 @@ impl<'a> Review<'a> {
         };
         if entry.premises.iter().all(is_sound) {
             let used = entry.judged.iter().flat_map(|j| sources(&j.assumed));
-            let used: BTreeSet<Source> = used.collect();
+            let used: Set<Source> = used.collect();
             return Some(used.into_iter().collect());
         }
         let statement = derivation.equations[at].statements().get(entry.part)?;
@@ -141,7 +141,7 @@ impl<'a> Review<'a> {
             .into_iter()
             .filter(|a| !own.assumed.contains(a))
             .collect();
-        let mut used: BTreeSet<Source> = BTreeSet::new();
+        let mut used: Set<Source> = Set::new();
         let mut steps: Vec<(usize, Formula)> = Vec::new();
         for goal in goals(statement) {
             used.extend(self.derived(&auditor, at, &own, &others, &goal, &steps)?);

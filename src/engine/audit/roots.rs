@@ -1,13 +1,12 @@
 //! What a step comes from in the end. A premise that is proved says nothing that its own premises do not; with these alone a
 //! counterexample may be found where all together keep the search from one.
 
-use std::collections::BTreeSet;
-
 use super::judge::{Found, Judge};
 use super::premise::{Usable, usable};
 use super::{Note, Verdict};
 use crate::algebra::Formula;
 use crate::derivation::Goal;
+use crate::sorted::Set;
 
 /// More premises than this are not traced back.
 const MOST_ROOTS: usize = 12;
@@ -36,9 +35,9 @@ impl Judge<'_> {
 
     /// The premises with each that is proved replaced by what it was proved from; `None` where none is.
     fn roots(&self, premises: &[usize]) -> Option<Vec<usize>> {
-        let mut roots = BTreeSet::new();
+        let mut roots = Set::new();
         let mut open: Vec<usize> = premises.to_vec();
-        let mut seen: BTreeSet<usize> = BTreeSet::new();
+        let mut seen: Set<usize> = Set::new();
         while let Some(at) = open.pop() {
             if at >= self.at || !seen.insert(at) {
                 continue;

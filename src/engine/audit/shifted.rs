@@ -1,7 +1,6 @@
 //! Citations that are all off by the same number, as where a section was once numbered from 1.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 use crate::derivation::{Assumed, Source, goals};
@@ -11,6 +10,7 @@ use crate::search::{self, Effort};
 use super::judge::Judge;
 use super::premise::usable;
 use super::{Auditor, Entry, Note, Shared, given};
+use crate::sorted::{Map, Set};
 
 /// How many shifts are looked at: the commonest first.
 const MOST_SHIFTS: usize = 12;
@@ -36,7 +36,7 @@ struct Shift<'a> {
     /// The steps that it explains on pages where it explains all of which it can be told.
     explained: Vec<&'a Miscited>,
     /// The pages on which it explains any, or might if nothing were wrong: no other number is told of these.
-    touched: BTreeSet<usize>,
+    touched: Set<usize>,
 }
 
 /// Puts one finding in the place of many where every miscited step of a page follows once the same number is added to
@@ -52,7 +52,7 @@ pub(super) fn gather(shared: &Shared<'_>) -> Vec<(usize, Note)> {
         return notes;
     }
     let mut budget = MOST_PROOFS;
-    let mut votes: BTreeMap<i64, usize> = BTreeMap::new();
+    let mut votes: Map<i64, usize> = Map::new();
     for step in &all {
         for shift in shifts(shared, step) {
             *votes.entry(shift).or_default() += 1;
@@ -71,7 +71,7 @@ pub(super) fn gather(shared: &Shared<'_>) -> Vec<(usize, Note)> {
         found.push(shift);
     }
     found.sort_by_key(|shift| Reverse(shift.explained.len()));
-    let mut touched: BTreeSet<usize> = BTreeSet::new();
+    let mut touched: Set<usize> = Set::new();
     for mut shift in found {
         shift.explained.retain(|step| !touched.contains(&step.page));
         if shift.explained.len() < FEWEST {
@@ -151,7 +151,7 @@ fn miscited(shared: &Shared<'_>, entries: &[&Entry]) -> Vec<Miscited> {
 }
 
 /// What takes a number that is cited to one of what the step follows from.
-fn shifts(shared: &Shared<'_>, step: &Miscited) -> BTreeSet<i64> {
+fn shifts(shared: &Shared<'_>, step: &Miscited) -> Set<i64> {
     let number = |at: usize| shared.derivation.number(at);
     let meant = step.instead.iter().filter_map(|source| match source {
         Source::Equation(at) => number(*at),

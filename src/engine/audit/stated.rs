@@ -6,8 +6,6 @@
 //! What is so taken is told. An equation that contradicts what stands before, or is one slip of the pen away from what
 //! follows, still fails.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Kind, Source};
 use crate::notation::measured;
@@ -15,6 +13,7 @@ use crate::search::{self, Effort};
 
 use super::judge::{Judge, step};
 use super::{Entry, Judged, Note, Outcome, Verdict};
+use crate::sorted::Set;
 
 impl Judge<'_> {
     /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.
@@ -82,7 +81,7 @@ impl Judge<'_> {
         let [sound, _] = self.others(&[]);
         let right = |a: &&Assumed| match a.source {
             Source::Equation(premise) => {
-                let premise = BTreeSet::from([premise]);
+                let premise = Set::from([premise]);
                 self.auditor.failing(self.at, &premise).is_empty()
             }
             _ => true,
@@ -153,7 +152,7 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
     if !judged.outcome.is_proven() {
         return None;
     }
-    let mut variables = BTreeSet::new();
+    let mut variables = Set::new();
     let mut constants = Vec::new();
     for condition in conditions {
         let (slope, zero) = condition.as_equation()?;
@@ -233,7 +232,7 @@ pub(super) fn is_identity(entry: &Entry) -> bool {
 /// Whether what a page begins with goes on with something false: a link whose sides speak of the same (`A = \pi r^2 = 2 \pi r`), what
 /// is implied, or another value of a symbol that is not `new`. A law may go on with another, `p V = n R T = N k T`. Of a row that goes on
 /// with others, which are `before`, the first link is no beginning.
-pub(super) fn slips(entry: &Entry, new: &BTreeSet<Symbol>, before: usize) -> bool {
+pub(super) fn slips(entry: &Entry, new: &Set<Symbol>, before: usize) -> bool {
     let first = entry.judged.first().map(|judged| judged.goal.clause);
     let mut refuted = (entry.judged.iter().enumerate()).filter(|(_, j)| j.outcome.is_refuted());
     refuted.any(|(link, judged)| {
@@ -263,7 +262,7 @@ pub(super) fn begin(entry: &mut Entry) {
 }
 
 /// The symbols of a term that are no units.
-fn quantities(term: &Expr) -> BTreeSet<Symbol> {
+fn quantities(term: &Expr) -> Set<Symbol> {
     let mut symbols = term.free_symbols();
     symbols.retain(|symbol| measured(symbol).is_none());
     symbols

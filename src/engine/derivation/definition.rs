@@ -11,6 +11,7 @@ use super::equation::{conditions, formulas};
 use super::page::Page;
 use super::supposed::Local;
 use super::{Equation, Kind, counts};
+use crate::sorted::Set;
 
 /// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, nor in an equation that is supposed
 /// where they stand ("Let $x = 2$ and $W = w$"), and notes which symbols are new.
@@ -24,7 +25,7 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
         let supposed = supposed.filter(|formula| formula.as_equation().is_some());
         seen.extend(supposed.flat_map(|formula| formula.names()));
         let mut defines = std::mem::take(&mut equation.defines);
-        let mut introduces = BTreeSet::new();
+        let mut introduces = Set::new();
         let mut case: Option<Symbol> = None;
         let mut explains = false;
         for (part, statement) in equation.statements().iter().enumerate() {

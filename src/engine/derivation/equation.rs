@@ -1,4 +1,3 @@
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
@@ -6,6 +5,7 @@ use crate::document::Span;
 use crate::notation::{Clause, Connective, Statement, SyntaxError};
 
 use super::Premises;
+use crate::sorted::Set;
 
 /// An equation of a document, with all that its surroundings say about it.
 #[derive(Clone, Debug)]
@@ -29,9 +29,9 @@ pub struct Equation {
     /// What kind of statement the author makes.
     pub kind: Kind,
     /// The statements, by position, whose first link defines a symbol that has not occurred before.
-    pub defines: BTreeSet<usize>,
+    pub defines: Set<usize>,
     /// The symbols of which no equation before speaks.
-    pub introduces: BTreeSet<Symbol>,
+    pub introduces: Set<Symbol>,
     /// Whether it would define its symbol, had the text not told what that is.
     pub explains: bool,
     /// Whether the page opens with it and nothing is said of where it comes from.
@@ -276,7 +276,7 @@ impl Equation {
     }
 
     /// The symbols and sequences that it speaks of.
-    pub fn symbols(&self) -> BTreeSet<Symbol> {
+    pub fn symbols(&self) -> Set<Symbol> {
         let formulas = self.statements().iter().flat_map(formulas);
         formulas.flat_map(|formula| formula.names()).collect()
     }

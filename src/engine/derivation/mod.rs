@@ -27,6 +27,7 @@ use crate::algebra::{BigRational, Formula, Relation, Symbol};
 use crate::document::{Citation, Document, Premise, Span, in_order};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
 use crate::notation::{Spanned, measured, read_formulas};
+use crate::sorted::Map;
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
@@ -462,8 +463,8 @@ impl Derivation {
     /// The claim that a goal of an equation follows from hypotheses, with the domains of all symbols in it.
     pub fn claim(&self, at: usize, assumed: &[Assumed], goal: &Formula) -> Claim {
         let mut claim = Claim {
-            domains: BTreeMap::new(),
-            sequences: BTreeMap::new(),
+            domains: Map::new(),
+            sequences: Map::new(),
             hypotheses: assumed
                 .iter()
                 .map(|a| Hypothesis {
@@ -483,7 +484,7 @@ impl Derivation {
         let mut pages: Vec<usize> = vec![own];
         pages.extend(others);
         pages.dedup();
-        let mut domains = BTreeMap::new();
+        let mut domains = Map::new();
         for symbol in claim.free_symbols() {
             let mut declared = pages
                 .iter()

@@ -18,6 +18,7 @@ use super::definition::Known;
 use super::equation::each_side;
 use super::supposed::Local;
 use super::{Equation, Kind, counts, names, rows};
+use crate::sorted::Set;
 
 /// Of the values that a piece of text names, so many are looked at.
 const MOST_MENTIONED: usize = 6;
@@ -305,7 +306,7 @@ pub(super) fn read_page(
                         },
                         kind,
                         defines,
-                        introduces: BTreeSet::new(),
+                        introduces: Set::new(),
                         explains: false,
                         opens: alone && kind == Kind::Derived && !stated,
                         relative: said.relative,

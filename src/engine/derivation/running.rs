@@ -4,12 +4,11 @@
 //! bound and not `constant`) and has a recurrence in it: something that speaks of an element and of another a fixed
 //! number of places away, as `E_{n+1} = e^2 E_n` does. Where nothing of the kind is written, `v_1` and `v_n` are labels.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::algebra::{Expr, Formula, Place, Symbol, mentions_symbol, running_symbol};
 use crate::kernel::{Domain, ForEvery};
 
 use super::{Assumed, Derivation, Equation, Kind, Page, Source, formulas};
+use crate::sorted::{Map, Set};
 
 /// An index that runs through sequences on a page.
 #[derive(Clone, Debug)]
@@ -17,7 +16,7 @@ pub struct Running {
     /// The index.
     pub index: Symbol,
     /// Symbols without it in their name that may depend on it all the same: something is given that ties them to it.
-    pub varying: BTreeSet<Symbol>,
+    pub varying: Set<Symbol>,
 }
 
 /// The indices that run on a page.
@@ -53,7 +52,7 @@ pub(super) fn running(page: &Page, equations: &[Equation]) -> Vec<Running> {
 }
 
 /// For each sequence whose elements run with an index, the least and the greatest of their offsets.
-pub(super) type Offsets = BTreeMap<Symbol, (i64, i64)>;
+pub(super) type Offsets = Map<Symbol, (i64, i64)>;
 
 /// Those in a formula.
 pub(super) fn offsets(formula: &Formula, index: &Symbol) -> Offsets {
@@ -87,7 +86,7 @@ fn shows_index(page: &Page, formula: &Formula, index: &Symbol) -> bool {
 }
 
 /// The symbols and sequences of a formula that are neither an index nor have it in their names.
-fn plain(formula: &Formula, index: &Symbol) -> BTreeSet<Symbol> {
+fn plain(formula: &Formula, index: &Symbol) -> Set<Symbol> {
     let all = formula.names().into_iter();
     let shows = |symbol: &Symbol| {
         let place = symbol.place(index).map(|(_, place)| place);
@@ -97,7 +96,7 @@ fn plain(formula: &Formula, index: &Symbol) -> BTreeSet<Symbol> {
 }
 
 /// The plain symbols that something ties to an index, directly or through others.
-fn varying(page: &Page, given: &[Formula], index: &Symbol) -> BTreeSet<Symbol> {
+fn varying(page: &Page, given: &[Formula], index: &Symbol) -> Set<Symbol> {
     let constant = |s: &Symbol| page.domains.get(s).is_some_and(|d| d.constant);
     let runs = |stem: &Symbol| {
         given.iter().any(|f| {
@@ -108,7 +107,7 @@ fn varying(page: &Page, given: &[Formula], index: &Symbol) -> BTreeSet<Symbol> {
     };
     let locals = page.locals.iter().flat_map(|local| &local.formulas);
     let all: Vec<&Formula> = given.iter().chain(locals.map(|f| &**f)).collect();
-    let mut varying = BTreeSet::new();
+    let mut varying = Set::new();
     loop {
         let before = varying.len();
         for formula in &all {
@@ -167,10 +166,10 @@ impl Derivation {
             _ => None,
         });
         let mut pages: Vec<usize> = std::iter::once(own).chain(others).collect();
-        let mut seen = BTreeSet::new();
+        let mut seen = Set::new();
         pages.retain(|&page| seen.insert(page));
         let running = pages.iter().flat_map(|&page| self.running(page));
-        let mut indices: BTreeSet<&Symbol> = running.map(|running| &running.index).collect();
+        let mut indices: Set<&Symbol> = running.map(|running| &running.index).collect();
         let summed = limits_of_sums(goal);
         indices.extend(&summed);
         let found = indices.into_iter().filter_map(|index| {
@@ -196,7 +195,7 @@ impl Derivation {
                 _ => false,
             };
             let hypotheses = assumed.iter().enumerate();
-            let throughout: BTreeSet<usize> = hypotheses
+            let throughout: Set<usize> = hypotheses
                 .filter(|(_, a)| a.formula.depends_on(index) && alike(a) && is_throughout(a, index))
                 .map(|(position, _)| position)
                 .collect();
@@ -210,7 +209,7 @@ impl Derivation {
             let varying = varying.collect();
             let mut claim = self.claim(at, assumed, goal);
             claim.domains.insert(index.clone(), range.clone());
-            let mut elements: BTreeMap<Symbol, Domain> = BTreeMap::new();
+            let mut elements: Map<Symbol, Domain> = Map::new();
             for symbol in Formula::free_symbols_of(claim.formulas()) {
                 if let Some((stem, _)) = symbol.place(index)
                     && !elements.contains_key(&stem)
@@ -237,8 +236,8 @@ impl Derivation {
 }
 
 /// The symbols that say how far the sums of a formula go, where their terms show the index.
-fn limits_of_sums(formula: &Formula) -> BTreeSet<Symbol> {
-    fn collect(term: &Expr, found: &mut BTreeSet<Symbol>) {
+fn limits_of_sums(formula: &Formula) -> Set<Symbol> {
+    fn collect(term: &Expr, found: &mut Set<Symbol>) {
         if let Expr::Series {
             index, to, body, ..
         } = term
@@ -249,7 +248,7 @@ fn limits_of_sums(formula: &Formula) -> BTreeSet<Symbol> {
         let children = term.children();
         children.for_each(|child| collect(child, found));
     }
-    let mut found = BTreeSet::new();
+    let mut found = Set::new();
     let terms = formula.terms().into_iter();
     terms.for_each(|term| collect(term, &mut found));
     found

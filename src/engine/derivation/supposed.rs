@@ -1,6 +1,5 @@
 //! What is supposed where: values and hypotheses that prose or a directive brings in, and the special cases that are left again.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
@@ -11,6 +10,7 @@ use crate::notation::{SyntaxError, read_formulas};
 use super::equation::formulas;
 use super::page::Page;
 use super::rows::Part;
+use crate::sorted::Set;
 
 /// A hypothesis that is in effect in a part of a page.
 #[derive(Clone, Debug)]
@@ -22,7 +22,7 @@ pub struct Local {
     /// Where it stands.
     pub span: Span,
     /// Of a special case, the symbols that it sets to a number: what speaks of them again is no longer said of that case.
-    pub(super) set: BTreeSet<Symbol>,
+    pub(super) set: Set<Symbol>,
     /// It is a special case, or was told of one, and is left with it.
     pub(super) of_case: bool,
     /// The text told it in passing.
@@ -37,12 +37,12 @@ impl Local {
     }
 
     /// The symbols that it says the value of.
-    pub fn values(&self) -> BTreeSet<Symbol> {
+    pub fn values(&self) -> Set<Symbol> {
         self.formulas.iter().flat_map(|f| assigned(f)).collect()
     }
 
     /// The symbols and sequences that it speaks of.
-    pub fn names(&self) -> BTreeSet<Symbol> {
+    pub fn names(&self) -> Set<Symbol> {
         let formulas = self.formulas.iter();
         formulas.flat_map(|formula| formula.names()).collect()
     }
@@ -92,8 +92,8 @@ impl Page {
         }
         for statement in &statements {
             let formulas = formulas(statement);
-            let values: BTreeSet<Symbol> = formulas.iter().flat_map(assigned).collect();
-            let own: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::names).collect();
+            let values: Set<Symbol> = formulas.iter().flat_map(assigned).collect();
+            let own: Set<Symbol> = formulas.iter().flat_map(Formula::names).collect();
             let locals = &self.locals;
             active.retain(|&at| {
                 let old = &locals[at];
@@ -111,7 +111,7 @@ impl Page {
             });
             let set = match is_case || is_fact {
                 true => formulas.iter().filter_map(set_to_a_number).collect(),
-                false => BTreeSet::new(),
+                false => Set::new(),
             };
             active.push(self.locals.len());
             self.locals.push(Local {
@@ -156,13 +156,13 @@ fn set_to_a_number(formula: &Formula) -> Option<Symbol> {
 }
 
 /// The symbols that an equation between them gives a value.
-fn assigned(formula: &Formula) -> BTreeSet<Symbol> {
+fn assigned(formula: &Formula) -> Set<Symbol> {
     match formula {
         Formula::Relation {
             left: Expr::Symbol(symbol),
             ..
-        } => BTreeSet::from([symbol.clone()]),
-        Formula::AllEqual { sequence, .. } => BTreeSet::from([sequence.clone()]),
-        Formula::Relation { .. } => BTreeSet::new(),
+        } => Set::from([symbol.clone()]),
+        Formula::AllEqual { sequence, .. } => Set::from([sequence.clone()]),
+        Formula::Relation { .. } => Set::new(),
     }
 }

@@ -1,6 +1,5 @@
 //! What nobody declares is inferred, formula by formula in reading order.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::algebra::{Formula, Rational};
@@ -11,6 +10,7 @@ use crate::kernel::dimension::{
 
 use super::rescale::rescaling;
 use super::system::{Fit, System};
+use crate::sorted::Map;
 
 /// A formula to be read, with what is said of its symbols.
 #[derive(Clone, Debug)]
@@ -99,7 +99,7 @@ impl<O: Clone> Inference<O> {
             quotient.unknowns.is_empty() && !quotient.is_none()
         });
         if let Some(declared) = declared {
-            return self.conflict(readings, declared, origin, &BTreeMap::new());
+            return self.conflict(readings, declared, origin, &Map::new());
         }
         for one in compared {
             let (reading, at, comparison) = one;
@@ -122,7 +122,7 @@ impl<O: Clone> Inference<O> {
         readings: &[Reading],
         (reading, at, comparison): &(usize, usize, Comparison),
         origin: &O,
-        with: &BTreeMap<usize, Rational>,
+        with: &Map<usize, Rational>,
     ) -> Option<Conflict<O>> {
         let part = |reading: &Reading, comparison, multiplier| Part {
             formula: reading.formula.clone(),
@@ -137,7 +137,7 @@ impl<O: Clone> Inference<O> {
             parts.push(part(reading, *at, multiplier.clone()));
             origins.push(origin.clone());
         }
-        let solution = parts.iter().fold(BTreeMap::new(), |mut all, part| {
+        let solution = parts.iter().fold(Map::new(), |mut all, part| {
             all.extend(self.solution(&part.scope, &part.formula));
             all
         });
@@ -157,8 +157,8 @@ impl<O: Clone> Inference<O> {
     }
 
     /// What is known of the unknowns of a formula.
-    fn solution(&self, scope: &Scope, formula: &Formula) -> BTreeMap<Unknown, Form> {
-        let mut solution = BTreeMap::new();
+    fn solution(&self, scope: &Scope, formula: &Formula) -> Map<Unknown, Form> {
+        let mut solution = Map::new();
         let mut look = |said: Option<&Said>| {
             if let Some(said @ Said::Unknown(unknown)) = said {
                 let own = Form::said(said);

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::algebra::Rational;
 use crate::kernel::dimension::{Form, Unknown};
+use crate::sorted::Map;
 
 /// An equation that leaves more unknowns open than this says too little to be worth keeping.
 const MOST_OPEN: usize = 48;
@@ -27,7 +28,7 @@ struct Row {
     /// The power of the unknown in the equation once reduced.
     divisor: Rational,
     /// The rows that it was reduced by, and how often.
-    reduced_by: BTreeMap<usize, Rational>,
+    reduced_by: Map<usize, Rational>,
 }
 
 /// How an equation fits those before it.
@@ -37,7 +38,7 @@ pub(super) enum Fit {
     Good,
     /// It does not: which equations, and how often each must be taken for all unknowns to cancel. The new one is
     /// not listed; it is taken once.
-    Bad(BTreeMap<usize, Rational>),
+    Bad(Map<usize, Rational>),
 }
 
 impl System {
@@ -86,8 +87,8 @@ impl System {
     }
 
     /// Puts rows in until none applies. A row mentions nothing that was solved before it, so this ends.
-    fn reduce(&self, mut form: Form) -> (Form, BTreeMap<usize, Rational>) {
-        let mut by: BTreeMap<usize, Rational> = BTreeMap::new();
+    fn reduce(&self, mut form: Form) -> (Form, Map<usize, Rational>) {
+        let mut by: Map<usize, Rational> = Map::new();
         while let Some((unknown, row)) = form
             .unknowns
             .keys()
@@ -104,10 +105,9 @@ impl System {
     }
 
     /// The equations behind a reduction: a row is a multiple of its equation, less the rows that reduced it.
-    fn trace(&self, reduced_by: &BTreeMap<usize, Rational>) -> BTreeMap<usize, Rational> {
-        let mut sources = BTreeMap::new();
-        let mut rows: BTreeMap<usize, Rational> =
-            reduced_by.iter().map(|(row, n)| (*row, -n)).collect();
+    fn trace(&self, reduced_by: &Map<usize, Rational>) -> Map<usize, Rational> {
+        let mut sources = Map::new();
+        let mut rows: Map<usize, Rational> = reduced_by.iter().map(|(row, n)| (*row, -n)).collect();
         while let Some((at, times)) = rows.pop_last() {
             let row = &self.rows[at];
             let times = times / &row.divisor;

@@ -4,12 +4,11 @@
 //! in which equal factors are put together; then each factor takes its values. Sums are not multiplied out: a sum that is a
 //! factor counts as one.
 
-use std::collections::BTreeMap;
-
 use num_traits::{One, Signed, Zero};
 
 use super::Interval;
 use crate::algebra::{BigInt, BigRational, Expr, Function, Symbol};
+use crate::sorted::Map;
 
 /// Longer sums are not put together.
 const MOST_TERMS: usize = 256;
@@ -31,12 +30,12 @@ pub enum NoInterval {
 
 /// What is known of symbols.
 #[derive(Clone, Debug, Default)]
-pub struct Figures(BTreeMap<Symbol, Interval>);
+pub struct Figures(Map<Symbol, Interval>);
 
 /// Factors with their exponents, which are not 0.
-type Powers = BTreeMap<Expr, BigRational>;
+type Powers = Map<Expr, BigRational>;
 /// A sum of products of powers, with their coefficients, which are not 0.
-type Terms = BTreeMap<Powers, BigRational>;
+type Terms = Map<Powers, BigRational>;
 
 /// What figures give for the two sides of a relation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -256,7 +255,7 @@ impl Figures {
         if exponent.is_integer() {
             let value = Interval::exactly(coefficient).power(exponent);
             let value = value.ok_or(NoInterval::TooLarge)?;
-            return Ok(BTreeMap::from([(raised, value.low)]));
+            return Ok(Map::from([(raised, value.low)]));
         }
         if coefficient.is_negative() {
             return Err(NoInterval::Undefined(base.clone()));
@@ -267,7 +266,7 @@ impl Figures {
                 .or_insert_with(BigRational::zero) += exponent;
         }
         raised.retain(|_, exponent| !exponent.is_zero());
-        Ok(BTreeMap::from([(raised, BigRational::one())]))
+        Ok(Map::from([(raised, BigRational::one())]))
     }
 }
 
@@ -287,15 +286,12 @@ pub(super) fn number(term: &Expr) -> Option<BigRational> {
 fn constant(value: BigRational) -> Terms {
     match value.is_zero() {
         true => Terms::new(),
-        false => BTreeMap::from([(Powers::new(), value)]),
+        false => Map::from([(Powers::new(), value)]),
     }
 }
 
 fn single(factor: &Expr, exponent: BigRational) -> Terms {
-    BTreeMap::from([(
-        BTreeMap::from([(factor.clone(), exponent)]),
-        BigRational::one(),
-    )])
+    Map::from([(Map::from([(factor.clone(), exponent)]), BigRational::one())])
 }
 
 /// A sum of several terms as a factor of its own.

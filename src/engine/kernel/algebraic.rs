@@ -5,7 +5,6 @@
 //! sequence of remainders tells. So the polynomial need not be irreducible, and nothing is ever inverted.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
 
 use num_traits::{One, ToPrimitive};
 
@@ -15,6 +14,7 @@ use crate::algebra::{
     Atom, BigRational, Expr, Fraction, Function, Polynomial, Rational, Relation, Symbol,
     Univariate, Var, sum_of_signs,
 };
+use crate::sorted::Map;
 
 /// Polynomials of a higher degree are refused, as given and as powers of what is given.
 const HIGHEST_DEGREE: usize = 12;
@@ -161,9 +161,9 @@ impl Field {
 /// The values of a point's unknowns in a field.
 pub(super) struct InField {
     field: Field,
-    symbols: BTreeMap<Symbol, Univariate>,
-    roots: BTreeMap<Expr, Univariate>,
-    found: BTreeMap<Var, Univariate>,
+    symbols: Map<Symbol, Univariate>,
+    roots: Map<Expr, Univariate>,
+    found: Map<Var, Univariate>,
 }
 
 impl Point<'_> {
@@ -193,7 +193,7 @@ impl Point<'_> {
         }
         let polynomial = Univariate::new(polynomial.iter().map(Rational::from));
         let field = Field::new(polynomial, low.into(), high.into())?;
-        let mut symbols = BTreeMap::new();
+        let mut symbols = Map::new();
         for (symbol, value) in &own.symbols {
             let value = field.number(value)?;
             if let Some(domain) = self.claim.domains.get(symbol)
@@ -210,7 +210,7 @@ impl Point<'_> {
             field,
             symbols,
             roots,
-            found: BTreeMap::new(),
+            found: Map::new(),
         });
         Ok(())
     }

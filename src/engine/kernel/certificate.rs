@@ -4,10 +4,10 @@
 //! facts to their position in it.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
 
 use super::Rate;
 use crate::algebra::{BigRational, Expr, Polynomial, Rational, Symbol, TooLarge, Var};
+use crate::sorted::Map;
 
 /// What the search hands over. Nothing in here is believed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -216,18 +216,18 @@ pub struct Assignment {
     /// The hypotheses `symbol = term` that are put in first; their symbols need no value.
     pub unfold: Vec<usize>,
     /// The value of each symbol.
-    pub symbols: BTreeMap<Symbol, BigRational>,
+    pub symbols: Map<Symbol, BigRational>,
     /// The elements of each sequence.
-    pub sequences: BTreeMap<Symbol, Vec<BigRational>>,
+    pub sequences: Map<Symbol, Vec<BigRational>>,
     /// The value of `ds/dx` at the point, for symbols `s` of which nothing else is said, or in a course.
-    pub derivatives: BTreeMap<(Symbol, Symbol), BigRational>,
+    pub derivatives: Map<(Symbol, Symbol), BigRational>,
     /// How everything can move through the point, where laws tie derivatives together.
     pub course: Option<Course>,
     /// The values of sines, cosines, exponentials and logarithms, by call, in place of a value for the one symbol in
     /// their argument that has none.
-    pub functions: BTreeMap<Expr, BigRational>,
+    pub functions: Map<Expr, BigRational>,
     /// Values `Σ c_k π^k` by their coefficients, for symbols that have no rational one.
-    pub in_pi: BTreeMap<Symbol, Vec<BigRational>>,
+    pub in_pi: Map<Symbol, Vec<BigRational>>,
     /// Values in terms of one irrational root, where there are such.
     pub algebraic: Option<Box<Algebraic>>,
 }
@@ -243,19 +243,19 @@ pub struct Algebraic {
     /// Above α, below all greater roots.
     pub high: BigRational,
     /// The symbols that have such a value.
-    pub symbols: BTreeMap<Symbol, Vec<BigRational>>,
+    pub symbols: Map<Symbol, Vec<BigRational>>,
     /// The values of roots, by the term `base^(1/q)`.
-    pub roots: BTreeMap<Expr, Vec<BigRational>>,
+    pub roots: Map<Expr, Vec<BigRational>>,
 }
 
 /// How symbols that are differentiated move through a point.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Course {
     /// The second derivative of a symbol and those above it, by symbol and variable.
-    pub higher: BTreeMap<(Symbol, Symbol), Vec<BigRational>>,
+    pub higher: Map<(Symbol, Symbol), Vec<BigRational>>,
     /// For each law that speaks of something that moves, by its position among the hypotheses, what it is to be solved
     /// for: the highest derivative of a symbol, or a symbol of which no derivative occurs. Each leads one law.
-    pub leads: BTreeMap<usize, Expr>,
+    pub leads: Map<usize, Expr>,
 }
 
 impl Certificate {

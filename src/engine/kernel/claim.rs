@@ -1,9 +1,9 @@
-use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
 use num_traits::{Signed, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
+use crate::sorted::Map;
 
 /// What must follow from what: hypotheses ⊢ goal, over the reals.
 ///
@@ -12,9 +12,9 @@ use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Claim {
     /// Where each symbol may lie; a symbol without an entry is any real number.
-    pub domains: BTreeMap<Symbol, Domain>,
+    pub domains: Map<Symbol, Domain>,
     /// The symbols that name sequences, with the domain of their elements.
-    pub sequences: BTreeMap<Symbol, Domain>,
+    pub sequences: Map<Symbol, Domain>,
     /// The premises, in the order in which evidence refers to them.
     pub hypotheses: Vec<Hypothesis>,
     /// What is to follow.

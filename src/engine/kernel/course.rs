@@ -12,11 +12,10 @@
 //! move as any polynomial with the given derivatives. What must not be negative, or not vanish, is asked not to be 0 at the
 //! point, so that it has its sign around it.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::witness::Point;
 use super::{Origin, Reject, Sign, Standing};
 use crate::algebra::{Atom, Expr, Polynomial, Rational, Symbol, Var, element_parts};
+use crate::sorted::{Map, Set};
 
 /// A derivative as a symbol, a variable and an order.
 fn derivative(term: &Expr) -> Option<(&Symbol, &Symbol, usize)> {
@@ -36,9 +35,9 @@ fn derivative(term: &Expr) -> Option<(&Symbol, &Symbol, usize)> {
 struct Motion {
     variable: Symbol,
     /// The symbols whose derivatives occur, each with the highest order.
-    orders: BTreeMap<Symbol, usize>,
+    orders: Map<Symbol, usize>,
     /// Everything that may change with the variable, the variable included.
-    moving: BTreeSet<Var>,
+    moving: Set<Var>,
 }
 
 impl Point<'_> {
@@ -68,7 +67,7 @@ impl Point<'_> {
             return Err(Reject::NoCourse);
         }
         // What is led moves.
-        let mut leads: BTreeMap<usize, Var> = BTreeMap::new();
+        let mut leads: Map<usize, Var> = Map::new();
         for (&law, term) in &course.leads {
             let atom = match term {
                 Expr::Symbol(symbol) => {
@@ -149,8 +148,8 @@ impl Point<'_> {
             let (symbol, variable, order) = derivative(term).ok_or(Reject::NoCourse)?;
             let motion = found.get_or_insert_with(|| Motion {
                 variable: variable.clone(),
-                orders: BTreeMap::new(),
-                moving: BTreeSet::new(),
+                orders: Map::new(),
+                moving: Set::new(),
             });
             if motion.variable != *variable || symbol == variable || !self.may_move(symbol) {
                 return Err(Reject::NoCourse);

@@ -1,7 +1,5 @@
 //! What sines, exponentials and absolute values are known to be, and `\pi`.
 
-use std::collections::BTreeMap;
-
 use num_traits::ToPrimitive;
 
 use super::{Claim, Knowledge, Origin, Problem, Reject, Sign};
@@ -9,6 +7,7 @@ use crate::algebra::{
     Atom, Expr, Formula, Fraction, Function, Polynomial, Rational, SineCosine, Symbol, Var,
     expr_of_fraction, multiplied,
 };
+use crate::sorted::Map;
 
 /// Angles and exponents that are multiples of one another are related up to this.
 const HIGHEST_MULTIPLE: u32 = 8;
@@ -61,8 +60,8 @@ impl Problem {
         }
         let knowledge = Knowledge::new(&self.facts);
         // Arguments that are multiples of one another, each with what it is a multiple of.
-        let mut angles: BTreeMap<Expr, Vec<(Rational, Expr)>> = BTreeMap::new();
-        let mut exponents: BTreeMap<Expr, Vec<(Rational, Var)>> = BTreeMap::new();
+        let mut angles: Map<Expr, Vec<(Rational, Expr)>> = Map::new();
+        let mut exponents: Map<Expr, Vec<(Rational, Var)>> = Map::new();
         // The partner of a sine or cosine is added on the way.
         let mut at = 0;
         loop {

@@ -1,7 +1,6 @@
-use std::collections::BTreeSet;
-
 use super::{Fact, Sign};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
+use crate::sorted::Set;
 
 /// What the facts say by mere inspection about the sign of polynomials.
 ///
@@ -9,11 +8,11 @@ use crate::algebra::{Monomial, Polynomial, Rational, Var};
 /// needs a certificate.
 #[derive(Clone, Debug, Default)]
 pub struct Knowledge {
-    nonnegative_vars: BTreeSet<Var>,
-    nonzero_vars: BTreeSet<Var>,
-    nonzero: BTreeSet<Polynomial>,
-    positive: BTreeSet<Polynomial>,
-    nonnegative: BTreeSet<Polynomial>,
+    nonnegative_vars: Set<Var>,
+    nonzero_vars: Set<Var>,
+    nonzero: Set<Polynomial>,
+    positive: Set<Polynomial>,
+    nonnegative: Set<Polynomial>,
 }
 
 impl Knowledge {

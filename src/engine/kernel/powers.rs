@@ -1,7 +1,5 @@
 //! Which powers of a claim may be taken apart, and what its roots and powers are known to be.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
@@ -10,6 +8,7 @@ use crate::algebra::{
     Atom, Atoms, BigInt, BigRational, Expr, Fraction, Function, Functions, Polynomial, Powers,
     Rational, Symbol, Var, element_parts, mentions_symbol, sign_of_fraction,
 };
+use crate::sorted::{Map, Set};
 
 /// The highest order of a root that a symbol is read as a power of.
 const HIGHEST_ORDER: u32 = 120;
@@ -20,8 +19,8 @@ const HIGHEST_ORDER: u32 = 120;
 pub(super) fn powers_of<'a>(
     claim: &Claim,
     terms: impl Iterator<Item = &'a Expr> + Clone,
-    sequences: &BTreeSet<Symbol>,
-    counts: &BTreeSet<Symbol>,
+    sequences: &Set<Symbol>,
+    counts: &Set<Symbol>,
     elsewhere: impl Fn(&Symbol) -> bool,
 ) -> Option<(Powers, Functions)> {
     // Most claims have nothing of the kind.
@@ -85,10 +84,10 @@ fn has_powers(term: &Expr) -> bool {
 #[derive(Default)]
 struct Occurrences {
     /// The order of the root below which each symbol occurs as a factor; 0 where it is too high.
-    orders: BTreeMap<Symbol, u32>,
+    orders: Map<Symbol, u32>,
     /// Symbols in sums, derivatives, limits and integrals.
-    moving: BTreeSet<Symbol>,
-    bound: BTreeSet<Symbol>,
+    moving: Set<Symbol>,
+    bound: Set<Symbol>,
 }
 
 impl Occurrences {

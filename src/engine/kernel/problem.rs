@@ -1,4 +1,3 @@
-use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::functions::pi_is_the_number;
@@ -8,6 +7,7 @@ use crate::algebra::{
     Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Functions, Lowering, Polynomial,
     Powers, Rational, Relation, Symbol, element_parts, element_symbol, expr_of, power_sum,
 };
+use crate::sorted::{Map, Set};
 
 /// A claim as facts about polynomials: what certificates speak of.
 ///
@@ -27,12 +27,12 @@ pub struct Problem {
     pub conditions: Conditions,
     pub(super) readings: Vec<Reading>,
     pub(super) integers: Vec<Fraction>,
-    pub(super) sequences: BTreeSet<Symbol>,
+    pub(super) sequences: Set<Symbol>,
     /// The declared domains of elements.
-    elements: BTreeMap<Symbol, Domain>,
+    elements: Map<Symbol, Domain>,
     /// The symbols that are known to be natural numbers, for sums go up to them.
-    counts: BTreeSet<Symbol>,
-    pub(super) constants: BTreeSet<Symbol>,
+    counts: Set<Symbol>,
+    pub(super) constants: Set<Symbol>,
     /// How powers are taken apart; `None` where terms are read as they are written.
     pub(super) powers: Option<Powers>,
     /// What is known of symbols where functions are taken apart; `None` where there is nothing.
@@ -374,7 +374,7 @@ impl Problem {
 
     /// Counts and even power sums are not negative; equal elements make every power sum a multiple of one power.
     fn add_facts_about_sums(&mut self, claim: &Claim) -> Result<(), Reject> {
-        let sums: BTreeSet<(Symbol, Vec<(Symbol, u32)>)> = self
+        let sums: Set<(Symbol, Vec<(Symbol, u32)>)> = self
             .atoms
             .iter()
             .filter_map(|(_, atom)| match atom {
@@ -382,8 +382,8 @@ impl Problem {
                 _ => None,
             })
             .collect();
-        let counts: BTreeSet<&Symbol> = sums.iter().map(|(to, _)| to).collect();
-        let sequences: BTreeSet<&Symbol> = sums
+        let counts: Set<&Symbol> = sums.iter().map(|(to, _)| to).collect();
+        let sequences: Set<&Symbol> = sums
             .iter()
             .flat_map(|(_, p)| p.iter().map(|x| &x.0))
             .collect();
@@ -394,7 +394,7 @@ impl Problem {
                 self.atoms.var(power_sum(count, vec![(a.clone(), 1)]));
                 self.atoms.var(power_sum(count, vec![(a.clone(), 2)]));
                 for &b in sequences
-                    .range::<&Symbol, _>((std::ops::Bound::Excluded(a), std::ops::Bound::Unbounded))
+                    .range::<&Symbol>((std::ops::Bound::Excluded(a), std::ops::Bound::Unbounded))
                 {
                     self.atoms
                         .var(power_sum(count, vec![(a.clone(), 1), (b.clone(), 1)]));
@@ -406,7 +406,7 @@ impl Problem {
             Atom::PowerSum { to, powers } => Some((to.clone(), powers.clone())),
             _ => None,
         });
-        let sums: BTreeSet<(Symbol, Vec<(Symbol, u32)>)> = sums.collect();
+        let sums: Set<(Symbol, Vec<(Symbol, u32)>)> = sums.collect();
         for (var, atom) in all {
             match atom {
                 Atom::PowerSum { powers, .. } if powers.iter().all(|p| p.1 % 2 == 0) => {
@@ -439,7 +439,7 @@ impl Problem {
         sequence: &Symbol,
         count: &Symbol,
         value: Option<&Expr>,
-        sums: &BTreeSet<(Symbol, Vec<(Symbol, u32)>)>,
+        sums: &Set<(Symbol, Vec<(Symbol, u32)>)>,
     ) -> Result<(), Reject> {
         let common = match value {
             Some(value) => {
@@ -508,11 +508,7 @@ fn compared(left: &Fraction, relation: Relation, right: &Fraction) -> Result<Opt
 type Unfolded = (Vec<(Arc<Formula>, Standing)>, Formula, Vec<(Symbol, Expr)>);
 
 /// Puts hypotheses `symbol = term` in everywhere, in order, and says what each symbol became.
-fn unfolded(
-    claim: &Claim,
-    unfold: &[usize],
-    sequences: &BTreeSet<Symbol>,
-) -> Result<Unfolded, Reject> {
+fn unfolded(claim: &Claim, unfold: &[usize], sequences: &Set<Symbol>) -> Result<Unfolded, Reject> {
     let hypotheses = claim.hypotheses.iter();
     let mut formulas: Vec<_> = hypotheses
         .map(|h| (h.formula.clone(), h.standing))
@@ -594,7 +590,7 @@ pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
 }
 
 /// The symbols that name sequences, declared or not.
-fn sequences(claim: &Claim) -> BTreeSet<Symbol> {
+fn sequences(claim: &Claim) -> Set<Symbol> {
     let mentioned = claim.formulas().flat_map(Formula::sequences);
     claim.sequences.keys().cloned().chain(mentioned).collect()
 }
@@ -616,7 +612,7 @@ fn by_whole_number(claim: &Claim) -> Option<Expr> {
 }
 
 /// The symbols that depend on no variable, and the sequences whose elements do not.
-fn constants(claim: &Claim, named: &[&Symbol], pi: bool) -> BTreeSet<Symbol> {
+fn constants(claim: &Claim, named: &[&Symbol], pi: bool) -> Set<Symbol> {
     let declared = claim.domains.iter().filter(|(_, d)| d.constant);
     // `x` may be something else than the elements `x_i`.
     let sequences = (claim.sequences.iter()).filter(|(s, d)| d.constant && !named.contains(s));
@@ -626,8 +622,8 @@ fn constants(claim: &Claim, named: &[&Symbol], pi: bool) -> BTreeSet<Symbol> {
 
 /// The symbols that say how many elements there are. A sum up to the index of another says nothing of the symbol
 /// outside of it.
-fn counts(claim: &Claim) -> BTreeSet<Symbol> {
-    fn collect<'a>(expr: &'a Expr, bound: &mut Vec<&'a Symbol>, found: &mut BTreeSet<Symbol>) {
+fn counts(claim: &Claim) -> Set<Symbol> {
+    fn collect<'a>(expr: &'a Expr, bound: &mut Vec<&'a Symbol>, found: &mut Set<Symbol>) {
         if let Expr::Series { to, .. } = expr
             && let Expr::Symbol(count) = &**to
             && !bound.contains(&count)
@@ -643,7 +639,7 @@ fn counts(claim: &Claim) -> BTreeSet<Symbol> {
         collect(body, bound, found);
         bound.pop();
     }
-    let mut found = BTreeSet::new();
+    let mut found = Set::new();
     for formula in claim.formulas() {
         formula
             .terms()

@@ -1,5 +1,4 @@
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use super::algebraic::InField;
 use super::in_pi::InPi;
@@ -9,6 +8,7 @@ use crate::algebra::{
     Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Function, Polynomial, Rational,
     Relation, Symbol, Var, element_parts, element_symbol,
 };
+use crate::sorted::Map;
 
 /// A claim's formulas at one point.
 pub(super) struct Point<'a> {
@@ -20,7 +20,7 @@ pub(super) struct Point<'a> {
     /// The unknowns' values found so far, by position.
     values: Vec<Option<Rational>>,
     /// Those that are no rational numbers.
-    in_pi: BTreeMap<usize, InPi>,
+    in_pi: Map<usize, InPi>,
     /// The values of all unknowns, where some are polynomials in one irrational root.
     pub(super) in_field: Option<InField>,
     /// The symbols that have no value, but functions of which have.
@@ -38,7 +38,7 @@ impl<'a> Point<'a> {
             atoms: Cow::Borrowed(&problem.atoms),
             at,
             values: Vec::new(),
-            in_pi: BTreeMap::new(),
+            in_pi: Map::new(),
             in_field: None,
             private: Vec::new(),
             bounds: Vec::new(),

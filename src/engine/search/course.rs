@@ -1,13 +1,12 @@
 //! Points at which derivatives are tied together: which law says what of what moves.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_traits::Zero;
 
 use crate::algebra::{
     Atom, Atoms, BigRational, Expr, Formula, Polynomial, Rational, Symbol, Values, Var,
 };
 use crate::kernel::{Assignment, Claim, Course, Fact, Origin, Problem, Sign};
+use crate::sorted::{Map, Set};
 
 /// How many choices of what a law is solved for are tried.
 const MOST_CHOICES: usize = 200;
@@ -16,14 +15,14 @@ const MOST_CHOICES: usize = 200;
 pub fn in_motion(
     claim: &Claim,
     problem: &Problem,
-    values: &BTreeMap<Var, Rational>,
+    values: &Map<Var, Rational>,
     point: &Assignment,
 ) -> Option<Assignment> {
     let mut point = point.clone();
     let mut course = Course::default();
     let said = said_to_move(claim);
-    let mut orders: BTreeMap<Symbol, (usize, Var)> = BTreeMap::new();
-    let mut moving: BTreeSet<Var> = BTreeSet::new();
+    let mut orders: Map<Symbol, (usize, Var)> = Map::new();
+    let mut moving: Set<Var> = Set::new();
     for (var, atom) in problem.atoms.iter() {
         let Atom::Opaque(term @ Expr::Derivative { variable, .. }) = atom else {
             continue;
@@ -74,7 +73,7 @@ pub fn in_motion(
         values,
         left: MOST_CHOICES,
     };
-    let leads = choice.extend(BTreeMap::new(), &moving)?;
+    let leads = choice.extend(Map::new(), &moving)?;
     course.leads = leads
         .into_iter()
         .map(|(law, var)| {
@@ -113,8 +112,8 @@ pub fn in_motion(
 }
 
 /// The symbols that are differentiated where the author writes it.
-pub(super) fn said_to_move(claim: &Claim) -> BTreeSet<Symbol> {
-    let mut found = BTreeSet::new();
+pub(super) fn said_to_move(claim: &Claim) -> Set<Symbol> {
+    let mut found = Set::new();
     for term in claim.formulas().flat_map(Formula::terms) {
         term.collect_differentiated(&mut found);
     }
@@ -141,18 +140,14 @@ struct Choice<'a> {
     atoms: &'a Atoms,
     laws: Vec<(usize, &'a Polynomial)>,
     highest: Vec<Var>,
-    differentiated: BTreeSet<Symbol>,
-    values: &'a BTreeMap<Var, Rational>,
+    differentiated: Set<Symbol>,
+    values: &'a Map<Var, Rational>,
     left: usize,
 }
 
 impl Choice<'_> {
     /// Gives each law that speaks of something moving an unknown of its own.
-    fn extend(
-        &mut self,
-        leads: BTreeMap<usize, Var>,
-        moving: &BTreeSet<Var>,
-    ) -> Option<BTreeMap<usize, Var>> {
+    fn extend(&mut self, leads: Map<usize, Var>, moving: &Set<Var>) -> Option<Map<usize, Var>> {
         self.left = self.left.checked_sub(1)?;
         let open = self.laws.iter().find(|(at, law)| {
             !leads.contains_key(at) && law.vars().iter().any(|var| moving.contains(var))

@@ -1,9 +1,8 @@
 //! Sums over all elements of a sequence that cannot be negative, because no element leaves its declared domain.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::algebra::{Atom, Polynomial, Symbol};
 use crate::kernel::{BoundedSeries, ElementFactor, ElementSide, Problem, bounded_series};
+use crate::sorted::{Map, Set};
 
 /// Guesses at what a step of a derivation can need.
 const HIGHEST_DEGREE: u32 = 6;
@@ -13,7 +12,7 @@ const MOST: usize = 40;
 /// consist of. Most claims have no sequence with bounds, and then there are none.
 pub fn bounded(problem: &Problem) -> Vec<(Polynomial, BoundedSeries)> {
     // By count, the sequences that are summed with it, and the highest degree of a sum.
-    let mut counts: BTreeMap<&Symbol, (BTreeSet<&Symbol>, u32)> = BTreeMap::new();
+    let mut counts: Map<&Symbol, (Set<&Symbol>, u32)> = Map::new();
     for (_, atom) in problem.atoms.iter() {
         if let Atom::PowerSum { to, powers } = atom
             && powers.iter().any(|p| !sides(problem, &p.0).is_empty())

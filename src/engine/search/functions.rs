@@ -1,10 +1,9 @@
 //! Points in the kernel's terms where functions or `\pi` occur: which symbols are left open, and which values are
 //! polynomials in π.
 
-use std::collections::BTreeMap;
-
 use crate::algebra::{Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var};
 use crate::kernel::{Assignment, Claim, Fact, Problem, Sign};
+use crate::sorted::Map;
 
 /// How deep the tree of fractions is descended.
 const MOST_STEPS: usize = 1_000;
@@ -14,10 +13,10 @@ const MOST_STEPS: usize = 1_000;
 pub fn leave_open(
     claim: &Claim,
     problem: &Problem,
-    values: &BTreeMap<Var, Rational>,
+    values: &Map<Var, Rational>,
     point: &mut Assignment,
 ) {
-    let mut families: BTreeMap<Symbol, Vec<(Rational, Function, Expr)>> = BTreeMap::new();
+    let mut families: Map<Symbol, Vec<(Rational, Function, Expr)>> = Map::new();
     for (var, atom) in problem.atoms.iter() {
         let Atom::Opaque(Expr::Call(function, argument)) = atom else {
             continue;
@@ -89,7 +88,7 @@ fn open_in(claim: &Claim, problem: &Problem, argument: &Expr) -> Option<(Symbol,
 pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
     let mut facts = Vec::new();
     let mut need = |polynomial, sign| facts.push(Fact { polynomial, sign });
-    let mut kinds = BTreeMap::new();
+    let mut kinds = Map::new();
     let mut calls: Vec<(Var, &Atom)> = problem.atoms.iter().collect();
     let last = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Exp, _)));
     calls.sort_by_key(|(_, atom)| last(atom));
@@ -207,7 +206,7 @@ fn is_torn(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
 
 /// Writes the values that depend on what was put in for `\pi` as polynomials in it: each equation with π in it is
 /// solved for one symbol that is linear in it.
-pub fn in_terms_of_pi(problem: &Problem, values: &BTreeMap<Var, Rational>, point: &mut Assignment) {
+pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mut Assignment) {
     let name = Symbol::new("\\pi");
     let pi = problem.atoms.find(&Atom::Symbol(name.clone()));
     let Some(pi) = pi.filter(|_| problem.pi_is_the_number()) else {
@@ -219,7 +218,7 @@ pub fn in_terms_of_pi(problem: &Problem, values: &BTreeMap<Var, Rational>, point
     let all = pending.clone();
     // What few equations speak of can be changed with the least harm to the others.
     let spoken_of = |var: Var| all.iter().filter(|p| p.degree_in(var) > 0).count();
-    let mut lifted: BTreeMap<Var, Polynomial> = BTreeMap::new();
+    let mut lifted: Map<Var, Polynomial> = Map::new();
     // What changes in one equation may stand in one before it.
     while let Some(at) = pending.iter().position(|equation| {
         let vars = equation.vars();

@@ -1,7 +1,5 @@
 //! What premises give for a symbol of which something false is said.
 
-use std::collections::BTreeSet;
-
 use num_integer::Integer;
 
 use super::ideal::Ideal;
@@ -12,6 +10,7 @@ use crate::algebra::{
     expr_of, expr_of_atom, expr_of_fraction, factors, product_of, raised,
 };
 use crate::kernel::{Claim, Knowledge, Problem, Proven};
+use crate::sorted::Set;
 
 /// More terms than this tell a reader nothing.
 const MOST_TERMS: usize = 12;
@@ -63,7 +62,7 @@ pub fn implied(claim: &Claim) -> Option<Implied> {
     let own = problem.atoms.find(&Atom::Symbol(symbol.clone()))?;
     let mut atoms = problem.atoms.clone();
     let printed_value = problem.lowering_over(&mut atoms).lower(printed).ok()?;
-    let mut kept: BTreeSet<Var> = printed_value.numerator().vars().into_iter().collect();
+    let mut kept: Set<Var> = printed_value.numerator().vars().into_iter().collect();
     for (factor, _) in printed_value.denominator() {
         kept.extend(factor.vars());
     }
@@ -105,7 +104,7 @@ pub fn implied(claim: &Claim) -> Option<Implied> {
 fn is_short(ratio: &Fraction) -> bool {
     let below: Vec<&Polynomial> = ratio.denominator().map(|(factor, _)| factor).collect();
     let all = below.iter().copied().chain([ratio.numerator()]);
-    let unknowns: BTreeSet<Var> = all.clone().flat_map(Polynomial::vars).collect();
+    let unknowns: Set<Var> = all.clone().flat_map(Polynomial::vars).collect();
     match unknowns.len() {
         0 => true,
         1 => ratio.numerator().len() <= 2 && below.len() <= 2,
@@ -166,7 +165,7 @@ pub fn value_in_constants(claim: &Claim, symbol: &Symbol) -> Option<Expr> {
     };
     let atoms = problem.atoms.iter();
     let kept = atoms.filter(|(_, atom)| is_made_of_constants(atom));
-    let kept: BTreeSet<Var> = kept.map(|(var, _)| var).collect();
+    let kept: Set<Var> = kept.map(|(var, _)| var).collect();
     let value = value_of(problem, own, &kept)?;
     let below = value.denominator().map(|(factor, _)| factor);
     let vars = below.chain([value.numerator()]).flat_map(Polynomial::vars);
@@ -175,7 +174,7 @@ pub fn value_in_constants(claim: &Claim, symbol: &Symbol) -> Option<Expr> {
 }
 
 /// The value that the equations of a problem give to an unknown, in as few others as may be besides the `kept`.
-fn value_of(problem: &Problem, own: Var, kept: &BTreeSet<Var>) -> Option<Fraction> {
+fn value_of(problem: &Problem, own: Var, kept: &Set<Var>) -> Option<Fraction> {
     let knowledge = Knowledge::new(&problem.facts);
     let outside = |var: Var| var != own && !kept.contains(&var);
     let ideal = Ideal::without(&problem.facts, &knowledge, outside).ok()?;

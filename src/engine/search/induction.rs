@@ -1,13 +1,12 @@
 //! Claims about every element of a sequence: directly from other indices, by induction, or refuted by first elements.
 
-use std::collections::BTreeSet;
-
 use super::{Decision, Effort, Obligation, decide_posed, prove_unconditionally};
 use crate::algebra::{Expr, Formula, Moved, Place, Symbol};
 use crate::kernel::{
     Claim, ForEvery, HoldsForEvery, Hypothesis, Instance, Part, PartOrigin, Reasoning, Refuted,
     Standing, at_the_index, check_for_every, refute_for_every,
 };
+use crate::sorted::Set;
 
 /// An induction begins with so many bases at most.
 const MOST_BASES: u32 = 2;
@@ -19,7 +18,7 @@ const MOST_THROUGHOUT: usize = 16;
 const HIGHEST_NUMBER: u32 = 8;
 
 /// Looks for a proof that a claim is true for every index, and says which hypotheses it uses.
-pub fn prove_for_every(claim: &ForEvery) -> Option<(HoldsForEvery, BTreeSet<usize>)> {
+pub fn prove_for_every(claim: &ForEvery) -> Option<(HoldsForEvery, Set<usize>)> {
     let start = claim.start().ok()?;
     claim.part(Moved::By(0), 0, &[]).ok()?;
     let usable = |&&hypothesis: &&usize| {
@@ -57,7 +56,7 @@ pub fn prove_for_every(claim: &ForEvery) -> Option<(HoldsForEvery, BTreeSet<usiz
         return None;
     }
     (1..=MOST_BASES).find_map(|depth| {
-        let (mut bases, mut used) = (Vec::new(), BTreeSet::new());
+        let (mut bases, mut used) = (Vec::new(), Set::new());
         for number in start..start + depth {
             let before: Vec<Moved> = (start..=number + ahead).map(Moved::To).collect();
             let goal = Moved::To(number);
@@ -82,7 +81,7 @@ fn prove(
     supposed: u32,
     instances: Vec<Instance>,
     effort: Effort,
-) -> Option<(Part, BTreeSet<usize>)> {
+) -> Option<(Part, Set<usize>)> {
     let attempt = |instances: Vec<Instance>| {
         let (ordinary, origins) = claim.part(goal, supposed, &instances).ok()?;
         let derived = prove_unconditionally(ordinary.clone(), Effort::Light).or_else(|| {
@@ -101,7 +100,7 @@ fn prove(
         ))
     };
     let (part, origins, combined) = attempt(instances)?;
-    let needed = |origins: &[PartOrigin], combined: &BTreeSet<usize>| {
+    let needed = |origins: &[PartOrigin], combined: &Set<usize>| {
         let all = origins.iter().enumerate();
         let needed = all.filter(|(at, _)| combined.contains(at));
         needed.map(|(_, origin)| *origin).collect::<Vec<_>>()
@@ -117,7 +116,7 @@ fn prove(
             PartOrigin::Instance(instance) => Some(instance.hypothesis),
             PartOrigin::Supposed(_) => None,
         });
-        all.collect::<BTreeSet<usize>>()
+        all.collect::<Set<usize>>()
     };
     Some(match attempt(instances.collect()) {
         Some((fewer, origins, combined)) => (fewer, hypotheses(needed(&origins, &combined))),

@@ -35,6 +35,7 @@ use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Knowledge, Model,
     Obligation, Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
+use crate::sorted::Set;
 pub use algebraic::without_rational_points;
 pub use implied::{Implied, implied, value_in_constants};
 pub use induction::{prove_for_every, refute_by_first_elements};
@@ -47,7 +48,6 @@ pub use scaling::{
     Repair, ScalingDecision, decide_scaling, is_plainly_possible, is_scaling, kept_hypotheses,
     prove_scaling,
 };
-use std::collections::BTreeSet;
 
 /// How many choices a search for a point may try, quickly and in earnest.
 const QUICK: usize = 200;
@@ -77,7 +77,7 @@ pub struct Derived {
     pub proven: Proven,
     /// The hypotheses that the certificate combines, by position. Those that only say that something does
     /// not vanish are not among them.
-    pub combined: BTreeSet<usize>,
+    pub combined: Set<usize>,
 }
 
 /// Why a search ended without an answer.
@@ -615,8 +615,8 @@ pub fn prove_posed(obligation: &Obligation, effort: Effort) -> Option<Derived> {
 }
 
 /// The hypotheses that a certificate combines, by position.
-fn combined_hypotheses(problem: &Problem, certificate: &Certificate) -> BTreeSet<usize> {
-    let mut used: BTreeSet<usize> = certificate.unfold.iter().copied().collect();
+fn combined_hypotheses(problem: &Problem, certificate: &Certificate) -> Set<usize> {
+    let mut used: Set<usize> = certificate.unfold.iter().copied().collect();
     let proofs = certificate
         .lemmas
         .iter()
@@ -625,7 +625,7 @@ fn combined_hypotheses(problem: &Problem, certificate: &Certificate) -> BTreeSet
     let proofs: Vec<&Proof> = proofs.collect();
     // Only the lemmas that the conclusion reaches count.
     let mut wanted = vec![proofs.len() - 1];
-    let mut seen = BTreeSet::new();
+    let mut seen = Set::new();
     while let Some(at) = wanted.pop() {
         if !seen.insert(at) {
             continue;

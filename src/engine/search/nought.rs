@@ -1,17 +1,16 @@
 //! Counterexamples that rest on `0^0 = 1`: that is a convention, and convinces nobody where another point does.
 
-use std::collections::BTreeSet;
-
 use num_traits::Zero;
 
 use super::{assuming, refute_in_context};
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::kernel::{Claim, Refuted};
+use crate::sorted::Set;
 
 /// A counterexample at which nothing that is raised to a power that depends on something is 0, where the one that was found has
 /// such a thing.
 pub fn without_powers_of_nought(claim: &Claim, refuted: &Refuted) -> Option<Refuted> {
-    let mut raised = BTreeSet::new();
+    let mut raised = Set::new();
     for term in claim.formulas().flat_map(Formula::terms) {
         collect_raised(term, &mut raised);
     }
@@ -30,7 +29,7 @@ pub fn without_powers_of_nought(claim: &Claim, refuted: &Refuted) -> Option<Refu
 }
 
 /// The symbols in what is raised to a power with a symbol in the exponent.
-fn collect_raised(term: &Expr, raised: &mut BTreeSet<Symbol>) {
+fn collect_raised(term: &Expr, raised: &mut Set<Symbol>) {
     if let Expr::Power(base, exponent) = term
         && !exponent.free_symbols().is_empty()
     {

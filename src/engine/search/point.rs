@@ -4,7 +4,6 @@
 //! still free is tried in the order of simplicity, the total cost of all choices growing step by step, so
 //! that the first point found is among the simplest. The same input always gives the same point.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::functions::simplest_between;
@@ -12,6 +11,7 @@ use super::units::unit_choices;
 use super::values::{candidates, rational_roots};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
 use crate::kernel::{Fact, Sign};
+use crate::sorted::Map;
 
 /// What a point must satisfy.
 pub struct Target {
@@ -36,7 +36,7 @@ pub enum Wanted {
 /// What came of trying all choices up to a cost.
 pub enum Tried {
     /// A point; the unknowns that occur nowhere are left out.
-    Found(BTreeMap<Var, Rational>),
+    Found(Map<Var, Rational>),
     /// There is none among these choices, but costlier ones are left.
     Costlier,
     /// There is no point with numbers that would be tried at all.
@@ -91,7 +91,7 @@ struct Numbers {
     choices: Vec<(u32, Node)>,
 }
 
-type Solution = BTreeMap<Var, Rational>;
+type Solution = Map<Var, Rational>;
 
 /// A fact that is not yet decided.
 struct Open {
@@ -449,11 +449,11 @@ impl Search<'_> {
         narrowest.and_then(|((_, asked), _)| asked)
     }
 
-    fn finish(&self, state: State) -> Option<BTreeMap<Var, Rational>> {
+    fn finish(&self, state: State) -> Option<Map<Var, Rational>> {
         if !state.equations.is_empty() || !state.conditions.is_empty() {
             return None;
         }
-        let mut point: BTreeMap<Var, Rational> = BTreeMap::new();
+        let mut point: Map<Var, Rational> = Map::new();
         // What was solved first may depend on what was solved later. Unknowns that are free still are 1.
         for (var, value) in state.solved.iter().rev() {
             let known = |v: Var| Some(point.get(&v).cloned().unwrap_or_else(Rational::one));

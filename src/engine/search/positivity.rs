@@ -1,12 +1,11 @@
 //! Why a polynomial cannot be negative: by inspection, as a sum of squares, or as a nonnegative combination
 //! of products of what is known.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::simplex::nonnegative_solution;
 use super::tracked::Tracked;
 use crate::algebra::{Atom, Atoms, Monomial, Polynomial, Rational, Symbol, power_sum};
 use crate::kernel::{Fact, Knowledge, PositiveTerm, SeriesSquare, Sign};
+use crate::sorted::{Map, Set};
 
 /// Guesses at what a step of a derivation can need.
 const MOST_CANDIDATES: usize = 400;
@@ -133,7 +132,7 @@ fn sum_of_squares(goal: &Polynomial) -> Option<Vec<PositiveTerm>> {
     if n == 0 || n > 12 {
         return None;
     }
-    let mut place: BTreeMap<Monomial, (usize, usize)> = BTreeMap::new();
+    let mut place: Map<Monomial, (usize, usize)> = Map::new();
     for i in 0..n {
         for j in i..n {
             if place.insert(basis[i].times(&basis[j]), (i, j)).is_some() {
@@ -250,7 +249,7 @@ fn solved(goal: &Polynomial, strict: bool, mut columns: Vec<Column>) -> Option<D
 }
 
 fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
-    let mut rows: BTreeMap<Monomial, usize> = BTreeMap::new();
+    let mut rows: Map<Monomial, usize> = Map::new();
     let all = columns.iter().map(|c| &c.value).chain([goal]);
     for (monomial, _) in all.flat_map(|p| p.terms()) {
         let next = rows.len();
@@ -297,7 +296,7 @@ fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
 fn prune(columns: &mut Vec<Column>, goal: &Polynomial) {
     loop {
         // For each monomial, whether something can add to it, and take from it.
-        let mut balance: BTreeMap<Monomial, (bool, bool)> = BTreeMap::new();
+        let mut balance: Map<Monomial, (bool, bool)> = Map::new();
         for (monomial, coefficient) in goal.terms() {
             // The goal stands on the other side.
             let slot = balance.entry(monomial.clone()).or_default();
@@ -364,7 +363,7 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
         weights.extend(pairs);
     }
     let polynomial = |m: &Monomial| Polynomial::term(m.clone(), one());
-    let support: BTreeSet<Monomial> = goal
+    let support: Set<Monomial> = goal
         .terms()
         .map(|(m, _)| m.clone())
         .chain([Monomial::one()])
@@ -415,7 +414,7 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
         }
     }
     // Squares of differences and sums of half-monomials.
-    let mut halves: BTreeSet<Monomial> = BTreeSet::from([Monomial::one()]);
+    let mut halves: Set<Monomial> = Set::from([Monomial::one()]);
     for monomial in &support {
         for weight in &weights {
             halves.extend(monomial.divided_by(weight).and_then(|m| m.sqrt()));
@@ -467,7 +466,7 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
 
 /// Lagrange's identity for the sequences that are summed: `n Σu² − (Σu)²`, `Σu² Σw² − (Σuw)²`.
 fn series_squares(atoms: &Atoms) -> Vec<(Polynomial, SeriesSquare)> {
-    let mut counts: BTreeMap<&Symbol, BTreeSet<&Symbol>> = BTreeMap::new();
+    let mut counts: Map<&Symbol, Set<&Symbol>> = Map::new();
     for (_, atom) in atoms.iter() {
         if let Atom::PowerSum { to, powers } = atom {
             counts

@@ -3,14 +3,13 @@
 mod power;
 mod sign;
 
-use std::collections::BTreeMap;
-
 use super::elements;
 use super::ideal::Ideal;
 use super::roots::root_of;
 use super::tracked::{Reduced, Tracked, cofactors, expand, listed};
 use crate::algebra::{Monomial, Polynomial, TooLarge};
 use crate::kernel::{BoundedSeries, Cofactors, Fact, Knowledge, Lemma, Problem, Proof, Sign};
+use crate::sorted::Map;
 
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
 const HIGHEST_POWER: u32 = 3;
@@ -386,7 +385,7 @@ impl Prover {
     }
 }
 
-fn negated(map: &BTreeMap<usize, Polynomial>) -> Cofactors {
+fn negated(map: &Map<usize, Polynomial>) -> Cofactors {
     let used = map.iter().filter(|(_, c)| !c.is_zero());
     used.map(|(at, c)| (*at, c.negated())).collect()
 }
@@ -404,7 +403,7 @@ fn combination(reduced: &Reduced, power: u32) -> Proof {
 fn from_contradiction(element: &Tracked, goal: &Polynomial) -> Result<Proof, TooLarge> {
     let mut multiplier = element.multiplier.clone();
     *multiplier.entry(element.polynomial.clone()).or_insert(0) += 1;
-    let mut used = BTreeMap::new();
+    let mut used = Map::new();
     for (at, cofactor) in &element.cofactors {
         used.insert(*at, cofactor.times(goal)?);
     }

@@ -1,12 +1,11 @@
 //! Laws differentiated: a law holds at all times, so its two sides change at the same rate.
 
-use std::collections::BTreeSet;
-
 use super::course::said_to_move;
 use super::prove::Prover;
 use super::{Attempt, Decision, Derived, Effort, assuming, attempt_with, derived, pose, still};
 use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol};
 use crate::kernel::{Certificate, Fact, Obligation, Origin, Problem, Rate, Sign};
+use crate::sorted::Set;
 
 /// No more equations than this are differentiated, nor more often than this.
 const MOST_RATES: usize = 8;
@@ -104,7 +103,7 @@ pub(super) fn with_rates(obligation: &Obligation) -> Option<(Problem, Vec<Rate>)
 
 /// Whether a fact is an equation between what moves. What says where something stands still, or what value the variable has, is
 /// mostly said of one moment.
-fn is_law(problem: &Problem, fact: usize, moving: &BTreeSet<Symbol>) -> bool {
+fn is_law(problem: &Problem, fact: usize, moving: &Set<Symbol>) -> bool {
     let Fact { polynomial, sign } = &problem.facts[fact];
     let from_law = matches!(
         problem.origins[fact],
@@ -122,7 +121,7 @@ fn is_law(problem: &Problem, fact: usize, moving: &BTreeSet<Symbol>) -> bool {
 }
 
 /// What is differentiated by.
-fn variables(problem: &Problem) -> BTreeSet<Symbol> {
+fn variables(problem: &Problem) -> Set<Symbol> {
     let atoms = problem.atoms.iter();
     let found = atoms.filter_map(|(_, atom)| match atom {
         Atom::Opaque(Expr::Derivative { variable, .. }) => Some(variable.clone()),

@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::rc::Rc;
 
@@ -18,6 +17,7 @@ use crate::algebra::{
     Symbol, Values, Var, element_parts, element_symbol,
 };
 use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Obligation, Sign};
+use crate::sorted::{Map, Set};
 
 /// Sums over a symbolic number of elements are tried with up to this many.
 const MOST_ELEMENTS: i64 = 4;
@@ -36,7 +36,7 @@ pub struct Points<'a> {
     /// One search for each choice of the numbers of elements, the smallest first.
     sizes: Vec<(Vec<i64>, Slot<'a>)>,
     /// The claim with definite numbers of elements, where it was read so before; `None` where it cannot be.
-    sized: RefCell<BTreeMap<Vec<i64>, Option<Rc<Obligation>>>>,
+    sized: RefCell<Map<Vec<i64>, Option<Rc<Obligation>>>>,
     against_goal: bool,
     wanted: Wanted,
     cost: u32,
@@ -215,7 +215,7 @@ pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
             d.integer && d.lower.as_ref().is_some_and(|lower| !lower.0.is_negative())
         })
     };
-    let collect = |expr: &Expr, found: &mut BTreeSet<Symbol>| {
+    let collect = |expr: &Expr, found: &mut Set<Symbol>| {
         let mut open = vec![expr];
         while let Some(expr) = open.pop() {
             match expr {
@@ -228,7 +228,7 @@ pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
             open.extend(expr.children());
         }
     };
-    let mut found = BTreeSet::new();
+    let mut found = Set::new();
     for formula in claim.formulas() {
         formula
             .terms()
@@ -340,7 +340,7 @@ fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
     };
     Some(Claim {
         domains,
-        sequences: BTreeMap::new(),
+        sequences: Map::new(),
         hypotheses,
         goal,
     })
@@ -475,7 +475,7 @@ impl<'a> Concrete<'a> {
         })
     }
 
-    fn assignment(&self, values: &BTreeMap<Var, Rational>) -> Assignment {
+    fn assignment(&self, values: &Map<Var, Rational>) -> Assignment {
         let mut point = Assignment {
             unfold: self.obligation.unfold().to_vec(),
             ..Assignment::default()
@@ -548,7 +548,7 @@ pub fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
             _ => None,
         })
         .collect();
-    let nothing = BTreeSet::new();
+    let nothing = Set::new();
     for (var, expr) in opaque {
         match &expr {
             Expr::Derivative { body, .. }
@@ -610,7 +610,7 @@ pub fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
     }
     for (symbol, term) in defined.iter().rev() {
         let mut atoms = crate::algebra::Atoms::default();
-        let nothing = BTreeSet::new();
+        let nothing = Set::new();
         let mut lowering = Lowering {
             atoms: &mut atoms,
             sequences: &nothing,

@@ -1,19 +1,18 @@
 //! Polynomials that remember how they were made from the equations.
 
-use std::collections::BTreeMap;
-
 use crate::algebra::{Monomial, Polynomial, Rational, TooLarge, Var, product};
 use crate::kernel::{Cofactors, Factors, Knowledge};
+use crate::sorted::Map;
 
 /// A product of powers that are known not to vanish.
-pub type Nonzero = BTreeMap<Polynomial, u32>;
+pub type Nonzero = Map<Polynomial, u32>;
 
 /// An equation's consequence: `Π multiplier · polynomial = Σ cofactor · equation`.
 #[derive(Clone, Debug)]
 pub struct Tracked {
     pub polynomial: Polynomial,
     pub multiplier: Nonzero,
-    pub cofactors: BTreeMap<usize, Polynomial>,
+    pub cofactors: Map<usize, Polynomial>,
 }
 
 /// What a goal has become: `Π multiplier · goal = Π outer · polynomial + Σ cofactor · equation`.
@@ -22,7 +21,7 @@ pub struct Reduced {
     pub polynomial: Polynomial,
     pub multiplier: Nonzero,
     pub outer: Nonzero,
-    pub cofactors: BTreeMap<usize, Polynomial>,
+    pub cofactors: Map<usize, Polynomial>,
 }
 
 pub fn expand(factors: &Nonzero) -> Result<Polynomial, TooLarge> {
@@ -33,15 +32,15 @@ pub fn listed(factors: &Nonzero) -> Factors {
     factors.iter().map(|(f, e)| (f.clone(), *e)).collect()
 }
 
-pub fn cofactors(map: &BTreeMap<usize, Polynomial>) -> Cofactors {
+pub fn cofactors(map: &Map<usize, Polynomial>) -> Cofactors {
     let used = map.iter().filter(|(_, c)| !c.is_zero());
     used.map(|(at, c)| (*at, c.clone())).collect()
 }
 
 /// Adds `weight · from` to `to`.
 fn accumulate(
-    to: &mut BTreeMap<usize, Polynomial>,
-    from: &BTreeMap<usize, Polynomial>,
+    to: &mut Map<usize, Polynomial>,
+    from: &Map<usize, Polynomial>,
     weight: &Polynomial,
 ) -> Result<(), TooLarge> {
     for (at, cofactor) in from {
@@ -52,7 +51,7 @@ fn accumulate(
     Ok(())
 }
 
-fn scale(map: &mut BTreeMap<usize, Polynomial>, weight: &Polynomial) -> Result<(), TooLarge> {
+fn scale(map: &mut Map<usize, Polynomial>, weight: &Polynomial) -> Result<(), TooLarge> {
     if weight.as_constant().is_some_and(|c| c.is_one()) {
         return Ok(());
     }
@@ -74,7 +73,7 @@ impl Tracked {
         Tracked {
             polynomial,
             multiplier: Nonzero::new(),
-            cofactors: BTreeMap::from([(at, Polynomial::one())]),
+            cofactors: Map::from([(at, Polynomial::one())]),
         }
     }
 
@@ -116,7 +115,7 @@ impl Tracked {
             let exponent = |f: &Polynomial| own.get(f).copied().unwrap_or(0);
             product(multiplier.iter().map(|(f, e)| (f, e - exponent(f))))
         };
-        let mut cofactors = BTreeMap::new();
+        let mut cofactors = Map::new();
         accumulate(
             &mut cofactors,
             &self.cofactors,
@@ -162,7 +161,7 @@ impl Reduced {
             polynomial: goal,
             multiplier: Nonzero::new(),
             outer: Nonzero::new(),
-            cofactors: BTreeMap::new(),
+            cofactors: Map::new(),
         }
     }
 

@@ -1,9 +1,8 @@
 //! Which definitions must be put in before anything can be computed.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::kernel::{Claim, Domain, Standing, applied_definition, definition, pi_is_the_number};
+use crate::sorted::Set;
 
 /// The hypotheses `symbol = term` whose symbol is differentiated, integrated, taken to a limit, summed up to
 /// or stands in a function: what is done to the symbol must be done to the term. So too where a root is taken of a symbol that is not
@@ -74,17 +73,17 @@ fn has_operands(formula: &Formula) -> bool {
 #[derive(Default)]
 struct Operands {
     /// Under a derivative, a limit or an integral.
-    moving: BTreeSet<Symbol>,
+    moving: Set<Symbol>,
     /// Unknown functions, applied, under an integral.
-    applied: BTreeSet<Expr>,
+    applied: Set<Expr>,
     /// In the upper limit of a sum.
-    counts: BTreeSet<Symbol>,
+    counts: Set<Symbol>,
     /// Below a root.
-    rooted: BTreeSet<Symbol>,
+    rooted: Set<Symbol>,
     /// In the argument of a function: equal arguments must look alike.
-    called: BTreeSet<Symbol>,
+    called: Set<Symbol>,
     /// What is differentiated by, goes to a limit or is integrated over.
-    variables: BTreeSet<Symbol>,
+    variables: Set<Symbol>,
 }
 
 impl Operands {
@@ -111,7 +110,7 @@ impl Operands {
     }
 }
 
-fn applications(term: &Expr, found: &mut BTreeSet<Expr>) {
+fn applications(term: &Expr, found: &mut Set<Expr>) {
     if let Expr::Apply(..) = term {
         found.insert(term.clone());
     }

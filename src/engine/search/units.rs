@@ -4,12 +4,11 @@
 //! can be rescaled, and one unknown for each independent rescaling can be taken to be 1, −1 or 0. It is the
 //! physicist's "let m = v₀ = 1".
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::algebra::{Polynomial, Rational, Var};
+use crate::sorted::{Map, Set};
 
 /// An equation between exponents: the coefficients that are not 0, by the place of the unknown. Most rows name two or three.
-type Row = BTreeMap<usize, Rational>;
+type Row = Map<usize, Rational>;
 
 /// Unknowns that can be given the values 1, −1 and 0 only: for each a rescaling that leaves the others alone
 /// and multiplies every remaining unknown by an integer power of one factor.
@@ -20,7 +19,7 @@ pub fn unit_choices<'a>(
     order: &[Var],
     fixed: impl Fn(Var) -> bool,
 ) -> Vec<Var> {
-    let place: BTreeMap<Var, usize> = order.iter().enumerate().map(|(at, v)| (*v, at)).collect();
+    let place: Map<Var, usize> = order.iter().enumerate().map(|(at, v)| (*v, at)).collect();
     let mut rows = Echelon::default();
     for (_, &at) in place.iter().filter(|(var, _)| fixed(**var)) {
         rows.insert(Row::from([(at, Rational::one())]));
@@ -44,7 +43,7 @@ pub fn unit_choices<'a>(
     // A free column is a rescaling: the unknown itself by the factor, each pivot by what its row says.
     let reduced = rows.reduced();
     let entries = reduced.values().flatten();
-    let broken: BTreeSet<usize> = entries
+    let broken: Set<usize> = entries
         .filter(|(_, exponent)| !exponent.is_integer())
         .map(|(at, _)| *at)
         .collect();
@@ -54,7 +53,7 @@ pub fn unit_choices<'a>(
 
 /// Independent rows by the column that leads each, with coefficient 1: its last, so that the first columns stay free.
 #[derive(Default)]
-struct Echelon(BTreeMap<usize, Row>);
+struct Echelon(Map<usize, Row>);
 
 impl Echelon {
     fn insert(&mut self, mut row: Row) {
@@ -73,8 +72,8 @@ impl Echelon {
     }
 
     /// The same equations, with nothing but free columns in a row besides the one that leads it.
-    fn reduced(self) -> BTreeMap<usize, Row> {
-        let mut done: BTreeMap<usize, Row> = BTreeMap::new();
+    fn reduced(self) -> Map<usize, Row> {
+        let mut done: Map<usize, Row> = Map::new();
         for (column, mut row) in self.0 {
             let leading: Vec<usize> = row
                 .keys()

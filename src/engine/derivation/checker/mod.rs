@@ -2,7 +2,6 @@
 
 mod point;
 
-use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use crate::algebra::{EvaluateError, Formula, Sides};
@@ -12,6 +11,7 @@ use crate::notation::{Connective, Mark, Statement};
 use crate::search::{self, Decision};
 
 use super::{Assumed, Derivation, Equation, Kind, Source, formulas, goals, is_open};
+use crate::sorted::Set;
 
 pub use point::{Point, values_at};
 
@@ -226,7 +226,7 @@ impl Checker {
     fn cited(&self, at: usize) -> Vec<Assumed> {
         let derivation = &self.derivation;
         let equation = &derivation.equations[at];
-        let in_effect: BTreeSet<(usize, usize)> = locals(equation).collect();
+        let in_effect: Set<(usize, usize)> = locals(equation).collect();
         let mut assumed = derivation.locals(at);
         for premise in derivation.premises(at).0 {
             let other = &derivation.equations[premise];

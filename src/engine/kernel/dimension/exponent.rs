@@ -1,20 +1,19 @@
-use std::collections::BTreeMap;
-
 use crate::algebra::{Expr, Rational};
+use crate::sorted::Map;
 
 /// A number plus multiples of terms that are no numbers: `2γ − 1`.
-pub(super) type Linear<'a> = (Rational, BTreeMap<&'a Expr, Rational>);
+pub(super) type Linear<'a> = (Rational, Map<&'a Expr, Rational>);
 
 /// Takes an exponent apart; each term is looked at once.
 pub(super) fn linear(term: &Expr) -> Linear<'_> {
-    let opaque = || (Rational::zero(), BTreeMap::from([(term, Rational::one())]));
+    let opaque = || (Rational::zero(), Map::from([(term, Rational::one())]));
     match term {
-        Expr::Number(value) => (Rational::from(value), BTreeMap::new()),
+        Expr::Number(value) => (Rational::from(value), Map::new()),
         Expr::Negate(inner) => scaled(linear(inner), &-Rational::one()),
         Expr::Sum(items) => items
             .iter()
             .map(linear)
-            .fold((Rational::zero(), BTreeMap::new()), plus),
+            .fold((Rational::zero(), Map::new()), plus),
         Expr::Quotient(over, under) => match linear(under) {
             (divisor, others) if others.is_empty() && !divisor.is_zero() => {
                 scaled(linear(over), &divisor.recip())
@@ -30,7 +29,7 @@ pub(super) fn linear(term: &Expr) -> Linear<'_> {
                 .iter()
                 .fold(Rational::one(), |product, (n, _)| product * n);
             match (others.pop(), others.is_empty()) {
-                (None, _) => (number, BTreeMap::new()),
+                (None, _) => (number, Map::new()),
                 (Some(only), true) => scaled(only, &number),
                 // The numbers in it stay in the opaque term.
                 (Some(_), false) => opaque(),

@@ -1,6 +1,5 @@
-use std::collections::BTreeMap;
-
 use crate::algebra::{Dimension, Rational, Symbol};
+use crate::sorted::Map;
 
 /// A dimension that nobody has declared, by number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -20,9 +19,9 @@ pub enum Said {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Scope {
     /// The symbols.
-    pub symbols: BTreeMap<Symbol, Said>,
+    pub symbols: Map<Symbol, Said>,
     /// The sequences, apart from symbols of the same name.
-    pub sequences: BTreeMap<Symbol, Said>,
+    pub sequences: Map<Symbol, Said>,
 }
 
 /// A dimension with unknowns in it: a known one times powers of unknown ones.
@@ -33,7 +32,7 @@ pub struct Form {
     /// The known factor.
     pub known: Dimension,
     /// The power of each unknown; none is 0.
-    pub unknowns: BTreeMap<Unknown, Rational>,
+    pub unknowns: Map<Unknown, Rational>,
 }
 
 impl Form {
@@ -43,7 +42,7 @@ impl Form {
             Said::Declared(dimension) => Form::known(dimension.clone()),
             Said::Unknown(unknown) => Form {
                 known: Dimension::none(),
-                unknowns: BTreeMap::from([(*unknown, Rational::one())]),
+                unknowns: Map::from([(*unknown, Rational::one())]),
             },
         }
     }
@@ -52,7 +51,7 @@ impl Form {
     pub fn known(known: Dimension) -> Form {
         Form {
             known,
-            unknowns: BTreeMap::new(),
+            unknowns: Map::new(),
         }
     }
 
@@ -93,7 +92,7 @@ impl Form {
     }
 
     /// With what is known of its unknowns put in, once.
-    pub fn with(&self, solution: &BTreeMap<Unknown, Form>) -> Form {
+    pub fn with(&self, solution: &Map<Unknown, Form>) -> Form {
         let mut solved = Form::known(self.known.clone());
         for (unknown, exponent) in &self.unknowns {
             match solution.get(unknown) {

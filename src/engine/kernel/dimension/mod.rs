@@ -14,12 +14,12 @@ mod compare;
 mod exponent;
 mod form;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use num_traits::ToPrimitive;
 
 use crate::algebra::{Base, BigRational, Dimension, Formula, Rational};
+use crate::sorted::Map;
 
 pub use compare::{Comparison, Member, What, comparisons};
 pub use form::{Form, Said, Scope, Unknown};
@@ -59,7 +59,7 @@ pub struct Disagreement {
     /// The comparison at fault, then those that it disagrees with.
     pub parts: Vec<Part>,
     /// What the other parts say of the unknowns; no value mentions an unknown that has one.
-    pub solution: BTreeMap<Unknown, Form>,
+    pub solution: Map<Unknown, Form>,
     /// A change of units that changes the truth, where there is one in exact numbers.
     pub rescaling: Option<Rescaling>,
 }
@@ -190,7 +190,7 @@ pub fn check_disagreement(evidence: Disagreement) -> Result<IllDimensioned, Mism
 pub fn check_agreement(
     formula: &Formula,
     scope: &Scope,
-    solution: &BTreeMap<Unknown, Form>,
+    solution: &Map<Unknown, Form>,
 ) -> Result<WellDimensioned, Mismatch> {
     let (comparisons, sides) = compare::read(formula, scope);
     let agrees = |c: &Comparison| c.quotient().with(solution).is_none();
@@ -206,7 +206,7 @@ pub fn check_agreement(
 }
 
 /// A solution is put in once, so no value may mention an unknown that has one.
-fn is_solved(solution: &BTreeMap<Unknown, Form>) -> bool {
+fn is_solved(solution: &Map<Unknown, Form>) -> bool {
     let mut mentioned = solution.values().flat_map(|form| form.unknowns.keys());
     mentioned.all(|unknown| !solution.contains_key(unknown))
 }

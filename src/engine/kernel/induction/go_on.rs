@@ -4,8 +4,6 @@
 //! asked for at every index up to the one in question, and must be equations that give each later element from
 //! those before it, within its domain.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_traits::{Signed, Zero};
 
 use super::{ForEvery, Instance};
@@ -13,6 +11,7 @@ use crate::algebra::{BigRational, Expr, Formula, Function, Moved, Place, Symbol,
 use crate::kernel::{
     Assignment, Candidate, Checked, Claim, Domain, Hypothesis, Refuted, Reject, Standing, check,
 };
+use crate::sorted::{Map, Set};
 
 /// Counterexamples do not go through more elements.
 const MOST_ELEMENTS: u32 = 32;
@@ -148,7 +147,7 @@ impl ForEvery {
             // Symbols that may depend on the index would be wanted for each of them.
             self.elsewhere(formula, Moved::By(0), &varying)?;
         }
-        let mut laws: BTreeMap<Symbol, Expr> = BTreeMap::new();
+        let mut laws: Map<Symbol, Expr> = Map::new();
         while let Some((at, stem, term)) = self.next_of(&open, &laws) {
             laws.insert(stem, term);
             open.remove(at);
@@ -191,12 +190,12 @@ impl ForEvery {
     fn next_of(
         &self,
         open: &[&Formula],
-        laws: &BTreeMap<Symbol, Expr>,
+        laws: &Map<Symbol, Expr>,
     ) -> Option<(usize, Symbol, Expr)> {
         open.iter().enumerate().find_map(|(at, formula)| {
             let others = open.iter().enumerate().filter(|(other, _)| *other != at);
             let sides = others.filter_map(|(_, other)| other.as_equation());
-            let alone: BTreeSet<Symbol> = sides
+            let alone: Set<Symbol> = sides
                 .flat_map(|(left, right)| [left, right])
                 .filter_map(|side| Some(self.alone(side)?.0))
                 .collect();
@@ -346,7 +345,7 @@ fn even(value: &BigRational) -> bool {
 pub fn at_the_index(claim: &ForEvery, at: u32, mut point: Assignment) -> Assignment {
     let value = BigRational::from_integer(at.into());
     point.symbols.insert(claim.index.clone(), value);
-    let links: BTreeMap<Symbol, Symbol> = claim.links(at).into_iter().collect();
+    let links: Map<Symbol, Symbol> = claim.links(at).into_iter().collect();
     for (running, numbered) in links {
         if let Some(value) = point.symbols.get(&numbered).cloned() {
             point.symbols.insert(running, value);

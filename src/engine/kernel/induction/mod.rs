@@ -11,12 +11,11 @@
 mod go_on;
 mod part;
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::{Candidate, Certificate, Checked, Claim, Domain, Problem, Proven, Reject, check};
 use crate::algebra::{Moved, Symbol};
+use crate::sorted::{Map, Set};
 
 pub use go_on::{at_the_index, refute_for_every};
 pub use part::PartOrigin;
@@ -38,11 +37,11 @@ pub struct ForEvery {
     /// The index.
     pub index: Symbol,
     /// The hypotheses that are said of every index, by position.
-    pub throughout: BTreeSet<usize>,
+    pub throughout: Set<usize>,
     /// The domain of the elements whose number is in the range of the index, by the name of the sequence.
-    pub elements: BTreeMap<Symbol, Domain>,
+    pub elements: Map<Symbol, Domain>,
     /// Symbols without the index in their name that may depend on it all the same.
-    pub varying: BTreeSet<Symbol>,
+    pub varying: Set<Symbol>,
 }
 
 /// A hypothesis that is said of every index, at one of them.

@@ -1,12 +1,11 @@
 //! The ordinary claims that a claim about every index comes to.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::{ForEvery, Instance};
 use crate::algebra::{Formula, Moved, Place, Symbol, expr_of};
 use crate::kernel::{
     Claim, Domain, Fact, Hypothesis, Knowledge, Origin, Problem, Reject, Sign, Standing,
 };
+use crate::sorted::{Map, Set};
 
 /// Where a hypothesis of a part comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +52,7 @@ impl ForEvery {
             origins.push(PartOrigin::Supposed(ahead));
         }
         let mut claim = Claim {
-            domains: BTreeMap::new(),
+            domains: Map::new(),
             sequences: self.claim.sequences.clone(),
             hypotheses,
             goal: at(goal)?,
@@ -92,7 +91,7 @@ impl ForEvery {
         &self,
         formula: &Formula,
         to: Moved,
-        varying: &BTreeSet<Symbol>,
+        varying: &Set<Symbol>,
     ) -> Result<Formula, Reject> {
         let named = formula.free_symbols();
         let sequences = formula.sequences();
@@ -112,7 +111,7 @@ impl ForEvery {
 
     /// Symbols that may depend on the index: those that are said to, those of which a hypothesis speaks that is true
     /// for the index in question alone, and those that stand beside such a one.
-    pub(super) fn varying(&self) -> BTreeSet<Symbol> {
+    pub(super) fn varying(&self) -> Set<Symbol> {
         let mut varying = self.varying.clone();
         loop {
             let before = varying.len();
@@ -133,7 +132,7 @@ impl ForEvery {
     }
 
     /// The symbols and sequences of a formula that are neither constant nor elements.
-    fn plain(&self, formula: &Formula) -> BTreeSet<Symbol> {
+    fn plain(&self, formula: &Formula) -> Set<Symbol> {
         let all = formula.names().into_iter();
         let plain = all.filter(|symbol| {
             let domain = self.claim.domains.get(symbol);
@@ -187,7 +186,7 @@ impl ForEvery {
 }
 
 /// Whether one of some symbols or sequences occurs.
-fn speaks_of(formula: &Formula, symbols: &BTreeSet<Symbol>) -> bool {
+fn speaks_of(formula: &Formula, symbols: &Set<Symbol>) -> bool {
     let named = formula.free_symbols();
     let sequences = formula.sequences();
     !symbols.is_empty() && named.union(&sequences).any(|s| symbols.contains(s))
@@ -207,7 +206,7 @@ pub(super) fn has_value(problem: &Problem, origins: &[PartOrigin]) -> Result<(),
     let others = all().filter(|(_, origin)| supposed(origin).is_none());
     let others: Vec<Fact> = others.map(|(fact, _)| fact.clone()).collect();
     let knowledge = Knowledge::new(&others);
-    let mut stated = BTreeSet::new();
+    let mut stated = Set::new();
     for (fact, origin) in all() {
         let Some(position) = supposed(origin) else {
             continue;

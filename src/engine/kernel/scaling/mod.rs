@@ -28,10 +28,9 @@ mod rows;
 mod situations;
 mod size;
 
-use std::collections::BTreeMap;
-
 use super::{Claim, Reject};
 use crate::algebra::{Expr, Rational};
+use crate::sorted::Map;
 pub use product::Product;
 pub(in crate::kernel) use rows::sides;
 pub use rows::{Row, Rows};
@@ -66,7 +65,7 @@ pub struct Situations {
     /// value of the term in either situation.
     pub aside: Vec<usize>,
     /// Each quantity in the first and in the second situation.
-    pub values: BTreeMap<Expr, (Size, Size)>,
+    pub values: Map<Expr, (Size, Size)>,
 }
 
 /// What the search hands over. Nothing in here is believed.

@@ -1,11 +1,10 @@
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::super::{Claim, Reject};
 use super::Size;
 use crate::algebra::{
     Atom, Atoms, Conditions, Expr, Function, Lowering, Polynomial, Rational, Symbol, expr_of,
     expr_of_atom,
 };
+use crate::sorted::{Map, Set};
 
 /// A term as a number times a product of rational powers of quantities.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -15,7 +14,7 @@ pub struct Product {
     /// Whether the number is negative.
     pub negative: bool,
     /// Each quantity with its exponent, which is not 0.
-    pub exponents: BTreeMap<Expr, Rational>,
+    pub exponents: Map<Expr, Rational>,
     /// Whether a derivative was read as a quotient: then the number in front says nothing.
     pub slope: bool,
 }
@@ -23,7 +22,7 @@ pub struct Product {
 impl Product {
     fn quantity(term: Expr) -> Product {
         Product {
-            exponents: BTreeMap::from([(term, Rational::one())]),
+            exponents: Map::from([(term, Rational::one())]),
             ..Product::default()
         }
     }
@@ -66,8 +65,8 @@ pub(super) struct Compound {
 #[derive(Clone)]
 pub(super) struct Reader {
     atoms: Atoms,
-    sequences: BTreeSet<Symbol>,
-    constants: BTreeSet<Symbol>,
+    sequences: Set<Symbol>,
+    constants: Set<Symbol>,
 }
 
 impl Reader {

@@ -1,9 +1,8 @@
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::super::{Claim, Reject, Standing};
 use super::product::{Compound, Reader};
 use super::{Combination, Product, ScalingProof};
 use crate::algebra::{Expr, Formula, Rational, Relation, Symbol};
+use crate::sorted::{Map, Set};
 
 /// A product that is the same number in any two situations that are compared.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,7 +26,7 @@ pub struct Rows {
     /// The two sides of the goal.
     pub sides: (Product, Product),
     /// Quantities that are the same in both situations: π, and for `∝` the constants that it does not name.
-    pub held: BTreeSet<Expr>,
+    pub held: Set<Expr>,
     reader: Reader,
 }
 
@@ -56,7 +55,7 @@ impl Rows {
         }
         for (variable, end) in clocks.spoken_of(claim, &mut reader) {
             let own = Product {
-                exponents: BTreeMap::from([(Expr::Symbol(variable), Rational::one())]),
+                exponents: Map::from([(Expr::Symbol(variable), Rational::one())]),
                 ..Product::default()
             };
             rows.push(Some(Row {
@@ -74,7 +73,7 @@ impl Rows {
     }
 
     /// The product without the quantities that are the same in both situations.
-    pub fn varying(&self, product: &Product) -> BTreeMap<Expr, Rational> {
+    pub fn varying(&self, product: &Product) -> Map<Expr, Rational> {
         let all = product.exponents.iter();
         all.filter(|(term, _)| !self.held.contains(*term))
             .map(|(term, e)| (term.clone(), e.clone()))
@@ -93,7 +92,7 @@ impl Rows {
             alike,
         } = self.reader.compound(term)?;
         let whole = Product {
-            exponents: BTreeMap::from([(quantity, Rational::one())]),
+            exponents: Map::from([(quantity, Rational::one())]),
             ..Product::default()
         };
         let row = Row {
@@ -191,8 +190,8 @@ fn holds_here(formula: &Formula, claim: &Claim) -> bool {
 }
 
 /// π where it is the number, and for a goal `∝` the constants that it does not name.
-pub(super) fn held(claim: &Claim) -> BTreeSet<Expr> {
-    let mut held = BTreeSet::new();
+pub(super) fn held(claim: &Claim) -> Set<Expr> {
+    let mut held = Set::new();
     let pi = Symbol::new("\\pi");
     if !claim.domains.contains_key(&pi) {
         held.insert(Expr::Symbol(pi));
@@ -217,8 +216,8 @@ pub(super) fn mentions(formula: &Formula, symbol: &Symbol) -> bool {
 #[derive(Default)]
 pub(super) struct Clocks {
     /// The upper limits of each variable of integration.
-    ends: BTreeMap<Symbol, BTreeSet<Expr>>,
-    moving: BTreeSet<Symbol>,
+    ends: Map<Symbol, Set<Expr>>,
+    moving: Set<Symbol>,
     /// Whether there is a derivative.
     pub slopes: bool,
 }
@@ -261,7 +260,7 @@ impl Clocks {
 
     /// Whether a formula speaks of something that moves, outside of an integral.
     fn moves_in(&self, formula: &Formula, claim: &Claim) -> bool {
-        let mut outside = BTreeSet::new();
+        let mut outside = Set::new();
         for term in formula.terms() {
             outside_of_integrals(term, &mut outside);
         }
@@ -271,7 +270,7 @@ impl Clocks {
 
     /// Whether a variable of integration is spoken of by itself outside of its integrals.
     pub fn variable_is_free(&self, claim: &Claim) -> bool {
-        let mut outside = BTreeSet::new();
+        let mut outside = Set::new();
         for term in claim.formulas().flat_map(Formula::terms) {
             bare_outside(term, &mut outside);
         }
@@ -298,7 +297,7 @@ impl Clocks {
 }
 
 /// The symbols of a term, and the names of the functions in it.
-fn names(term: &Expr, found: &mut BTreeSet<Symbol>) {
+fn names(term: &Expr, found: &mut Set<Symbol>) {
     match term {
         Expr::Symbol(symbol) | Expr::Apply(symbol, _) => {
             found.insert(symbol.clone());
@@ -311,7 +310,7 @@ fn names(term: &Expr, found: &mut BTreeSet<Symbol>) {
     term.children().for_each(|child| names(child, found));
 }
 
-fn outside_of_integrals(term: &Expr, found: &mut BTreeSet<Symbol>) {
+fn outside_of_integrals(term: &Expr, found: &mut Set<Symbol>) {
     match term {
         Expr::Integral { from, to, .. } => {
             outside_of_integrals(from, found);
@@ -329,7 +328,7 @@ fn outside_of_integrals(term: &Expr, found: &mut BTreeSet<Symbol>) {
 }
 
 /// The symbols that stand by themselves: not under an integral, not as the argument of an unknown function.
-fn bare_outside(term: &Expr, found: &mut BTreeSet<Symbol>) {
+fn bare_outside(term: &Expr, found: &mut Set<Symbol>) {
     match term {
         Expr::Integral { from, to, .. } => {
             bare_outside(from, found);

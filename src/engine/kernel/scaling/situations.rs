@@ -1,5 +1,4 @@
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
 
 use num_traits::Zero;
 
@@ -8,6 +7,7 @@ use super::product::Reader;
 use super::rows::{Clocks, held, mentions, sides};
 use super::{Product, Situations, Size};
 use crate::algebra::{BigRational, Expr, Formula, Rational, Relation, Symbol};
+use crate::sorted::Map;
 
 /// Checks that every premise is true in both situations, and that the sides of the goal change differently.
 ///
@@ -58,7 +58,7 @@ pub(super) fn growth(claim: &Claim, at: &Situations, term: &Expr) -> Result<Size
 
 struct Both<'a> {
     claim: &'a Claim,
-    values: &'a BTreeMap<Expr, (Size, Size)>,
+    values: &'a Map<Expr, (Size, Size)>,
     reader: Reader,
 }
 

@@ -1,7 +1,5 @@
 //! Statements: chains of relations, joined by implications, labelled and marked.
 
-use std::collections::BTreeSet;
-
 use super::series::hole_of;
 use super::{Kind, Parser, Read, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
@@ -9,6 +7,7 @@ use crate::document::Span;
 use crate::notation::commands;
 use crate::notation::fold::is_cases;
 use crate::notation::{Choice, Clause, Link, Mark, Other, Side, Spanned, Statement};
+use crate::sorted::Set;
 
 /// The environments whose rows are statements.
 const ENVIRONMENTS: &[&str] = &[
@@ -80,7 +79,7 @@ impl<'s> Parser<'s> {
     pub(in crate::notation) fn statements(mut self) -> Read<Vec<Statement>> {
         let mut statements = self.all_statements()?;
         let places = std::mem::take(&mut self.choices);
-        let choices: BTreeSet<Choice> = places.iter().map(|(choice, _)| *choice).collect();
+        let choices: Set<Choice> = places.iter().map(|(choice, _)| *choice).collect();
         for choice in choices {
             let (tokens, errors) = (
                 std::mem::take(&mut self.tokens),

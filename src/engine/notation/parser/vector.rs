@@ -4,11 +4,10 @@
 //! equations between such terms follows for each component. Products, powers and magnitudes do not, so they are refused.
 //! A hat may be that of an estimate, a unit vector or an operator: products of two different names with one are refused.
 
-use std::collections::BTreeSet;
-
 use super::{Factor, Parser, Read, refuse_with};
 use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
+use crate::sorted::Set;
 
 const VECTORS: &[&str] = &["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"];
 const HATS: &[&str] = &["\\hat{", "\\widehat{"];
@@ -18,7 +17,7 @@ const HELP: &str = "write it in components, or give magnitudes names of their ow
 #[derive(Default)]
 pub(super) struct Borne {
     vector: bool,
-    hats: BTreeSet<Symbol>,
+    hats: Set<Symbol>,
 }
 
 impl Borne {

@@ -8,13 +8,12 @@ mod known;
 mod solve;
 mod state;
 
-use std::collections::BTreeMap;
-
 use super::refute::{complete, count_symbols, negation, roots};
 use crate::algebra::{
     Atom, Atoms, Expr, Function, Monomial, Polynomial, Rational, Univariate, Var,
 };
 use crate::kernel::{Algebraic, Assignment, Fact, Field, Obligation, Sign};
+use crate::sorted::Map;
 pub use known::without_rational_points;
 use solve::HIGHEST_DEGREE;
 use state::{Search, State};
@@ -31,9 +30,8 @@ pub fn first<T>(
     accepts: impl Fn(Assignment) -> Option<T>,
 ) -> Option<T> {
     let posed = Posed::new(obligation, against_goal)?;
-    let accepted = |field: &Field, values: &BTreeMap<Var, Univariate>| {
-        accepts(posed.assignment(field, values))
-    };
+    let accepted =
+        |field: &Field, values: &Map<Var, Univariate>| accepts(posed.assignment(field, values));
     let mut search = Search {
         order: &posed.order,
         integers: &posed.integers,
@@ -110,7 +108,7 @@ impl<'a> Posed<'a> {
     }
 
     /// The point in the kernel's terms.
-    fn assignment(&self, field: &Field, values: &BTreeMap<Var, Univariate>) -> Assignment {
+    fn assignment(&self, field: &Field, values: &Map<Var, Univariate>) -> Assignment {
         let mut point = Assignment {
             unfold: self.obligation.unfold().to_vec(),
             ..Assignment::default()

@@ -1,13 +1,12 @@
 //! What is left to satisfy, and the choices in it.
 
-use std::collections::BTreeMap;
-
 use super::solve::{fields, rational, roots_in};
 use super::{polynomial_in, univariate};
 use crate::algebra::{Monomial, Polynomial, Rational, Univariate, Var};
 use crate::kernel::{Fact, Field, Sign};
 use crate::search::point::satisfies;
 use crate::search::values::candidates;
+use crate::sorted::Map;
 
 /// How many of the usual numbers are tried for an unknown.
 const MOST_NUMBERS: usize = 10;
@@ -39,7 +38,7 @@ pub struct Search<'a> {
     pub passed_over: bool,
 }
 
-type Values = BTreeMap<Var, Univariate>;
+type Values = Map<Var, Univariate>;
 
 impl State {
     pub fn new(facts: Vec<Fact>) -> State {

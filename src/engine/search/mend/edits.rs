@@ -1,12 +1,11 @@
 //! The slips of the pen that may have been made: every formula that is one small edit away from a printed one.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::{
     BigRational, Expr, Formula, Function, Rational, Relation, Symbol, product_of,
 };
 
 use super::super::implied::{number, own_number, scaled};
+use crate::sorted::Set;
 
 /// Formulas with more parts than this are not edited: a reader could not see one slip in them either.
 const MOST_PARTS: usize = 80;
@@ -87,7 +86,7 @@ pub struct Names {
     /// What a symbol may have been mistaken for, or what may be missing.
     pub all: Vec<Symbol>,
     /// Shares of a whole: `p` may stand for `1 - p`.
-    pub shares: BTreeSet<Symbol>,
+    pub shares: Set<Symbol>,
 }
 
 /// All formulas one edit away from a printed one, the likeliest slip first.

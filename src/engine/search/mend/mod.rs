@@ -5,14 +5,13 @@
 
 mod edits;
 
-use std::collections::BTreeSet;
-
 use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
 
 use super::{Effort, defines_afresh, prove_unconditionally, refute, unfold};
+use crate::sorted::Set;
 pub use edits::Change;
 use edits::{Edit, Names, edits};
 
@@ -452,7 +451,7 @@ fn generic(claim: &Claim, shift: usize) -> Option<(Claim, Assignment)> {
         Formula::Relation { left, right, .. } => (left, right),
         Formula::AllEqual { .. } => return None,
     };
-    let mut symbols: BTreeSet<Symbol> = right.free_symbols();
+    let mut symbols: Set<Symbol> = right.free_symbols();
     if symbols.is_empty() {
         symbols = left.free_symbols();
     }

@@ -1,12 +1,11 @@
 //! Signs: sums of squares and products of what is known not to be negative, with the unknowns removed that equations give.
 
-use std::collections::BTreeMap;
-
 use super::super::positivity::{Known, decompose};
 use super::super::tracked::{Nonzero, Reduced, cofactors, listed};
 use super::{Ideal, LIGHT_REDUCTIONS, Prover, negated};
 use crate::algebra::{Atom, Expr, Function, Monomial, Polynomial, Rational, TooLarge, Var};
 use crate::kernel::{Fact, Knowledge, PositiveTerm, Proof, Sign};
+use crate::sorted::Map;
 
 /// How many equations, terms and positive unknowns are tried to put what is compared in other words.
 const MOST_EXCHANGED: usize = 4;
@@ -125,7 +124,7 @@ impl Prover {
             }
         }
         let found = found?;
-        let mut used: BTreeMap<usize, Polynomial> = BTreeMap::new();
+        let mut used: Map<usize, Polynomial> = Map::new();
         for (at, weight) in &found.equations {
             for (position, cofactor) in &self.ideal.rest[*at].cofactors {
                 let slot = used.entry(*position).or_default();

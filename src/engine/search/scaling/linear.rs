@@ -1,10 +1,9 @@
-use std::collections::BTreeMap;
-
 use crate::algebra::{Expr, Rational};
 use crate::kernel::{Combination, Size};
+use crate::sorted::Map;
 
 /// Exponents of quantities.
-pub(super) type Exponents = BTreeMap<Expr, Rational>;
+pub(super) type Exponents = Map<Expr, Rational>;
 
 /// Rows in reduced echelon form that remember how they were made. The first column in which a row does not
 /// vanish is its pivot; columns that are not named come first, by name.
@@ -19,7 +18,7 @@ pub(super) struct Echelon {
 struct Reduced {
     pivot: Expr,
     row: Exponents,
-    made_of: BTreeMap<usize, Rational>,
+    made_of: Map<usize, Rational>,
     /// What the product of the row comes to, for rows that have a value.
     value: Size,
 }
@@ -38,8 +37,8 @@ impl Echelon {
     }
 
     /// What is left of exponents, the combination of rows that was taken away, and its value.
-    pub fn reduce(&self, row: &Exponents) -> (Exponents, BTreeMap<usize, Rational>, Size) {
-        let (mut rest, mut made_of, mut value) = (row.clone(), BTreeMap::new(), Size::one());
+    pub fn reduce(&self, row: &Exponents) -> (Exponents, Map<usize, Rational>, Size) {
+        let (mut rest, mut made_of, mut value) = (row.clone(), Map::new(), Size::one());
         for own in &self.rows {
             if let Some(factor) = row.get(&own.pivot) {
                 add(&mut rest, &own.row, &-factor);
@@ -58,7 +57,7 @@ impl Echelon {
         };
         let scale = rest[&pivot].recip();
         rest.values_mut().for_each(|e| *e = &*e * &scale);
-        let mut own = BTreeMap::from([(number, Rational::one())]);
+        let mut own = Map::from([(number, Rational::one())]);
         add(&mut own, &made_of, &-Rational::one());
         own.values_mut().for_each(|e| *e = &*e * &scale);
         let value = Size::one().times(&value.over(&known), &scale);
@@ -100,7 +99,7 @@ impl Echelon {
     }
 
     /// The value of each pivot for given values of the free columns.
-    pub fn solve(&self, free: &BTreeMap<Expr, Size>) -> BTreeMap<Expr, Size> {
+    pub fn solve(&self, free: &Map<Expr, Size>) -> Map<Expr, Size> {
         let mut values = free.clone();
         for row in &self.rows {
             let mut value = row.value.clone();
@@ -116,11 +115,7 @@ impl Echelon {
 }
 
 /// `to += factor · what`, without zeros.
-fn add<K: Ord + Clone>(
-    to: &mut BTreeMap<K, Rational>,
-    what: &BTreeMap<K, Rational>,
-    factor: &Rational,
-) {
+fn add<K: Ord + Clone>(to: &mut Map<K, Rational>, what: &Map<K, Rational>, factor: &Rational) {
     for (key, value) in what {
         let slot = to.entry(key.clone()).or_insert_with(Rational::zero);
         *slot += value * factor;

@@ -3,14 +3,13 @@
 mod linear;
 mod situations;
 
-use std::collections::BTreeSet;
-
 use super::Stop;
 use crate::algebra::{Expr, Formula, Rational, Relation};
 use crate::kernel::{
     Alike, Claim, Reject, Rows, Scales, ScalesNot, ScalingCandidate, ScalingProof, ScalingVerdict,
     Size, check_scaling,
 };
+use crate::sorted::Set;
 use linear::{Echelon, Exponents, pairing};
 
 /// What is known of a scaling relation after the search.
@@ -121,7 +120,7 @@ impl Known {
         };
         let products = own.iter().map(|(_, row)| row);
         let goal = rows.varying(&rows.goal);
-        let mut waiting: BTreeSet<Expr> = BTreeSet::new();
+        let mut waiting: Set<Expr> = Set::new();
         for row in products.chain([&goal]) {
             let compound = |q: &&Expr| !matches!(q, Expr::Symbol(_) | Expr::Apply(..));
             waiting.extend(row.keys().filter(compound).cloned());
@@ -165,7 +164,7 @@ impl Known {
 }
 
 /// The hypotheses that a proof combines, by position.
-fn combined(proven: &Scales) -> BTreeSet<usize> {
+fn combined(proven: &Scales) -> Set<usize> {
     let proof = proven.proof();
     let inner = proof.alike.iter().flat_map(|a| a.combinations.iter());
     let all = inner.chain([&proof.combination]).flatten();
@@ -214,7 +213,7 @@ fn shortest(proven: Scales, rows: &Rows) -> Scales {
         .free_symbols()
         .into_iter()
         .cloned()
-        .collect::<BTreeSet<_>>();
+        .collect::<Set<_>>();
     claim.domains.retain(|symbol, _| named.contains(symbol));
     let Ok(mut rows) = Rows::new(&claim) else {
         return proven;
@@ -358,7 +357,7 @@ fn repair(claim: &Claim, rows: &Rows, known: &Known) -> Option<Repair> {
 /// A product of powers as one would write it.
 fn written(exponents: &Exponents, order: &[Expr]) -> Expr {
     let (mut above, mut below) = (Vec::new(), Vec::new());
-    let mut done: BTreeSet<&Expr> = BTreeSet::new();
+    let mut done: Set<&Expr> = Set::new();
     for quantity in order {
         let Some(exponent) = exponents.get(quantity).filter(|_| done.insert(quantity)) else {
             continue;

@@ -1,5 +1,3 @@
-use std::collections::{BTreeMap, BTreeSet};
-
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 
@@ -10,6 +8,7 @@ use crate::kernel::{
     Claim, Domain, Product, Rows, ScalesNot, ScalingCandidate, ScalingVerdict, Situations, Size,
     check_scaling,
 };
+use crate::sorted::{Map, Set};
 
 /// No factor is larger than 2 to this power.
 const MOST_DOUBLINGS: u32 = 60;
@@ -90,7 +89,7 @@ struct Change<'a> {
 }
 
 /// Quantities, and the sums of some, with their sizes.
-type Values = BTreeMap<Expr, Size>;
+type Values = Map<Expr, Size>;
 
 struct Search<'a> {
     claim: &'a Claim,
@@ -98,11 +97,11 @@ struct Search<'a> {
     late: Vec<Expr>,
     aside: Vec<usize>,
     /// All symbols and applications that need a value.
-    quantities: BTreeSet<Expr>,
+    quantities: Set<Expr>,
     /// The sums among what the rows speak of.
-    sums: BTreeSet<Expr>,
+    sums: Set<Expr>,
     /// What occurs in sums, or in premises that say nothing of exponents: it may have to differ.
-    uneven: BTreeSet<Expr>,
+    uneven: Set<Expr>,
     /// Which numbers are tried for these: all 1, or growing, or falling.
     start: usize,
 }
@@ -110,7 +109,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(claim: &'a Claim, rows: &'a Rows) -> Search<'a> {
         let aside = set_aside(claim, rows);
-        let mut quantities = BTreeSet::new();
+        let mut quantities = Set::new();
         let hypotheses = claim.hypotheses.iter().enumerate();
         let kept = hypotheses.filter(|(at, _)| !aside.contains(at));
         for formula in kept.map(|(_, h)| &*h.formula).chain([&claim.goal]) {
@@ -122,14 +121,14 @@ impl<'a> Search<'a> {
         let products = own
             .filter(|(at, _)| !aside.contains(at))
             .filter_map(|(_, row)| Some(&row.as_ref()?.product));
-        let mut sums = BTreeSet::new();
+        let mut sums = Set::new();
         for product in products.chain([&rows.sides.0, &rows.sides.1]) {
             let sum = |q: &&Expr| matches!(q, Expr::Sum(_));
             sums.extend(product.exponents.keys().filter(sum).cloned());
             let plain = product.exponents.keys().filter(|q| is_plain(q));
             quantities.extend(plain.cloned());
         }
-        let mut uneven = BTreeSet::new();
+        let mut uneven = Set::new();
         sums.iter().for_each(|sum| collect(sum, &mut uneven));
         for (at, hypothesis) in claim.hypotheses.iter().enumerate() {
             let silent = rows.rows.get(at).is_some_and(Option::is_none);
@@ -230,7 +229,7 @@ impl<'a> Search<'a> {
             .filter(|(at, _)| kept(at))
             .filter_map(|(_, row)| Some(row.as_ref()?.product.exponents.clone()))
             .collect();
-        let mut seen: BTreeSet<Expr> = BTreeSet::new();
+        let mut seen: Set<Expr> = Set::new();
         let mut at = 0;
         let mut rows = self.rows.clone();
         while at < products.len() {
@@ -248,7 +247,7 @@ impl<'a> Search<'a> {
                     }
                     // Something that is not understood stays as it is if all in it does.
                     Err(_) => {
-                        let mut inside = BTreeSet::new();
+                        let mut inside = Set::new();
                         collect(&compound, &mut inside);
                         inside.insert(compound);
                         let still = |q: Expr| Exponents::from([(q, Rational::one())]);
@@ -311,7 +310,7 @@ impl<'a> Search<'a> {
         None
     }
 
-    fn check(&self, values: BTreeMap<Expr, (Size, Size)>) -> Option<ScalesNot> {
+    fn check(&self, values: Map<Expr, (Size, Size)>) -> Option<ScalesNot> {
         let situations = Situations {
             aside: self.aside.clone(),
             values,
@@ -425,7 +424,7 @@ fn names(formula: &Formula, symbol: &Symbol) -> bool {
 }
 
 /// The symbols and applications of a term; variables of integration are none.
-fn collect(term: &Expr, found: &mut BTreeSet<Expr>) {
+fn collect(term: &Expr, found: &mut Set<Expr>) {
     match term {
         Expr::Apply(..) => {
             found.insert(term.clone());
@@ -439,7 +438,7 @@ fn collect(term: &Expr, found: &mut BTreeSet<Expr>) {
             from,
             to,
         } => {
-            let mut inside = BTreeSet::new();
+            let mut inside = Set::new();
             collect(body, &mut inside);
             inside.remove(&Expr::Symbol(variable.clone()));
             found.extend(inside);
@@ -470,9 +469,9 @@ fn doublings(rescaling: &Exponents) -> Vec<Rational> {
 }
 
 /// The rational value of a term that has one.
-fn number(term: &Expr, values: &BTreeMap<Expr, Size>) -> Option<Rational> {
+fn number(term: &Expr, values: &Map<Expr, Size>) -> Option<Rational> {
     let mut map = term.clone();
-    fn put(term: &Expr, values: &BTreeMap<Expr, Size>, ok: &mut bool) -> Expr {
+    fn put(term: &Expr, values: &Map<Expr, Size>, ok: &mut bool) -> Expr {
         if let Some(size) = values.get(term) {
             return match size.as_rational() {
                 Ok(Some(value)) => Expr::Number(value.to_big()),
@@ -486,7 +485,7 @@ fn number(term: &Expr, values: &BTreeMap<Expr, Size>) -> Option<Rational> {
     }
     let mut ok = true;
     map = put(&map, values, &mut ok);
-    let (none, mut atoms) = (BTreeSet::new(), crate::algebra::Atoms::default());
+    let (none, mut atoms) = (Set::new(), crate::algebra::Atoms::default());
     let mut lowering = crate::algebra::Lowering {
         atoms: &mut atoms,
         sequences: &none,
