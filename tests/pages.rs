@@ -74,11 +74,12 @@ impl Answer {
 
     /// The verdicts that are none, and the notes that do not exist.
     fn misspelt(&self) -> Vec<&str> {
-        const NOTES: [&str; 18] = [
+        const NOTES: [&str; 19] = [
             "citations-shifted",
             "unused-premise",
             "numeric-not-supported",
             "rests-on",
+            "rests-on-unproved",
             "miscited",
             "uncited",
             "unstated-condition",

@@ -227,32 +227,28 @@ impl Report<'_> {
                 let shown = symbols.iter().map(words::symbol).collect();
                 format!("{} taken as constant", words::list(shown))
             }
-            Note::TakenAsGiven(symbols) if symbols.is_empty() => {
-                let symbols = self.equation(own).symbols();
-                let held = |symbol| self.derivation.is_some_constant(symbol);
-                match symbols.iter().any(held) {
-                    true => "taken as given: nothing before shows that it does not change".into(),
-                    false => "taken as given: it follows from nothing before".into(),
-                }
-            }
-            Note::TakenAsGiven(symbols) if self.equation(own).drawn => {
-                let symbols = symbols.iter().map(words::symbol).collect();
-                format!(
-                    "taken for a definition, not checked: nothing before speaks of {}",
-                    words::list(symbols)
-                )
-            }
             Note::TakenAsGiven(symbols) => {
-                let new = &self.equation(own).introduces;
-                let what = match symbols.iter().all(|symbol| new.contains(symbol)) {
-                    true => "speaks of",
-                    false => "gives the value of",
+                let equation = self.equation(own);
+                let taken = match equation.drawn {
+                    true if !equation.defines.is_empty() => "taken for a definition, not checked",
+                    true => "taken as given, not checked",
+                    false => "taken as given",
                 };
-                let symbols = symbols.iter().map(words::symbol).collect();
-                format!(
-                    "taken as given: nothing before {what} {}",
-                    words::list(symbols)
-                )
+                let held = |symbol| self.derivation.is_some_constant(symbol);
+                let new = |symbol| equation.introduces.contains(symbol);
+                let shown = || words::list(symbols.iter().map(words::symbol).collect());
+                match () {
+                    () if !symbols.is_empty() && symbols.iter().all(new) => {
+                        format!("{taken}: nothing before speaks of {}", shown())
+                    }
+                    () if !symbols.is_empty() => {
+                        format!("{taken}: nothing before gives the value of {}", shown())
+                    }
+                    () if equation.symbols().iter().any(held) => {
+                        format!("{taken}: nothing before shows that it does not change")
+                    }
+                    () => format!("{taken}: it follows from nothing before"),
+                }
             }
             Note::NumericNotSupported => {
                 "not supported: false for all figures within their bounds".into()

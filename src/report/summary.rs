@@ -92,8 +92,7 @@ impl Report<'_> {
                 )
             }
             (0, 0) if entries.iter().any(|e| self.is_unchecked(e)) => {
-                "Nothing was found amiss, but what is taken for a definition was not checked."
-                    .into()
+                "Nothing was found amiss, but what is taken as given was not checked.".into()
             }
             (0, 0) => "Nothing is amiss.".to_owned(),
             (0, _) => "Nothing was found amiss, but what is undecided was not checked.".to_owned(),
@@ -110,7 +109,7 @@ impl Report<'_> {
         format!("{first}\n{}\n", paint(BOLD, &second))
     }
 
-    /// Whether a step is taken for a definition.
+    /// Whether a step is taken as given, or for a definition.
     fn is_unchecked(&self, entry: &Entry) -> bool {
         let given = |note: &Note| matches!(note, Note::TakenAsGiven(_));
         self.equation(entry.equation).drawn && entry.notes.iter().any(given)

@@ -15,13 +15,18 @@ fn pendulum(tolerance: f64) -> System<Swing, Const<2>> {
     }
 }
 
+/// How long an error is; `norm` needs more of `nalgebra` than we build.
+fn size(error: Vector2<f64>) -> f64 {
+    error.dot(&error).sqrt()
+}
+
 #[test]
 fn half_a_step_makes_a_thirty_second_of_the_error() {
     let swing = pendulum(1.0);
     let error = |steps: usize| {
         let h = 1.0 / steps as f64;
         let end = (0..steps).fold(Vector2::new(1.0, 0.0), |y, _| swing.leap(&y, h).0);
-        (end - Vector2::new(1f64.cos(), -1f64.sin())).norm()
+        size(end - Vector2::new(1f64.cos(), -1f64.sin()))
     };
     let order = (error(10) / error(20)).log2();
     assert!((order - 5.0).abs() < 0.1, "{order}");
@@ -30,7 +35,7 @@ fn half_a_step_makes_a_thirty_second_of_the_error() {
 #[test]
 fn the_error_of_one_step_is_seen_at_order_five() {
     let swing = pendulum(1.0);
-    let seen = |h: f64| swing.leap(&Vector2::new(1.0, 0.0), h).1.norm();
+    let seen = |h: f64| size(swing.leap(&Vector2::new(1.0, 0.0), h).1);
     let order = (seen(0.1) / seen(0.05)).log2();
     assert!((order - 5.0).abs() < 0.1, "{order}");
 }

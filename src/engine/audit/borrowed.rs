@@ -31,7 +31,7 @@ impl Judge<'_> {
         assumed: &[Assumed],
         premises: &[usize],
     ) -> Option<Vec<Assumed>> {
-        let [others, _] = self.others(premises);
+        let [others, ..] = self.others(premises);
         let near = others.into_iter().take(NEARBY[1].0);
         let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
         (all.len() > assumed.len()).then_some(all)
@@ -75,6 +75,31 @@ impl Judge<'_> {
         premises: &[usize],
         witness: Option<Assignment>,
     ) -> Vec<Attempt> {
+        let [sound, all, _] = self.others(premises);
+        self.attempts_with(goal, assumed, premises, witness, [sound, all])
+    }
+
+    /// Tries a step that nothing decides from what is itself left open, or holds under conditions.
+    pub(super) fn rescue_from_open(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        let [_, _, open] = self.others(premises);
+        let attempts = self.attempts_with(goal, assumed, premises, None, [open]);
+        self.rescue(goal, &attempts, &NEARBY, found)
+    }
+
+    fn attempts_with<const N: usize>(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        witness: Option<Assignment>,
+        others: [Vec<Assumed>; N],
+    ) -> Vec<Attempt> {
         let mut attempts = Vec::new();
         let hints: Vec<Assignment> = witness
             .into_iter()
@@ -89,7 +114,7 @@ impl Judge<'_> {
         let against = self.refuted_from(&failing);
         let tells_against =
             |a: &Assumed| matches!(a.source, Source::Equation(p) if against.contains(&p));
-        for others in self.others(premises) {
+        for others in others {
             if others.is_empty() || !speaks_of_all(assumed.iter().chain(&others), &goal.formula) {
                 continue;
             }
@@ -173,7 +198,9 @@ impl Judge<'_> {
         false
     }
 
-    pub(super) fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 2] {
+    /// What stands before and is not cited: what is sound; the same and what rests on no more than what is cited does; and that
+    /// and what is left open or holds under conditions. Empty, where that is no more.
+    pub(super) fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 3] {
         if let Some(others) = &self.others {
             return others.clone();
         }
@@ -181,33 +208,35 @@ impl Judge<'_> {
         // What is cited may rest on something false already, or not proved; then so may what is found instead.
         let own_premises: Set<usize> = premises.iter().copied().collect();
         let failing = self.auditor.failing(self.at, &own_premises);
-        let open = self.auditor.unproved(self.at, &own_premises);
-        let (mut sound, mut all) = (Vec::new(), Vec::new());
+        let unproved = self.auditor.unproved(self.at, &own_premises);
+        let (mut sound, mut all, mut open) = (Vec::new(), Vec::new(), Vec::new());
         // Of a wrong citation, or one of what is not there, is told whatever is found.
         let (_, _, unknown) = self.derivation.premises(self.at);
         let cites = !premises.is_empty() || !unknown.is_empty();
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
             let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
-            let conditional = |n: &&Note| matches!(n, Note::UnstatedCondition(_));
-            let unsound = |e: &&Entry| {
-                let mut conditions = e.notes.iter().filter(conditional);
-                e.is_wrong() || e.verdict == Verdict::Undecided || conditions.next().is_some()
-            };
-            if entries.iter().any(unsound) || !self.may_borrow(other, cites) {
+            if entries.iter().any(|e| e.is_wrong()) || !self.may_borrow(other, cites) {
                 continue;
             }
-            let unproved = |n: &Note| match n {
+            let conditional = |n: &Note| matches!(n, Note::UnstatedCondition(_));
+            let is_open =
+                |e: &&Entry| e.verdict == Verdict::Undecided || e.notes.iter().any(conditional);
+            let is_open = entries.iter().any(is_open);
+            let on = |n: &Note| match n {
                 Note::RestsOnUnproved(on) => on.clone(),
                 _ => Vec::new(),
             };
             let notes = entries.iter().flat_map(|e| &e.notes);
-            let unproved: Vec<usize> = notes.flat_map(unproved).collect();
+            let on: Vec<usize> = notes.flat_map(on).collect();
             let mut rests_on = entries.iter().flat_map(|e| &e.rests_on).peekable();
-            if rests_on.peek().is_none() && unproved.is_empty() {
+            if rests_on.peek().is_none() && on.is_empty() && !is_open {
                 sound.push(other);
             }
-            if rests_on.all(|r| failing.contains(r)) && unproved.iter().all(|u| open.contains(u)) {
-                all.push(other);
+            if rests_on.all(|r| failing.contains(r)) {
+                open.push(other);
+                if on.iter().all(|u| unproved.contains(u)) && !is_open {
+                    all.push(other);
+                }
             }
         }
         let own = self.usable.assumed.len();
@@ -226,10 +255,11 @@ impl Judge<'_> {
             extra.truncate(own + 40);
             extra
         };
-        let others = match sound.len() == all.len() {
-            true => [gather(&sound), Vec::new()],
-            false => [gather(&sound), gather(&all)],
+        let more = |list: &[usize], than: &[usize]| match list.len() > than.len() {
+            true => gather(list),
+            false => Vec::new(),
         };
+        let others = [gather(&sound), more(&all, &sound), more(&open, &all)];
         self.others = Some(others.clone());
         others
     }
@@ -277,7 +307,7 @@ impl Judge<'_> {
             Source::Local(other, _) => other == page,
             Source::Step => true,
         };
-        let [mut sound, _] = self.others(premises);
+        let [mut sound, ..] = self.others(premises);
         sound.retain(near);
         if sound.is_empty() {
             return false;

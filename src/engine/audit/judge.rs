@@ -19,7 +19,7 @@ pub(super) struct Judge<'a> {
     pub auditor: &'a Auditor<'a>,
     /// Premises that are not cited: first those that rest on nothing false, then those that rest on nothing
     /// but what the cited ones rest on already.
-    pub others: Option<[Vec<Assumed>; 2]>,
+    pub others: Option<[Vec<Assumed>; 3]>,
 }
 
 /// What was found of one goal.
@@ -194,6 +194,7 @@ impl Judge<'_> {
                     let attempts = self.attempts(goal, &assumed, premises, None);
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
                         || self.rescue(goal, &attempts, &FARTHER, &mut found)
+                        || self.rescue_from_open(goal, &assumed, premises, &mut found)
                 };
                 if !rescued && obligation.is_ok_and(|posed| self.contradicts_itself(&posed)) {
                     found.contradictory = sources(&assumed);

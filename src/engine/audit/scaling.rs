@@ -57,7 +57,8 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) {
-        for others in self.others(premises) {
+        let [sound, all, _] = self.others(premises);
+        for others in [sound, all] {
             let near = others.into_iter().take(NEARBY);
             let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
             if all.len() == assumed.len() {

@@ -28,7 +28,7 @@ impl Judge<'_> {
         if defined > 0 && self.some_constant(&judged.goal, &[]).is_none() {
             return None;
         }
-        if !equation.bare || is_slip(entry) || !entry.missing.is_empty() {
+        if !equation.uncited || is_slip(entry) || !entry.missing.is_empty() {
             return None;
         }
         // What could not be read may speak of all of it.
@@ -65,10 +65,14 @@ impl Judge<'_> {
                     .collect()
             }
         };
-        // A second law may speak of nothing new, where nobody could have said that it is one; a value of something known is none.
+        // What is said to follow may bring in something new, and cannot follow then. A second law may speak of nothing new, where nobody
+        // could have said that it is one; a value of something known is none, if no reason is given that is no equation.
         let silent = self.derivation.pages[equation.page].declared.is_empty();
-        let is_law = || silent && !matches!(left, Expr::Symbol(_));
-        if symbols.is_empty() && !equation.meant && !is_law() {
+        let is_law = || equation.reasons || silent && !matches!(left, Expr::Symbol(_));
+        let is_new = |symbol: &Symbol| equation.introduces.contains(symbol);
+        let is_value = matches!(left, Expr::Symbol(symbol) if !is_new(symbol));
+        let brings = !is_value && symbols.iter().any(is_new);
+        if !brings && !(equation.bare && (equation.meant || !symbols.is_empty() || is_law())) {
             return None;
         }
         // How something changes of which is known what it is follows from that.
@@ -78,7 +82,7 @@ impl Judge<'_> {
             return None;
         }
         // What is wrong itself contradicts others already.
-        let [sound, _] = self.others(&[]);
+        let [sound, ..] = self.others(&[]);
         let right = |a: &&Assumed| match a.source {
             Source::Equation(premise) => {
                 let premise = Set::from([premise]);
@@ -135,7 +139,7 @@ impl Judge<'_> {
 
     /// Whether an equation that stands before says what a term is.
     fn is_explicit(&mut self, term: &Expr) -> bool {
-        let [sound, _] = self.others(&[]);
+        let [sound, ..] = self.others(&[]);
         let mut known = self.usable.assumed.iter().chain(&sound);
         known.any(|assumed| {
             let sides = assumed.formula.as_equation();

@@ -220,7 +220,7 @@ impl Page {
                 let equation = &mut equations[at];
                 equation.kind = Kind::Given;
                 equation.defines.clear();
-                (equation.opens, equation.bare) = (false, false);
+                (equation.opens, equation.bare, equation.uncited) = (false, false, false);
             }
         }
     }

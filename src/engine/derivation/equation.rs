@@ -1,7 +1,7 @@
 use std::ops::Range;
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
-use crate::document::Span;
+use crate::document::{Citation, Span};
 use crate::notation::{Clause, Connective, Statement, SyntaxError};
 
 use super::Premises;
@@ -40,6 +40,10 @@ pub struct Equation {
     pub relative: bool,
     /// Whether words introduce it, and none of them cites anything or says that it follows.
     pub bare: bool,
+    /// Whether nothing is cited for it, whatever words say.
+    pub uncited: bool,
+    /// Whether the reason that words give for it is no equation: a law by its name, "since the string does not slip".
+    pub reasons: bool,
     /// Whether a mere "where" or "with" introduces it.
     pub meant: bool,
     /// Whether words before it cite something or say that it follows, and none that it defines anything.
@@ -251,6 +255,17 @@ pub fn unconditional(statement: &Statement) -> Vec<Formula> {
 }
 
 impl Equation {
+    /// Takes what the end of its sentence cites for what it comes from, if that is said and nothing else is.
+    pub(super) fn cite(&mut self, citations: &[Citation], says_from: bool) {
+        if let Premises::Cited(cited) = &mut self.premises
+            && cited.is_empty()
+            && says_from
+        {
+            cited.extend_from_slice(citations);
+            (self.bare, self.uncited) = (self.bare && cited.is_empty(), cited.is_empty());
+        }
+    }
+
     /// The number, or the name, or nothing.
     pub fn label(&self) -> Option<&str> {
         self.tag.as_deref().or(self.name.as_deref())

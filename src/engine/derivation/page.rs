@@ -94,6 +94,8 @@ struct Between {
     defines: bool,
     /// Whether they go on from the display before.
     relative: bool,
+    /// Whether they give a reason that is no equation.
+    reasons: bool,
     /// Whether they are a mere "where" or "with".
     meant: bool,
 }
@@ -166,9 +168,15 @@ pub(super) fn read_page(
                 told.retain(|&at| page.locals[at].level < own);
             }
             Item::Prose(prose) => {
-                between.cited.extend(prose.citations.iter().cloned());
+                let tail = if last.is_empty() { 0 } else { prose.tail };
+                let (of_last, own) = prose.citations.split_at(tail);
+                between.cited.extend(own.iter().cloned());
+                for equation in &mut equations[last.clone()] {
+                    equation.cite(of_last, prose.says_from);
+                }
                 between.relative |= prose.is_relative && between.concludes.is_none();
                 between.concludes = prose.concludes.or(between.concludes);
+                between.reasons |= prose.reasons;
                 between.meant |= prose.says_what_is_meant;
                 between.cites |= prose.cites;
                 between.defines |= prose.defines;
@@ -255,14 +263,16 @@ pub(super) fn read_page(
                 let alone =
                     equations.is_empty() && said.cited.iter().all(announces) && said.from.is_none();
                 // Where nothing is said between two displays, they are introduced together.
-                bare = match said.concludes {
-                    Some(concludes) => !concludes,
-                    None => bare,
-                } && said.cited.is_empty()
+                let uncited = said.cited.is_empty()
                     && !(said.given
                         || said.derived
                         || said.from.is_some()
                         || said.numeric.is_some());
+                bare = uncited
+                    && match said.concludes {
+                        Some(concludes) => !concludes || said.reasons,
+                        None => bare,
+                    };
                 // What is announced is not cited.
                 let cites = said.cites && !said.cited.iter().all(announces);
                 let drawn = (said.concludes == Some(true) || cites) && !said.defines;
@@ -311,6 +321,8 @@ pub(super) fn read_page(
                         opens: alone && kind == Kind::Derived && !stated,
                         relative: said.relative,
                         bare: bare && kind == Kind::Derived && part.continues == 0,
+                        uncited: uncited && kind == Kind::Derived && part.continues == 0,
+                        reasons: said.reasons,
                         meant: said.meant,
                         drawn: drawn && kind == Kind::Derived,
                         numeric: said.numeric.clone().filter(|_| kind != Kind::Given),

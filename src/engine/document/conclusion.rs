@@ -1,6 +1,7 @@
 //! Whether prose says that what is displayed next follows: "Hence", "Substituting (3) into (4) gives".
 
 use super::prose::{Placed, Token};
+use super::supposition::relates;
 
 /// What comes after these is drawn from what was said before. With one of them a sentence no longer supposes anything, either.
 const DRAWN: [&str; 36] = [
@@ -129,6 +130,41 @@ const DEFINING: [&str; 18] = [
     "notation",
 ];
 
+/// What physics brings along, and no equation before need have said.
+const LAWS: [&str; 14] = [
+    "law",
+    "laws",
+    "conservation",
+    "conserved",
+    "principle",
+    "principles",
+    "postulate",
+    "postulates",
+    "postulated",
+    "theorem",
+    "condition",
+    "balance",
+    "equilibrium",
+    "symmetry",
+];
+/// After these comes a reason.
+const BECAUSE: [&str; 2] = ["since", "because"];
+/// With these a sentence whose end stands after a display says what that comes from.
+const FROM: [&str; 12] = [
+    "by",
+    "from",
+    "using",
+    "via",
+    "through",
+    "with",
+    "because",
+    "since",
+    "due",
+    "according",
+    "thanks",
+    "where",
+];
+
 /// Whether a word, in lower case, draws a conclusion.
 pub(super) fn draws(word: &str) -> bool {
     DRAWN.contains(&word)
@@ -165,6 +201,45 @@ pub(super) fn last_sentence<'t, 'a>(tokens: &'t [Placed<'a>]) -> Option<&'t [Pla
     let says = |(token, _): &Placed<'_>| matches!(token, Token::Word(_));
     let mut sentences = tokens.split(|(token, _)| *token == Token::Stop);
     sentences.rfind(|sentence| sentence.iter().any(says))
+}
+
+/// Whether the last sentence gives a reason that is no equation: a law by its name, or words after "since".
+pub(super) fn reasons_in_words(source: &str, tokens: &[Placed<'_>]) -> bool {
+    let Some(last) = last_sentence(tokens) else {
+        return false;
+    };
+    let among = |words: &'static [&str]| {
+        move |(token, _): &Placed<'_>| match token {
+            Token::Word(word) => words.contains(&word.to_lowercase().as_str()),
+            _ => false,
+        }
+    };
+    let is_equation = |(token, _): &Placed<'_>| match token {
+        Token::Math(body) => source.get(body.range()).is_some_and(relates),
+        token => matches!(token, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..)),
+    };
+    let since = last.iter().position(among(&BECAUSE));
+    let reason = since.map(|since| &last[since + 1..]);
+    let is_said = |words: &[Placed<'_>]| !words.is_empty() && !words.iter().any(is_equation);
+    reason.is_some_and(is_said) || last.iter().any(among(&LAWS)) && is_said(last)
+}
+
+/// The end of a sentence that a display stands in, if the text goes on with it: up to the full stop.
+pub(super) fn tail<'t, 'a>(source: &str, tokens: &'t [Placed<'a>]) -> &'t [Placed<'a>] {
+    let ends = |&(token, span): &Placed<'_>| {
+        token == Token::Stop && matches!(source.get(span.range()), Some("." | "!" | "?"))
+    };
+    let goes_on = |word: &str| word.starts_with(char::is_lowercase);
+    match (tokens.first(), tokens.iter().position(ends)) {
+        (Some((Token::Word(word), _)), Some(end)) if goes_on(word) => &tokens[..end],
+        _ => &[],
+    }
+}
+
+/// Whether the end of a sentence says what the display in it comes from: "by (2)".
+pub(super) fn says_from(tail: &[Placed<'_>]) -> bool {
+    let first = tail.first().map(|(token, _)| *token);
+    matches!(first, Some(Token::Word(word)) if FROM.contains(&word))
 }
 
 /// Whether the last sentence says that what comes after it follows from something, as far as words tell; `None` where nothing

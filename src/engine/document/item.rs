@@ -90,6 +90,12 @@ pub struct Prose {
     pub concludes: Option<bool>,
     /// Whether its last sentence cites something.
     pub cites: bool,
+    /// How many citations, the first of all, stand in the end of a sentence that the display before is in.
+    pub tail: usize,
+    /// Whether that says what the display comes from: "by (2)".
+    pub says_from: bool,
+    /// Whether the reason for what comes next is no equation: a law by its name, "since the string does not slip".
+    pub reasons: bool,
     /// Whether its last sentence says what is meant by what comes next: "we define".
     pub defines: bool,
     /// Its first sentence is about the display before it: "which by (2) is".

@@ -59,11 +59,19 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     let (suppositions, mentions) = supposition::read(source, &tokens);
     let citations = citation::read(&tokens);
     let last = conclusion::last_sentence(&tokens).and_then(|last| last.first());
+    let tail = conclusion::tail(source, &tokens);
+    let in_tail = |citation: &&Citation| {
+        tail.last()
+            .is_some_and(|(_, at)| citation.span.end <= at.end)
+    };
     let in_last = |citation: &Citation| last.is_some_and(|(_, at)| at.start <= citation.span.end);
     Prose {
         span,
         math: inline.to_vec(),
         cites: citations.iter().any(in_last),
+        tail: citations.iter().take_while(in_tail).count(),
+        says_from: conclusion::says_from(tail),
+        reasons: conclusion::reasons_in_words(source, &tokens),
         citations,
         suppositions,
         mentions,

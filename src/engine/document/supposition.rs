@@ -212,7 +212,7 @@ impl Reader<'_> {
             return false;
         }
         // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
-        let bounds = is_bound(text) && !is_nonzero(text);
+        let bounds = is_bound(text) && !differs(text);
         let joined = || {
             let told = self.found.last().filter(|last| is_fact(last.kind));
             follows(index, self.tokens, &["and"])
@@ -401,8 +401,8 @@ fn introduction(
         "at" | "for" | "when" if value() && comes_to_there(index, tokens) => {
             Some((case, joined(true)))
         }
-        // That something is not 0 is no value that something could be made true with.
-        "for" | "when" | "where" | "since" | "as" | "with" if next(is_nonzero) && !goes_on() => {
+        // That two things differ is no value that something could be made true with.
+        "for" | "when" | "where" | "since" | "as" | "with" if next(differs) && !goes_on() => {
             Some((SuppositionKind::Let, joined(true)))
         }
         "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed >= 2 => {
@@ -451,7 +451,7 @@ fn length_of_list(source: &str, word: &str, rest: &[Placed<'_>]) -> usize {
     let says = |at: usize| match rest.get(at) {
         Some((Token::Math(body), _)) => {
             let text = source.get(body.range()).unwrap_or_default();
-            is_value(text) || is_nonzero(text)
+            is_value(text) || differs(text)
         }
         _ => false,
     };
@@ -554,16 +554,16 @@ fn is_bound(math: &str) -> bool {
     relates(math) && !math.contains('=')
 }
 
-/// Whether inline math says that something is not 0.
-fn is_nonzero(math: &str) -> bool {
+/// Whether inline math says that two things differ.
+fn differs(math: &str) -> bool {
     let not = ["\\neq", "\\ne", "≠"]
         .iter()
         .find_map(|sign| math.split_once(sign));
-    not.is_some_and(|(left, right)| !relates(left) && right.trim() == "0")
+    not.is_some_and(|(left, right)| !relates(left) && !relates(right))
 }
 
 /// Whether inline math states a relation, and no inference: a relation sign outside braces.
-fn relates(math: &str) -> bool {
+pub(super) fn relates(math: &str) -> bool {
     let mut depth = 0_usize;
     let mut relation = false;
     let mut chars = math.char_indices();

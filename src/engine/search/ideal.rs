@@ -1,5 +1,7 @@
 //! What follows from equations: linear unknowns are eliminated, the rest is left to Buchberger's algorithm.
 
+use num_integer::Integer;
+
 use super::tracked::{Pivot, Reduced, Tracked};
 use crate::algebra::{Polynomial, TooLarge, Var};
 use crate::kernel::{Fact, Knowledge, Sign};
@@ -60,25 +62,53 @@ impl Ideal {
         pending
             .iter_mut()
             .for_each(|e| e.strip(knowledge, &divisors));
-        let mut pivots: Vec<Pivot> = Vec::new();
-        for unwanted in phases {
-            while let Some((at, pivot)) = best_pivot(&pending, knowledge, unwanted) {
-                pending.remove(at);
-                let var = pivot.var;
-                let speaks = |element: &&mut Tracked| element.polynomial.degree_in(var) > 0;
-                for element in pending.iter_mut().filter(speaks) {
-                    *element = element.eliminate(var, &pivot)?;
-                    element.strip(knowledge, &divisors);
-                }
-                pending.retain(|e| !e.polynomial.is_zero());
-                pivots.push(pivot);
-            }
-        }
-        Ok(Ideal {
-            pivots,
+        let mut ideal = Ideal {
+            pivots: Vec::new(),
             rest: pending,
             divisors,
-        })
+        };
+        for unwanted in phases {
+            let linear = |_: &[Tracked], var| u32::from(unwanted(var));
+            ideal.eliminate(knowledge, linear)?;
+        }
+        Ok(ideal)
+    }
+
+    /// Solves for powers of unknowns, as long as an element is linear in one. `power` says for which, and 0 for none.
+    fn eliminate(
+        &mut self,
+        knowledge: &Knowledge,
+        power: impl Fn(&[Tracked], Var) -> u32,
+    ) -> Result<(), TooLarge> {
+        while let Some((at, pivot)) = best_pivot(&self.rest, knowledge, &power) {
+            self.rest.remove(at);
+            for element in &mut self.rest {
+                if element.polynomial.degree_in(pivot.var) > 0 {
+                    *element = element.eliminate(&pivot)?;
+                    element.strip(knowledge, &self.divisors);
+                }
+            }
+            self.rest.retain(|e| !e.polynomial.is_zero());
+            self.pivots.push(pivot);
+        }
+        Ok(())
+    }
+
+    /// The same with what is left solved for powers, too: for `q^2`, where no `q` stands alone. `None` where none can be.
+    pub fn by_powers(&self, knowledge: &Knowledge) -> Result<Option<Self>, TooLarge> {
+        let common = |rest: &[Tracked], var| {
+            let terms = rest.iter().flat_map(|e| e.polynomial.terms());
+            terms.fold(0, |common, (monomial, _)| {
+                common.gcd(&monomial.exponent(var))
+            })
+        };
+        let mut ideal = Ideal {
+            pivots: self.pivots.clone(),
+            rest: self.rest.clone(),
+            divisors: self.divisors.clone(),
+        };
+        ideal.eliminate(knowledge, common)?;
+        Ok((ideal.pivots.len() > self.pivots.len()).then_some(ideal))
     }
 
     /// The unknown that was eliminated first.
@@ -152,13 +182,14 @@ fn divisors(facts: &[Fact]) -> Vec<Polynomial> {
 fn best_pivot(
     pending: &[Tracked],
     knowledge: &Knowledge,
-    unwanted: impl Fn(Var) -> bool,
+    power: impl Fn(&[Tracked], Var) -> u32,
 ) -> Option<(usize, Pivot)> {
     type Rank = (usize, usize, std::cmp::Reverse<usize>);
     struct Best {
         rank: Rank,
         at: usize,
         var: Var,
+        power: u32,
         coefficient: Polynomial,
         positive: bool,
         negative: bool,
@@ -166,7 +197,8 @@ fn best_pivot(
     let mut best: Option<Best> = None;
     for (at, element) in pending.iter().enumerate() {
         for var in element.polynomial.vars() {
-            let Some(cost) = cost_of(&element.polynomial, var).filter(|_| unwanted(var)) else {
+            let power = power(pending, var);
+            let Some(cost) = cost_of(&element.polynomial, var, power) else {
                 continue;
             };
             let rank = (
@@ -190,6 +222,7 @@ fn best_pivot(
                     rank,
                     at,
                     var,
+                    power,
                     coefficient,
                     positive,
                     negative,
@@ -200,6 +233,7 @@ fn best_pivot(
     best.map(|best| {
         let mut pivot = Pivot {
             var: best.var,
+            power: best.power,
             coefficient: best.coefficient,
             positive: best.positive || best.negative,
             element: pending[best.at].clone(),
@@ -214,15 +248,15 @@ fn best_pivot(
     })
 }
 
-/// How long the coefficient of an unknown is, 0 for a constant; `None` where the unknown is not linear.
-fn cost_of(polynomial: &Polynomial, var: Var) -> Option<usize> {
+/// How long the coefficient of a power of an unknown is, 0 for a constant; `None` where there are other powers.
+fn cost_of(polynomial: &Polynomial, var: Var, power: u32) -> Option<usize> {
     let (mut cost, mut constant) = (0, false);
     for (monomial, _) in polynomial.terms() {
         match monomial.exponent(var) {
             0 => {}
-            1 => {
+            own if own == power => {
                 cost += 1;
-                constant |= monomial.degree() == 1;
+                constant |= monomial.degree() == power;
             }
             _ => return None,
         }

@@ -149,21 +149,19 @@ impl Prover {
     }
 
     fn zero(&mut self, goal: &Polynomial, effort: Effort) -> Option<Proof> {
-        let reduced = self.ideal.reduce(goal, false).ok()?;
-        if reduced.polynomial.is_zero() {
-            return Some(combination(&reduced, 1));
+        if let Some(proof) = zero_by_elimination(&self.ideal, goal) {
+            return Some(proof);
         }
-        // What is left may already be a multiple of the goal; no basis is needed to see that.
-        let mut divided = reduced.clone();
-        if !self.ideal.rest.is_empty()
-            && divided
-                .normal_form(&self.ideal.rest, &mut { LIGHT_REDUCTIONS })
-                .is_ok()
-            && divided.polynomial.is_zero()
+        if let Some(ideal) = self.ideal.by_powers(&self.knowledge).ok()?
+            && let Some(proof) = zero_by_elimination(&ideal, goal)
         {
-            return Some(combination(&divided, 1));
+            return Some(proof);
         }
-        if effort == Effort::Light || !self.is_tied_down(&reduced.polynomial) {
+        if effort == Effort::Light {
+            return None;
+        }
+        let reduced = self.ideal.reduce(goal, false).ok()?;
+        if !self.is_tied_down(&reduced.polynomial) {
             return None;
         }
         if !self.ideal.rest.is_empty() {
@@ -237,13 +235,7 @@ impl Prover {
             self.knowledge.monomial_is_nonzero(&power)
         };
         let ideal = Ideal::keeping(&self.facts, &self.knowledge, kept).ok()?;
-        let mut reduced = ideal.reduce(goal, false).ok()?;
-        let settled = reduced.polynomial.is_zero()
-            || reduced
-                .normal_form(&ideal.rest, &mut { LIGHT_REDUCTIONS })
-                .is_ok()
-                && reduced.polynomial.is_zero();
-        settled.then(|| combination(&reduced, 1))
+        zero_by_elimination(&ideal, goal)
     }
 
     /// What is known not to vanish, with the eliminated unknowns removed: for `m_1 = m_2`, that `m_1 + m_2 ≠ 0` says that `m_2 ≠ 0`.
@@ -388,6 +380,18 @@ impl Prover {
 fn negated(map: &Map<usize, Polynomial>) -> Cofactors {
     let used = map.iter().filter(|(_, c)| !c.is_zero());
     used.map(|(at, c)| (*at, c.negated())).collect()
+}
+
+/// What elimination gives. What it leaves may already be a multiple of the goal; no basis is needed to see that.
+fn zero_by_elimination(ideal: &Ideal, goal: &Polynomial) -> Option<Proof> {
+    let mut reduced = ideal.reduce(goal, false).ok()?;
+    if !reduced.polynomial.is_zero() {
+        reduced
+            .normal_form(&ideal.rest, &mut { LIGHT_REDUCTIONS })
+            .ok()?;
+    }
+    let settled = reduced.polynomial.is_zero();
+    settled.then(|| combination(&reduced, 1))
 }
 
 /// `M · goal^power = Σ C h`.

@@ -130,14 +130,10 @@ impl Tracked {
         })
     }
 
-    /// Removes an unknown in which `pivot` is linear, by multiplying with its coefficient.
-    pub fn eliminate(&self, var: Var, pivot: &Pivot) -> Result<Self, TooLarge> {
+    /// Removes the power of an unknown in which `pivot` is linear, by multiplying with its coefficient.
+    pub fn eliminate(&self, pivot: &Pivot) -> Result<Self, TooLarge> {
         let mut current = self.clone();
-        while current.polynomial.degree_in(var) > 0 {
-            let powers = current.polynomial.in_powers_of(var);
-            let degree = powers.len() as u32 - 1;
-            let lead = powers.last().cloned().unwrap_or_default();
-            let quotient = lead.times_term(&Monomial::power(var, degree - 1), &Rational::one());
+        while let Some(quotient) = pivot.quotient(&current.polynomial) {
             current = current.combine(&pivot.coefficient, &pivot.element, &quotient)?;
             // The element is a consequence up to its own coefficient, which does not vanish.
         }
@@ -145,13 +141,24 @@ impl Tracked {
     }
 }
 
-/// An element that is linear in an unknown, its coefficient known not to vanish.
+/// An element that is linear in a power of an unknown, its coefficient known not to vanish.
 #[derive(Clone, Debug)]
 pub struct Pivot {
     pub var: Var,
+    pub power: u32,
     pub coefficient: Polynomial,
     pub positive: bool,
     pub element: Tracked,
+}
+
+impl Pivot {
+    /// How often the element goes into the highest power of the unknown, the coefficient aside; `None` where that is too low.
+    fn quotient(&self, polynomial: &Polynomial) -> Option<Polynomial> {
+        let left = polynomial.degree_in(self.var).checked_sub(self.power)?;
+        let powers = polynomial.in_powers_of(self.var);
+        let lead = powers.last().cloned().unwrap_or_default();
+        Some(lead.times_term(&Monomial::power(self.var, left), &Rational::one()))
+    }
 }
 
 impl Reduced {
@@ -188,12 +195,7 @@ impl Reduced {
 
     /// Removes the pivot's unknown. Where signs matter the goal is multiplied by something positive only.
     pub fn eliminate(&mut self, pivot: &Pivot, keep_sign: bool) -> Result<(), TooLarge> {
-        while self.polynomial.degree_in(pivot.var) > 0 {
-            let powers = self.polynomial.in_powers_of(pivot.var);
-            let degree = powers.len() as u32 - 1;
-            let lead = powers.last().cloned().unwrap_or_default();
-            let mut quotient =
-                lead.times_term(&Monomial::power(pivot.var, degree - 1), &Rational::one());
+        while let Some(mut quotient) = pivot.quotient(&self.polynomial) {
             let mut weight = Nonzero::new();
             match pivot.coefficient.as_constant() {
                 Some(c) => quotient = quotient.scaled(&c.recip()),
