@@ -32,7 +32,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::algebra::effort;
+use crate::algebra::{Formula, effort};
 use crate::derivation::{Assumed, Derivation, Kind, Source, goals};
 use crate::document::threads;
 use crate::kernel::{Assignment, Standing};
@@ -410,7 +410,7 @@ impl Auditor<'_> {
             others: None,
             auditor: self,
         };
-        let mut steps: Vec<(usize, crate::algebra::Formula)> = Vec::new();
+        let mut steps: Vec<(usize, Formula)> = Vec::new();
         let mut instead: Set<Source> = Set::new();
         for (position, goal) in goals(statement).into_iter().enumerate() {
             if defines && position == 0 {
@@ -431,14 +431,16 @@ impl Auditor<'_> {
                 // The next clause of an implication is judged as if this one were true.
                 steps.push((goal.clause, goal.formula.clone()));
             }
-            if !found.conditions.is_empty() {
-                let constants = stated::constants(&found.judged, &found.conditions);
-                entry.notes.push(match constants {
-                    Some(symbols) if !self.says_otherwise(at, &found.conditions) => {
-                        Note::TakenAsConstant(symbols)
-                    }
-                    _ => Note::UnstatedCondition(found.conditions),
-                });
+            let (still, mut conditions): (Vec<Formula>, _) =
+                found.conditions.into_iter().partition(stated::stands_still);
+            match stated::constants(&found.judged, &still) {
+                Some(symbols) if !self.says_otherwise(at, &still) => {
+                    entry.notes.push(Note::TakenAsConstant(symbols));
+                }
+                _ => conditions.extend(still),
+            }
+            if !conditions.is_empty() {
+                entry.notes.push(Note::UnstatedCondition(conditions));
             }
             if !found.contradictory.is_empty() {
                 entry

@@ -148,12 +148,18 @@ impl Judge<'_> {
     }
 }
 
-/// The symbols that a proof takes as constant, where that is all its conditions say.
+/// Whether a condition says that something does not change.
+pub(super) fn stands_still(condition: &Formula) -> bool {
+    let sides = condition.as_equation();
+    matches!(sides, Some((Expr::Derivative { .. }, Expr::Number(_))))
+}
+
+/// The symbols that a proof takes as constant by conditions that say so.
 ///
 /// Something must be left that moves, and of which the premises or the goal speak: where everything stands still that an energy is
 /// made of, that it is conserved says nothing.
 pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<Symbol>> {
-    if !judged.outcome.is_proven() {
+    if conditions.is_empty() || !judged.outcome.is_proven() {
         return None;
     }
     let mut variables = Set::new();

@@ -53,6 +53,8 @@ pub use scaling::{
 const QUICK: usize = 200;
 const EARNEST: usize = 1_500;
 const IN_CONTEXT: usize = 600;
+/// How often conditions may show what else must be so.
+const MOST_ROUNDS: usize = 3;
 
 /// What is known of a claim after the search.
 #[derive(Clone, Debug)]
@@ -436,31 +438,27 @@ fn prove(
     obligation: &Obligation,
     effort: Effort,
 ) -> Result<Option<(Derived, Vec<Formula>)>, Reject> {
-    let found = match attempt(obligation, effort)? {
-        Attempt::Nothing if effort == Effort::Full => {
-            match divided_beside_roots(obligation.problem()) {
-                needs if needs.is_empty() => Attempt::Nothing,
-                needs => Attempt::Needs(needs),
+    let mut conditions: Vec<Formula> = Vec::new();
+    let mut under = None;
+    for _ in 0..MOST_ROUNDS {
+        let posed = under.as_ref().unwrap_or(obligation);
+        let mut needs = match attempt(posed, effort)? {
+            Attempt::Proof(certificate) => {
+                return Ok(derived(posed, certificate).map(|derived| (derived, conditions)));
             }
+            Attempt::Needs(needs) => needs,
+            Attempt::Nothing if effort == Effort::Full => divided_beside_roots(posed.problem()),
+            Attempt::Nothing => Vec::new(),
+        };
+        needs.retain(|need| !conditions.contains(need));
+        if needs.is_empty() {
+            return Ok(None);
         }
-        found => found,
-    };
-    match found {
-        Attempt::Nothing => Ok(None),
-        Attempt::Proof(certificate) => {
-            Ok(derived(obligation, certificate).map(|derived| (derived, Vec::new())))
-        }
-        Attempt::Needs(conditions) => {
-            let claim = assuming(obligation.claim(), &conditions);
-            let obligation = Obligation::new(claim, obligation.unfold().to_vec())?;
-            match attempt(&obligation, effort)? {
-                Attempt::Proof(certificate) => {
-                    Ok(derived(&obligation, certificate).map(|derived| (derived, conditions)))
-                }
-                _ => Ok(None),
-            }
-        }
+        conditions.extend(needs);
+        let claim = assuming(obligation.claim(), &conditions);
+        under = Some(Obligation::new(claim, obligation.unfold().to_vec())?);
     }
+    Ok(None)
 }
 
 fn derived(obligation: &Obligation, certificate: Certificate) -> Option<Derived> {
