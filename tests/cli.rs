@@ -475,6 +475,13 @@ fn json_is_as_the_schema_says() {
     let wrong = equations.iter().find(|e| e["tag"] == "23").unwrap();
     assert_eq!(wrong["verdict"], "fails");
     assert!(wrong["witness"]["k"].is_string());
+    let family = &wrong["family"];
+    assert_eq!(
+        (&family["parameter"], &family["least"]),
+        (&"n".into(), &2.into())
+    );
+    assert_eq!(family["values"]["k"], "n + 1");
+    assert_eq!(family["first"]["u"].as_array().unwrap().len(), 3);
     let unnumbered = equations
         .iter()
         .find(|e| e["name"] == "n-in-n-out")

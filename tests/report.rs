@@ -4,6 +4,7 @@
 mod algebraic;
 mod borrowed;
 mod convincing;
+mod families;
 mod induction;
 mod numeric;
 mod shifted;

@@ -7,15 +7,14 @@ use num_traits::Signed;
 use crate::algebra::{
     Atoms, BigRational, Conditions, Expr, Formula, Lowering, Values, expr_of_fraction,
 };
-use crate::derivation::{Kind, Point as At, unconditional, values_at};
-use crate::kernel::{Assignment, Claim, Refuted, in_powers_of_pi};
+use crate::derivation::values_at;
+use crate::kernel::{Assignment, Claim, in_powers_of_pi};
 use crate::notation::plain;
 use crate::search::without_rational_points;
+use crate::sorted::Set;
 
 use super::algebraic::{Exact, Root};
-use super::proof::has_calculus;
-use super::{Report, words};
-use crate::sorted::Set;
+use super::words;
 
 /// A point, with what is needed to evaluate the terms of a claim at it.
 #[derive(Clone, Debug)]
@@ -143,40 +142,6 @@ impl<'a> Point<'a> {
             }
             Formula::AllEqual { .. } => None,
         }
-    }
-}
-
-/// Whether both sides are the same term, as those of `u_1 + \cdots + u_k = \sum u_i` are once they are read: that it is true
-/// there tells nothing.
-pub(super) fn is_idle(formula: &Formula) -> bool {
-    matches!(formula, Formula::Relation { left, right, .. } if left == right)
-}
-
-impl Report<'_> {
-    /// What is given before an equation on its page and is true at its counterexample as well, though it was not judged
-    /// from that: each with the equation that gives it. No way leads from there to what fails either.
-    pub(super) fn true_besides(&self, own: usize, refuted: &Refuted) -> Vec<(usize, Formula)> {
-        let there = At::at_witness(refuted);
-        let hypotheses = &refuted.claim().hypotheses;
-        let page = self.derivation.equations_of(self.equation(own).page);
-        let mut all: Vec<(usize, Formula)> = Vec::new();
-        for at in page.start..own.min(page.end) {
-            let equation = self.equation(at);
-            if equation.kind != Kind::Given {
-                continue;
-            }
-            for formula in equation.statements().iter().flat_map(unconditional) {
-                let is_known = hypotheses.iter().any(|h| *h.formula == formula)
-                    || all.iter().any(|(_, other)| *other == formula);
-                // What changes is not told by one value.
-                let changes = formula.terms().into_iter().any(has_calculus);
-                if !is_known && !is_idle(&formula) && !changes && there.holds(&formula) == Ok(true)
-                {
-                    all.push((at, formula));
-                }
-            }
-        }
-        all
     }
 }
 

@@ -1,13 +1,13 @@
 //! One equation in full: what was understood, what it was judged from, and the evidence to check by hand.
 
 use crate::algebra::{Formula, Symbol};
-use crate::audit::{Entry, Judged, Outcome, Without, without_each};
+use crate::audit::{Entry, Judged, Outcome, Without, is_idle, true_besides, without_each};
 use crate::derivation::Source;
 use crate::kernel::{Claim, Refuted};
 use crate::notation::{latex_statement, plain_formula};
 
 use super::Report;
-use super::evidence::{Point, is_idle};
+use super::evidence::Point;
 use super::implied;
 use super::scaling;
 use super::style::{self, BOLD, DIM, paint};
@@ -186,6 +186,12 @@ impl Report<'_> {
         for line in evidence {
             text += &format!("      {line}\n");
         }
+        if let Some((head, lines)) = self.family_lines(entry, judged) {
+            text += &format!("    {head}\n");
+            for line in lines {
+                text += &format!("      {line}\n");
+            }
+        }
         text
     }
 
@@ -213,7 +219,7 @@ impl Report<'_> {
         let premises = claim.hypotheses.iter().map(|premise| &*premise.formula);
         let premises = premises.filter(|formula| !is_idle(formula));
         lines.extend(premises.map(|formula| evaluated(&point, formula)));
-        let besides = self.true_besides(entry.equation, refuted);
+        let besides = true_besides(self.derivation, entry.equation, refuted);
         if !besides.is_empty() {
             lines.push("So is what is given before and not cited:".into());
         }

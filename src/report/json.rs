@@ -4,19 +4,21 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::algebra::Expr;
-use crate::audit::{Entry, Numeric, Verdict, Weighed};
+use crate::algebra::{Expr, Symbol};
+use crate::audit::{Counterexamples, Entry, Numeric, Verdict, Weighed};
 use crate::derivation::Source;
 use crate::dimension::{Conflict, base_letter};
 use crate::document::{Document, Position, Span};
 use crate::kernel::Assignment;
 use crate::kernel::dimension::{Form, What};
-use crate::notation::{latex, latex_statement};
+use crate::notation::{latex, latex_formula, latex_statement};
+use crate::sorted::Map;
 
 use super::Report;
 use super::algebraic::Root;
 use super::baseline::Comparison;
 use super::dimension::{called, declared};
+use super::family::{self, Shown};
 use super::implied;
 use super::numeric::{decimal, headline};
 use super::scaling;
@@ -81,6 +83,9 @@ pub struct EquationView {
     /// For what fails: the values of a counterexample, by LaTeX name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub witness: BTreeMap<String, ValueView>,
+    /// For what fails about a symbolic number of elements: a counterexample for every number, where one is found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub family: Option<FamilyView>,
     /// For what is ill-dimensioned: what differs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dimensions: Option<DimensionsView>,
@@ -94,6 +99,47 @@ pub struct EquationView {
     /// What would mend it, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub repair: Option<String>,
+}
+
+/// A counterexample for every number from some least one on. Terms and formulas are LaTeX.
+#[derive(Clone, Debug, Serialize)]
+pub struct FamilyView {
+    /// The number that is run through: `n`.
+    pub parameter: String,
+    /// From where on.
+    pub least: u32,
+    /// Symbols that may have any value in their domain.
+    pub free: Vec<String>,
+    /// What other symbols are: `n + 1`.
+    pub values: BTreeMap<String, String>,
+    /// The elements, those that are alike together.
+    pub elements: Vec<GroupView>,
+    /// What the kernel has seen proved for all of them: domains, premises, what else is given, and that what was to be shown is
+    /// false.
+    pub proved: Vec<CheckView>,
+    /// The values for the least number.
+    pub first: BTreeMap<String, ValueView>,
+}
+
+/// Elements that are alike.
+#[derive(Clone, Debug, Serialize)]
+pub struct GroupView {
+    /// How many.
+    pub size: String,
+    /// What each of them is, by sequence.
+    pub values: BTreeMap<String, String>,
+}
+
+/// Something that was proved of a family.
+#[derive(Clone, Debug, Serialize)]
+pub struct CheckView {
+    /// `domain`, `premise`, `given` or `denial`.
+    pub what: &'static str,
+    /// The formula that it is about; absent for domains.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
+    /// What was proved, with everything put in.
+    pub formula: String,
 }
 
 /// What figures say of a numeric claim. Ends of intervals are decimals, rounded outwards.
@@ -295,6 +341,10 @@ impl Report<'_> {
                 .refuted()
                 .map(|(_, refuted)| values(refuted.witness()))
                 .unwrap_or_default(),
+            family: entry
+                .refuted()
+                .and_then(|(judged, _)| self.family(entry, judged))
+                .map(|found| family_view(&found)),
             dimensions: self
                 .conflict(entry)
                 .map(|conflict| self.dimensions_view(conflict)),
@@ -387,6 +437,44 @@ fn numeric_view(numeric: &Numeric) -> NumericView {
         message: headline(numeric),
         ratio: ratio.map(|r| [decimal(r.low(), false), decimal(r.high(), true)]),
         data: data.collect(),
+    }
+}
+
+fn family_view(found: &Counterexamples) -> FamilyView {
+    let family = found.fails.family();
+    let terms = |terms: &Map<Symbol, Expr>| {
+        let terms = terms.iter();
+        let terms = terms.map(|(symbol, term)| (symbol.to_string(), latex(term)));
+        terms.collect::<BTreeMap<String, String>>()
+    };
+    let groups = family.groups.iter().map(|group| GroupView {
+        size: latex(&group.size),
+        values: terms(&group.elements),
+    });
+    let checks = family::checks(found);
+    let kinds = [
+        ("domain", checks.possible),
+        ("premise", checks.premises),
+        ("given", checks.besides),
+        ("denial", checks.goal),
+    ];
+    let proved = kinds.into_iter().flat_map(|(what, all)| {
+        let view = move |shown: Shown| CheckView {
+            what,
+            of: shown.of.map(latex_formula),
+            formula: latex_formula(&shown.proven.claim().goal),
+        };
+        all.into_iter().map(view)
+    });
+    let free = family::free(&found.fails).into_iter();
+    FamilyView {
+        parameter: family.parameter.to_string(),
+        least: family.least,
+        free: free.map(|symbol| symbol.to_string()).collect(),
+        values: terms(&family.symbols),
+        elements: groups.collect(),
+        proved: proved.collect(),
+        first: values(found.fails.first().witness()),
     }
 }
 

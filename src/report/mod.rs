@@ -26,6 +26,7 @@ pub mod diagnostic;
 mod dimension;
 pub mod evidence;
 pub mod explain;
+mod family;
 mod fingerprint;
 mod fix;
 mod github;

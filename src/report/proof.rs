@@ -6,8 +6,7 @@
 mod reasons;
 mod written;
 
-use crate::algebra::Expr;
-use crate::audit::Judged;
+use crate::audit::{Judged, changes};
 use crate::derivation::Source;
 use crate::kernel::{Assignment, Factors, Origin, Problem, Proven};
 use crate::notation::{plain, plain_formula};
@@ -19,6 +18,21 @@ use written::Written;
 impl Report<'_> {
     /// The proof of one link, a step a line.
     pub fn proof(&self, judged: &Judged, proven: &Proven) -> Vec<String> {
+        let mut lines = Vec::new();
+        let goal = &proven.claim().goal;
+        if *goal != judged.goal.formula {
+            lines.push(format!("it is enough that {}", plain_formula(goal)));
+        }
+        lines.extend(self.written_out(Some(judged), proven));
+        lines
+    }
+
+    /// A proof that needs no premises.
+    pub(super) fn proof_of(&self, proven: &Proven) -> Vec<String> {
+        self.written_out(None, proven)
+    }
+
+    fn written_out(&self, judged: Option<&Judged>, proven: &Proven) -> Vec<String> {
         let (claim, certificate) = (proven.claim(), proven.certificate());
         let problem = Problem::new(claim, &certificate.unfold)
             .and_then(|problem| problem.with_rates(&certificate.rates));
@@ -26,9 +40,6 @@ impl Report<'_> {
             return vec!["the certificate cannot be written out".into()];
         };
         let mut lines = Vec::new();
-        if claim.goal != judged.goal.formula {
-            lines.push(format!("it is enough that {}", plain_formula(&claim.goal)));
-        }
         for &position in &certificate.unfold {
             if let Some(hypothesis) = claim.hypotheses.get(position) {
                 lines.push(format!(
@@ -42,7 +53,7 @@ impl Report<'_> {
             ..Assignment::default()
         };
         let point = Point::new(claim, &at);
-        for term in claim.goal.terms().into_iter().filter(|t| has_calculus(t)) {
+        for term in claim.goal.terms().into_iter().filter(|t| changes(t)) {
             if let Some(value) = point.computed(term).filter(|value| value != term) {
                 lines.push(format!("{} comes to {}", plain(term), plain(&value)));
             }
@@ -81,13 +92,15 @@ impl Report<'_> {
         parts.reverse();
         let used: Vec<usize> = page.used.iter().copied().collect();
         let facts = used.iter().filter(|&&at| at < problem.facts.len());
+        let premise = |position: usize| match judged {
+            Some(judged) => self.premise(judged, position),
+            None => "a hypothesis".into(),
+        };
         let known: Vec<String> = facts
             .map(|&at| {
                 let origin = match &problem.origins[at] {
-                    Origin::Hypothesis(position) => self.premise(judged, *position),
-                    Origin::Rate(position) => {
-                        format!("{}, differentiated", self.premise(judged, *position))
-                    }
+                    Origin::Hypothesis(position) => premise(*position),
+                    Origin::Rate(position) => format!("{}, differentiated", premise(*position)),
                     Origin::Domain(symbol) => {
                         format!("declared domain of {}", words::symbol(symbol))
                     }
@@ -120,9 +133,4 @@ impl Report<'_> {
             None => "a hypothesis".into(),
         }
     }
-}
-
-/// Whether a derivative or a limit is taken in a term.
-pub(super) fn has_calculus(term: &Expr) -> bool {
-    term.any(&|part| matches!(part, Expr::Derivative { .. } | Expr::Limit { .. }))
 }

@@ -6,6 +6,7 @@ mod claims;
 mod closed_holes;
 mod course;
 mod dimensions;
+mod family;
 mod functions;
 mod induction;
 mod knowledge;

@@ -9,6 +9,7 @@ mod cases;
 mod constant;
 mod dimensions;
 mod entry;
+mod family;
 mod given;
 mod induction;
 mod judge;
@@ -41,6 +42,7 @@ use crate::sorted::{Map, Set};
 
 pub use dimensions::Dimensions;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
+pub use family::{Counterexamples, changes, counterexamples, is_idle, true_besides};
 pub use numeric::{FAR, Link, Numeric, Weighed};
 use premise::{Offer, usable};
 pub use readings::OtherReading;

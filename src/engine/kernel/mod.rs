@@ -19,15 +19,17 @@
 //! | [`ScalingProof`] | exponents of the goal = Σ rational · exponents of a premise |
 //! | [`Situations`] | evaluate in both: premises true, the goal's sides grow differently |
 //! | [`Reasoning`] | the claims at the first indices and from one to the next, each with its certificate |
+//! | [`Family`] | the premises and the opposite of the goal for every number, each with its certificate; the first is evaluated |
 //!
 //! [`check`] judges relations between numbers at one point, [`check_scaling`] relations between two situations,
-//! [`check_for_every`] relations between the elements of sequences.
+//! [`check_for_every`] relations between the elements of sequences, [`check_family`] counterexamples for every number at once.
 
 mod algebraic;
 mod certificate;
 mod claim;
 mod course;
 pub mod dimension;
+mod family;
 mod functions;
 mod in_pi;
 mod induction;
@@ -49,6 +51,7 @@ pub use certificate::{
     ElementSide, Fact, Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};
+pub use family::{FailsThroughout, Family, FamilyPart, Group, check_family};
 pub(crate) use functions::pi_is_the_number;
 pub use in_pi::in_powers_of_pi;
 pub use induction::{

@@ -590,7 +590,7 @@ pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
 }
 
 /// The symbols that name sequences, declared or not.
-fn sequences(claim: &Claim) -> Set<Symbol> {
+pub(super) fn sequences(claim: &Claim) -> Set<Symbol> {
     let mentioned = claim.formulas().flat_map(Formula::sequences);
     claim.sequences.keys().cloned().chain(mentioned).collect()
 }

@@ -162,6 +162,8 @@ pub enum Reject {
     NoBase,
     /// Values up to some index are not known to go on for ever.
     MayEnd,
+    /// What is said cannot be said of every member of a family in one way.
+    NoFamily,
     /// A bound on the size of the computation was exceeded.
     TooLarge,
 }
@@ -206,6 +208,7 @@ impl fmt::Display for Reject {
             Reject::MayRun(_) => "a symbol may depend on the index",
             Reject::NoBase => "the induction has no base",
             Reject::MayEnd => "the sequence may not go on",
+            Reject::NoFamily => "what is said cannot be said of a family",
             Reject::TooLarge => "the expression is too large to expand",
         })
     }

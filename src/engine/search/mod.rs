@@ -7,6 +7,7 @@
 mod algebraic;
 mod course;
 mod elements;
+mod family;
 mod functions;
 mod ideal;
 mod implied;
@@ -37,6 +38,7 @@ use crate::kernel::{
 };
 use crate::sorted::Set;
 pub use algebraic::without_rational_points;
+pub use family::family;
 pub use implied::{Implied, implied, value_in_constants};
 pub use induction::{prove_for_every, refute_by_first_elements};
 pub use mend::{Change, InChain, Mended, mended};

@@ -328,7 +328,23 @@ impl Prover {
                 });
             }
         }
-        None
+        self.nonzero_behind_factors(goal, effort)
+    }
+
+    /// What has any sign for the sake of a factor, `(n − 1) v` with `v ≠ 0`, does not vanish where the rest does not.
+    fn nonzero_behind_factors(&mut self, goal: &Polynomial, effort: Effort) -> Option<Proof> {
+        let (content, polynomial) = goal.without_content();
+        if content.is_one() || !self.knowledge.monomial_is_nonzero(&content) {
+            return None;
+        }
+        let proof = self.nonzero(&polynomial, effort)?;
+        let sign = Sign::NonZero;
+        self.add(Fact { polynomial, sign }, proof);
+        Some(Proof::NonVanishing {
+            certain: vec![(goal.clone(), 1)],
+            cofactor: Polynomial::one(),
+            cofactors: Vec::new(),
+        })
     }
 
     /// Were the goal 0, something that cannot vanish would.

@@ -1,11 +1,11 @@
 //! What folds out below an equation: the claim as it was understood, its premises, and proof or counterexample.
 
-use crate::audit::{Entry, Judged, Outcome};
+use crate::audit::{Entry, Judged, Outcome, is_idle, true_besides};
 use crate::derivation::Source;
 use crate::kernel::{Claim, Proven, Refuted};
 use crate::notation::{escape, latex_statement};
-use crate::report::evidence::{Point, is_idle};
-use crate::report::{explain, implied, scaling, uncoloured};
+use crate::report::evidence::Point;
+use crate::report::{explain, family, implied, scaling, uncoloured};
 
 use super::{Page, words};
 
@@ -93,7 +93,8 @@ impl Page<'_> {
                 (Some(&holds.claim().claim), folded("Proof", &lines))
             }
             Outcome::Refuted(refuted) => {
-                (Some(refuted.claim()), self.counterexample(entry, refuted))
+                let shown = self.counterexample(entry, refuted) + &self.family(entry, judged);
+                (Some(refuted.claim()), shown)
             }
             Outcome::Scales(proven) => {
                 let lines = self.report.scaling_proof(judged, proven);
@@ -196,7 +197,7 @@ impl Page<'_> {
                  <th scope=\"col\">right</th><th scope=\"col\"></th></tr></thead>\n<tbody>\n";
         let premises = claim.hypotheses.iter().map(|h| (&*h.formula, "true"));
         let premises = premises.filter(|(formula, _)| !is_idle(formula));
-        let besides = self.report.true_besides(entry.equation, refuted);
+        let besides = true_besides(self.report.derivation, entry.equation, refuted);
         let besides = besides.iter().map(|(_, formula)| (formula, "true"));
         for (formula, truth) in premises.chain(besides).chain([(&claim.goal, "false")]) {
             let (left, right) = match point.sides(formula) {
@@ -211,6 +212,50 @@ impl Page<'_> {
             );
         }
         text + "</tbody>\n</table></div>\n"
+    }
+
+    /// A counterexample for every number: what everything is in it, and all that was proved of it.
+    fn family(&self, entry: &Entry, judged: &Judged) -> String {
+        let Some(found) = self.report.family(entry, judged) else {
+            return String::new();
+        };
+        let values: Vec<String> = family::values(&found.fails)
+            .iter()
+            .map(|own| format!("<span class=\"value\">{}</span>", words::scripted(own)))
+            .collect();
+        let range = words::scripted(&family::range(&found.fails));
+        let mut text = format!(
+            "<p class=\"what\">Counterexample for {range}</p>\n<p class=\"values\">{}</p>\n",
+            values.join(", ")
+        );
+        text += "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">at all of them</th><th scope=\"col\">is</th>\
+                 <th scope=\"col\"></th><th scope=\"col\"></th></tr></thead>\n<tbody>\n";
+        let mut proofs = Vec::new();
+        let checks = family::checks(&found);
+        let premises = [&checks.possible, &checks.premises, &checks.besides];
+        let premises = premises.into_iter().flatten().map(|shown| (shown, "true"));
+        let goal = checks.goal.iter().map(|shown| (shown, "false"));
+        for (shown, truth) in premises.chain(goal) {
+            let proved = &shown.proven.claim().goal;
+            let reason = family::at_sight(shown.proven);
+            if reason.is_none() {
+                proofs.extend(self.report.proof_of(shown.proven));
+            }
+            let (of, proved) = match shown.of {
+                Some(of) => (words::formula(of), words::formula(proved)),
+                None => (words::formula(proved), String::new()),
+            };
+            text += &format!(
+                "<tr class=\"{truth}\"><th scope=\"row\">{of}</th><td>{proved}</td><td>{}</td><td>{truth}</td></tr>\n",
+                words::scripted(&reason.unwrap_or_default()),
+            );
+        }
+        text += "</tbody>\n</table></div>\n";
+        if !proofs.is_empty() {
+            text += &folded("Proof", &proofs);
+        }
+        let first = words::scripted(&family::first(&found.fails));
+        text + &format!("<p>The first is {first}.</p>\n")
     }
 
     fn proof(&self, judged: &Judged, proven: &Proven) -> String {
