@@ -207,16 +207,20 @@ impl Page {
         }
     }
 
-    /// Leaves what has another value at the moment that was named just now: "Initially $x = 0$, at the end $x = 1$".
-    pub(super) fn leave_other_values(&self, new: RangeFrom<usize>, active: &mut Vec<usize>) {
+    /// Leaves what has another value at the moment that was named just now, "Initially $x = 0$, at the end $x = 1$": no display was of that.
+    pub(super) fn leave_other_values(&mut self, new: RangeFrom<usize>, active: &mut Vec<usize>) {
         let subject = |local: &Local| local.moment.as_ref().map(|own| own.subject.clone());
         let named: Vec<Expr> = self.locals[new.clone()]
             .iter()
             .filter_map(subject)
             .collect();
         active.retain(|&at| {
-            let own = subject(&self.locals[at]).filter(|_| at < new.start);
-            own.is_none_or(|own| !named.contains(&own))
+            let local = &mut self.locals[at];
+            let is_other = at < new.start && subject(local).is_some_and(|own| named.contains(&own));
+            if is_other {
+                local.moment = None;
+            }
+            !is_other
         });
     }
 
