@@ -4,8 +4,8 @@ mod numbers;
 mod outline;
 
 use cradle_verify::document::{
-    Attribute, Directive, Document, Item, NotUtf8, Premise, Prose, Span, SuppositionKind, decode,
-    read_bytes,
+    Attribute, Directive, Document, Extent, Item, NotUtf8, Premise, Prose, Span, SuppositionKind,
+    Vanishing, decode, read_bytes,
 };
 use proptest::prelude::*;
 
@@ -244,7 +244,7 @@ fn citations() {
 
 #[test]
 fn suppositions() {
-    use SuppositionKind::{Assume, Case, Define, Fact, General, Let};
+    use SuppositionKind::{Assume, Case, Define, Elsewhere, Fact, General, Known, Let, Vanishes};
     let told = Fact {
         runs_on: false,
         of_case: false,
@@ -380,12 +380,82 @@ fn suppositions() {
         ("For $x = 0$, (1) is trivial.", vec![]),
         ("This is so where $k = 2$.", vec![]),
         ("Then, with $k = 2$, it is so.", vec![(told, "k = 2")]),
+        ("It is known that $v = 3$. So", vec![(Known, "v = 3")]),
+        (
+            "The masses were measured to be $m = 2$ and $M = 3$.",
+            vec![(Known, "m = 2"), (Known, "M = 3")],
+        ),
+        ("Suppose we know that $v = 3$.", vec![(Known, "v = 3")]),
+        ("It is not known that $v = 3$.", vec![]),
+        ("If we know that $v = 3$,", vec![]),
+        ("In contrast to the case $a = 0$, it is", vec![]),
+        ("Unlike in the case $a = 0$, it is", vec![]),
+        ("In the case $a = 0$, it is", vec![(open, "a = 0")]),
+        (
+            "Returning to the general case, by (1)",
+            vec![(General, "general")],
+        ),
+        ("Without this assumption,", vec![(General, "assumption")]),
+        ("In between, by (1)", vec![(Elsewhere, "between")]),
+        ("For arbitrary $w$ we have", vec![(Elsewhere, "arbitrary")]),
+        (
+            "Setting the derivative to zero gives",
+            vec![(Vanishes(Vanishing::Slope), "derivative")],
+        ),
+        (
+            "If we set $F - k x$ equal to zero, we find",
+            vec![(Vanishes(Vanishing::Term), "F - k x")],
+        ),
+        (
+            "Putting this to zero,",
+            vec![(Vanishes(Vanishing::Display), "this")],
+        ),
+        ("The slope never vanishes:", vec![]),
+        ("If the slope vanishes,", vec![]),
+        ("where the second derivative is zero", vec![]),
+        (
+            ", which vanishes at $x = 0$. Hence",
+            vec![(Vanishes(Vanishing::Told), "which"), (of_case, "x = 0")],
+        ),
     ] {
         let found = supposed(text);
         let found: Vec<_> = found
             .iter()
             .map(|(kind, body)| (*kind, body.as_str()))
             .collect();
+        assert_eq!(found, expected, "{text}");
+    }
+}
+
+#[test]
+fn of_how_much_a_display_is_said() {
+    use Extent::{AsBefore, Circumstances, Condition, Moment, Throughout};
+    for (text, expected) in [
+        ("At the top of its flight", Some(Moment)),
+        ("**Initially** the charge is", Some(Moment)),
+        ("It rises. When it comes to rest,", Some(Moment)),
+        ("At $t = 0$", Some(Moment)),
+        ("Just after the switch is closed,", Some(Moment)),
+        ("After a long time", Some(Moment)),
+        ("At all times", Some(Throughout)),
+        ("At the same time", Some(Throughout)),
+        ("At constant temperature", Some(Circumstances)),
+        ("At low speed", Some(Circumstances)),
+        ("After the collision", Some(Circumstances)),
+        ("For a symmetric arrangement", Some(Circumstances)),
+        ("In other words,", Some(Throughout)),
+        ("At the maximum", Some(Condition)),
+        ("The minimum is where", Some(Condition)),
+        ("The condition for this is", Some(Condition)),
+        ("The period is constant, where", Some(Throughout)),
+        ("where", Some(Throughout)),
+        ("At the top it rests for a while.", Some(Throughout)),
+        ("The law says:", Some(Throughout)),
+        ("and", Some(AsBefore)),
+        ("<!-- nothing -->", None),
+    ] {
+        let document = read(&format!("{text}\n\n$$ a = b $$"));
+        let found = prose(&document).last().and_then(|prose| prose.extent);
         assert_eq!(found, expected, "{text}");
     }
 }

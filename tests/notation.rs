@@ -739,6 +739,11 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
     (r"μ = 1", "μ", "the character `μ` is not known"),
     (r"a = \infty", r"\infty", r"`\infty` is no number"),
+    (
+        r"\sum_{n=1}^{\infty} a",
+        r"\infty",
+        "infinite sums are not read",
+    ),
     (r"a = x!", "!", "only factorials of numerals are read"),
     (r"a = 3!!", "!", "double factorials are not read"),
     (r"a = 0.5!", "0.5!", "factorials are read of whole numbers"),

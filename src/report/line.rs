@@ -184,7 +184,57 @@ impl Report<'_> {
         match shown.is_empty() {
             true if entry.judged.iter().all(equation) => "an identity".into(),
             true => "by algebra alone".into(),
-            false => format!("from {}", words::list(shown)),
+            false => format!("from {}{}", words::list(shown), self.found_where(entry)),
+        }
+    }
+
+    /// The values and cases that the derivation of an equation used.
+    fn values_of(&self, at: usize) -> Vec<Source> {
+        let entries = self.audit.of_equation(at).iter();
+        let used = entries
+            .flat_map(|entry| &entry.judged)
+            .flat_map(|judged| &judged.assumed);
+        let mut values: Vec<Source> = used
+            .map(|assumed| assumed.source)
+            .filter(|source| match *source {
+                Source::Local(page, local) => {
+                    let local = self.derivation.local(page, local);
+                    local.is_let || local.is_case()
+                }
+                _ => false,
+            })
+            .collect();
+        values.sort_unstable();
+        values.dedup();
+        values
+    }
+
+    /// Of what moments premises were derived that are used elsewhere: they may hold there alone.
+    fn found_where(&self, entry: &Entry) -> String {
+        let own = self.equation(entry.equation);
+        let is_left = |source: &Source| match *source {
+            Source::Local(page, local) => {
+                self.derivation.local(page, local).is_momentary() && !own.is_under(page, local)
+            }
+            Source::Equation(at) => {
+                let put = self.equation(at);
+                !put.moments.is_empty() && !put.moments.clone().any(|at| own.is_under(put.page, at))
+            }
+            Source::Step => false,
+        };
+        let premises = entry
+            .premises
+            .iter()
+            .flat_map(|&at| self.audit.of_equation(at));
+        let used = premises
+            .flat_map(|premise| &premise.judged)
+            .flat_map(|judged| &judged.assumed);
+        let mut left: Vec<Source> = used.map(|a| a.source).filter(is_left).collect();
+        left.sort_unstable();
+        left.dedup();
+        match left.is_empty() {
+            true => String::new(),
+            false => format!(", found at the moment of {}", self.sources(&left)),
         }
     }
 
@@ -277,10 +327,14 @@ impl Report<'_> {
             Note::CitesLater(at) => {
                 format!("cites {}, which comes later", self.reference(*at))
             }
-            Note::OutOfScope(at) => format!(
-                "cites {}, derived for particular values",
-                self.reference(*at)
-            ),
+            Note::OutOfScope(at) => {
+                let values = self.values_of(*at);
+                let values = match values.is_empty() {
+                    true => "particular values".into(),
+                    false => self.sources(&values),
+                };
+                format!("cites {}, derived for {values}", self.reference(*at))
+            }
             Note::DuplicateTag(at) => {
                 format!("has the number of the equation at {}", self.place(*at))
             }

@@ -35,7 +35,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::algebra::{Formula, effort};
 use crate::derivation::{Assumed, Derivation, Kind, Source, goals};
-use crate::document::threads;
+use crate::document::{Extent, threads};
 use crate::kernel::{Assignment, Standing};
 use crate::notation::{Mark, Statement};
 use crate::sorted::{Map, Set};
@@ -58,6 +58,8 @@ const MOST_STEPS: usize = 64;
 /// So many of the equations that a step comes from and that fail, or are not proved, are named: the nearest. All of them, for each
 /// step of a document where thousands follow from one another, would cost the square of their number.
 const MOST_ANCESTORS: usize = 64;
+/// So many displays of moments that are left may stand between a step and what it goes on from.
+const MOST_MOMENTARY: usize = 8;
 /// How many points at which premises held are tried again on the next ones.
 const REMEMBERED_POINTS: usize = 4;
 
@@ -309,7 +311,17 @@ impl Auditor<'_> {
             };
             return statements.iter().enumerate().map(given).collect();
         }
-        let (premises, says_so, unknown) = self.derivation.premises(at);
+        let (mut premises, says_so, unknown) = self.derivation.premises(at);
+        if !says_so {
+            let of_page = self.derivation.equations_of(equation.page).start;
+            let last = premises.last().copied();
+            premises.retain(|&premise| self.is_said_here(at, premise));
+            // What was said of a moment that is left stands between.
+            if let Some(last) = last.filter(|_| premises.is_empty()) {
+                let mut before = (of_page..last).rev().take(MOST_MOMENTARY);
+                premises.extend(before.find(|&premise| self.is_said_here(at, premise)));
+            }
+        }
         let mut usable = usable(
             self.derivation,
             |premise| self.offer(at, premise),
@@ -319,9 +331,19 @@ impl Auditor<'_> {
         let mut entries = Vec::new();
         for (part, statement) in statements.iter().enumerate() {
             let defines = equation.defines.contains(&part);
+            let lasting = match says_so {
+                true => self.without_moments(at, &usable, &premises),
+                false => None,
+            };
+            let from = |usable: &premise::Usable| {
+                self.statement(at, statement, usable, &premises, says_so, defines)
+            };
             let mut entry = effort::within(MOST_WORK, || match equation.numeric {
                 Some(_) => self.numeric(at, statement, &usable),
-                None => self.statement(at, statement, &usable, &premises, says_so, defines),
+                None => {
+                    let plain = lasting.map(|lasting| from(&lasting));
+                    plain.filter(simply_holds).unwrap_or_else(|| from(&usable))
+                }
             });
             if equation.numeric.is_none() {
                 let how = readings::Circumstances {
@@ -392,6 +414,23 @@ impl Auditor<'_> {
             }
         }
         entries
+    }
+
+    /// What a step may use without what is so at the moment that the text speaks of: that is no premise of what follows from what is
+    /// cited. Nothing where there is no such thing, or it is cited.
+    fn without_moments(
+        &self,
+        at: usize,
+        usable: &premise::Usable,
+        premises: &[usize],
+    ) -> Option<premise::Usable> {
+        let mut momentary = self.derivation.momentary(at);
+        let is_cited =
+            |a: &Assumed| matches!(a.source, Source::Equation(p) if premises.contains(&p));
+        momentary.retain(|a| !is_cited(a));
+        let mut lasting = usable.clone();
+        lasting.assumed.retain(|a| !momentary.contains(a));
+        (!momentary.is_empty()).then_some(lasting)
     }
 
     fn statement(
@@ -568,6 +607,16 @@ impl Auditor<'_> {
         nearest(failing)
     }
 
+    /// Whether no moment was left of which an equation is said: what is not cited is a premise of what is said of that moment.
+    fn is_said_here(&self, at: usize, premise: usize) -> bool {
+        let own = &self.derivation.equations[at];
+        let is_here = |&(page, local): &(usize, usize)| {
+            own.is_under(page, local) || !self.derivation.local(page, local).is_momentary()
+        };
+        let offer = self.offer(at, premise);
+        offer.is_none_or(|offer| offer.under.iter().all(is_here))
+    }
+
     /// Whether the text tells something in passing before a step.
     fn is_told(&self, at: usize, source: &Source) -> bool {
         let own = &self.derivation.equations[at];
@@ -590,7 +639,13 @@ impl Auditor<'_> {
         };
         let own = &equations[at];
         let is_near = |source: &Source| match *source {
-            Source::Equation(other) => premises.contains(&other) || before.contains(&other),
+            Source::Equation(other) => {
+                let put = &equations[other];
+                let is_put = put.extent != Extent::Throughout && put.section == own.section;
+                premises.contains(&other)
+                    || before.contains(&other)
+                    || is_put && put.page == own.page
+            }
             Source::Local(page, local) => own.is_under(page, local),
             Source::Step => true,
         };
@@ -665,6 +720,12 @@ impl Auditor<'_> {
             false => true,
         }
     }
+}
+
+/// Whether it holds, and nothing is to be said of that but what is taken as constant.
+fn simply_holds(entry: &Entry) -> bool {
+    let fine = |note: &Note| matches!(note, Note::TakenAsConstant(_));
+    entry.verdict == Verdict::Holds && entry.notes.iter().all(fine)
 }
 
 fn blank(equation: usize, part: usize, parts: usize, kind: Kind, verdict: Verdict) -> Entry {

@@ -17,12 +17,19 @@ pub(super) struct Moving {
 impl Moving {
     fn of(derivation: &Derivation, page: usize) -> Moving {
         let mut found = Moving::default();
-        let equations = &derivation.equations[derivation.equations_of(page)];
-        let statements = equations.iter().flat_map(Equation::statements);
+        let locals = &derivation.pages[page].locals;
+        // What is so at one moment says nothing of others.
+        let at_moment = |own: &&Equation| {
+            let mut locals = own.locals.iter().copied().chain(own.moments.clone());
+            locals.any(|at| derivation.pages[page].locals[at].is_momentary())
+        };
+        let equations = derivation.equations[derivation.equations_of(page)].iter();
+        let lasting = equations.filter(|own| !at_moment(own));
+        let statements = lasting.flat_map(Equation::statements);
         for formula in statements.flat_map(formulas) {
             found.learn(&formula);
         }
-        let locals = derivation.pages[page].locals.iter();
+        let locals = locals.iter().filter(|local| !local.is_momentary());
         for formula in locals.flat_map(|local| &local.formulas) {
             found.learn(formula);
         }

@@ -26,7 +26,10 @@ pub struct Offer {
 impl Offer {
     /// What is offered by an equation that is given.
     pub fn given(derivation: &Derivation, at: usize) -> Offer {
-        let mut offer = Offer::default();
+        let mut offer = Offer {
+            under: own_moments(derivation, at),
+            ..Offer::default()
+        };
         for statement in derivation.equations[at].statements() {
             let own = formulas(statement).into_iter().map(Arc::new);
             match statement.under.is_empty() {
@@ -62,7 +65,10 @@ impl Offer {
         entries: &[Entry],
         offers: impl Fn(usize) -> Option<&'a Offer>,
     ) -> Offer {
-        let mut offer = Offer::default();
+        let mut offer = Offer {
+            under: own_moments(derivation, at),
+            ..Offer::default()
+        };
         for (statement, entry) in derivation.equations[at].statements().iter().zip(entries) {
             if statement
                 .connectives
@@ -111,6 +117,12 @@ impl Offer {
         }
         offer
     }
+}
+
+/// What an equation says of one moment alone is said under itself.
+fn own_moments(derivation: &Derivation, at: usize) -> Set<(usize, usize)> {
+    let own = &derivation.equations[at];
+    own.moments.clone().map(|local| (own.page, local)).collect()
 }
 
 /// The running indices for every value of which a statement is shown: each link is proved, and from nothing that is
@@ -207,7 +219,7 @@ pub fn usable<'a>(
         let is_left = |place: &(usize, usize)| {
             let local = derivation.local(place.0, place.1);
             let is_case = local.is_let || local.is_case() || local.is_told && replaced(local);
-            is_case && !in_effect.contains(place)
+            is_case && !local.is_momentary() && !in_effect.contains(place)
         };
         if offer.under.iter().any(is_left) {
             usable.out_of_scope.push(premise);
@@ -221,6 +233,10 @@ pub fn usable<'a>(
                 // What explains a symbol is meant throughout, as a definition is.
                 if !is_open(formula) && !equation.explains && own == Standing::AtPoint {
                     standing = own;
+                }
+                // What was so at one moment is said of that moment alone, be what was concluded from it used elsewhere.
+                if derivation.local(page, local).is_momentary() {
+                    continue;
                 }
                 let assumed = Assumed {
                     formula: formula.clone(),
@@ -241,13 +257,16 @@ pub fn usable<'a>(
             (conditions, assumed)
         };
         usable.cases.extend(offer.cases.into_iter().map(case));
-        usable
-            .assumed
-            .extend(offer.formulas.into_iter().map(|formula| Assumed {
+        for formula in offer.formulas {
+            let assumed = Assumed {
                 formula,
                 standing,
                 source: Source::Equation(premise),
-            }));
+            };
+            if !usable.assumed.contains(&assumed) {
+                usable.assumed.push(assumed);
+            }
+        }
     }
     usable
 }

@@ -7,7 +7,9 @@
 //! follows, still fails.
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Kind, Source};
+use crate::derivation::{Assumed, Kind, Source, is_put};
+use crate::document::Extent;
+use crate::kernel::Standing;
 use crate::notation::measured;
 use crate::search::{self, Effort};
 
@@ -21,14 +23,17 @@ impl Judge<'_> {
         let equation = &self.derivation.equations[self.at];
         // `E = T + V = \text{const}` defines and says of what it defines that it does not change.
         let defines = |judged: &&Judged| matches!(judged.outcome, Outcome::Defined);
-        let defined = entry.judged.iter().take_while(defines).count();
+        // "At the top $v = u - g t = 0$" says what follows, and that it has that value there.
+        let momentary = matches!(equation.extent, Extent::Moment | Extent::Condition);
+        let settled = |judged: &&Judged| defines(judged) || momentary && judged.outcome.is_proven();
+        let defined = entry.judged.iter().take_while(settled).count();
         let [judged] = &entry.judged[defined..] else {
             return None;
         };
-        if defined > 0 && self.some_constant(&judged.goal, &[]).is_none() {
+        if defined > 0 && !momentary && self.some_constant(&judged.goal, &[]).is_none() {
             return None;
         }
-        if !equation.uncited || is_slip(entry) || !entry.missing.is_empty() {
+        if !equation.uncited {
             return None;
         }
         // What could not be read may speak of all of it.
@@ -45,12 +50,19 @@ impl Judge<'_> {
             return None;
         };
         // What is not proved of something new can hardly follow from what does not speak of it.
-        let is_new = matches!(outcome, Outcome::Refuted(_) | Outcome::Open(_));
-        if !is_new || goal.questioned || !goal.suppositions.is_empty() {
+        let is_open = matches!(outcome, Outcome::Refuted(_) | Outcome::Open(_));
+        if !is_open || goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
         // Of an identity both sides speak of the same.
         let (named, others) = (quantities(left), quantities(right));
+        // What is put has that value at that moment alone: that it is near what follows in general is no slip.
+        let is_new = |symbol: &Symbol| equation.introduces.contains(symbol);
+        let has_value = momentary && (others.is_empty() || others.iter().any(is_new));
+        let put = has_value || is_put(right, equation.extent);
+        if !has_value && is_slip(entry) || !put && !entry.missing.is_empty() {
+            return None;
+        }
         let symbols: Vec<Symbol> = match left {
             Expr::Symbol(symbol) if *relation == Relation::Equal && others.is_empty() => {
                 vec![symbol.clone()]
@@ -69,14 +81,15 @@ impl Judge<'_> {
         // could have said that it is one; a value of something known is none, if no reason is given that is no equation.
         let silent = self.derivation.pages[equation.page].declared.is_empty();
         let is_law = || equation.reasons || silent && !matches!(left, Expr::Symbol(_));
-        let is_new = |symbol: &Symbol| equation.introduces.contains(symbol);
         let is_value = matches!(left, Expr::Symbol(symbol) if !is_new(symbol));
         let brings = !is_value && symbols.iter().any(is_new);
-        if !brings && !(equation.bare && (equation.meant || !symbols.is_empty() || is_law())) {
+        let may_be_law = || equation.meant || !symbols.is_empty() || is_law() || put;
+        if !brings && !(equation.bare && may_be_law()) {
             return None;
         }
         // How something changes of which is known what it is follows from that.
         if let Expr::Derivative { body, .. } = left
+            && !has_value
             && self.is_explicit(body)
         {
             return None;
@@ -190,7 +203,12 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
     for term in said.iter().flat_map(|f| f.terms()) {
         term.collect_differentiated(&mut moving);
     }
-    for formula in &said {
+    // At one moment something may have a value and move all the same.
+    let at_moment = |a: &Assumed| a.standing == Standing::AtPoint && a.source != Source::Step;
+    let is_law = |formula: &&&Formula| {
+        **formula != &judged.goal.formula || !judged.assumed.iter().any(at_moment)
+    };
+    for formula in said.iter().filter(is_law) {
         if let Some((Expr::Symbol(symbol), _)) = formula.as_equation() {
             moving.remove(symbol);
         }

@@ -171,6 +171,15 @@ fn defined_symbol(
     let Expr::Symbol(symbol) = &side.expr else {
         return None;
     };
+    // "$\pi = 3.14$" rounds a number; as a name for something else it is defined as others are.
+    if symbol.name() == "\\pi"
+        && sides
+            .iter()
+            .skip(1)
+            .all(|s| s.expr.free_symbols().is_empty())
+    {
+        return None;
+    }
     let under = conditions(statement);
     let defines = link.relation == Relation::Equal
         && !link.questioned
@@ -192,13 +201,19 @@ pub(super) struct Known {
 }
 
 impl Known {
-    fn learn(&mut self, equations: &[Equation], locals: &[Local]) {
+    /// Takes up what is new in the first so many.
+    pub fn learn(&mut self, equations: &[Equation], locals: &[Local]) {
         let newer = equations.get(self.equations..).unwrap_or_default();
         self.symbols
             .extend(newer.iter().flat_map(Equation::symbols));
         let newer = locals.get(self.locals..).unwrap_or_default();
         self.symbols.extend(newer.iter().flat_map(Local::names));
         (self.equations, self.locals) = (equations.len(), locals.len());
+    }
+
+    /// Whether what was learnt speaks of a symbol.
+    pub fn speaks_of(&self, symbol: &Symbol) -> bool {
+        self.symbols.contains(symbol)
     }
 
     /// Whether what stands after a display only says what is meant there: bounds its symbols, or says by `s = …` what a symbol

@@ -1,7 +1,7 @@
 use std::ops::Range;
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
-use crate::document::{Citation, Span};
+use crate::document::{Citation, Extent, Span};
 use crate::notation::{Clause, Connective, Statement, SyntaxError};
 
 use super::Premises;
@@ -46,6 +46,10 @@ pub struct Equation {
     pub reasons: bool,
     /// Whether a mere "where" or "with" introduces it.
     pub meant: bool,
+    /// Of how much words say that it is said, where none say that it follows.
+    pub extent: Extent,
+    /// What it says of one moment alone, as positions in [`Page::locals`](super::Page::locals).
+    pub moments: Range<usize>,
     /// Whether words before it cite something or say that it follows, and none that it defines anything.
     pub drawn: bool,
     /// It is a numeric claim: how near `≈` is meant, where that is said.

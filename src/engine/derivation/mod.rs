@@ -34,7 +34,7 @@ pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
 pub use page::{Datum, Page, Premises};
 pub use running::Running;
-pub use supposed::Local;
+pub use supposed::{Local, is_put};
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
 const LONGEST_RANGE: usize = 1000;
@@ -333,8 +333,12 @@ impl Derivation {
             found.sort_unstable();
         }
         if !says_so {
-            // The equation before the display, and those before this one in it.
-            let first = at - (equation.row + 1).min(at);
+            // The equation before the display, and those before this one in it; what is put at one moment stands between a law and what
+            // follows from it.
+            let mut first = at - (equation.row + 1).min(at);
+            while !self.equations[first].moments.is_empty() && first > 0 {
+                first -= (self.equations[first].row + 1).min(first);
+            }
             let near = (first..at).rev().take(MOST_ROWS);
             found.extend(near.filter(|&p| self.equations[p].page == equation.page));
             found.sort_unstable();
@@ -416,6 +420,14 @@ impl Derivation {
         self.supposed(at, &self.equations[at].locals)
     }
 
+    /// Those that are so at one moment alone.
+    pub fn momentary(&self, at: usize) -> Vec<Assumed> {
+        let own = &self.equations[at];
+        let locals = own.locals.iter().copied();
+        let of_moment = |&local: &usize| self.local(own.page, local).is_momentary();
+        self.supposed(at, &locals.filter(of_moment).collect::<Vec<_>>())
+    }
+
     /// What the text before an equation tells in passing, the nearest first.
     pub fn told(&self, at: usize) -> Vec<Assumed> {
         self.supposed(at, &self.equations[at].told)
@@ -426,10 +438,11 @@ impl Derivation {
         let page = &self.pages[number];
         let all = locals.iter().flat_map(|&local| {
             let formulas = page.locals[local].formulas.iter();
+            let source = self.source_of(number, local);
             formulas.map(move |formula| Assumed {
                 formula: formula.clone(),
                 standing: page.standing_of(formula),
-                source: Source::Local(number, local),
+                source,
             })
         });
         all.collect()
@@ -448,6 +461,15 @@ impl Derivation {
             Some(said.map(move |formula| (body, formula)))
         });
         read.flatten().collect()
+    }
+
+    /// What says a local hypothesis: the display, where one says it of a moment.
+    fn source_of(&self, page: usize, local: usize) -> Source {
+        let moment = self.pages[page].locals[local].moment.as_ref();
+        match moment.and_then(|moment| moment.display) {
+            Some(display) => Source::Equation(self.equations_of(page).start + display),
+            None => Source::Local(page, local),
+        }
     }
 
     /// A local hypothesis by its source.

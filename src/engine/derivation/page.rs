@@ -3,11 +3,11 @@ use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{BigRational, Dimension, Expr, Function, Symbol, element_symbol};
+use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::{
-    Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, Supposition,
-    SuppositionKind,
+    Attribute, Bound, Citation, Directive, Document, Extent, Item, Premise, Problem, Span,
+    Supposition, SuppositionKind, Vanishing,
 };
 use crate::document::{above_signs, nearest};
 use crate::kernel::Domain;
@@ -16,7 +16,8 @@ use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
 use super::beside::{Beside, Clash, Place};
 use super::definition::Known;
 use super::equation::each_side;
-use super::supposed::Local;
+use super::rows::Part;
+use super::supposed::{Local, said_of_moment, slope_by};
 use super::{Equation, Kind, counts, names, rows};
 use crate::sorted::Set;
 
@@ -98,6 +99,10 @@ struct Between {
     reasons: bool,
     /// Whether they are a mere "where" or "with".
     meant: bool,
+    /// Of how much the display is said.
+    extent: Option<Extent>,
+    /// Where a slope is said to be zero that nobody has written yet.
+    slope: Option<Span>,
 }
 
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
@@ -150,7 +155,11 @@ pub(super) fn read_page(
     let mut told: Vec<usize> = Vec::new();
     // The cases whose sentence goes on with the next display.
     let mut running: Vec<usize> = Vec::new();
+    // Of how much the display before is said.
+    let mut extent = Extent::Throughout;
     let mut known = Known::default();
+    // The same with the last display.
+    let mut spoken_of = Known::default();
     let (mut level, mut section) = (0, String::new());
     for item in &items {
         match item {
@@ -163,8 +172,8 @@ pub(super) fn read_page(
                     page.title = title.clone();
                 }
                 (level, section) = (own, title.clone());
-                (last, bare) = (0..0, true);
-                active.retain(|&at| page.locals[at].level < own);
+                (last, bare, extent) = (0..0, true, Extent::Throughout);
+                active.retain(|&at| page.locals[at].level < own && !page.locals[at].is_momentary());
                 told.retain(|&at| page.locals[at].level < own);
             }
             Item::Prose(prose) => {
@@ -178,6 +187,7 @@ pub(super) fn read_page(
                 between.concludes = prose.concludes.or(between.concludes);
                 between.reasons |= prose.reasons;
                 between.meant |= prose.says_what_is_meant;
+                between.extent = prose.extent.or(between.extent);
                 between.cites |= prose.cites;
                 between.defines |= prose.defines;
                 let mut mentioned = prose.mentions.clone();
@@ -185,13 +195,43 @@ pub(super) fn read_page(
                     told.retain(|&at| !page.locals[at].of_case);
                 }
                 for &Supposition { kind, body } in &prose.suppositions {
-                    if kind == SuppositionKind::General {
-                        active.retain(|&at| !page.locals[at].of_case);
+                    if let SuppositionKind::General | SuppositionKind::Elsewhere = kind {
+                        let all = kind == SuppositionKind::General;
+                        active.retain(|&at| !page.locals[at].is_left_by(all));
+                        continue;
+                    }
+                    if kind == SuppositionKind::Moment {
+                        let (new, passage) = (page.locals.len().., equations.len());
+                        page.begin_moment(passage, false, &[], &mut active);
+                        page.suppose(body, SuppositionKind::Assume, level, &mut active, false);
+                        page.date(new.clone(), passage);
+                        page.leave_other_values(new, &mut active);
                         continue;
                     }
                     if let SuppositionKind::Fact { runs_on, .. } = kind {
+                        let new = page.locals.len()..;
                         page.suppose(body, kind, level, &mut told, false);
+                        page.date_with(new, &active);
                         told.retain(|&at| runs_on || page.locals[at].set.is_empty());
+                        continue;
+                    }
+                    if let SuppositionKind::Vanishes(what) = kind {
+                        let passage = equations.len();
+                        match page.vanishing(what, body, &equations) {
+                            Some(term) if what == Vanishing::Told => {
+                                told.push(page.suppose_zero(term, body, None));
+                            }
+                            Some(term) => {
+                                page.begin_moment(passage, false, &[], &mut active);
+                                active.push(page.suppose_zero(term, body, Some(passage)));
+                            }
+                            None if what == Vanishing::Slope => between.slope = Some(body),
+                            None => {}
+                        }
+                        continue;
+                    }
+                    if kind == SuppositionKind::Known {
+                        page.suppose(body, kind, level, &mut told, false);
                         continue;
                     }
                     if kind == SuppositionKind::Define
@@ -201,7 +241,9 @@ pub(super) fn read_page(
                         continue;
                     }
                     let before = page.locals.len();
+                    spoken_of.learn(&equations, &page.locals);
                     page.suppose(body, kind, level, &mut active, false);
+                    page.restrict(before.., &spoken_of);
                     if kind == (SuppositionKind::Case { runs_on: true }) {
                         running.extend(before..page.locals.len());
                     }
@@ -211,6 +253,8 @@ pub(super) fn read_page(
                         }
                     }
                 }
+                page.leave_passages(&mut active);
+                page.forget_moments(&active, &mut told);
                 mentioned.truncate(MOST_MENTIONED);
                 for equation in &mut equations[std::mem::take(&mut last)] {
                     equation.mentioned.extend(&mentioned);
@@ -252,7 +296,13 @@ pub(super) fn read_page(
                 let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
                 page.read_exponentials(statements.flatten());
                 page.leave_cases(&read, &running, &mut active);
-                running.clear();
+                if let Some(span) = said.slope
+                    && let Some(slope) = slope_by(&read, &equations)
+                {
+                    let passage = equations.len();
+                    page.begin_moment(passage, false, &[], &mut active);
+                    active.push(page.suppose_zero(slope, span, Some(passage)));
+                }
                 // "Torricelli's law @eq-law:" announces what is displayed next.
                 let announces = |cited: &Citation| {
                     read.iter().any(|part| match cited.key {
@@ -277,9 +327,40 @@ pub(super) fn read_page(
                 let cites = said.cites && !said.cited.iter().all(announces);
                 let drawn = (said.concludes == Some(true) || cites) && !said.defines;
                 let of_display = read.len();
+                let goes_on = matches!(said.extent, None | Some(Extent::AsBefore));
+                extent = match said.extent {
+                    _ if !bare => Extent::Throughout,
+                    None | Some(Extent::AsBefore) => extent,
+                    Some(extent) => extent,
+                };
+                let at_moment: Vec<Vec<Formula>> = match extent {
+                    Extent::Moment | Extent::Condition => {
+                        spoken_of.learn(&equations, &page.locals);
+                        let is_known = |symbol: &Symbol| spoken_of.speaks_of(symbol);
+                        let of = |part: &Part| {
+                            let statements = part.statements.iter().flatten();
+                            let said = |s| said_of_moment(s, extent, is_known);
+                            statements.filter_map(said).collect()
+                        };
+                        read.iter().map(of).collect()
+                    }
+                    _ => vec![Vec::new(); of_display],
+                };
+                let passage = match at_moment.iter().all(Vec::is_empty) {
+                    true => {
+                        let is_derived = drawn || !said.cited.iter().all(announces);
+                        page.leave_moments(&read, is_derived, &mut active);
+                        None
+                    }
+                    false => {
+                        Some(page.begin_moment(equations.len(), goes_on, &running, &mut active))
+                    }
+                };
+                running.clear();
+                page.forget_moments(&active, &mut told);
                 last = equations.len()..equations.len() + of_display;
                 let mut name = said.name;
-                for (row, part) in read.into_iter().enumerate() {
+                for (row, (part, at_moment)) in read.into_iter().zip(at_moment).enumerate() {
                     let statements = || part.statements.iter().flatten();
                     let mark = statements().any(|s| s.mark.is_some());
                     let kind = match () {
@@ -294,6 +375,7 @@ pub(super) fn read_page(
                     let may_define = kind == Kind::Derived && !stated && said.from.is_none();
                     let defines = (0..statements().count()).filter(|_| may_define).collect();
                     derived.push(said.derives);
+                    let at = equations.len();
                     equations.push(Equation {
                         page: number,
                         tag: part.tag,
@@ -324,6 +406,8 @@ pub(super) fn read_page(
                         uncited: uncited && kind == Kind::Derived && part.continues == 0,
                         reasons: said.reasons,
                         meant: said.meant,
+                        extent,
+                        moments: 0..0,
                         drawn: drawn && kind == Kind::Derived,
                         numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
                         premises: match &said.from {
@@ -337,6 +421,11 @@ pub(super) fn read_page(
                         mentioned: said.mentioned.clone(),
                         section: section.clone(),
                     });
+                    if let Some((equation, passage)) = equations.last_mut().zip(passage) {
+                        let display = (at, equation.body);
+                        equation.moments =
+                            page.suppose_at_moment(at_moment, display, passage, &mut active);
+                    }
                 }
                 // What has a number for a value is told of one display.
                 told.retain(|&at| page.locals[at].set.is_empty());

@@ -1,16 +1,21 @@
 //! What is supposed where: values and hypotheses that prose or a directive brings in, and the special cases that are left again.
 
+use std::ops::{Range, RangeFrom};
 use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::document::{Span, SuppositionKind};
+use crate::document::{Extent, Span, SuppositionKind, Vanishing};
 use crate::kernel::Standing;
-use crate::notation::{SyntaxError, read_formulas};
+use crate::notation::{Clause, Statement, SyntaxError, read_expr, read_formulas};
 
-use super::equation::formulas;
+use super::definition::Known;
+use super::equation::{Equation, formulas};
 use super::page::Page;
 use super::rows::Part;
 use crate::sorted::Set;
+
+/// How many displays back is looked for what prose says to be zero.
+const MOST_BEFORE: usize = 6;
 
 /// A hypothesis that is in effect in a part of a page.
 #[derive(Clone, Debug)]
@@ -27,10 +32,35 @@ pub struct Local {
     pub(super) of_case: bool,
     /// The text told it in passing.
     pub is_told: bool,
+    /// It lets something that was spoken of before have a value.
+    is_special: bool,
+    /// It is so at one moment alone.
+    pub(super) moment: Option<Moment>,
     pub(super) level: u8,
 }
 
+/// That something is so at one moment, or at one point of a curve: "At the top of its flight $$v = 0$$".
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// The display with which its passage begins, by position on the page: all that is said of one moment is left together.
+    passage: usize,
+    /// The display that says it, by position on the page; none for "At $t = 0$" in the text before.
+    pub display: Option<usize>,
+    /// What is said to have a value: where the text derives something of it again, that is said of other moments.
+    subject: Expr,
+}
+
 impl Local {
+    /// Whether it is so at one moment alone: what was concluded from it is a premise elsewhere, too, but it is not.
+    pub fn is_momentary(&self) -> bool {
+        self.moment.is_some()
+    }
+
+    /// Whether "in general" leaves it; and what leaves cases and moments alone, "later".
+    pub(super) fn is_left_by(&self, in_general: bool) -> bool {
+        self.of_case || in_general && self.is_special
+    }
+
     /// Whether it is a special case.
     pub fn is_case(&self) -> bool {
         self.of_case || !self.set.is_empty()
@@ -68,7 +98,8 @@ impl Page {
         strict: bool,
     ) {
         let is_case = matches!(kind, SuppositionKind::Case { .. });
-        let is_fact = matches!(kind, SuppositionKind::Fact { .. });
+        let in_passing = matches!(kind, SuppositionKind::Fact { .. });
+        let is_fact = in_passing || kind == SuppositionKind::Known;
         let is_let = is_case || kind == SuppositionKind::Let;
         let mut statements = match read_formulas(&self.document.source, body) {
             Ok(statements) => statements,
@@ -109,7 +140,7 @@ impl Page {
                     false => !is_fact || before.is_disjoint(&values),
                 }
             });
-            let set = match is_case || is_fact {
+            let set = match is_case || in_passing {
                 true => formulas.iter().filter_map(set_to_a_number).collect(),
                 false => Set::new(),
             };
@@ -121,9 +152,233 @@ impl Page {
                 span: statement.span,
                 of_case: is_case || matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
                 is_told: is_fact,
+                is_special: false,
+                moment: None,
                 level,
             });
         }
+    }
+
+    /// What gives a value to what was spoken of before is a special case; what gives a new symbol its meaning is none.
+    pub(super) fn restrict(&mut self, new: RangeFrom<usize>, known: &Known) {
+        for local in &mut self.locals[new] {
+            let mut values = local.values().into_iter();
+            local.is_special = values.any(|symbol| known.speaks_of(&symbol));
+        }
+    }
+
+    /// Begins with what is said of one moment: other moments are left, and the cases whose sentence goes on with the display are of
+    /// this one, "At $t = 0$ $$v = v_0$$". What is said of the same moment as the display before `goes_on` with its passage, which is
+    /// returned.
+    pub(super) fn begin_moment(
+        &mut self,
+        display: usize,
+        goes_on: bool,
+        cases: &[usize],
+        active: &mut Vec<usize>,
+    ) -> usize {
+        let of = |locals: &[Local], at: usize| locals[at].moment.as_ref().map(|own| own.passage);
+        let before = active.iter().rev().find_map(|&at| of(&self.locals, at));
+        let passage = before.filter(|_| goes_on).unwrap_or(display);
+        for &at in cases {
+            let mut said = self.locals[at].formulas.iter();
+            let subject = said.find_map(|formula| formula.as_equation());
+            self.locals[at].moment = subject.map(|(subject, _)| Moment {
+                passage,
+                display: None,
+                subject: subject.clone(),
+            });
+        }
+        active.retain(|&at| of(&self.locals, at).is_none_or(|own| own == passage));
+        passage
+    }
+
+    /// What was just supposed is so at the moment whose passage begins there.
+    pub(super) fn date(&mut self, new: RangeFrom<usize>, passage: usize) {
+        for local in &mut self.locals[new] {
+            let mut said = local.formulas.iter();
+            let subject = said.find_map(|formula| formula.as_equation());
+            local.moment = subject.map(|(subject, _)| Moment {
+                passage,
+                display: None,
+                subject: subject.clone(),
+            });
+            local.of_case = true;
+        }
+    }
+
+    /// Leaves what has another value at the moment that was named just now, "Initially $x = 0$, at the end $x = 1$": no display was of that.
+    pub(super) fn leave_other_values(&mut self, new: RangeFrom<usize>, active: &mut Vec<usize>) {
+        let subject = |local: &Local| local.moment.as_ref().map(|own| own.subject.clone());
+        let named: Vec<Expr> = self.locals[new.clone()]
+            .iter()
+            .filter_map(subject)
+            .collect();
+        active.retain(|&at| {
+            let local = &mut self.locals[at];
+            let is_other = at < new.start && subject(local).is_some_and(|own| named.contains(&own));
+            if is_other {
+                local.moment = None;
+            }
+            !is_other
+        });
+    }
+
+    /// What the text tells for good, it tells of the moment that it speaks of: "Initially $$h = 0$$ and the speed is $v = u$".
+    pub(super) fn date_with(&mut self, new: RangeFrom<usize>, active: &[usize]) {
+        let moments = active.iter().rev();
+        let moment = moments
+            .filter_map(|&at| self.locals[at].moment.as_ref())
+            .next();
+        if let Some(passage) = moment.map(|own| own.passage)
+            && self.locals[new.clone()]
+                .iter()
+                .all(|local| local.set.is_empty())
+        {
+            self.date(new, passage);
+        }
+    }
+
+    /// Forgets what was told of moments that are left.
+    pub(super) fn forget_moments(&self, active: &[usize], told: &mut Vec<usize>) {
+        let passage = |at: &usize| self.locals[*at].moment.as_ref().map(|own| own.passage);
+        told.retain(|at| {
+            let own = passage(at);
+            own.is_none() || active.iter().any(|other| passage(other) == own)
+        });
+    }
+
+    /// Takes up what a display says of one moment.
+    pub(super) fn suppose_at_moment(
+        &mut self,
+        said: Vec<Formula>,
+        (display, span): (usize, Span),
+        passage: usize,
+        active: &mut Vec<usize>,
+    ) -> Range<usize> {
+        let start = self.locals.len();
+        for formula in said {
+            let subject = formula.as_equation().map(|(subject, _)| subject.clone());
+            self.locals.push(Local {
+                set: Set::new(),
+                moment: subject.map(|subject| Moment {
+                    passage,
+                    display: Some(display),
+                    subject,
+                }),
+                formulas: vec![Arc::new(formula)],
+                is_let: false,
+                span,
+                of_case: true,
+                is_told: false,
+                is_special: false,
+                level: 0,
+            });
+        }
+        let own = start..self.locals.len();
+        active.extend(own.clone());
+        own
+    }
+
+    /// What prose says to be zero, where that is known.
+    pub(super) fn vanishing(
+        &self,
+        what: Vanishing,
+        body: Span,
+        equations: &[Equation],
+    ) -> Option<Expr> {
+        let mut before = equations.iter().rev().take(MOST_BEFORE);
+        match what {
+            Vanishing::Term => read_expr(&self.document.source, body).ok(),
+            Vanishing::Slope => {
+                let is_slope = |side: &&Expr| matches!(side, Expr::Derivative { .. });
+                before
+                    .find_map(|own| left_side(own).filter(is_slope))
+                    .cloned()
+            }
+            Vanishing::Display | Vanishing::Told => before.next().and_then(left_side).cloned(),
+        }
+    }
+
+    /// Supposes that a term is zero, at a moment whose passage begins there; in passing where there is none.
+    pub(super) fn suppose_zero(
+        &mut self,
+        subject: Expr,
+        span: Span,
+        passage: Option<usize>,
+    ) -> usize {
+        let zero = Formula::equal(subject.clone(), Expr::integer(0));
+        self.locals.push(Local {
+            set: set_to_a_number(&zero).into_iter().collect(),
+            formulas: vec![Arc::new(zero)],
+            is_let: false,
+            span,
+            of_case: true,
+            is_told: passage.is_none(),
+            is_special: false,
+            moment: passage.map(|passage| Moment {
+                passage,
+                display: None,
+                subject,
+            }),
+            level: 0,
+        });
+        self.locals.len() - 1
+    }
+
+    /// Leaves the moments of which something is derived again that had a value there, or whose value is said afresh, unless it is that
+    /// value: "Hence $v = u - g t = 0$". A law may speak of it: "Energy is conserved: $$E = m v^2/2 + m g h$$".
+    pub(super) fn leave_moments(
+        &self,
+        display: &[Part],
+        is_derived: bool,
+        active: &mut Vec<usize>,
+    ) {
+        let said: Vec<Formula> = display
+            .iter()
+            .flat_map(|part| part.statements.iter().flatten())
+            .flat_map(formulas)
+            .collect();
+        let left: Set<usize> = active
+            .iter()
+            .filter_map(|&at| {
+                let own = self.locals[at].moment.as_ref()?;
+                let spoken_of = |formula: &Formula| {
+                    let mut terms = formula.terms().into_iter();
+                    terms.any(|term| speaks_of(term, &own.subject))
+                };
+                let value = self.locals[at].formulas.first()?.as_equation()?.1;
+                let is_number = matches!(value, Expr::Number(_));
+                let repeats = |formula: &Formula| match formula.as_equation() {
+                    Some((left, right)) => is_number && (left == value || right == value),
+                    None => false,
+                };
+                let says_afresh = |formula: &Formula| {
+                    let sides = formula.as_equation();
+                    sides.is_some_and(|(left, _)| *left == own.subject)
+                };
+                let speaks = match is_derived {
+                    true => said.iter().any(spoken_of),
+                    false => said.iter().any(says_afresh),
+                };
+                let leaves = speaks && !said.iter().any(repeats);
+                leaves.then_some(own.passage)
+            })
+            .collect();
+        active.retain(|&at| {
+            let moment = self.locals[at].moment.as_ref();
+            moment.is_none_or(|own| !left.contains(&own.passage))
+        });
+    }
+
+    /// Leaves what else was said of a moment that is left: "At $t = 0$ … At $t = T$".
+    pub(super) fn leave_passages(&self, active: &mut Vec<usize>) {
+        let passage = |at: usize| self.locals[at].moment.as_ref().map(|own| own.passage);
+        let left: Set<usize> = (0..self.locals.len())
+            .filter(|&at| !self.locals[at].is_told && !active.contains(&at))
+            .filter_map(passage)
+            .collect();
+        active.retain(|&at| passage(at).is_none_or(|own| !left.contains(&own)));
     }
 
     /// Leaves the cases of whose symbols a display speaks again: "At $t = 0$ the switch is closed. Later $q = I t$". In the
@@ -137,10 +392,115 @@ impl Page {
                     .flat_map(|part| part.statements.iter().flatten())
             };
             let mut spoken_of = statements().flat_map(formulas).flat_map(|f| f.names());
-            !set.is_empty() && !running.contains(&at) && spoken_of.any(|name| set.contains(&name))
+            let is_plain = self.locals[at].moment.is_none();
+            !set.is_empty()
+                && is_plain
+                && !running.contains(&at)
+                && spoken_of.any(|name| set.contains(&name))
         };
         active.retain(|&at| !is_left(at));
     }
+}
+
+/// The derivative by what a display says the value of, `x = \\dots`, of what was last said to be made of that.
+pub(super) fn slope_by(display: &[Part], equations: &[Equation]) -> Option<Expr> {
+    let mut statements = display
+        .iter()
+        .flat_map(|part| part.statements.iter().flatten());
+    let first = formulas(statements.next()?).into_iter().next()?;
+    let (Expr::Symbol(variable), _) = first.as_equation()? else {
+        return None;
+    };
+    let mut laws = equations
+        .iter()
+        .rev()
+        .take(MOST_BEFORE)
+        .flat_map(Equation::statements);
+    laws.find_map(|law| {
+        let law = formulas(law).into_iter().next()?;
+        let (body @ Expr::Symbol(own), value) = law.as_equation()? else {
+            return None;
+        };
+        (own != variable && value.mentions(variable)).then(|| Expr::Derivative {
+            body: body.clone().into(),
+            variable: variable.clone(),
+        })
+    })
+}
+
+/// What an equation says the value of.
+fn left_side(equation: &Equation) -> Option<&Expr> {
+    match equation.statements().first()?.clauses.first()? {
+        Clause::Chain { sides, .. } => sides.first().map(|side| &side.expr),
+        Clause::AllEqual { .. } => None,
+    }
+}
+
+/// What a statement says of one moment: a value of what was spoken of before, or that a term has a number for its value; of a chain,
+/// what its ends say. What has a name for that moment, `v_1`, has it for good.
+pub(super) fn said_of_moment(
+    statement: &Statement,
+    extent: Extent,
+    is_known: impl Fn(&Symbol) -> bool,
+) -> Option<Formula> {
+    if !statement.under.is_empty() || statement.clauses.len() != 1 {
+        return None;
+    }
+    let said = formulas(statement);
+    let sides: Option<Vec<_>> = said.iter().map(Formula::as_equation).collect();
+    let sides = sides?;
+    let ((subject, _), (_, value)) = (sides.first()?, sides.last()?);
+    let named = value.free_symbols();
+    let is_number = named.iter().all(Symbol::is_unit);
+    let is_new = || named.iter().any(|symbol| !is_known(symbol));
+    let has_value = match subject {
+        Expr::Symbol(own) if !is_known(own) => **value == Expr::integer(0),
+        Expr::Symbol(_) => is_number || sides.len() == 1 && is_put(value, extent) || is_new(),
+        _ => is_number,
+    };
+    let is_state = subject.free_symbols().iter().any(names_a_state);
+    let is_quantity = !subject.free_symbols().is_empty();
+    (has_value && is_quantity && !is_state)
+        .then(|| Formula::equal((*subject).clone(), (*value).clone()))
+}
+
+/// Whether a term speaks of what something is, and not only of how it changes: `I`, and not `dI/dt`.
+fn speaks_of(term: &Expr, subject: &Expr) -> bool {
+    let changes =
+        matches!(term, Expr::Derivative { body, .. } if matches!(**body, Expr::Symbol(_)));
+    term == subject || !changes && term.children().any(|child| speaks_of(child, subject))
+}
+
+/// Whether a mere name, or at a moment a part of it, is put as a value and not derived: "At the maximum $R = r$" is derived.
+pub fn is_put(value: &Expr, extent: Extent) -> bool {
+    let is_number = |term: &Expr| matches!(term, Expr::Number(_));
+    let is_name = |term: &Expr| matches!(term, Expr::Symbol(_));
+    let is_part = match value {
+        Expr::Quotient(whole, parts) => is_name(whole) && is_number(parts),
+        Expr::Product(factors) => match &factors[..] {
+            [times, whole] => is_number(times) && is_name(whole),
+            _ => false,
+        },
+        _ => false,
+    };
+    match extent {
+        Extent::Moment => is_name(value) || is_part,
+        Extent::Circumstances => is_name(value),
+        _ => false,
+    }
+}
+
+/// Whether a symbol is a name for a value in one state: `v_1`, `v'`, `v_{\text{top}}`; the component `v_x` is none.
+fn names_a_state(symbol: &Symbol) -> bool {
+    let name = symbol.name();
+    let component = |below: &str| {
+        matches!(
+            below,
+            "x" | "y" | "z" | "r" | "\\theta" | "\\phi" | "\\varphi" | "\\parallel" | "\\perp"
+        )
+    };
+    let below = name.rsplit_once('_').map(|(_, below)| below);
+    name.contains('\'') || below.is_some_and(|below| !component(below))
 }
 
 /// The symbol that an equation says is a number: `t = 0`.

@@ -102,6 +102,24 @@ pub struct Prose {
     pub is_relative: bool,
     /// It is a mere "where" or "with" between two displays.
     pub says_what_is_meant: bool,
+    /// Of how much the display after it is said; `None` where it says nothing.
+    pub extent: Option<Extent>,
+}
+
+/// Of how much a display is said.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Extent {
+    /// Of all that the page is about.
+    #[default]
+    Throughout,
+    /// "For a symmetric arrangement", "At constant temperature": under circumstances.
+    Circumstances,
+    /// "At the top of its flight", "Initially": of one moment or place.
+    Moment,
+    /// "The minimum is where", "At the maximum", "The condition is": of where it is so.
+    Condition,
+    /// "and": of what the display before it is said of.
+    AsBefore,
 }
 
 /// Mathematics in a line of text.
@@ -155,19 +173,43 @@ pub enum SuppositionKind {
         /// It is told of a special case: "For a horizontal pipe, $h_1 = h_2$, (1) becomes".
         of_case: bool,
     },
-    /// "In general": the cases that were gone through are left. It supposes nothing.
+    /// "At the turning points $v = 0$, so": a value at one moment.
+    Moment,
+    /// "It is known that $v = 3$", "The mass was measured to be $m = 2$": told, and not in passing, so that numbers are told for good, too.
+    Known,
+    /// "Setting the derivative to zero gives": zero, and not written as an equation.
+    Vanishes(Vanishing),
+    /// "In general": all special cases are left. It supposes nothing.
     General,
+    /// "Later", "In between": the cases that were gone through and the moments are left, but not what was let.
+    Elsewhere,
     /// "Assume", "Suppose", "taking", "provided that": a hypothesis.
     Assume,
     /// "…, where $k = m \omega^2$" after a display: the meaning of a symbol in it.
     Define,
 }
 
+/// What is said to be zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Vanishing {
+    /// "Setting $F - k x$ to zero": the inline mathematics.
+    Term,
+    /// "Setting the derivative to zero": the one that was displayed last; where there is none, that by what is displayed next.
+    Slope,
+    /// "Setting this to zero": what the display before says the value of.
+    Display,
+    /// "which vanishes at $x = a$": the same, told in passing.
+    Told,
+}
+
 impl SuppositionKind {
     /// Whether what was told of another special case is no longer meant.
     pub fn begins_a_case(self) -> bool {
-        use SuppositionKind::{Case, Fact, General};
-        matches!(self, Case { .. } | Fact { of_case: true, .. } | General)
+        use SuppositionKind::{Case, Elsewhere, Fact, General};
+        matches!(
+            self,
+            Case { .. } | Fact { of_case: true, .. } | General | Elsewhere
+        )
     }
 }
 

@@ -10,6 +10,7 @@
 //! macros, a notebook (`notebook`) from its cells; `origin` leads back to what the author saved.
 
 mod attribute;
+mod circumstance;
 mod citation;
 mod conclusion;
 mod data;
@@ -34,8 +35,8 @@ pub use attribute::declaration;
 pub(crate) use citation::above_signs;
 pub use in_order::{in_order, threads, use_threads};
 pub use item::{
-    Attribute, Bound, Citation, Directive, Inline, Item, Layout, Premise, Problem, Prose, Row,
-    Supposition, SuppositionKind,
+    Attribute, Bound, Citation, Directive, Extent, Inline, Item, Layout, Premise, Problem, Prose,
+    Row, Supposition, SuppositionKind, Vanishing,
 };
 pub use latex::Library;
 pub use nearest::nearest;

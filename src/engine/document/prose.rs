@@ -1,5 +1,6 @@
 //! Prose in words, tags and inline math: what citations and suppositions are read from.
 
+use super::circumstance;
 use super::citation;
 use super::conclusion;
 use super::supposition;
@@ -79,6 +80,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         defines: conclusion::defines(&tokens),
         is_relative: conclusion::is_relative(&tokens),
         says_what_is_meant: conclusion::says_what_is_meant(&tokens),
+        extent: circumstance::read(source, &tokens),
     }
 }
 

@@ -6,15 +6,17 @@
 //! alternative ("or"), not a condition ("if"), not a negation, not a question, not a proof by contradiction. A value that is
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
+mod vanishing;
 mod words;
 
 use self::words::{
-    CONCLUDING, DEFINING, DENYING, DOUBTFUL, NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, OF_CASES,
-    REASONS, UNDECIDED,
+    COMPARING, CONCLUDING, DEFINING, DENYING, DOUBTFUL, KNOWN, NAMED_AFTER, NAMED_BEFORE, NAMING,
+    NEGATING, OF_CASES, REASONS, UNDECIDED,
 };
+use super::circumstance;
 use super::conclusion;
 use super::prose::{Placed, Token};
-use super::{Span, Supposition, SuppositionKind};
+use super::{Extent, Span, Supposition, SuppositionKind};
 
 /// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
 const PATIENCE: usize = 6;
@@ -66,7 +68,10 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
             token => reader.mark(token),
         }
     }
-    reader.finish()
+    let (mut found, mentions) = reader.finish();
+    found.extend(vanishing::read(source, &tokens[..end]));
+    found.sort_by_key(|supposition| supposition.body);
+    (found, mentions)
 }
 
 /// Reads prose token by token.
@@ -84,6 +89,8 @@ struct Reader<'a> {
 struct Sentence {
     /// The first of its suppositions.
     start: usize,
+    /// Its first word.
+    first: usize,
     begun: bool,
     /// It begins with a special case: "For a horizontal pipe, …".
     special: bool,
@@ -105,6 +112,7 @@ impl Sentence {
     fn from(start: usize) -> Sentence {
         Sentence {
             start,
+            first: 0,
             begun: false,
             special: false,
             doubtful: false,
@@ -137,10 +145,14 @@ impl Reader<'_> {
 
     fn word(&mut self, index: usize, word: &str, span: Span) {
         let among = |words: &[&str]| words.contains(&word);
+        if !self.sentence.begun {
+            self.sentence.first = index;
+        }
         self.sentence.special |= !self.sentence.begun && among(OF_CASES);
-        if self.is_silent() && generalizes(word, index, self.tokens) {
-            let (kind, body) = (SuppositionKind::General, span);
-            self.found.push(Supposition { kind, body });
+        if self.is_silent()
+            && let Some(kind) = generalizes(word, index, self.tokens)
+        {
+            self.found.push(Supposition { kind, body: span });
         }
         let denies = self.sentence.careful && among(DENYING);
         let unsaid = self.sentence.active.is_some() && self.is_silent() && among(NEGATING);
@@ -150,7 +162,11 @@ impl Reader<'_> {
             self.withdraw();
             self.sentence.doubtful = true;
         }
-        if among(UNDECIDED) || among(DENYING) {
+        let next = self.tokens.get(index + 1).map(|(token, _)| *token);
+        // "The masses were measured to be" denies nothing.
+        let told =
+            word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.contains(&next));
+        if among(UNDECIDED) || among(DENYING) && !told {
             self.sentence.factual = false;
             self.withdraw_facts();
         }
@@ -187,7 +203,13 @@ impl Reader<'_> {
         if self.sentence.named && states {
             self.mentions.push(body);
         }
-        if states && self.tells(index, body) {
+        if states && self.is_momentary(index, body) {
+            let kind = SuppositionKind::Moment;
+            self.found.push(Supposition { kind, body });
+        } else if states && self.is_known(index) {
+            let kind = SuppositionKind::Known;
+            self.found.push(Supposition { kind, body });
+        } else if states && self.tells(index, body) {
             let kind = SuppositionKind::Fact {
                 runs_on: false,
                 of_case: self.sentence.special,
@@ -197,6 +219,48 @@ impl Reader<'_> {
             // "For $N = 3$ the values are $a = b$."
             self.sentence.concluded = true;
         }
+    }
+
+    /// Whether the sentence tells what number something is at one moment: "At the turning points $v = 0$, so".
+    fn is_momentary(&self, index: usize, body: Span) -> bool {
+        let text = self.text(body);
+        let own = &self.sentence;
+        let is_value = is_value(text) && is_number(text) && !is_named(index, self.tokens);
+        if !is_value || own.active.is_some() || own.doubtful || own.concluded || !own.begun {
+            return false;
+        }
+        let joined = || {
+            let last = self
+                .found
+                .last()
+                .filter(|last| last.kind == SuppositionKind::Moment);
+            last.is_some_and(|last| ends_before(last.body, index, self.tokens))
+        };
+        match self.is_silent() {
+            true => {
+                let before = &self.tokens[own.first..index];
+                let says = matches!(before.last(), Some((Token::Word(_) | Token::Mark(','), _)));
+                let is_place = follows(index, self.tokens, NAMED_BEFORE);
+                says && !is_place && circumstance::of_sentence(before) == Extent::Moment
+            }
+            false => follows(index, self.tokens, &["and"]) && joined(),
+        }
+    }
+
+    /// Whether the sentence tells plainly that a relation is known.
+    fn is_known(&self, index: usize) -> bool {
+        let own = &self.sentence;
+        if own.active.is_some() || own.doubtful || !own.factual || is_named(index, self.tokens) {
+            return false;
+        }
+        let joined = || {
+            let last = self
+                .found
+                .last()
+                .filter(|last| last.kind == SuppositionKind::Known);
+            last.is_some_and(|last| ends_before(last.body, index, self.tokens))
+        };
+        tells_that(index, self.tokens) || follows(index, self.tokens, &["and"]) && joined()
     }
 
     /// Whether a relation is a fact that the sentence tells in passing.
@@ -251,7 +315,10 @@ impl Reader<'_> {
     /// Takes back what the sentence has supposed: it only names it.
     fn withdraw(&mut self) {
         let own = self.found.extract_if(self.sentence.start.., |s| {
-            s.kind != SuppositionKind::General
+            !matches!(
+                s.kind,
+                SuppositionKind::General | SuppositionKind::Elsewhere
+            )
         });
         self.mentions.extend(own.map(|s| s.body));
     }
@@ -274,13 +341,29 @@ impl Reader<'_> {
 }
 
 fn is_fact(kind: SuppositionKind) -> bool {
-    matches!(kind, SuppositionKind::Fact { .. })
+    matches!(kind, SuppositionKind::Fact { .. } | SuppositionKind::Known)
 }
 
 /// Whether one of these words, in lower case, stands before what is at `index`.
 fn follows(index: usize, tokens: &[Placed<'_>], words: &[&str]) -> bool {
     match index.checked_sub(1).and_then(|before| tokens.get(before)) {
         Some((Token::Word(word), _)) => words.contains(&word.to_lowercase().as_str()),
+        _ => false,
+    }
+}
+
+/// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".
+fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let word = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
+        Some((Token::Word(word), _)) => word.to_lowercase(),
+        _ => String::new(),
+    };
+    let is_known = |by: usize| KNOWN.contains(&word(by).as_str());
+    match word(1).as_str() {
+        "that" => (2..=MOST_DESCRIBING + 2)
+            .take_while(|&by| !word(by).is_empty())
+            .any(is_known),
+        "be" => word(2) == "to" && is_known(3),
         _ => false,
     }
 }
@@ -321,21 +404,39 @@ fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
     }
 }
 
-/// Whether the word at `index` leaves special cases behind: "in general", "in the general case", "for arbitrary $w$",
-/// "let us return to", "Later".
-fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+/// Whether the word at `index` leaves special cases behind: "in general", "in the general case", "without this assumption", "let us
+/// return to"; or cases and moments alone: "for arbitrary $w$", "Later", "In between".
+fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<SuppositionKind> {
+    use SuppositionKind::{Elsewhere, General};
     let before = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
         Some((Token::Word(word), _)) => word.to_lowercase(),
         _ => String::new(),
     };
+    let (last, second) = (before(1), before(2));
+    let is = |said: bool, kind| said.then_some(kind);
     match word {
-        "general" => before(1) == "in" || before(1) == "the" && before(2) == "in",
-        "generally" => true,
-        "cases" => before(1) == "all" && before(2) == "in",
-        "arbitrary" | "all" | "any" | "every" => before(1) == "for",
-        "to" => before(1) == "return",
-        "later" | "otherwise" | "else" | "elsewhere" => before(1).is_empty(),
-        _ => false,
+        "general" => {
+            let the = || last == "the" && matches!(&*second, "in" | "to" | "for");
+            is(last == "in" || the(), General)
+        }
+        "generally" => Some(General),
+        "assumption" | "restriction" | "supposition" => {
+            let one = matches!(&*last, "this" | "that" | "the" | "our");
+            let drops = matches!(
+                &*second,
+                "dropping" | "drop" | "lifting" | "relaxing" | "without"
+            );
+            is(one && drops, General)
+        }
+        "to" => is(last == "return", General),
+        "cases" => is(last == "all" && second == "in", Elsewhere),
+        "all" | "any" | "every" if last == "at" => is(second.is_empty(), Elsewhere),
+        "arbitrary" | "all" | "any" | "every" => is(last == "for", Elsewhere),
+        "between" => is(last == "in", Elsewhere),
+        "later" | "otherwise" | "else" | "elsewhere" | "meanwhile" => {
+            is(last.is_empty(), Elsewhere)
+        }
+        _ => None,
     }
 }
 
@@ -411,7 +512,7 @@ fn introduction(
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
         "for" | "when" if !begun && (comma || referred) && value() => Some((case, joined(true))),
         "for" if !begun && described() => Some((case, joined(true))),
-        "case" if comma && value() => Some((case, joined(true))),
+        "case" if comma && value() && !is_compared(index, tokens) => Some((case, joined(true))),
         "setting" | "putting" | "substituting" | "inserting" | "using" if !begun && value() => {
             Some((case, joined(true)))
         }
@@ -431,6 +532,16 @@ fn introduction(
         _ => None,
     };
     introduced.filter(|_| !negated())
+}
+
+/// Whether what is said is compared with the case at `index`: "unlike in the case", "as opposed to the case".
+fn is_compared(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = tokens[..index].iter().rev().take(MOST_DESCRIBING + 1);
+    let mut words = before.map_while(|(token, _)| match token {
+        Token::Word(word) => Some(word.to_lowercase()),
+        _ => None,
+    });
+    words.any(|word| COMPARING.contains(&word.as_str()))
 }
 
 /// Whether the text ends with the value that follows a word and a "where": what comes next is said of that place.

@@ -303,10 +303,16 @@ impl<'s> Lexer<'s> {
             c if c.is_whitespace() => return,
             c if c.is_ascii_punctuation() => Kind::Char(c),
             c => {
-                let help = super::commands::LETTERS
-                    .iter()
-                    .find(|(_, shown)| shown.chars().eq([c]) || (c == 'µ' && *shown == "μ"))
-                    .map(|(name, _)| format!("write `\\{name}`"));
+                let mut letters = super::commands::LETTERS.iter();
+                let help = match c {
+                    '°' => Some(
+                        "write `^\\circ` in the angle of a sine, and a temperature in kelvin"
+                            .into(),
+                    ),
+                    c => letters
+                        .find(|(_, shown)| shown.chars().eq([c]) || (c == 'µ' && *shown == "μ"))
+                        .map(|(name, _)| format!("write `\\{name}`")),
+                };
                 let span = Span::new(start, self.at);
                 return self.bad(span, format!("the character `{c}` is not known"), help);
             }

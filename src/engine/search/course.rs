@@ -5,19 +5,30 @@ use num_traits::Zero;
 use crate::algebra::{
     Atom, Atoms, BigRational, Expr, Formula, Polynomial, Rational, Symbol, Values, Var,
 };
-use crate::kernel::{Assignment, Claim, Course, Fact, Origin, Problem, Sign};
+use crate::kernel::{Assignment, Claim, Course, Fact, Origin, Problem, Sign, Standing};
 use crate::sorted::{Map, Set};
 
 /// How many choices of what a law is solved for are tried.
 const MOST_CHOICES: usize = 200;
 
 /// The same point as one through which things move, where derivatives occur.
+///
+/// What is said of the point alone is true there, and leads nothing. Not where that is a slope: of what the author takes as constant
+/// something would have to move, so that the laws agree.
 pub fn in_motion(
     claim: &Claim,
     problem: &Problem,
     values: &Map<Var, Rational>,
     point: &Assignment,
 ) -> Option<Assignment> {
+    let has_slope = |formula: &Formula| {
+        let mut terms = formula.terms().into_iter();
+        terms.any(|term| term.any(&|part| matches!(part, Expr::Derivative { .. })))
+    };
+    let leads = |at: usize| {
+        let law = claim.hypotheses.get(at);
+        law.is_some_and(|law| law.standing == Standing::Identity || has_slope(&law.formula))
+    };
     let mut point = point.clone();
     let mut course = Course::default();
     let said = said_to_move(claim);
@@ -61,6 +72,7 @@ pub fn in_motion(
     for (Fact { polynomial, sign }, origin) in problem.facts.iter().zip(&problem.origins) {
         if let (Sign::Zero, Origin::Hypothesis(at)) = (sign, origin)
             && !polynomial.is_zero()
+            && leads(*at)
         {
             laws.push((*at, polynomial));
         }

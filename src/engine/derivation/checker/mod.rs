@@ -231,9 +231,11 @@ impl Checker {
         for premise in derivation.premises(at).0 {
             let other = &derivation.equations[premise];
             let derived = other.kind != Kind::Given;
-            let under: Vec<(usize, usize)> = locals(other).filter(|_| derived).collect();
+            let own = other.moments.clone().map(|local| (other.page, local));
+            let under: Vec<(usize, usize)> = locals(other).filter(|_| derived).chain(own).collect();
             let foreign = |local: &(usize, usize)| {
-                derivation.local(local.0, local.1).is_let && !in_effect.contains(local)
+                let own = derivation.local(local.0, local.1);
+                own.is_let && !own.is_momentary() && !in_effect.contains(local)
             };
             if under.iter().any(foreign) {
                 continue;
@@ -244,6 +246,9 @@ impl Checker {
                 for formula in &derivation.local(page, local).formulas {
                     if !is_open(formula) {
                         standing = Standing::AtPoint;
+                    }
+                    if derivation.local(page, local).is_momentary() {
+                        continue;
                     }
                     let carried = Assumed {
                         formula: formula.clone(),

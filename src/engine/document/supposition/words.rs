@@ -147,3 +147,41 @@ pub(super) const NAMING: &[&str] = &[
 pub(super) const NEGATING: &[&str] = &[
     "not", "without", "never", "cannot", "nor", "don", "can", "needn",
 ];
+/// After these, "that" or "to be" tells what is known: "It is known that $v = 3$", "was measured to be $m = 2$".
+pub(super) const KNOWN: &[&str] = &[
+    "know",
+    "known",
+    "told",
+    "informed",
+    "measured",
+    "observed",
+    "recall",
+    "recalled",
+    "specified",
+    "stated",
+    "reported",
+    "remember",
+];
+/// Near before "the case", these compare with it: "In contrast to the case $a = 0$".
+pub(super) const COMPARING: &[&str] = &[
+    "contrast",
+    "unlike",
+    "opposed",
+    "different",
+    "differs",
+    "distinct",
+    "compared",
+    "than",
+    "from",
+    "except",
+    "apart",
+    "aside",
+    "as",
+    "like",
+    "similarly",
+    "similar",
+    "instead",
+    "beyond",
+    "excluding",
+    "besides",
+];

@@ -29,6 +29,12 @@ impl Parser<'_> {
                 }
                 Kind::Char('^') if upper.is_none() => {
                     self.advance();
+                    let number = self.at + usize::from(self.peek() == Kind::Open);
+                    if self.kind(number) == Kind::Command("infty") {
+                        self.at = number;
+                        let help = "only sums of finitely many terms are: write `\\sum_{n=1}^{N}`, and what it comes to";
+                        return refuse_with(self.span(), "infinite sums are not read", help);
+                    }
                     upper = Some(self.argument("\\sum^")?);
                 }
                 Kind::Bad(_) => return self.unexpected(),

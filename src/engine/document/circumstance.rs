@@ -1,0 +1,150 @@
+//! Of how much the display after a piece of text is said: of one moment ("At the top of its flight"), of one point of a curve ("The
+//! minimum is where"), under circumstances ("For a symmetric arrangement"), or of all that the page is about.
+//!
+//! The words that begin the sentence tell, and the one that it ends with; in doubt it is said throughout.
+
+use super::Extent;
+use super::prose::{Placed, Token};
+
+/// These begin a sentence about one moment.
+const MOMENTS: &[&str] = &["initially", "originally", "when", "once"];
+/// With one of these before them, "before" and "after" name a moment; by themselves what lasts: "After the collision".
+const SHORTLY: &[&str] = &[
+    "just",
+    "immediately",
+    "right",
+    "shortly",
+    "directly",
+    "soon",
+];
+/// These begin a sentence about circumstances.
+const CIRCUMSTANCES: &[&str] = &["for", "in", "on", "during", "under", "before", "after"];
+/// After "at", "for" and their like, these single nothing out: "At all times", "In general", "In other words".
+const NOTHING: &[&str] = &[
+    "all",
+    "any",
+    "every",
+    "each",
+    "arbitrary",
+    "least",
+    "most",
+    "no",
+    "some",
+    "same",
+    "this",
+    "that",
+    "general",
+    "particular",
+    "fact",
+    "other",
+    "contrast",
+    "addition",
+    "total",
+    "short",
+    "sum",
+    "terms",
+    "example",
+    "instance",
+    "comparison",
+    "both",
+];
+/// After "at", these name a regime or a place as good as another, and no moment: "At low temperature", "At a distance".
+const REGIMES: &[&str] = &[
+    "constant", "fixed", "given", "equal", "low", "high", "small", "large", "short", "long",
+    "room", "normal", "standard", "a", "an", "these", "those", "such", "thermal",
+];
+/// A sentence with one of these is about where something is greatest or least.
+const EXTREMA: &[&str] = &[
+    "maximum",
+    "minimum",
+    "extremum",
+    "optimum",
+    "maxima",
+    "minima",
+    "extrema",
+    "stationary",
+    "maximal",
+    "minimal",
+    "optimal",
+    "extremal",
+];
+/// These put a condition.
+const CONDITIONS: &[&str] = &[
+    "condition",
+    "conditions",
+    "require",
+    "requires",
+    "demand",
+    "demands",
+];
+
+/// Of how much the display after these tokens is said; `None` where nothing is said between it and the one before.
+///
+/// A sentence that has come to its end says nothing of what is displayed after it.
+pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Extent> {
+    let says = |(token, _): &Placed<'_>| {
+        matches!(token, Token::Word(_) | Token::Math(_) | Token::Number(_))
+    };
+    let last = tokens.iter().rposition(says)?;
+    let ended = tokens[last..].iter().any(|(token, span)| {
+        *token == Token::Stop && matches!(source.get(span.range()), Some("." | "?" | "!"))
+    });
+    if ended {
+        return Some(Extent::Throughout);
+    }
+    let start = tokens[..last]
+        .iter()
+        .rposition(|(token, _)| matches!(token, Token::Stop | Token::Mark(';')))
+        .map_or(0, |stop| stop + 1);
+    let sentence = &tokens[start..=last];
+    let begin = sentence.iter().position(says).unwrap_or_default();
+    Some(of_sentence(&sentence[begin..]))
+}
+
+/// Of how much is said what comes after the words with which a sentence begins.
+pub(super) fn of_sentence(sentence: &[Placed<'_>]) -> Extent {
+    let word = |at: usize| match sentence.get(at) {
+        Some((Token::Word(word), _)) => word.to_lowercase(),
+        _ => String::new(),
+    };
+    let among = |at: usize, words: &[&str]| words.contains(&word(at).as_str());
+    let has = |words: &[&str]| (0..sentence.len()).any(|at| among(at, words));
+    if (0..sentence.len()).all(|at| among(at, &["and", "also", "as", "well"])) {
+        return Extent::AsBefore;
+    }
+    if ends_in_a_clause(sentence) || has(CONDITIONS) {
+        return Extent::Condition;
+    }
+    let first = word(0);
+    let begins = match first.as_str() {
+        "at" if among(1, NOTHING) || among(2, &["same"]) => Extent::Throughout,
+        "at" if among(1, REGIMES) => Extent::Circumstances,
+        "at" => Extent::Moment,
+        first if MOMENTS.contains(&first) => Extent::Moment,
+        "as" if word(1) == "soon" => Extent::Moment,
+        first if SHORTLY.contains(&first) && among(1, &["before", "after", "as", "when"]) => {
+            Extent::Moment
+        }
+        // "After a long time"
+        "after" if has(&["time", "while"]) => Extent::Moment,
+        first if CIRCUMSTANCES.contains(&first) && !among(1, NOTHING) && !among(2, NOTHING) => {
+            Extent::Circumstances
+        }
+        _ => Extent::Throughout,
+    };
+    match begins {
+        Extent::Throughout => begins,
+        _ if has(EXTREMA) => Extent::Condition,
+        _ => begins,
+    }
+}
+
+/// Whether the display is in a clause that says where or when: "The minimum is where", "is reached when". After a comma a "where" says
+/// what is meant.
+fn ends_in_a_clause(sentence: &[Placed<'_>]) -> bool {
+    let Some(((Token::Word(last), _), before)) = sentence.split_last() else {
+        return false;
+    };
+    let joined = matches!(before.last(), Some((Token::Word(_) | Token::Math(_), _)));
+    joined && before.len() > 1 && matches!(*last, "where" | "when")
+}
