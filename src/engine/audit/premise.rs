@@ -229,7 +229,8 @@ pub fn usable<'a>(
         let mut standing = Standing::Identity;
         for &(page, local) in &offer.under {
             for formula in &derivation.local(page, local).formulas {
-                let own = derivation.pages[page].standing_of(formula);
+                let own =
+                    derivation.pages[page].standing_of(derivation.local(page, local), formula);
                 // What explains a symbol is meant throughout, as a definition is.
                 if !is_open(formula) && !equation.explains && own == Standing::AtPoint {
                     standing = own;

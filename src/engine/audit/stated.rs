@@ -57,7 +57,12 @@ impl Judge<'_> {
         // Of an identity both sides speak of the same.
         let (named, others) = (quantities(left), quantities(right));
         // What is put has that value at that moment alone: that it is near what follows in general is no slip.
-        let is_new = |symbol: &Symbol| equation.introduces.contains(symbol);
+        let (told, usable) = (self.derivation.told(self.at), self.usable);
+        let is_new = |symbol: &Symbol| {
+            let mut told = told.iter().chain(&usable.assumed);
+            equation.introduces.contains(symbol)
+                && !told.any(|a| a.formula.terms().iter().any(|term| term.mentions(symbol)))
+        };
         let has_value = momentary && (others.is_empty() || others.iter().any(is_new));
         let put = has_value || is_put(right, equation.extent);
         if !has_value && is_slip(entry) || !put && !entry.missing.is_empty() {
@@ -72,9 +77,7 @@ impl Judge<'_> {
                 let all = named.union(&others);
                 let domains = &self.derivation.pages[equation.page].domains;
                 let counts = |s: &Symbol| domains.get(s).is_some_and(|domain| domain.integer);
-                all.filter(|s| equation.introduces.contains(*s) && !counts(s))
-                    .cloned()
-                    .collect()
+                all.filter(|s| is_new(s) && !counts(s)).cloned().collect()
             }
         };
         // What is said to follow may bring in something new, and cannot follow then. A second law may speak of nothing new, where nobody

@@ -8,8 +8,8 @@ use crate::derivation::{Assumed, Goal, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort, InChain};
 
-use super::Outcome;
 use super::judge::{Found, Judge, sources, step};
+use super::{Outcome, stated};
 
 impl Judge<'_> {
     /// Whether a refuted step follows, from what it cites or from what stands before, where symbols that could be anything
@@ -122,10 +122,26 @@ impl Judge<'_> {
         if let Some(conditions) = self.nonzero(&claim, &unbounded, witness, found) {
             return self.holds_under(goal, set, &conditions, Effort::Light, found);
         }
+        if self.holds_still(goal, &set, claim, found) {
+            return true;
+        }
         let conditions = self.positive(goal, &set, &unbounded);
         // That there is a root at all may have to be proved.
         conditions
             .is_some_and(|conditions| self.holds_under(goal, set, &conditions, Effort::Full, found))
+    }
+
+    /// Whether the step follows where what is differentiated nowhere does not change, and something is left that does.
+    fn holds_still(&self, goal: &Goal, set: &[Assumed], claim: Claim, found: &mut Found) -> bool {
+        let still = search::still_in(claim);
+        let mut own = Found::open(found.judged.clone());
+        let holds = !still.is_empty()
+            && self.holds_under(goal, set.to_vec(), &still, Effort::Full, &mut own)
+            && stated::constants(&own.judged, &own.conditions).is_some();
+        if holds {
+            *found = own;
+        }
+        holds
     }
 
     /// What must not vanish for the step to follow, where that is told of single symbols.

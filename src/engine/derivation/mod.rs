@@ -437,11 +437,11 @@ impl Derivation {
         let number = self.equations[at].page;
         let page = &self.pages[number];
         let all = locals.iter().flat_map(|&local| {
-            let formulas = page.locals[local].formulas.iter();
             let source = self.source_of(number, local);
-            formulas.map(move |formula| Assumed {
+            let local = &page.locals[local];
+            local.formulas.iter().map(move |formula| Assumed {
                 formula: formula.clone(),
-                standing: page.standing_of(formula),
+                standing: page.standing_of(local, formula),
                 source,
             })
         });

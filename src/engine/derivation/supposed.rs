@@ -34,6 +34,8 @@ pub struct Local {
     pub is_told: bool,
     /// It lets something that was spoken of before have a value.
     is_special: bool,
+    /// It says what a new symbol means: "Let $u = 1/N$".
+    means: bool,
     /// It is so at one moment alone.
     pub(super) moment: Option<Moment>,
     pub(super) level: u8,
@@ -79,10 +81,12 @@ impl Local {
 }
 
 impl Page {
-    /// What is supposed is so at one point; of constants alone it is so throughout.
-    pub fn standing_of(&self, formula: &Formula) -> Standing {
+    /// What is supposed is so at one point; of constants alone it is so throughout, and so is what a new symbol is said to mean.
+    pub fn standing_of(&self, local: &Local, formula: &Formula) -> Standing {
         let is_constant = |s: &Symbol| self.domains.get(s).is_some_and(|d| d.constant);
-        match formula.free_symbols().iter().all(is_constant) && formula.sequences().is_empty() {
+        let of_constants =
+            || formula.free_symbols().iter().all(is_constant) && formula.sequences().is_empty();
+        match local.means || of_constants() {
             true => Standing::Identity,
             false => Standing::AtPoint,
         }
@@ -153,6 +157,7 @@ impl Page {
                 of_case: is_case || matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
                 is_told: is_fact,
                 is_special: false,
+                means: false,
                 moment: None,
                 level,
             });
@@ -164,6 +169,15 @@ impl Page {
         for local in &mut self.locals[new] {
             let mut values = local.values().into_iter();
             local.is_special = values.any(|symbol| known.speaks_of(&symbol));
+            // "Let $u = 1/N$": of a mere name or number it may be told where something begins.
+            let is_term = |formula: &Arc<Formula>| match formula.as_equation() {
+                Some((Expr::Symbol(_), value)) => {
+                    !matches!(value, Expr::Symbol(_) | Expr::Number(_))
+                }
+                _ => false,
+            };
+            let is_put = local.is_let && !local.of_case && !local.is_special;
+            local.means = is_put && local.formulas.iter().all(is_term);
         }
     }
 
@@ -272,6 +286,7 @@ impl Page {
                 of_case: true,
                 is_told: false,
                 is_special: false,
+                means: false,
                 level: 0,
             });
         }
@@ -316,6 +331,7 @@ impl Page {
             of_case: true,
             is_told: passage.is_none(),
             is_special: false,
+            means: false,
             moment: passage.map(|passage| Moment {
                 passage,
                 display: None,

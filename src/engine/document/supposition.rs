@@ -158,7 +158,8 @@ impl Reader<'_> {
         let unsaid = self.sentence.active.is_some() && self.is_silent() && among(NEGATING);
         // A "non-trivial" solution is none of the trivial ones.
         let compound = index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
-        if denies || unsaid || !compound && among(DOUBTFUL) {
+        let conditional = is_condition(self.source, index, self.tokens);
+        if denies || unsaid || !compound && !conditional && among(DOUBTFUL) {
             self.withdraw();
             self.sentence.doubtful = true;
         }
@@ -168,7 +169,10 @@ impl Reader<'_> {
             word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.contains(&next));
         if among(UNDECIDED) || among(DENYING) && !told {
             self.sentence.factual = false;
-            self.withdraw_facts();
+            // "A ball of radius $r = 2 a$ rolls without slipping": only what comes after it is denied.
+            if word != "without" {
+                self.withdraw_facts();
+            }
         }
         let draws = conclusion::draws(word);
         self.sentence.concluded |= draws || matches!(word, "have" | "show" | "shows");
@@ -194,7 +198,7 @@ impl Reader<'_> {
         let active = self.sentence.active;
         if let Some((kind, reach)) = active {
             let may_begin = kind != SuppositionKind::Define || is_zero;
-            if states && !(may_begin && is_origin(index, reach, self.tokens)) {
+            if states && !(may_begin && is_origin(index, text, reach, self.tokens)) {
                 self.found.push(Supposition { kind, body });
                 self.sentence.named = false;
             }
@@ -391,9 +395,37 @@ fn is_plain(index: usize, tokens: &[Placed<'_>]) -> bool {
 }
 
 /// Whether the mathematics at `index` is told where something begins, or what it is called, and supposed to be no value.
-fn is_origin(index: usize, reach: Reach, tokens: &[Placed<'_>]) -> bool {
+///
+/// "With $g = G M/R^2$ at the surface" is a value: an origin is a number.
+fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> bool {
     let starts = || reach == Reach::Sentence && follows(index, tokens, NAMED_BEFORE);
-    is_named(index, tokens) || starts()
+    let after = tokens.get(index + 1).map(|(token, _)| *token);
+    let placed = matches!(after, Some(Token::Word("at" | "when"))) && !is_number(math);
+    is_named(index, tokens) && !placed || starts()
+}
+
+/// Whether the word at `index` puts what the sentence goes on to display under a condition: "If $u = c$, then".
+fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index..).unwrap_or_default();
+    let [
+        (Token::Word("if" | "If"), _),
+        (Token::Math(body), _),
+        on @ ..,
+    ] = rest
+    else {
+        return false;
+    };
+    let text = source.get(body.range()).unwrap_or_default();
+    let before = index.checked_sub(1).map(|before| tokens[before].0);
+    let begins = matches!(before, None | Some(Token::Stop | Token::Mark(',')))
+        || follows(
+            index,
+            tokens,
+            &[
+                "so", "that", "and", "but", "hence", "thus", "then", "allowed",
+            ],
+        );
+    begins && relates(text) && !on.iter().any(|(token, _)| *token == Token::Stop)
 }
 
 /// Whether what comes after the mathematics at `index` makes it a name.
@@ -509,6 +541,7 @@ fn introduction(
         "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed >= 2 => {
             Some((case, Reach::List { left: listed }))
         }
+        "if" if is_condition(source, index, tokens) => Some((case, joined(true))),
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
         "for" | "when" if !begun && (comma || referred) && value() => Some((case, joined(true))),
         "for" if !begun && described() => Some((case, joined(true))),

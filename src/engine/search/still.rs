@@ -51,6 +51,15 @@ pub(super) fn fewest(
     super::fewest(still, proved)
 }
 
+/// What might change in a claim, of which the author does not say so, held still.
+pub fn still_in(claim: Claim) -> Vec<Formula> {
+    let posed = pose(claim);
+    let still = posed.map(|posed| held_still(posed.claim(), posed.problem()));
+    let mut still = still.unwrap_or_default();
+    still.truncate(MOST_STILL);
+    still
+}
+
 /// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by.
 pub(super) fn held_still(claim: &Claim, problem: &Problem) -> Vec<Formula> {
     let said = said_to_move(claim);

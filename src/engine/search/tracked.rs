@@ -93,13 +93,29 @@ impl Tracked {
             }
         }
         for divisor in divisors {
-            while self.polynomial.degree() >= divisor.degree() && !self.polynomial.is_zero() {
-                let Some(rest) = self.polynomial.divided_by(divisor) else {
-                    break;
-                };
-                self.polynomial = rest;
-                *self.multiplier.entry(divisor.clone()).or_insert(0) += 1;
+            self.divide_out(divisor);
+        }
+        // `(m + M) v² = (m + M) c`: what stands before a power of an unknown may be a factor of all.
+        for var in self.polynomial.vars() {
+            let powers = self.polynomial.in_powers_of(var);
+            let lead = powers.last().map(|lead| lead.without_content().1);
+            if let Some(factor) = lead
+                && (2..self.polynomial.len()).contains(&factor.len())
+                && knowledge.is_nonzero(&factor)
+            {
+                self.divide_out(&factor.monic());
             }
+        }
+    }
+
+    /// Divides by what is known not to vanish, as often as it can be.
+    fn divide_out(&mut self, divisor: &Polynomial) {
+        while self.polynomial.degree() >= divisor.degree() && !self.polynomial.is_zero() {
+            let Some(rest) = self.polynomial.divided_by(divisor) else {
+                break;
+            };
+            self.polynomial = rest;
+            *self.multiplier.entry(divisor.clone()).or_insert(0) += 1;
         }
     }
 
