@@ -59,9 +59,11 @@ impl Judge<'_> {
         // What is put has that value at that moment alone: that it is near what follows in general is no slip.
         let (told, usable) = (self.derivation.told(self.at), self.usable);
         let is_new = |symbol: &Symbol| {
-            let mut told = told.iter().chain(&usable.assumed);
+            let own = |a: &&Assumed| a.source != Source::Step;
+            let before = usable.assumed.iter().filter(own);
+            let mut before = told.iter().chain(before);
             equation.introduces.contains(symbol)
-                && !told.any(|a| a.formula.terms().iter().any(|term| term.mentions(symbol)))
+                && !before.any(|a| a.formula.terms().iter().any(|term| term.mentions(symbol)))
         };
         let has_value = momentary && (others.is_empty() || others.iter().any(is_new));
         let put = has_value || is_put(right, equation.extent);

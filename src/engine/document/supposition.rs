@@ -3,7 +3,7 @@
 //!
 //! A supposition becomes a hypothesis of what follows, so one too many can make anything true.
 //! In doubt nothing is read: not a conclusion drawn in the same sentence ("then", "gives"), not an
-//! alternative ("or"), not a condition ("if"), not a negation, not a question, not a proof by contradiction. A value that is
+//! alternative ("or"), not a condition ("if") but one of what the sentence goes on to display, not a negation, not a question, not a proof by contradiction. A value that is
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
 mod vanishing;
