@@ -189,10 +189,7 @@ pub(super) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
 
 /// Whether the last sentence says what is meant by what comes after it.
 pub(super) fn defines(tokens: &[Placed<'_>]) -> bool {
-    let defining = |(token, _): &Placed<'_>| match token {
-        Token::Word(word) => DEFINING.contains(&word.to_lowercase().as_str()),
-        _ => false,
-    };
+    let defining = |(token, _): &Placed<'_>| token.is_among(&DEFINING);
     last_sentence(tokens).is_some_and(|last| last.iter().any(defining))
 }
 
@@ -208,12 +205,7 @@ pub(super) fn reasons_in_words(source: &str, tokens: &[Placed<'_>]) -> bool {
     let Some(last) = last_sentence(tokens) else {
         return false;
     };
-    let among = |words: &'static [&str]| {
-        move |(token, _): &Placed<'_>| match token {
-            Token::Word(word) => words.contains(&word.to_lowercase().as_str()),
-            _ => false,
-        }
-    };
+    let among = |words: &'static [&str]| move |(token, _): &Placed<'_>| token.is_among(words);
     let is_equation = |(token, _): &Placed<'_>| match token {
         Token::Math(body) => source.get(body.range()).is_some_and(relates),
         token => matches!(token, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..)),

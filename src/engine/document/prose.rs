@@ -30,6 +30,16 @@ pub(super) enum Token<'a> {
     Hidden,
 }
 
+impl Token<'_> {
+    /// Whether it is one of these words, which are in lower case.
+    pub(super) fn is_among(self, words: &[&str]) -> bool {
+        match self {
+            Token::Word(word) => words.iter().any(|own| own.eq_ignore_ascii_case(word)),
+            _ => false,
+        }
+    }
+}
+
 /// A token and where it stands.
 pub(super) type Placed<'a> = (Token<'a>, Span);
 

@@ -350,10 +350,8 @@ fn is_fact(kind: SuppositionKind) -> bool {
 
 /// Whether one of these words, in lower case, stands before what is at `index`.
 fn follows(index: usize, tokens: &[Placed<'_>], words: &[&str]) -> bool {
-    match index.checked_sub(1).and_then(|before| tokens.get(before)) {
-        Some((Token::Word(word), _)) => words.contains(&word.to_lowercase().as_str()),
-        _ => false,
-    }
+    let before = index.checked_sub(1).and_then(|before| tokens.get(before));
+    before.is_some_and(|(token, _)| token.is_among(words))
 }
 
 /// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".

@@ -86,6 +86,9 @@ impl Prover {
     fn take_roots(&mut self, of_all: bool) -> Result<(), TooLarge> {
         for _ in 0..MOST_ROUNDS {
             let mut found = false;
+            for element in &mut self.ideal.rest {
+                element.divide_by_leads(&self.knowledge);
+            }
             for element in self.ideal.rest.clone() {
                 if !of_all && element.cofactors.len() > 1 {
                     continue;

@@ -95,7 +95,10 @@ impl Tracked {
         for divisor in divisors {
             self.divide_out(divisor);
         }
-        // `(m + M) v² = (m + M) c`: what stands before a power of an unknown may be a factor of all.
+    }
+
+    /// Divides by what stands before a power of an unknown and is a factor of all: `(m + M) v² = (m + M) c`.
+    pub fn divide_by_leads(&mut self, knowledge: &Knowledge) {
         for var in self.polynomial.vars() {
             let powers = self.polynomial.in_powers_of(var);
             let lead = powers.last().map(|lead| lead.without_content().1);

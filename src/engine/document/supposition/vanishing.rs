@@ -102,15 +102,14 @@ fn of_display(source: &str, sentence: &[Placed<'_>]) -> Vec<Supposition> {
 }
 
 fn among(sentence: &[Placed<'_>], at: usize, words: &[&str]) -> bool {
-    match sentence.get(at) {
-        Some((Token::Word(word), _)) => words.contains(&word.to_lowercase().as_str()),
-        _ => false,
-    }
+    sentence
+        .get(at)
+        .is_some_and(|(token, _)| token.is_among(words))
 }
 
 fn is_zero(source: &str, token: Token<'_>) -> bool {
     match token {
-        Token::Word(word) => VANISHES.contains(&word.to_lowercase().as_str()),
+        Token::Word(_) => token.is_among(VANISHES),
         Token::Number(number) => number == "0",
         Token::Math(body) => text(source, body).trim() == "0",
         _ => false,
