@@ -15,6 +15,7 @@ mod equation;
 mod euler;
 mod names;
 mod page;
+mod reader;
 mod rows;
 mod running;
 mod supposed;

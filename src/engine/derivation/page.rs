@@ -3,26 +3,19 @@ use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
+use crate::algebra::{BigRational, Dimension, Expr, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::{
-    Attribute, Bound, Citation, Directive, Document, Extent, Item, Premise, Problem, Span,
-    Supposition, SuppositionKind, Vanishing,
+    Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, nearest,
 };
-use crate::document::{above_signs, nearest};
 use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
 
 use super::beside::{Beside, Clash, Place};
-use super::definition::Known;
 use super::equation::each_side;
-use super::rows::Part;
-use super::supposed::{Local, said_of_moment, slope_by};
-use super::{Equation, Kind, counts, names, rows};
-use crate::sorted::Set;
-
-/// Of the values that a piece of text names, so many are looked at.
-const MOST_MENTIONED: usize = 6;
+use super::reader::Reader;
+use super::supposed::Local;
+use super::{Equation, counts, names};
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -75,36 +68,6 @@ pub enum Premises {
     Cited(Vec<Citation>),
 }
 
-/// What is said between one display and the next.
-#[derive(Default)]
-struct Between {
-    given: bool,
-    derived: bool,
-    from: Option<Vec<Spanned<Premise>>>,
-    name: Option<String>,
-    numeric: Option<Option<BigRational>>,
-    /// What says that the display is derived.
-    derives: Option<Span>,
-    cited: Vec<Citation>,
-    mentioned: Vec<Span>,
-    /// Whether words say that the display follows from something.
-    concludes: Option<bool>,
-    /// Whether they cite something just before the display.
-    cites: bool,
-    /// Whether they say what something is meant by.
-    defines: bool,
-    /// Whether they go on from the display before.
-    relative: bool,
-    /// Whether they give a reason that is no equation.
-    reasons: bool,
-    /// Whether they are a mere "where" or "with".
-    meant: bool,
-    /// Of how much the display is said.
-    extent: Option<Extent>,
-    /// Where a slope is said to be zero that nobody has written yet.
-    slope: Option<Span>,
-}
-
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
 /// [`definition::settle`](super::definition::settle) says whether it is the first to speak of it.
 pub(super) fn read_page(
@@ -141,297 +104,9 @@ pub(super) fn read_page(
     page.document.inherited = inherited;
     page.declarations(&items);
     page.figures(&items);
-    let mut ahead = rows::read_ahead(&page.document.source, &items).into_iter();
-    let mut equations: Vec<Equation> = Vec::new();
-    // Of each equation, what says that it is derived.
-    let mut derived: Vec<Option<Span>> = Vec::new();
-    let mut active: Vec<usize> = Vec::new();
-    let mut between = Between::default();
-    // Whether nothing that introduces the next display makes it a step: at the beginning and after a heading nothing does.
-    let mut bare = true;
-    // The equations of the display that the text goes on from.
-    let mut last = 0..0;
-    // What is told in passing.
-    let mut told: Vec<usize> = Vec::new();
-    // The cases whose sentence goes on with the next display.
-    let mut running: Vec<usize> = Vec::new();
-    // Of how much the display before is said.
-    let mut extent = Extent::Throughout;
-    let mut known = Known::default();
-    // The same with the last display.
-    let mut spoken_of = Known::default();
-    let (mut level, mut section) = (0, String::new());
-    for item in &items {
-        match item {
-            &Item::Heading {
-                level: own,
-                ref title,
-                ..
-            } => {
-                if page.title.is_empty() {
-                    page.title = title.clone();
-                }
-                (level, section) = (own, title.clone());
-                (last, bare, extent) = (0..0, true, Extent::Throughout);
-                active.retain(|&at| page.locals[at].level < own && !page.locals[at].is_momentary());
-                told.retain(|&at| page.locals[at].level < own);
-            }
-            Item::Prose(prose) => {
-                let tail = if last.is_empty() { 0 } else { prose.tail };
-                let (of_last, own) = prose.citations.split_at(tail);
-                between.cited.extend(own.iter().cloned());
-                for equation in &mut equations[last.clone()] {
-                    equation.cite(of_last, prose.says_from);
-                }
-                between.relative |= prose.is_relative && between.concludes.is_none();
-                between.concludes = prose.concludes.or(between.concludes);
-                between.reasons |= prose.reasons;
-                between.meant |= prose.says_what_is_meant;
-                between.extent = prose.extent.or(between.extent);
-                between.cites |= prose.cites;
-                between.defines |= prose.defines;
-                let mut mentioned = prose.mentions.clone();
-                if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
-                    told.retain(|&at| !page.locals[at].of_case);
-                }
-                for &Supposition { kind, body } in &prose.suppositions {
-                    if let SuppositionKind::General | SuppositionKind::Elsewhere = kind {
-                        let all = kind == SuppositionKind::General;
-                        active.retain(|&at| !page.locals[at].is_left_by(all));
-                        continue;
-                    }
-                    if kind == SuppositionKind::Moment {
-                        let (new, passage) = (page.locals.len().., equations.len());
-                        page.begin_moment(passage, false, &[], &mut active);
-                        page.suppose(body, SuppositionKind::Assume, level, &mut active, false);
-                        page.date(new.clone(), passage);
-                        page.leave_other_values(new, &mut active);
-                        continue;
-                    }
-                    if let SuppositionKind::Fact { runs_on, .. } = kind {
-                        let new = page.locals.len()..;
-                        page.suppose(body, kind, level, &mut told, false);
-                        page.date_with(new, &active);
-                        told.retain(|&at| runs_on || page.locals[at].set.is_empty());
-                        continue;
-                    }
-                    if let SuppositionKind::Vanishes(what) = kind {
-                        let passage = equations.len();
-                        match page.vanishing(what, body, &equations) {
-                            Some(term) if what == Vanishing::Told => {
-                                told.push(page.suppose_zero(term, body, None));
-                            }
-                            Some(term) => {
-                                page.begin_moment(passage, false, &[], &mut active);
-                                active.push(page.suppose_zero(term, body, Some(passage)));
-                            }
-                            None if what == Vanishing::Slope => between.slope = Some(body),
-                            None => {}
-                        }
-                        continue;
-                    }
-                    if kind == SuppositionKind::Known {
-                        page.suppose(body, kind, level, &mut told, false);
-                        continue;
-                    }
-                    if kind == SuppositionKind::Define
-                        && !known.says_what_is_meant(body, &page, &equations, last.clone())
-                    {
-                        mentioned.push(body);
-                        continue;
-                    }
-                    let before = page.locals.len();
-                    spoken_of.learn(&equations, &page.locals);
-                    page.suppose(body, kind, level, &mut active, false);
-                    page.restrict(before.., &spoken_of);
-                    if kind == (SuppositionKind::Case { runs_on: true }) {
-                        running.extend(before..page.locals.len());
-                    }
-                    if kind == SuppositionKind::Define {
-                        for equation in &mut equations[last.clone()] {
-                            equation.locals.extend(before..page.locals.len());
-                        }
-                    }
-                }
-                page.leave_passages(&mut active);
-                page.forget_moments(&active, &mut told);
-                mentioned.truncate(MOST_MENTIONED);
-                for equation in &mut equations[std::mem::take(&mut last)] {
-                    equation.mentioned.extend(&mentioned);
-                }
-                between.mentioned.extend(mentioned);
-                between.mentioned.truncate(MOST_MENTIONED);
-            }
-            Item::Directives { clauses, .. } => {
-                for clause in clauses {
-                    if let Directive::Derived | Directive::From(_) | Directive::Numeric(_) =
-                        &clause.value
-                    {
-                        between.derives = Some(clause.span);
-                    }
-                    match &clause.value {
-                        Directive::Given => between.given = true,
-                        Directive::Derived => between.derived = true,
-                        Directive::From(premises) => between.from = Some(premises.clone()),
-                        Directive::Claim(name) => between.name = Some(name.value.clone()),
-                        Directive::Assuming(body) => {
-                            let kind = SuppositionKind::Assume;
-                            page.suppose(*body, kind, level, &mut active, true);
-                        }
-                        Directive::Let(body) => {
-                            page.suppose(*body, SuppositionKind::Let, level, &mut active, true);
-                        }
-                        Directive::Numeric(near) => between.numeric = Some(near.clone()),
-                        Directive::Symbols { .. } | Directive::Data { .. } => {}
-                    }
-                }
-            }
-            Item::Display { span, body, layout } => {
-                let (span, body) = (*span, *body);
-                let mut said = std::mem::take(&mut between);
-                let source = &page.document.source;
-                said.cited.extend(above_signs(source, body));
-                let read = ahead.next();
-                let mut read = read.unwrap_or_else(|| rows::read(source, body, layout.as_deref()));
-                let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
-                page.read_exponentials(statements.flatten());
-                page.leave_cases(&read, &running, &mut active);
-                if let Some(span) = said.slope
-                    && let Some(slope) = slope_by(&read, &equations)
-                {
-                    let passage = equations.len();
-                    page.begin_moment(passage, false, &[], &mut active);
-                    active.push(page.suppose_zero(slope, span, Some(passage)));
-                }
-                // "Torricelli's law @eq-law:" announces what is displayed next.
-                let announces = |cited: &Citation| {
-                    read.iter().any(|part| match cited.key {
-                        true => part.keys.contains(&cited.tag),
-                        false => part.tag.as_ref() == Some(&cited.tag),
-                    })
-                };
-                let alone =
-                    equations.is_empty() && said.cited.iter().all(announces) && said.from.is_none();
-                // Where nothing is said between two displays, they are introduced together.
-                let uncited = said.cited.is_empty()
-                    && !(said.given
-                        || said.derived
-                        || said.from.is_some()
-                        || said.numeric.is_some());
-                bare = uncited
-                    && match said.concludes {
-                        Some(concludes) => !concludes || said.reasons,
-                        None => bare,
-                    };
-                // What is announced is not cited.
-                let cites = said.cites && !said.cited.iter().all(announces);
-                let drawn = (said.concludes == Some(true) || cites) && !said.defines;
-                let of_display = read.len();
-                let goes_on = matches!(said.extent, None | Some(Extent::AsBefore));
-                extent = match said.extent {
-                    _ if !bare => Extent::Throughout,
-                    None | Some(Extent::AsBefore) => extent,
-                    Some(extent) => extent,
-                };
-                let at_moment: Vec<Vec<Formula>> = match extent {
-                    Extent::Moment | Extent::Condition => {
-                        spoken_of.learn(&equations, &page.locals);
-                        let is_known = |symbol: &Symbol| spoken_of.speaks_of(symbol);
-                        let of = |part: &Part| {
-                            let statements = part.statements.iter().flatten();
-                            let said = |s| said_of_moment(s, extent, is_known);
-                            statements.filter_map(said).collect()
-                        };
-                        read.iter().map(of).collect()
-                    }
-                    _ => vec![Vec::new(); of_display],
-                };
-                let passage = match at_moment.iter().all(Vec::is_empty) {
-                    true => {
-                        let is_derived = drawn || !said.cited.iter().all(announces);
-                        page.leave_moments(&read, is_derived, &mut active);
-                        None
-                    }
-                    false => {
-                        Some(page.begin_moment(equations.len(), goes_on, &running, &mut active))
-                    }
-                };
-                running.clear();
-                page.forget_moments(&active, &mut told);
-                last = equations.len()..equations.len() + of_display;
-                let mut name = said.name;
-                for (row, (part, at_moment)) in read.into_iter().zip(at_moment).enumerate() {
-                    let statements = || part.statements.iter().flatten();
-                    let mark = statements().any(|s| s.mark.is_some());
-                    let kind = match () {
-                        () if said.given => Kind::Given,
-                        () if said.numeric.is_some() => Kind::Derived,
-                        () if mark => Kind::Marked,
-                        () => Kind::Derived,
-                    };
-                    let by_cases = statements().find(|s| !s.under.is_empty());
-                    let by_cases = by_cases.filter(|_| said.numeric.is_some()).map(|s| s.span);
-                    let stated = said.derived || said.numeric.is_some();
-                    let may_define = kind == Kind::Derived && !stated && said.from.is_none();
-                    let defines = (0..statements().count()).filter(|_| may_define).collect();
-                    derived.push(said.derives);
-                    let at = equations.len();
-                    equations.push(Equation {
-                        page: number,
-                        tag: part.tag,
-                        keys: part.keys,
-                        group: part.group,
-                        // A claim is one display; where that has several numbers the name is that of the last.
-                        name: match row + 1 == of_display {
-                            true => name.take(),
-                            false => None,
-                        },
-                        span: if of_display == 1 { span } else { part.body },
-                        body: part.body,
-                        statements: match by_cases {
-                            None => part.statements,
-                            Some(span) => Err(SyntaxError {
-                                span,
-                                message: "a numeric claim is not read by cases".into(),
-                                help: None,
-                            }),
-                        },
-                        kind,
-                        defines,
-                        introduces: Set::new(),
-                        explains: false,
-                        opens: alone && kind == Kind::Derived && !stated,
-                        relative: said.relative,
-                        bare: bare && kind == Kind::Derived && part.continues == 0,
-                        uncited: uncited && kind == Kind::Derived && part.continues == 0,
-                        reasons: said.reasons,
-                        meant: said.meant,
-                        extent,
-                        moments: 0..0,
-                        drawn: drawn && kind == Kind::Derived,
-                        numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
-                        premises: match &said.from {
-                            Some(named) => Premises::Named(named.clone()),
-                            None => Premises::Cited(said.cited.clone()),
-                        },
-                        row,
-                        continues: part.continues,
-                        locals: active.clone(),
-                        told: told.iter().rev().take(MOST_MENTIONED).copied().collect(),
-                        mentioned: said.mentioned.clone(),
-                        section: section.clone(),
-                    });
-                    if let Some((equation, passage)) = equations.last_mut().zip(passage) {
-                        let display = (at, equation.body);
-                        equation.moments =
-                            page.suppose_at_moment(at_moment, display, passage, &mut active);
-                    }
-                }
-                // What has a number for a value is told of one display.
-                told.retain(|&at| page.locals[at].set.is_empty());
-            }
-        }
-    }
+    let mut reader = Reader::new(&mut page, number, &items);
+    items.iter().for_each(|item| reader.item(item));
+    let (mut equations, derived) = reader.finish();
     let declared =
         |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
     names::refuse(&mut equations, declared);

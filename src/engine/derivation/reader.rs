@@ -1,0 +1,437 @@
+//! A document read from top to bottom: what headings, text and directives between two displays say of the next one.
+
+use std::ops::Range;
+use std::vec;
+
+use crate::algebra::{BigRational, Formula, Symbol};
+use crate::document::{
+    Citation, Directive, Extent, Item, Layout, Premise, Prose, Span, Supposition, SuppositionKind,
+    Vanishing, above_signs,
+};
+use crate::notation::{Spanned, SyntaxError};
+use crate::sorted::Set;
+
+use super::definition::Known;
+use super::page::{Page, Premises};
+use super::rows::{self, Part};
+use super::supposed::{said_of_moment, slope_by};
+use super::{Equation, Kind};
+
+/// Of the values that a piece of text names, so many are looked at.
+const MOST_MENTIONED: usize = 6;
+
+/// What is said between one display and the next.
+#[derive(Default)]
+struct Between {
+    given: bool,
+    derived: bool,
+    from: Option<Vec<Spanned<Premise>>>,
+    name: Option<String>,
+    numeric: Option<Option<BigRational>>,
+    /// What says that the display is derived.
+    derives: Option<Span>,
+    cited: Vec<Citation>,
+    mentioned: Vec<Span>,
+    /// Whether words say that the display follows from something.
+    concludes: Option<bool>,
+    /// Whether they cite something just before the display.
+    cites: bool,
+    /// Whether they say what something is meant by.
+    defines: bool,
+    /// Whether they go on from the display before.
+    relative: bool,
+    /// Whether they give a reason that is no equation.
+    reasons: bool,
+    /// Whether they are a mere "where" or "with".
+    meant: bool,
+    /// Of how much the display is said.
+    extent: Option<Extent>,
+    /// Where a slope is said to be zero that nobody has written yet.
+    slope: Option<Span>,
+}
+
+/// What has been read of a page.
+pub(super) struct Reader<'p> {
+    page: &'p mut Page,
+    number: usize,
+    /// The displays that are still to come, read.
+    ahead: vec::IntoIter<Vec<Part>>,
+    equations: Vec<Equation>,
+    /// Of each equation, what says that it is derived.
+    derived: Vec<Option<Span>>,
+    level: u8,
+    section: String,
+    /// What is supposed here, as positions in the page's locals.
+    active: Vec<usize>,
+    /// What is told in passing.
+    told: Vec<usize>,
+    /// The cases whose sentence goes on with the next display.
+    running: Vec<usize>,
+    between: Between,
+    /// Whether nothing that introduces the next display makes it a step: at the beginning and after a heading nothing does.
+    bare: bool,
+    /// Of how much the display before is said.
+    extent: Extent,
+    /// The equations of the display that the text goes on from.
+    last: Range<usize>,
+    /// What is spoken of before the last display.
+    known: Known,
+    /// The same with the last display.
+    spoken_of: Known,
+}
+
+impl<'p> Reader<'p> {
+    /// At the top of a page whose declarations are read.
+    pub fn new(page: &'p mut Page, number: usize, items: &[Item]) -> Self {
+        Reader {
+            ahead: rows::read_ahead(&page.document.source, items).into_iter(),
+            page,
+            number,
+            equations: Vec::new(),
+            derived: Vec::new(),
+            level: 0,
+            section: String::new(),
+            active: Vec::new(),
+            told: Vec::new(),
+            running: Vec::new(),
+            between: Between::default(),
+            bare: true,
+            extent: Extent::Throughout,
+            last: 0..0,
+            known: Known::default(),
+            spoken_of: Known::default(),
+        }
+    }
+
+    /// The equations, and of each what says that it is derived.
+    pub fn finish(self) -> (Vec<Equation>, Vec<Option<Span>>) {
+        (self.equations, self.derived)
+    }
+
+    /// Reads on.
+    pub fn item(&mut self, item: &Item) {
+        match item {
+            Item::Heading { level, title, .. } => self.heading(*level, title),
+            Item::Prose(prose) => self.prose(prose),
+            Item::Directives { clauses, .. } => {
+                for clause in clauses {
+                    self.directive(&clause.value, clause.span);
+                }
+            }
+            Item::Display { span, body, layout } => self.display(*span, *body, layout.as_deref()),
+        }
+    }
+
+    fn heading(&mut self, level: u8, title: &str) {
+        if self.page.title.is_empty() {
+            self.page.title = title.to_owned();
+        }
+        (self.level, self.section) = (level, title.to_owned());
+        (self.last, self.bare, self.extent) = (0..0, true, Extent::Throughout);
+        let locals = &self.page.locals;
+        self.active
+            .retain(|&at| locals[at].level < level && !locals[at].is_momentary());
+        self.told.retain(|&at| locals[at].level < level);
+    }
+
+    fn prose(&mut self, prose: &Prose) {
+        let tail = if self.last.is_empty() { 0 } else { prose.tail };
+        let (of_last, own) = prose.citations.split_at(tail);
+        for equation in &mut self.equations[self.last.clone()] {
+            equation.cite(of_last, prose.says_from);
+        }
+        self.between.hear(prose, own);
+        let mut mentioned = prose.mentions.clone();
+        if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
+            let locals = &self.page.locals;
+            self.told.retain(|&at| !locals[at].of_case);
+        }
+        for supposition in &prose.suppositions {
+            mentioned.extend(self.supposition(supposition));
+        }
+        self.page.leave_passages(&mut self.active);
+        self.page.forget_moments(&self.active, &mut self.told);
+        mentioned.truncate(MOST_MENTIONED);
+        for equation in &mut self.equations[std::mem::take(&mut self.last)] {
+            equation.mentioned.extend(&mentioned);
+        }
+        self.between.mentioned.extend(mentioned);
+        self.between.mentioned.truncate(MOST_MENTIONED);
+    }
+
+    /// Takes up what prose supposes; what it only names is returned.
+    fn supposition(&mut self, &Supposition { kind, body }: &Supposition) -> Option<Span> {
+        let (new, passage) = (self.page.locals.len().., self.equations.len());
+        let (page, active) = (&mut *self.page, &mut self.active);
+        match kind {
+            SuppositionKind::General | SuppositionKind::Elsewhere => {
+                let all = kind == SuppositionKind::General;
+                active.retain(|&at| !page.locals[at].is_left_by(all));
+            }
+            SuppositionKind::Moment => {
+                page.begin_moment(passage, false, &[], active);
+                page.suppose(body, SuppositionKind::Assume, self.level, active, false);
+                page.date(new.clone(), passage);
+                page.leave_other_values(new, active);
+            }
+            SuppositionKind::Fact { runs_on, .. } => {
+                page.suppose(body, kind, self.level, &mut self.told, false);
+                page.date_with(new, active);
+                self.told
+                    .retain(|&at| runs_on || page.locals[at].set.is_empty());
+            }
+            SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
+            SuppositionKind::Vanishes(what) => match page.vanishing(what, body, &self.equations) {
+                Some(term) if what == Vanishing::Told => {
+                    self.told.push(page.suppose_zero(term, body, None));
+                }
+                Some(term) => {
+                    page.begin_moment(passage, false, &[], active);
+                    active.push(page.suppose_zero(term, body, Some(passage)));
+                }
+                None if what == Vanishing::Slope => self.between.slope = Some(body),
+                None => {}
+            },
+            SuppositionKind::Define if !self.says_what_is_meant(body) => return Some(body),
+            _ => self.suppose(kind, body),
+        }
+        None
+    }
+
+    fn says_what_is_meant(&mut self, body: Span) -> bool {
+        let last = self.last.clone();
+        self.known
+            .says_what_is_meant(body, self.page, &self.equations, last)
+    }
+
+    fn suppose(&mut self, kind: SuppositionKind, body: Span) {
+        let before = self.page.locals.len();
+        self.spoken_of.learn(&self.equations, &self.page.locals);
+        self.page
+            .suppose(body, kind, self.level, &mut self.active, false);
+        self.page.restrict(before.., &self.spoken_of);
+        let new = before..self.page.locals.len();
+        match kind {
+            SuppositionKind::Case { runs_on: true } => self.running.extend(new),
+            SuppositionKind::Define => {
+                for equation in &mut self.equations[self.last.clone()] {
+                    equation.locals.extend(new.clone());
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn directive(&mut self, directive: &Directive, span: Span) {
+        let between = &mut self.between;
+        if let Directive::Derived | Directive::From(_) | Directive::Numeric(_) = directive {
+            between.derives = Some(span);
+        }
+        let mut suppose = |body: Span, kind| {
+            let active = &mut self.active;
+            self.page.suppose(body, kind, self.level, active, true);
+        };
+        match directive {
+            Directive::Given => between.given = true,
+            Directive::Derived => between.derived = true,
+            Directive::From(premises) => between.from = Some(premises.clone()),
+            Directive::Claim(name) => between.name = Some(name.value.clone()),
+            Directive::Assuming(body) => suppose(*body, SuppositionKind::Assume),
+            Directive::Let(body) => suppose(*body, SuppositionKind::Let),
+            Directive::Numeric(near) => between.numeric = Some(near.clone()),
+            Directive::Symbols { .. } | Directive::Data { .. } => {}
+        }
+    }
+
+    fn display(&mut self, span: Span, body: Span, layout: Option<&Layout>) {
+        let mut said = std::mem::take(&mut self.between);
+        let source = &self.page.document.source;
+        said.cited.extend(above_signs(source, body));
+        let read = self.ahead.next();
+        let mut read = read.unwrap_or_else(|| rows::read(source, body, layout));
+        let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
+        self.page.read_exponentials(statements.flatten());
+        self.page
+            .leave_cases(&read, &self.running, &mut self.active);
+        if let Some(span) = said.slope
+            && let Some(slope) = slope_by(&read, &self.equations)
+        {
+            let passage = self.equations.len();
+            self.page
+                .begin_moment(passage, false, &[], &mut self.active);
+            let slope = self.page.suppose_zero(slope, span, Some(passage));
+            self.active.push(slope);
+        }
+        let of_display = read.len();
+        self.bare = said.is_uncited()
+            && match said.concludes {
+                Some(concludes) => !concludes || said.reasons,
+                // Where nothing is said between two displays, they are introduced together.
+                None => self.bare,
+            };
+        self.extent = match said.extent {
+            _ if !self.bare => Extent::Throughout,
+            None | Some(Extent::AsBefore) => self.extent,
+            Some(extent) => extent,
+        };
+        let at_moment = self.said_of_moment(&read);
+        let passage = self.passage(&said, &read, &at_moment);
+        self.running.clear();
+        self.page.forget_moments(&self.active, &mut self.told);
+        self.last = self.equations.len()..self.equations.len() + of_display;
+        let alone = self.equations.is_empty() && said.announces_all(&read) && said.from.is_none();
+        let drawn = said.draws(&read);
+        for (row, (part, at_moment)) in read.into_iter().zip(at_moment).enumerate() {
+            let display = (self.equations.len(), part.body);
+            let mut equation = self.equation(&said, part, row);
+            // A claim is one display; where that has several numbers the name is that of the last.
+            if row + 1 == of_display {
+                equation.name = said.name.clone();
+            }
+            if of_display == 1 {
+                equation.span = span;
+            }
+            equation.opens &= alone;
+            equation.drawn &= drawn;
+            self.derived.push(said.derives);
+            if let Some(passage) = passage {
+                let active = &mut self.active;
+                equation.moments =
+                    (self.page).suppose_at_moment(at_moment, display, passage, active);
+            }
+            self.equations.push(equation);
+        }
+        // What has a number for a value is told of one display.
+        let locals = &self.page.locals;
+        self.told.retain(|&at| locals[at].set.is_empty());
+    }
+
+    /// What a display says of one moment, row by row.
+    fn said_of_moment(&mut self, read: &[Part]) -> Vec<Vec<Formula>> {
+        let extent = self.extent;
+        if !matches!(extent, Extent::Moment | Extent::Condition) {
+            return vec![Vec::new(); read.len()];
+        }
+        self.spoken_of.learn(&self.equations, &self.page.locals);
+        let is_known = |symbol: &Symbol| self.spoken_of.speaks_of(symbol);
+        let of = |part: &Part| {
+            let statements = part.statements.iter().flatten();
+            let said = |s| said_of_moment(s, extent, is_known);
+            statements.filter_map(said).collect()
+        };
+        read.iter().map(of).collect()
+    }
+
+    /// The passage of the moment that a display is of; where it is of none, moments are left.
+    fn passage(
+        &mut self,
+        said: &Between,
+        read: &[Part],
+        at_moment: &[Vec<Formula>],
+    ) -> Option<usize> {
+        if at_moment.iter().all(Vec::is_empty) {
+            let is_derived = said.draws(read) || !said.announces_all(read);
+            self.page.leave_moments(read, is_derived, &mut self.active);
+            return None;
+        }
+        let goes_on = matches!(said.extent, None | Some(Extent::AsBefore));
+        let at = self.equations.len();
+        let begun = (self.page).begin_moment(at, goes_on, &self.running, &mut self.active);
+        Some(begun)
+    }
+
+    /// A row of a display, as far as it can be told without the others.
+    fn equation(&self, said: &Between, part: Part, row: usize) -> Equation {
+        let statements = || part.statements.iter().flatten();
+        let mark = statements().any(|s| s.mark.is_some());
+        let kind = match () {
+            () if said.given => Kind::Given,
+            () if said.numeric.is_some() => Kind::Derived,
+            () if mark => Kind::Marked,
+            () => Kind::Derived,
+        };
+        let by_cases = statements().find(|s| !s.under.is_empty());
+        let by_cases = by_cases.filter(|_| said.numeric.is_some()).map(|s| s.span);
+        let stated = said.derived || said.numeric.is_some();
+        let is_derived = kind == Kind::Derived;
+        let may_define = is_derived && !stated && said.from.is_none();
+        Equation {
+            page: self.number,
+            tag: part.tag,
+            keys: part.keys,
+            group: part.group,
+            name: None,
+            span: part.body,
+            body: part.body,
+            defines: (0..statements().count()).filter(|_| may_define).collect(),
+            statements: match by_cases {
+                None => part.statements,
+                Some(span) => Err(SyntaxError {
+                    span,
+                    message: "a numeric claim is not read by cases".into(),
+                    help: None,
+                }),
+            },
+            kind,
+            introduces: Set::new(),
+            explains: false,
+            opens: is_derived && !stated,
+            relative: said.relative,
+            bare: self.bare && is_derived && part.continues == 0,
+            uncited: said.is_uncited() && is_derived && part.continues == 0,
+            reasons: said.reasons,
+            meant: said.meant,
+            extent: self.extent,
+            moments: 0..0,
+            drawn: is_derived,
+            numeric: said.numeric.clone().filter(|_| kind != Kind::Given),
+            premises: match &said.from {
+                Some(named) => Premises::Named(named.clone()),
+                None => Premises::Cited(said.cited.clone()),
+            },
+            row,
+            continues: part.continues,
+            locals: self.active.clone(),
+            told: (self.told.iter().rev().take(MOST_MENTIONED).copied()).collect(),
+            mentioned: said.mentioned.clone(),
+            section: self.section.clone(),
+        }
+    }
+}
+
+impl Between {
+    /// Takes up a piece of text, with those of its citations that are of the next display.
+    fn hear(&mut self, prose: &Prose, cited: &[Citation]) {
+        self.cited.extend_from_slice(cited);
+        self.relative |= prose.is_relative && self.concludes.is_none();
+        self.concludes = prose.concludes.or(self.concludes);
+        self.reasons |= prose.reasons;
+        self.meant |= prose.says_what_is_meant;
+        self.extent = prose.extent.or(self.extent);
+        self.cites |= prose.cites;
+        self.defines |= prose.defines;
+    }
+
+    /// Whether nothing is said of what the display comes from.
+    fn is_uncited(&self) -> bool {
+        let stated = self.given || self.derived || self.from.is_some() || self.numeric.is_some();
+        self.cited.is_empty() && !stated
+    }
+
+    /// Whether all that is cited is the display itself: "Torricelli's law @eq-law:" announces what is displayed next.
+    fn announces_all(&self, read: &[Part]) -> bool {
+        self.cited.iter().all(|cited| {
+            read.iter().any(|part| match cited.key {
+                true => part.keys.contains(&cited.tag),
+                false => part.tag.as_ref() == Some(&cited.tag),
+            })
+        })
+    }
+
+    /// Whether words cite something, or say that the display follows, and none that it defines anything.
+    fn draws(&self, read: &[Part]) -> bool {
+        // What is announced is not cited.
+        let cites = self.cites && !self.announces_all(read);
+        (self.concludes == Some(true) || cites) && !self.defines
+    }
+}
