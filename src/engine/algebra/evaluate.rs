@@ -9,8 +9,8 @@ use std::fmt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::{
-    Atoms, BigInt, BigRational, Conditions, Expr, Formula, Function, Lowering, Polynomial,
-    Relation, Symbol, element_parts, element_symbol, expr_of_atom,
+    Atoms, BigInt, BigRational, Expr, Formula, Function, Lowering, Polynomial, Relation, Symbol,
+    element_parts, element_symbol, expr_of_atom,
 };
 use crate::sorted::{Map, Set};
 
@@ -384,12 +384,9 @@ impl Values {
         let unsupported = || EvaluateError::Unsupported(term.clone());
         let mut atoms = Atoms::default();
         let value = Lowering {
-            atoms: &mut atoms,
             sequences: &self.sequences.keys().cloned().collect(),
             constants: &self.constants,
-            powers: None,
-            functions: None,
-            conditions: Conditions::default(),
+            ..Lowering::plain(&mut atoms)
         }
         .lower(&self.unfolded(term))
         .map_err(|_| unsupported())?;

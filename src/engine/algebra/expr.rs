@@ -127,6 +127,20 @@ pub enum Function {
 }
 
 impl Expr {
+    /// Whether it is a number, a symbol, or put together from the terms below it by arithmetic.
+    pub fn is_arithmetic(&self) -> bool {
+        matches!(
+            self,
+            Expr::Number(_)
+                | Expr::Symbol(_)
+                | Expr::Sum(_)
+                | Expr::Product(_)
+                | Expr::Negate(_)
+                | Expr::Quotient(..)
+                | Expr::Power(..)
+        )
+    }
+
     /// An integer.
     pub fn integer(value: impl Into<BigInt>) -> Expr {
         Expr::Number(BigRational::from_integer(value.into()))

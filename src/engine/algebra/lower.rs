@@ -102,6 +102,21 @@ pub struct Lowering<'a> {
 
 pub(super) type Lowered = Result<Fraction, LowerError>;
 
+impl<'a> Lowering<'a> {
+    /// Reads terms as they are written, no symbol a sequence or known to be constant.
+    pub fn plain(atoms: &'a mut Atoms) -> Self {
+        static NONE: Set<Symbol> = Set::new();
+        Lowering {
+            atoms,
+            sequences: &NONE,
+            constants: &NONE,
+            powers: None,
+            functions: None,
+            conditions: Conditions::default(),
+        }
+    }
+}
+
 impl Lowering<'_> {
     /// The value of a term; [`Lowering::conditions`] grows by what it needs.
     pub fn lower(&mut self, expr: &Expr) -> Lowered {

@@ -331,17 +331,7 @@ impl Known<'_> {
 
 /// Whether a term is made of what intervals know.
 fn is_evaluable(term: &Expr) -> bool {
-    let here = matches!(
-        term,
-        Expr::Number(_)
-            | Expr::Symbol(_)
-            | Expr::Sum(_)
-            | Expr::Product(_)
-            | Expr::Negate(_)
-            | Expr::Quotient(..)
-            | Expr::Power(..)
-            | Expr::Call(Function::Abs, _)
-    );
+    let here = term.is_arithmetic() || matches!(term, Expr::Call(Function::Abs, _));
     here && term.children().all(is_evaluable)
 }
 

@@ -89,7 +89,7 @@ impl Judge<'_> {
         let is_value = matches!(left, Expr::Symbol(symbol) if !is_new(symbol));
         let brings = !is_value && symbols.iter().any(is_new);
         let may_be_law = || equation.meant || !symbols.is_empty() || is_law() || put;
-        if !brings && !(equation.bare && may_be_law()) {
+        if !(brings || equation.bare && may_be_law()) {
             return None;
         }
         // How something changes of which is known what it is follows from that.

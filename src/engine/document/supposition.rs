@@ -233,13 +233,6 @@ impl Reader<'_> {
         if !is_value || own.active.is_some() || own.doubtful || own.concluded || !own.begun {
             return false;
         }
-        let joined = || {
-            let last = self
-                .found
-                .last()
-                .filter(|last| last.kind == SuppositionKind::Moment);
-            last.is_some_and(|last| ends_before(last.body, index, self.tokens))
-        };
         match self.is_silent() {
             true => {
                 let before = &self.tokens[own.first..index];
@@ -247,7 +240,7 @@ impl Reader<'_> {
                 let is_place = follows(index, self.tokens, NAMED_BEFORE);
                 says && !is_place && circumstance::of_sentence(before) == Extent::Moment
             }
-            false => follows(index, self.tokens, &["and"]) && joined(),
+            false => self.joins(index, |kind| kind == SuppositionKind::Moment),
         }
     }
 
@@ -257,14 +250,14 @@ impl Reader<'_> {
         if own.active.is_some() || own.doubtful || !own.factual || is_named(index, self.tokens) {
             return false;
         }
-        let joined = || {
-            let last = self
-                .found
-                .last()
-                .filter(|last| last.kind == SuppositionKind::Known);
-            last.is_some_and(|last| ends_before(last.body, index, self.tokens))
-        };
-        tells_that(index, self.tokens) || follows(index, self.tokens, &["and"]) && joined()
+        tells_that(index, self.tokens) || self.joins(index, |kind| kind == SuppositionKind::Known)
+    }
+
+    /// Whether an "and" joins the mathematics at `index` to what was supposed just before it, if that is of such a kind.
+    fn joins(&self, index: usize, is: impl Fn(SuppositionKind) -> bool) -> bool {
+        let last = self.found.last().filter(|last| is(last.kind));
+        follows(index, self.tokens, &["and"])
+            && last.is_some_and(|last| ends_before(last.body, index, self.tokens))
     }
 
     /// Whether a relation is a fact that the sentence tells in passing.
@@ -281,13 +274,8 @@ impl Reader<'_> {
         }
         // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
         let bounds = is_bound(text) && !differs(text);
-        let joined = || {
-            let told = self.found.last().filter(|last| is_fact(last.kind));
-            follows(index, self.tokens, &["and"])
-                && told.is_some_and(|last| ends_before(last.body, index, self.tokens))
-        };
         let plainly = match is_number(text) && !bounds {
-            true => is_plain(index, self.tokens) || joined(),
+            true => is_plain(index, self.tokens) || self.joins(index, is_fact),
             false => !(bounds && follows(index, self.tokens, &["for"])),
         };
         // "The magnification $M = f/s$ is": what is no number is no origin.

@@ -275,7 +275,7 @@ impl Family {
         }
         let terms = self.groups.iter().flat_map(|group| group.elements.values());
         for term in terms.chain(self.symbols.values()) {
-            let plain = !term.any(&|part| !is_arithmetic(part));
+            let plain = !term.any(&|part| !part.is_arithmetic());
             let free = |s: &Symbol| !self.symbols.contains_key(s) && !is_special(s);
             if !plain || !term.free_symbols().iter().all(free) {
                 return Err(Reject::NoFamily);
@@ -399,7 +399,8 @@ impl Family {
                 }
                 Ok(sum_of(terms))
             }
-            term if is_arithmetic(term) => {
+            // Equals can be put in for symbols.
+            term if term.is_arithmetic() => {
                 let mut failed = None;
                 let written = term.map_children(|child| {
                     self.term(child, bound).unwrap_or_else(|reject| {
@@ -412,20 +413,6 @@ impl Family {
             _ => Err(Reject::NoFamily),
         }
     }
-}
-
-/// Whether a term is put together from those below it by arithmetic, so that equals can be put in for symbols.
-fn is_arithmetic(term: &Expr) -> bool {
-    matches!(
-        term,
-        Expr::Number(_)
-            | Expr::Symbol(_)
-            | Expr::Sum(_)
-            | Expr::Product(_)
-            | Expr::Negate(_)
-            | Expr::Quotient(..)
-            | Expr::Power(..)
-    )
 }
 
 fn times(size: &Expr, term: Expr) -> Expr {

@@ -13,8 +13,8 @@ use super::point::{Target, Tried, Wanted, satisfies};
 use super::unfold::definitions_to_unfold;
 use super::values::candidates;
 use crate::algebra::{
-    Atom, Atoms, BigRational, Conditions, Expr, Formula, Function, Lowering, Polynomial, Rational,
-    Symbol, Values, Var, element_parts, element_symbol,
+    Atom, Atoms, BigRational, Expr, Formula, Function, Lowering, Polynomial, Rational, Symbol,
+    Values, Var, element_parts, element_symbol,
 };
 use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Obligation, Sign};
 use crate::sorted::{Map, Set};
@@ -548,7 +548,6 @@ pub fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
             _ => None,
         })
         .collect();
-    let nothing = Set::new();
     for (var, expr) in opaque {
         match &expr {
             Expr::Derivative { body, .. }
@@ -558,14 +557,7 @@ pub fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
                     return None;
                 };
                 let q: u32 = exponent.denom().try_into().ok()?;
-                let mut lowering = Lowering {
-                    atoms,
-                    sequences: &nothing,
-                    constants: &nothing,
-                    powers: None,
-                    functions: None,
-                    conditions: Conditions::default(),
-                };
+                let mut lowering = Lowering::plain(atoms);
                 let base = lowering.lower(base).ok()?;
                 let root = Polynomial::var(var);
                 let below = base.expanded_denominator().ok()?;
@@ -610,15 +602,7 @@ pub fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
     }
     for (symbol, term) in defined.iter().rev() {
         let mut atoms = crate::algebra::Atoms::default();
-        let nothing = Set::new();
-        let mut lowering = Lowering {
-            atoms: &mut atoms,
-            sequences: &nothing,
-            constants: &nothing,
-            powers: None,
-            functions: None,
-            conditions: Conditions::default(),
-        };
+        let mut lowering = Lowering::plain(&mut atoms);
         let written = point.symbols.iter().fold(term.clone(), |t, (s, v)| {
             t.substitute(s, &Expr::Number(v.clone()))
         });

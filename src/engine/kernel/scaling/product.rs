@@ -1,8 +1,7 @@
 use super::super::{Claim, Reject};
 use super::Size;
 use crate::algebra::{
-    Atom, Atoms, Conditions, Expr, Function, Lowering, Polynomial, Rational, Symbol, expr_of,
-    expr_of_atom,
+    Atom, Atoms, Expr, Function, Lowering, Polynomial, Rational, Symbol, expr_of, expr_of_atom,
 };
 use crate::sorted::{Map, Set};
 
@@ -81,12 +80,9 @@ impl Reader {
 
     fn lowering(&mut self) -> Lowering<'_> {
         Lowering {
-            atoms: &mut self.atoms,
             sequences: &self.sequences,
             constants: &self.constants,
-            powers: None,
-            functions: None,
-            conditions: Conditions::default(),
+            ..Lowering::plain(&mut self.atoms)
         }
     }
 

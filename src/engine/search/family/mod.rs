@@ -11,8 +11,8 @@ use num_traits::ToPrimitive;
 
 use super::{Effort, pose, prove_posed};
 use crate::algebra::{
-    Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Lowering, Polynomial, Rational,
-    Symbol, Values, Var,
+    Atom, Atoms, BigRational, Expr, Formula, Fraction, Lowering, Polynomial, Rational, Symbol,
+    Values, Var,
 };
 use crate::kernel::{
     Assignment, Candidate, Claim, Domain, FailsThroughout, Family, FamilyPart, Group, Obligation,
@@ -297,15 +297,7 @@ fn name(var: Var, atoms: &Atoms) -> Symbol {
 
 /// What vanishes where the hypotheses hold that are equations.
 fn equations(family: &Family, claim: &Claim, atoms: &mut Atoms) -> Option<Vec<Polynomial>> {
-    let nothing = Default::default();
-    let mut lowering = Lowering {
-        atoms,
-        sequences: &nothing,
-        constants: &nothing,
-        powers: None,
-        functions: None,
-        conditions: Conditions::default(),
-    };
+    let mut lowering = Lowering::plain(atoms);
     let mut equations = Vec::new();
     for (part, claim) in family.parts(claim).ok()? {
         if let (FamilyPart::Hypothesis(_), Some((left, right))) = (part, claim.goal.as_equation()) {

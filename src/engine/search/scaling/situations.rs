@@ -485,14 +485,7 @@ fn number(term: &Expr, values: &Map<Expr, Size>) -> Option<Rational> {
     }
     let mut ok = true;
     map = put(&map, values, &mut ok);
-    let (none, mut atoms) = (Set::new(), crate::algebra::Atoms::default());
-    let mut lowering = crate::algebra::Lowering {
-        atoms: &mut atoms,
-        sequences: &none,
-        constants: &none,
-        conditions: crate::algebra::Conditions::default(),
-        powers: None,
-        functions: None,
-    };
+    let mut atoms = crate::algebra::Atoms::default();
+    let mut lowering = crate::algebra::Lowering::plain(&mut atoms);
     lowering.lower(&map).ok()?.as_constant().filter(|_| ok)
 }
