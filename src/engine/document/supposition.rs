@@ -390,18 +390,13 @@ fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> b
     is_named(index, tokens) && !placed || starts()
 }
 
-/// Whether the word at `index` puts what the sentence goes on to display under a condition: "If $u = c$, then".
+/// Whether the word at `index` puts what the sentence goes on to display under a condition: "If $u = c$, then", "If the load is doubled,
+/// $F' = 2 F$, it becomes".
 fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
     let rest = tokens.get(index..).unwrap_or_default();
-    let [
-        (Token::Word("if" | "If"), _),
-        (Token::Math(body), _),
-        on @ ..,
-    ] = rest
-    else {
+    let Some(((Token::Word("if" | "If"), _), on)) = rest.split_first() else {
         return false;
     };
-    let text = source.get(body.range()).unwrap_or_default();
     let before = index.checked_sub(1).map(|before| tokens[before].0);
     let begins = matches!(before, None | Some(Token::Stop | Token::Mark(',')))
         || follows(
@@ -411,7 +406,16 @@ fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
                 "so", "that", "and", "but", "hence", "thus", "then", "allowed",
             ],
         );
-    begins && relates(text) && !on.iter().any(|(token, _)| *token == Token::Stop)
+    let describes = |(token, _): &&Placed<'_>| match token {
+        Token::Word(word) => {
+            !conclusion::draws(word) && !token.is_among(NEGATING) && !token.is_among(CONCLUDING)
+        }
+        token => *token == Token::Mark(','),
+    };
+    let words = on.iter().take(PATIENCE + 1).take_while(describes).count();
+    let states = matches!(on.get(words), Some((Token::Math(body), _))
+        if source.get(body.range()).is_some_and(relates));
+    begins && states && !on.iter().any(|(token, _)| *token == Token::Stop)
 }
 
 /// Whether what comes after the mathematics at `index` makes it a name.
@@ -527,7 +531,7 @@ fn introduction(
         "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed >= 2 => {
             Some((case, Reach::List { left: listed }))
         }
-        "if" if is_condition(source, index, tokens) => Some((case, joined(true))),
+        "if" if is_condition(source, index, tokens) => Some((case, Reach::Sentence)),
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
         "for" | "when" if !begun && (comma || referred) && value() => Some((case, joined(true))),
         "for" if !begun && described() => Some((case, joined(true))),
