@@ -12,6 +12,8 @@ use crate::sorted::Set;
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
 const MOST_RELATIVES: usize = 12;
+/// How many more formulas than are cited come of these.
+const MOST_BORROWED: usize = 40;
 /// How many formulas that are given only later are tried with what does not follow.
 const MOST_LATER: usize = 4;
 
@@ -31,7 +33,7 @@ impl Judge<'_> {
         assumed: &[Assumed],
         premises: &[usize],
     ) -> Option<Vec<Assumed>> {
-        let [others, ..] = self.others(premises);
+        let [others, _] = self.others(premises);
         let near = others.into_iter().take(NEARBY[1].0);
         let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
         (all.len() > assumed.len()).then_some(all)
@@ -75,8 +77,8 @@ impl Judge<'_> {
         premises: &[usize],
         witness: Option<Assignment>,
     ) -> Vec<Attempt> {
-        let [sound, all, _] = self.others(premises);
-        self.attempts_with(goal, assumed, premises, witness, [sound, all])
+        let others = self.others(premises);
+        self.attempts_with(goal, assumed, premises, witness, &others)
     }
 
     /// Tries a step that nothing decides from what is itself left open, or holds under conditions.
@@ -87,18 +89,22 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        let [_, _, open] = self.others(premises);
-        let attempts = self.attempts_with(goal, assumed, premises, None, [open]);
+        let [_, all, open] = self.before(premises);
+        if open.len() == all.len() {
+            return false;
+        }
+        let open = [self.gathered(&open)];
+        let attempts = self.attempts_with(goal, assumed, premises, None, &open);
         self.rescue(goal, &attempts, &NEARBY, found)
     }
 
-    fn attempts_with<const N: usize>(
+    fn attempts_with(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
         witness: Option<Assignment>,
-        others: [Vec<Assumed>; N],
+        others: &[Vec<Assumed>],
     ) -> Vec<Attempt> {
         let mut attempts = Vec::new();
         let hints: Vec<Assignment> = witness
@@ -115,7 +121,7 @@ impl Judge<'_> {
         let tells_against =
             |a: &Assumed| matches!(a.source, Source::Equation(p) if against.contains(&p));
         for others in others {
-            if others.is_empty() || !speaks_of_all(assumed.iter().chain(&others), &goal.formula) {
+            if others.is_empty() || !speaks_of_all(assumed.iter().chain(others), &goal.formula) {
                 continue;
             }
             // Together with what it was refuted from, what fails would prove nearly anything.
@@ -123,7 +129,7 @@ impl Judge<'_> {
             harmless.retain(|a| !tells_against(a));
             let mut choices = Vec::new();
             if sound.len() < assumed.len() {
-                choices.push((sound.clone(), others));
+                choices.push((sound.clone(), others.clone()));
             }
             if !harmless.is_empty() {
                 choices.push((assumed.to_vec(), harmless));
@@ -198,12 +204,24 @@ impl Judge<'_> {
         false
     }
 
-    /// What stands before and is not cited: what is sound; the same and what rests on no more than what is cited does; and that
-    /// and what is left open or holds under conditions. Empty, where that is no more.
-    pub(super) fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 3] {
+    /// What stands before and is not cited: what is sound, and the same with what rests on no more than what is cited does. Empty, where
+    /// that is no more.
+    pub(super) fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 2] {
         if let Some(others) = &self.others {
             return others.clone();
         }
+        let [sound, all, _] = self.before(premises);
+        let others = match sound.len() == all.len() {
+            true => [self.gathered(&sound), Vec::new()],
+            false => [self.gathered(&sound), self.gathered(&all)],
+        };
+        self.others = Some(others.clone());
+        others
+    }
+
+    /// The equations that stand before and are not cited: those that are sound, those that rest on no more than what is cited does, and
+    /// with these what is left open or holds under conditions.
+    fn before(&self, premises: &[usize]) -> [Vec<usize>; 3] {
         let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
         // What is cited may rest on something false already, or not proved; then so may what is found instead.
         let own_premises: Set<usize> = premises.iter().copied().collect();
@@ -239,29 +257,18 @@ impl Judge<'_> {
                 }
             }
         }
-        let own = self.usable.assumed.len();
-        let told = self.derivation.told(self.at);
-        let gather = |list: &[usize]| {
-            let gathered = {
-                let offer = |premise| self.auditor.offer(self.at, premise);
-                usable(self.derivation, offer, self.at, list).assumed
-            };
-            let mut extra: Vec<Assumed> = told
-                .iter()
-                .cloned()
-                .chain(gathered)
-                .filter(|a| !self.usable.assumed.contains(a))
-                .collect();
-            extra.truncate(own + 40);
-            extra
-        };
-        let more = |list: &[usize], than: &[usize]| match list.len() > than.len() {
-            true => gather(list),
-            false => Vec::new(),
-        };
-        let others = [gather(&sound), more(&all, &sound), more(&open, &all)];
-        self.others = Some(others.clone());
-        others
+        [sound, all, open]
+    }
+
+    /// What the text tells here, and what equations that are not cited offer.
+    fn gathered(&self, equations: &[usize]) -> Vec<Assumed> {
+        let own = &self.usable.assumed;
+        let offer = |premise| self.auditor.offer(self.at, premise);
+        let offered = usable(self.derivation, offer, self.at, equations).assumed;
+        let told = self.derivation.told(self.at).into_iter();
+        let mut gathered: Vec<Assumed> = told.chain(offered).filter(|a| !own.contains(a)).collect();
+        gathered.truncate(own.len() + MOST_BORROWED);
+        gathered
     }
 
     /// Whether all that an earlier equation was shown under is supposed here too: what is not cited brings no special case with it.
@@ -307,7 +314,7 @@ impl Judge<'_> {
             Source::Local(other, _) => other == page,
             Source::Step => true,
         };
-        let [mut sound, ..] = self.others(premises);
+        let [mut sound, _] = self.others(premises);
         sound.retain(near);
         if sound.is_empty() {
             return false;

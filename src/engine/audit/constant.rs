@@ -54,7 +54,7 @@ impl Judge<'_> {
             all.filter(|a| a.standing == Standing::Identity).collect()
         };
         let cited = throughout(assumed);
-        let [others, ..] = self.others(premises);
+        let [others, _] = self.others(premises);
         let near = throughout(others).into_iter();
         let with: Vec<Assumed> = cited.iter().cloned().chain(near).collect();
         for (at, all) in [cited, with].into_iter().enumerate() {

@@ -19,7 +19,7 @@ pub(super) struct Judge<'a> {
     pub auditor: &'a Auditor<'a>,
     /// Premises that are not cited: first those that rest on nothing false, then those that rest on nothing
     /// but what the cited ones rest on already.
-    pub others: Option<[Vec<Assumed>; 3]>,
+    pub others: Option<[Vec<Assumed>; 2]>,
 }
 
 /// What was found of one goal.

@@ -195,7 +195,7 @@ impl<'a> Review<'a> {
             derivation: self.shared.derivation,
             at,
             usable: own,
-            others: Some([others.to_vec(), Vec::new(), Vec::new()]),
+            others: Some([others.to_vec(), Vec::new()]),
             auditor,
         };
         let mut found = Found::open(Judged {

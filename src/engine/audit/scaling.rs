@@ -57,8 +57,7 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) {
-        let [sound, all, _] = self.others(premises);
-        for others in [sound, all] {
+        for others in self.others(premises) {
             let near = others.into_iter().take(NEARBY);
             let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
             if all.len() == assumed.len() {

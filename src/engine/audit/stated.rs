@@ -100,7 +100,7 @@ impl Judge<'_> {
             return None;
         }
         // What is wrong itself contradicts others already.
-        let [sound, ..] = self.others(&[]);
+        let [sound, _] = self.others(&[]);
         let right = |a: &&Assumed| match a.source {
             Source::Equation(premise) => {
                 let premise = Set::from([premise]);
@@ -157,7 +157,7 @@ impl Judge<'_> {
 
     /// Whether an equation that stands before says what a term is.
     fn is_explicit(&mut self, term: &Expr) -> bool {
-        let [sound, ..] = self.others(&[]);
+        let [sound, _] = self.others(&[]);
         let mut known = self.usable.assumed.iter().chain(&sound);
         known.any(|assumed| {
             let sides = assumed.formula.as_equation();

@@ -6,23 +6,22 @@
 //! alternative ("or"), not a condition ("if") but one of what the sentence goes on to display, not a negation, not a question, not a proof by contradiction. A value that is
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
+mod introduction;
+mod mathematics;
 mod vanishing;
 mod words;
 
+use self::introduction::{MOST_DESCRIBING, introduced, is_condition};
+pub(super) use self::mathematics::relates;
+use self::mathematics::{differs, is_bound, is_number, is_value};
 use self::words::{
-    COMPARING, CONCLUDING, DEFINING, DENYING, DOUBTFUL, KNOWN, NAMED_AFTER, NAMED_BEFORE, NAMING,
-    NEGATING, OF_CASES, REASONS, UNDECIDED,
+    CONCLUDING, DENYING, DOUBTFUL, KNOWN, NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, OF_CASES,
+    REASONS, UNDECIDED,
 };
 use super::circumstance;
 use super::conclusion;
 use super::prose::{Placed, Token};
 use super::{Extent, Span, Supposition, SuppositionKind};
-
-/// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
-const PATIENCE: usize = 6;
-
-/// How many words may stand between "for" and what it supposes.
-const MOST_DESCRIBING: usize = 3;
 
 /// How far a supposition reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -176,7 +175,7 @@ impl Reader<'_> {
         }
         let draws = conclusion::draws(word);
         self.sentence.concluded |= draws || matches!(word, "have" | "show" | "shows");
-        let introduced = introduction(self.source, word, index, self.tokens, self.sentence.begun);
+        let introduced = introduced(self.source, word, index, self.tokens, self.sentence.begun);
         self.sentence.active = match (self.sentence.active, introduced) {
             _ if self.sentence.doubtful => None,
             (Some(_), _) if draws || among(CONCLUDING) => None,
@@ -358,15 +357,6 @@ fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
     }
 }
 
-/// Whether inline math says that something is a number: `x = 0`.
-fn is_number(math: &str) -> bool {
-    let value = math.rsplit('=').next().unwrap_or(math);
-    let value = ["\\frac", "\\tfrac", "\\dfrac"]
-        .iter()
-        .fold(value.to_owned(), |v, f| v.replace(f, ""));
-    !value.contains(char::is_alphabetic)
-}
-
 /// Whether mathematics stands two tokens before what is at `index`: one word is between them.
 fn ends_before(body: Span, index: usize, tokens: &[Placed<'_>]) -> bool {
     let before = index.checked_sub(2).and_then(|before| tokens.get(before));
@@ -388,34 +378,6 @@ fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> b
     let after = tokens.get(index + 1).map(|(token, _)| *token);
     let placed = matches!(after, Some(Token::Word("at" | "when"))) && !is_number(math);
     is_named(index, tokens) && !placed || starts()
-}
-
-/// Whether the word at `index` puts what the sentence goes on to display under a condition: "If $u = c$, then", "If the load is doubled,
-/// $F' = 2 F$, it becomes".
-fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
-    let rest = tokens.get(index..).unwrap_or_default();
-    let Some(((Token::Word("if" | "If"), _), on)) = rest.split_first() else {
-        return false;
-    };
-    let before = index.checked_sub(1).map(|before| tokens[before].0);
-    let begins = matches!(before, None | Some(Token::Stop | Token::Mark(',')))
-        || follows(
-            index,
-            tokens,
-            &[
-                "so", "that", "and", "but", "hence", "thus", "then", "allowed",
-            ],
-        );
-    let describes = |(token, _): &&Placed<'_>| match token {
-        Token::Word(word) => {
-            !conclusion::draws(word) && !token.is_among(NEGATING) && !token.is_among(CONCLUDING)
-        }
-        token => *token == Token::Mark(','),
-    };
-    let words = on.iter().take(PATIENCE + 1).take_while(describes).count();
-    let states = matches!(on.get(words), Some((Token::Math(body), _))
-        if source.get(body.range()).is_some_and(relates));
-    begins && states && !on.iter().any(|(token, _)| *token == Token::Stop)
 }
 
 /// Whether what comes after the mathematics at `index` makes it a name.
@@ -459,155 +421,6 @@ fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<Suppos
             is(last.is_empty(), Elsewhere)
         }
         _ => None,
-    }
-}
-
-/// The supposition that the word at `index` introduces.
-fn introduction(
-    source: &str,
-    word: &str,
-    index: usize,
-    tokens: &[Placed<'_>],
-    begun: bool,
-) -> Option<(SuppositionKind, Reach)> {
-    let after = |by: usize| tokens.get(index + by).map(|(token, _)| *token);
-    let direct = matches!(after(1), Some(Token::Math(_)));
-    let that = matches!(after(1), Some(Token::Word("that")));
-    let comma = matches!(after(2), Some(Token::Mark(',')));
-    // "For $u = c$ this gives": what comes is said of the case.
-    let referred = matches!(
-        after(2),
-        Some(
-            Token::Tag(_) | Token::Keys(_) | Token::Word("this" | "it" | "we" | "one" | "equation")
-        )
-    );
-    let text = |body: Span| source.get(body.range()).unwrap_or_default();
-    let next = |is: fn(&str) -> bool| match after(1) {
-        Some(Token::Math(body)) => is(text(body)),
-        _ => false,
-    };
-    let value = || next(is_value);
-    // "For equal springs $k_1 = k_2$, …"
-    let described = || {
-        let words = |token: &&Placed<'_>| matches!(token.0, Token::Word(_));
-        let rest = tokens.get(index + 1..).unwrap_or_default();
-        let between = rest.iter().take(MOST_DESCRIBING).take_while(words).count();
-        match rest.get(between..between + 2) {
-            Some([(Token::Math(body), _), (Token::Mark(','), _)]) => is_value(text(*body)),
-            _ => false,
-        }
-    };
-    let before = index.checked_sub(1).and_then(|before| tokens.get(before));
-    let negated = || follows(index, tokens, NEGATING);
-    let by_us = || !begun || follows(index, tokens, &["we", "us", "now", "and"]);
-    // "From (1) with $a = b$ …"
-    let cited = || matches!(before, Some((Token::Tag(_) | Token::Keys(_), _)));
-    let capital =
-        matches!(tokens[index].0, Token::Word(word) if word.starts_with(char::is_uppercase));
-    // In the middle of a sentence that only a display can have begun.
-    let goes_on = || {
-        let comma = |token: &Placed<'_>| matches!(token.0, Token::Mark(',' | ';'));
-        !capital && tokens[..index].iter().all(comma)
-    };
-    let joined = |short| Reach::Joined {
-        patience: PATIENCE,
-        comma: false,
-        found: false,
-        short,
-    };
-    let case = SuppositionKind::Case { runs_on: false };
-    let listed = length_of_list(source, word, tokens.get(index + 1..).unwrap_or_default());
-    let introduced = match word {
-        "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
-        "at" if !begun && direct => Some((case, joined(true))),
-        // "which is zero at $s = 2f$, where"
-        "at" | "for" | "when" if value() && comes_to_there(index, tokens) => {
-            Some((case, joined(true)))
-        }
-        // That two things differ is no value that something could be made true with.
-        "for" | "when" | "where" | "since" | "as" | "with" if next(differs) && !goes_on() => {
-            Some((SuppositionKind::Let, joined(true)))
-        }
-        "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed >= 2 => {
-            Some((case, Reach::List { left: listed }))
-        }
-        "if" if is_condition(source, index, tokens) => Some((case, Reach::Sentence)),
-        // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
-        "for" | "when" if !begun && (comma || referred) && value() => Some((case, joined(true))),
-        "for" if !begun && described() => Some((case, joined(true))),
-        "case" if comma && value() && !is_compared(index, tokens) => Some((case, joined(true))),
-        "setting" | "putting" | "substituting" | "inserting" | "using" if !begun && value() => {
-            Some((case, joined(true)))
-        }
-        "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
-        word if DEFINING.contains(&word) && by_us() && value() => {
-            Some((SuppositionKind::Let, joined(true)))
-        }
-        "where" | "with" | "for" if (value() || next(is_bound)) && goes_on() => {
-            Some((SuppositionKind::Define, Reach::Sentence))
-        }
-        "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
-        "assume" | "suppose" | "assuming" | "supposing" | "taking" => {
-            Some((SuppositionKind::Assume, joined(false)))
-        }
-        "provided" if direct || that => Some((SuppositionKind::Assume, joined(false))),
-        "given" if that => Some((SuppositionKind::Assume, joined(false))),
-        _ => None,
-    };
-    introduced.filter(|_| !negated())
-}
-
-/// Whether what is said is compared with the case at `index`: "unlike in the case", "as opposed to the case".
-fn is_compared(index: usize, tokens: &[Placed<'_>]) -> bool {
-    let before = tokens[..index].iter().rev().take(MOST_DESCRIBING + 1);
-    let mut words = before.map_while(|(token, _)| match token {
-        Token::Word(word) => Some(word.to_lowercase()),
-        _ => None,
-    });
-    words.any(|word| COMPARING.contains(&word.as_str()))
-}
-
-/// Whether the text ends with the value that follows a word and a "where": what comes next is said of that place.
-fn comes_to_there(index: usize, tokens: &[Placed<'_>]) -> bool {
-    let rest = tokens.get(index + 2..).unwrap_or_default();
-    let mut rest = rest.iter().map(|(token, _)| *token);
-    let mut next = rest.next();
-    if next == Some(Token::Mark(',')) {
-        next = rest.next();
-    }
-    next == Some(Token::Word("where")) && rest.next().is_none()
-}
-
-/// How many values are listed after a word: 3 in "With $a = 2$, $b = 3$ and $c = 4$ we get".
-///
-/// "For $t = 0$, $s = 0$" and "For $t = 0$, $s = 0$ and $v = 0$." say what is so at that time.
-fn length_of_list(source: &str, word: &str, rest: &[Placed<'_>]) -> usize {
-    let says = |at: usize| match rest.get(at) {
-        Some((Token::Math(body), _)) => {
-            let text = source.get(body.range()).unwrap_or_default();
-            is_value(text) || differs(text)
-        }
-        _ => false,
-    };
-    let (mut length, mut at, mut joined) = (0, 0, false);
-    while says(at) {
-        length += 1;
-        let comma = matches!(rest.get(at + 1), Some((Token::Mark(','), _)));
-        let next = at + 1 + usize::from(comma);
-        joined = matches!(rest.get(next), Some((Token::Word("and"), _)));
-        match says(next + usize::from(joined)) && (comma || joined) {
-            true => at = next + usize::from(joined),
-            false => break,
-        }
-        if joined {
-            length += 1;
-            break;
-        }
-    }
-    let goes_on = !matches!(rest.get(at + 1), Some((Token::Stop, _)));
-    match word != "for" || joined && goes_on {
-        true => length,
-        false => 0,
     }
 }
 
@@ -676,55 +489,4 @@ impl Reach {
             }),
         }
     }
-}
-
-/// Whether inline math is one equation. "For $x > 0$, … For $x < 0$, …" goes through cases: neither holds from there on.
-fn is_value(math: &str) -> bool {
-    relates(math) && math.matches('=').count() == 1 && !relates(&math.replace('=', " "))
-}
-
-/// Whether inline math is one inequality, which bounds what it speaks of.
-fn is_bound(math: &str) -> bool {
-    relates(math) && !math.contains('=')
-}
-
-/// Whether inline math says that two things differ.
-fn differs(math: &str) -> bool {
-    let not = ["\\neq", "\\ne", "≠"]
-        .iter()
-        .find_map(|sign| math.split_once(sign));
-    not.is_some_and(|(left, right)| !relates(left) && !relates(right))
-}
-
-/// Whether inline math states a relation, and no inference: a relation sign outside braces.
-pub(super) fn relates(math: &str) -> bool {
-    let mut depth = 0_usize;
-    let mut relation = false;
-    let mut chars = math.char_indices();
-    while let Some((at, c)) = chars.next() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth = depth.saturating_sub(1),
-            '=' | '<' | '>' | '≠' | '≤' | '≥' | '⩽' | '⩾' => relation |= depth == 0,
-            '⇒' | '⇔' => return false,
-            '\\' => {
-                let name = &math[at + 1..];
-                let name = &name[..name
-                    .find(|c: char| !c.is_ascii_alphabetic())
-                    .unwrap_or(name.len())];
-                match name {
-                    "neq" | "ne" | "le" | "leq" | "ge" | "geq" | "lt" | "gt" | "leqslant"
-                    | "geqslant" => relation |= depth == 0,
-                    "Rightarrow" | "implies" | "iff" | "Leftrightarrow" | "therefore" => {
-                        return false;
-                    }
-                    "left" | "right" => drop(chars.nth(name.len())),
-                    "" => drop(chars.next()),
-                    _ => {}
-                }
-            }
-            _ => {}
-        }
-    }
-    relation
 }

@@ -102,13 +102,16 @@ impl Ideal {
                 common.gcd(&monomial.exponent(var))
             })
         };
+        if best_pivot(&self.rest, knowledge, common).is_none() {
+            return Ok(None);
+        }
         let mut ideal = Ideal {
             pivots: self.pivots.clone(),
             rest: self.rest.clone(),
             divisors: self.divisors.clone(),
         };
         ideal.eliminate(knowledge, common)?;
-        Ok((ideal.pivots.len() > self.pivots.len()).then_some(ideal))
+        Ok(Some(ideal))
     }
 
     /// The unknown that was eliminated first.

@@ -2,8 +2,9 @@
 
 use super::super::prose::{Placed, Token};
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
+use super::follows;
+use super::mathematics::is_value;
 use super::words::{DENYING, DOUBTFUL};
-use super::{follows, is_value};
 
 /// How many tokens may stand between "setting" or "the derivative" and "zero".
 const MOST_BETWEEN: usize = 8;

@@ -1,0 +1,190 @@
+//! The words that introduce a supposition, and how far it reaches then.
+
+use super::super::conclusion;
+use super::super::prose::{Placed, Token};
+use super::super::{Span, SuppositionKind};
+use super::mathematics::{differs, is_bound, is_value, relates};
+use super::words::{COMPARING, CONCLUDING, DEFINING, NEGATING};
+use super::{Reach, follows};
+
+/// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
+const PATIENCE: usize = 6;
+/// How many words may stand between "for" and what it supposes.
+pub(super) const MOST_DESCRIBING: usize = 3;
+
+/// The supposition that the word at `index` introduces.
+pub(super) fn introduced(
+    source: &str,
+    word: &str,
+    index: usize,
+    tokens: &[Placed<'_>],
+    begun: bool,
+) -> Option<(SuppositionKind, Reach)> {
+    let after = |by: usize| tokens.get(index + by).map(|(token, _)| *token);
+    let direct = matches!(after(1), Some(Token::Math(_)));
+    let that = matches!(after(1), Some(Token::Word("that")));
+    let comma = matches!(after(2), Some(Token::Mark(',')));
+    // "For $u = c$ this gives": what comes is said of the case.
+    let referred = matches!(
+        after(2),
+        Some(
+            Token::Tag(_) | Token::Keys(_) | Token::Word("this" | "it" | "we" | "one" | "equation")
+        )
+    );
+    let text = |body: Span| source.get(body.range()).unwrap_or_default();
+    let next = |is: fn(&str) -> bool| match after(1) {
+        Some(Token::Math(body)) => is(text(body)),
+        _ => false,
+    };
+    let value = || next(is_value);
+    // "For equal springs $k_1 = k_2$, …"
+    let described = || {
+        let words = |token: &&Placed<'_>| matches!(token.0, Token::Word(_));
+        let rest = tokens.get(index + 1..).unwrap_or_default();
+        let between = rest.iter().take(MOST_DESCRIBING).take_while(words).count();
+        match rest.get(between..between + 2) {
+            Some([(Token::Math(body), _), (Token::Mark(','), _)]) => is_value(text(*body)),
+            _ => false,
+        }
+    };
+    let before = index.checked_sub(1).and_then(|before| tokens.get(before));
+    let negated = || follows(index, tokens, NEGATING);
+    let by_us = || !begun || follows(index, tokens, &["we", "us", "now", "and"]);
+    // "From (1) with $a = b$ …"
+    let cited = || matches!(before, Some((Token::Tag(_) | Token::Keys(_), _)));
+    let capital =
+        matches!(tokens[index].0, Token::Word(word) if word.starts_with(char::is_uppercase));
+    // In the middle of a sentence that only a display can have begun.
+    let goes_on = || {
+        let comma = |token: &Placed<'_>| matches!(token.0, Token::Mark(',' | ';'));
+        !capital && tokens[..index].iter().all(comma)
+    };
+    let joined = |short| Reach::Joined {
+        patience: PATIENCE,
+        comma: false,
+        found: false,
+        short,
+    };
+    let case = SuppositionKind::Case { runs_on: false };
+    let listed = length_of_list(source, word, tokens.get(index + 1..).unwrap_or_default());
+    let introduced = match word {
+        "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
+        "at" if !begun && direct => Some((case, joined(true))),
+        // "which is zero at $s = 2f$, where"
+        "at" | "for" | "when" if value() && comes_to_there(index, tokens) => {
+            Some((case, joined(true)))
+        }
+        // That two things differ is no value that something could be made true with.
+        "for" | "when" | "where" | "since" | "as" | "with" if next(differs) && !goes_on() => {
+            Some((SuppositionKind::Let, joined(true)))
+        }
+        "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed >= 2 => {
+            Some((case, Reach::List { left: listed }))
+        }
+        "if" if is_condition(source, index, tokens) => Some((case, Reach::Sentence)),
+        // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
+        "for" | "when" if !begun && (comma || referred) && value() => Some((case, joined(true))),
+        "for" if !begun && described() => Some((case, joined(true))),
+        "case" if comma && value() && !is_compared(index, tokens) => Some((case, joined(true))),
+        "setting" | "putting" | "substituting" | "inserting" | "using" if !begun && value() => {
+            Some((case, joined(true)))
+        }
+        "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
+        word if DEFINING.contains(&word) && by_us() && value() => {
+            Some((SuppositionKind::Let, joined(true)))
+        }
+        "where" | "with" | "for" if (value() || next(is_bound)) && goes_on() => {
+            Some((SuppositionKind::Define, Reach::Sentence))
+        }
+        "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
+        "assume" | "suppose" | "assuming" | "supposing" | "taking" => {
+            Some((SuppositionKind::Assume, joined(false)))
+        }
+        "provided" if direct || that => Some((SuppositionKind::Assume, joined(false))),
+        "given" if that => Some((SuppositionKind::Assume, joined(false))),
+        _ => None,
+    };
+    introduced.filter(|_| !negated())
+}
+
+/// Whether the word at `index` puts what the sentence goes on to display under a condition: "If $u = c$, then", "If the load is doubled,
+/// $F' = 2 F$, it becomes".
+pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index..).unwrap_or_default();
+    let Some(((Token::Word("if" | "If"), _), on)) = rest.split_first() else {
+        return false;
+    };
+    let before = index.checked_sub(1).map(|before| tokens[before].0);
+    let begins = matches!(before, None | Some(Token::Stop | Token::Mark(',')))
+        || follows(
+            index,
+            tokens,
+            &[
+                "so", "that", "and", "but", "hence", "thus", "then", "allowed",
+            ],
+        );
+    let describes = |(token, _): &&Placed<'_>| match token {
+        Token::Word(word) => {
+            !conclusion::draws(word) && !token.is_among(NEGATING) && !token.is_among(CONCLUDING)
+        }
+        token => *token == Token::Mark(','),
+    };
+    let words = on.iter().take(PATIENCE + 1).take_while(describes).count();
+    let states = matches!(on.get(words), Some((Token::Math(body), _))
+        if source.get(body.range()).is_some_and(relates));
+    begins && states && !on.iter().any(|(token, _)| *token == Token::Stop)
+}
+
+/// Whether what is said is compared with the case at `index`: "unlike in the case", "as opposed to the case".
+fn is_compared(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = tokens[..index].iter().rev().take(MOST_DESCRIBING + 1);
+    let mut words = before.map_while(|(token, _)| match token {
+        Token::Word(word) => Some(word.to_lowercase()),
+        _ => None,
+    });
+    words.any(|word| COMPARING.contains(&word.as_str()))
+}
+
+/// Whether the text ends with the value that follows a word and a "where": what comes next is said of that place.
+fn comes_to_there(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 2..).unwrap_or_default();
+    let mut rest = rest.iter().map(|(token, _)| *token);
+    let mut next = rest.next();
+    if next == Some(Token::Mark(',')) {
+        next = rest.next();
+    }
+    next == Some(Token::Word("where")) && rest.next().is_none()
+}
+
+/// How many values are listed after a word: 3 in "With $a = 2$, $b = 3$ and $c = 4$ we get".
+///
+/// "For $t = 0$, $s = 0$" and "For $t = 0$, $s = 0$ and $v = 0$." say what is so at that time.
+fn length_of_list(source: &str, word: &str, rest: &[Placed<'_>]) -> usize {
+    let says = |at: usize| match rest.get(at) {
+        Some((Token::Math(body), _)) => {
+            let text = source.get(body.range()).unwrap_or_default();
+            is_value(text) || differs(text)
+        }
+        _ => false,
+    };
+    let (mut length, mut at, mut joined) = (0, 0, false);
+    while says(at) {
+        length += 1;
+        let comma = matches!(rest.get(at + 1), Some((Token::Mark(','), _)));
+        let next = at + 1 + usize::from(comma);
+        joined = matches!(rest.get(next), Some((Token::Word("and"), _)));
+        match says(next + usize::from(joined)) && (comma || joined) {
+            true => at = next + usize::from(joined),
+            false => break,
+        }
+        if joined {
+            length += 1;
+            break;
+        }
+    }
+    let goes_on = !matches!(rest.get(at + 1), Some((Token::Stop, _)));
+    match word != "for" || joined && goes_on {
+        true => length,
+        false => 0,
+    }
+}

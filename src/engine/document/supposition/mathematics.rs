@@ -1,0 +1,61 @@
+//! What inline mathematics states, as far as its signs tell.
+
+/// Whether inline math says that something is a number: `x = 0`.
+pub(super) fn is_number(math: &str) -> bool {
+    let value = math.rsplit('=').next().unwrap_or(math);
+    let value = ["\\frac", "\\tfrac", "\\dfrac"]
+        .iter()
+        .fold(value.to_owned(), |v, f| v.replace(f, ""));
+    !value.contains(char::is_alphabetic)
+}
+
+/// Whether inline math is one equation. "For $x > 0$, … For $x < 0$, …" goes through cases: neither holds from there on.
+pub(super) fn is_value(math: &str) -> bool {
+    relates(math) && math.matches('=').count() == 1 && !relates(&math.replace('=', " "))
+}
+
+/// Whether inline math is one inequality, which bounds what it speaks of.
+pub(super) fn is_bound(math: &str) -> bool {
+    relates(math) && !math.contains('=')
+}
+
+/// Whether inline math says that two things differ.
+pub(super) fn differs(math: &str) -> bool {
+    let not = ["\\neq", "\\ne", "≠"]
+        .iter()
+        .find_map(|sign| math.split_once(sign));
+    not.is_some_and(|(left, right)| !relates(left) && !relates(right))
+}
+
+/// Whether inline math states a relation, and no inference: a relation sign outside braces.
+pub(in crate::document) fn relates(math: &str) -> bool {
+    let mut depth = 0_usize;
+    let mut relation = false;
+    let mut chars = math.char_indices();
+    while let Some((at, c)) = chars.next() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            '=' | '<' | '>' | '≠' | '≤' | '≥' | '⩽' | '⩾' => relation |= depth == 0,
+            '⇒' | '⇔' => return false,
+            '\\' => {
+                let name = &math[at + 1..];
+                let name = &name[..name
+                    .find(|c: char| !c.is_ascii_alphabetic())
+                    .unwrap_or(name.len())];
+                match name {
+                    "neq" | "ne" | "le" | "leq" | "ge" | "geq" | "lt" | "gt" | "leqslant"
+                    | "geqslant" => relation |= depth == 0,
+                    "Rightarrow" | "implies" | "iff" | "Leftrightarrow" | "therefore" => {
+                        return false;
+                    }
+                    "left" | "right" => drop(chars.nth(name.len())),
+                    "" => drop(chars.next()),
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+    }
+    relation
+}
