@@ -39,7 +39,7 @@ const EXACT: &[&str] = &[
 
 /// Libraries, and the only modules that may know them.
 const KNOWN_TO: &[(&str, &[&str])] = &[
-    ("serde", &["report", "cli"]),
+    ("serde", &["sorted", "report", "cli"]),
     ("serde_json", &["document", "report", "cli"]),
     ("anstyle", &["report", "cli"]),
     ("anstream", &["cli"]),

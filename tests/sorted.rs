@@ -1,9 +1,9 @@
-//! Sorted vectors do what the trees of the standard library do.
+//! Sorted vectors, and trees of places, do what the trees of the standard library do.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Bound;
 
-use cradle_verify::sorted::{Map, Set};
+use cradle_verify::sorted::{self, Map, Set, Tree};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -112,5 +112,41 @@ proptest! {
             }
             false => prop_assert!(own.len() == 0 && keys.len() == 0),
         }
+    }
+
+    #[test]
+    fn what_grows_does_as_trees_do(entries in entries(), more in entries()) {
+        let (mut own, mut tree): (Tree<_, _>, BTreeMap<_, _>) = (Tree::new(), BTreeMap::new());
+        for (key, value) in entries {
+            prop_assert_eq!(own.insert(key, value), tree.insert(key, value));
+        }
+        for (key, value) in more.iter().copied() {
+            own.entry(key).and_modify(|value| *value /= 3).or_insert(value);
+            tree.entry(key).and_modify(|value| *value /= 3).or_insert(value);
+            prop_assert_eq!(own.get_key_value(&key), tree.get_key_value(&key));
+            prop_assert_eq!(own.get_mut(&(key + 1)), tree.get_mut(&(key + 1)));
+            prop_assert_eq!(own.contains_key(&(key + 1)), tree.contains_key(&(key + 1)));
+        }
+        prop_assert!(own.iter().eq(&tree));
+        prop_assert!(own.keys().eq(tree.keys()) && own.values().eq(tree.values()));
+        prop_assert_eq!((own.len(), own.is_empty()), (tree.len(), tree.is_empty()));
+        prop_assert_eq!(format!("{own:?}"), format!("{tree:?}"));
+        let again: Tree<_, _> = tree.iter().rev().map(|(key, value)| (*key, *value)).collect();
+        prop_assert_eq!(&own, &again);
+        prop_assert!(own.into_entries().eq(tree));
+    }
+
+    #[test]
+    fn sorting_does_as_the_library_does(mut items in vec((0u8..20, any::<u8>()), 0..90)) {
+        let (mut by_key, mut by_comparison, mut all) = (items.clone(), items.clone(), items.clone());
+        sorted::sort_by_key(&mut by_key, |item| item.0);
+        sorted::sort_by(&mut by_comparison, |a, b| b.0.cmp(&a.0));
+        sorted::sort(&mut all);
+        items.sort_by_key(|item| item.0);
+        prop_assert_eq!(&by_key, &items);
+        items.sort();
+        prop_assert_eq!(all, items);
+        by_key.sort_by(|a, b| b.0.cmp(&a.0));
+        prop_assert_eq!(by_comparison, by_key);
     }
 }

@@ -1,6 +1,6 @@
 //! Which `cradle.toml` counts for which document, and what documents one lists.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -10,6 +10,7 @@ use crate::config::{Amiss, Config, NAME, matches};
 use crate::derivation::Derivation;
 use crate::document::{Problem, decode};
 use crate::report::amiss;
+use crate::sorted::Tree;
 
 /// Nobody writes a longer one.
 const MOST_BYTES: u64 = 1 << 20;
@@ -30,8 +31,8 @@ pub struct Configs {
     named: Option<PathBuf>,
     /// `--no-config`
     none: bool,
-    read: BTreeMap<PathBuf, Arc<Config>>,
-    of_folder: BTreeMap<PathBuf, Option<Found>>,
+    read: Tree<PathBuf, Arc<Config>>,
+    of_folder: Tree<PathBuf, Option<Found>>,
 }
 
 impl Configs {
@@ -40,8 +41,8 @@ impl Configs {
         Configs {
             named: args.config.clone(),
             none: args.no_config,
-            read: BTreeMap::new(),
-            of_folder: BTreeMap::new(),
+            read: Tree::new(),
+            of_folder: Tree::new(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Documents from files, directories and standard input.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -10,6 +10,7 @@ use crate::document::{Document, Library, decode, in_order};
 
 use super::Failure;
 use super::config::Configs;
+use crate::sorted::{self, Tree};
 
 /// What standard input is called where nothing else is said.
 const STANDARD_INPUT: &str = "standard input";
@@ -89,7 +90,7 @@ pub fn derivation(
     let own: Vec<PathBuf> = files.iter().map(|file| same(file)).collect();
     let opened = read.iter().flat_map(|(_, opened)| opened);
     let all: BTreeSet<PathBuf> = own.iter().chain(opened).cloned().collect();
-    let mut openers: BTreeMap<&PathBuf, Vec<usize>> = BTreeMap::new();
+    let mut openers: Tree<&PathBuf, Vec<usize>> = Tree::new();
     for (at, (_, opened)) in read.iter().enumerate() {
         for path in opened {
             openers.entry(path).or_default().push(at);
@@ -181,7 +182,7 @@ pub(super) fn below(path: &Path) -> Result<Vec<PathBuf>, Failure> {
             }
         }
     }
-    found.sort();
+    sorted::sort(&mut found);
     Ok(found)
 }
 

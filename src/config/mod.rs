@@ -8,7 +8,6 @@ mod pattern;
 mod symbols;
 mod table;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use toml::Spanned as Toml;
@@ -19,6 +18,7 @@ use crate::document::nearest;
 use crate::document::{File, Problem, Span};
 use crate::notation::Spanned;
 use crate::report::codes::{self, CODES};
+use crate::sorted::{self, Tree};
 
 pub use pattern::{Pattern, matches};
 use table::{Entry, Reader};
@@ -80,7 +80,7 @@ impl Config {
                 file: Arc::clone(&file),
                 symbols: Vec::new(),
                 given: Vec::new(),
-                severity: BTreeMap::new(),
+                severity: Tree::new(),
                 budget: Budget::default(),
             }),
             files: None,
@@ -89,7 +89,7 @@ impl Config {
         if reader.problems.is_empty() {
             config = read(&mut reader, root.get_ref(), config.beside);
         }
-        reader.problems.sort_by_key(|problem| problem.span);
+        sorted::sort_by_key(&mut reader.problems, |problem| problem.span);
         match reader.problems.is_empty() {
             true => Ok(config),
             false => Err(Amiss {
@@ -142,8 +142,8 @@ fn patterns(reader: &mut Reader<'_>, entry: &Entry<'_, '_>) -> Option<Vec<Spanne
     Some(patterns)
 }
 
-fn severities(reader: &mut Reader<'_>, entry: &Entry<'_, '_>) -> BTreeMap<String, Severity> {
-    let mut severities = BTreeMap::new();
+fn severities(reader: &mut Reader<'_>, entry: &Entry<'_, '_>) -> Tree<String, Severity> {
+    let mut severities = Tree::new();
     let words = SEVERITIES.map(|(word, _)| word);
     for entry in reader.table(entry, "`[severity]`, and below it `uncited = \"warning\"`") {
         let Some((code, usual)) = CODES.iter().find(|(code, _)| *code == entry.key) else {

@@ -7,6 +7,7 @@ use super::{kind, place, shown};
 use crate::document::nearest;
 use crate::document::{Problem, Span};
 use crate::notation::Spanned;
+use crate::sorted;
 
 /// A key with its value.
 pub(super) struct Entry<'t, 'i> {
@@ -56,7 +57,7 @@ impl<'s> Reader<'s> {
             value,
         });
         let mut all: Vec<Entry<'t, 'i>> = all.collect();
-        all.sort_by_key(|entry| entry.key_span);
+        sorted::sort_by_key(&mut all, |entry| entry.key_span);
         all
     }
 

@@ -1,5 +1,3 @@
-use std::collections::BTreeMap;
-
 use num_traits::Zero;
 
 use super::FigureError;
@@ -14,6 +12,7 @@ use super::scene::{Anchor, Ink, Item, Scene, Shape, Stroke};
 use super::words::{exact, list};
 use crate::algebra::{BigInt, BigRational, Symbol};
 use crate::derivation::{Checker, Point, goals};
+use crate::sorted::{self, Tree};
 
 /// Points on the circle.
 const FINE: i32 = 90;
@@ -45,7 +44,7 @@ pub fn outcomes(checker: &Checker) -> Result<Figure, FigureError> {
     for outcome in &around {
         conserved(checker, outcome)?;
     }
-    around.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+    sorted::sort_by(&mut around, |a, b| angle(a).total_cmp(&angle(b)));
     around.dedup();
     let witnesses = witnesses(checker)?;
     let mut sources = Vec::new();
@@ -117,7 +116,7 @@ fn conserved(checker: &Checker, outcome: &Outcome) -> Result<(), FigureError> {
 
 /// The audit's counterexamples in which one of three balls comes in, with the equations that each of them refutes.
 fn witnesses(checker: &Checker) -> Result<Vec<(Outcome, Vec<String>)>, FigureError> {
-    let mut found: BTreeMap<Outcome, Vec<String>> = BTreeMap::new();
+    let mut found: Tree<Outcome, Vec<String>> = Tree::new();
     for entry in &checker.audit().entries {
         for judged in &entry.judged {
             let crate::audit::Outcome::Refuted(refuted) = &judged.outcome else {
@@ -149,7 +148,7 @@ fn witnesses(checker: &Checker) -> Result<Vec<(Outcome, Vec<String>)>, FigureErr
             }
         }
     }
-    Ok(found.into_iter().collect())
+    Ok(found.into_entries().collect())
 }
 
 /// The plane in which momentum is what it was, seen at a right angle; the third velocity grows upwards.

@@ -2,7 +2,6 @@
 //!
 //! One page, version 1.5 (ISO 32000). No date and no random name is in the file: the same picture gives the same bytes.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -12,12 +11,13 @@ use super::font;
 use super::palette::Palette;
 use super::scene::{Anchor, Ink, Item, Scene, Segment, Shape, Text};
 use super::svg::number;
+use crate::sorted::Map;
 
 /// How hard to compress.
 const EFFORT: u8 = 6;
 
 /// The glyphs of a font that a picture uses, each with a character that it stands for.
-type Used = BTreeMap<u16, char>;
+type Used = Map<u16, char>;
 
 /// A picture as a PDF file of one page, as large as the picture.
 ///

@@ -3,14 +3,13 @@
 //! Beside several documents a declaration holds in all of them, so only that is proposed which all that speak of a symbol
 //! leave to be said alike; the rest is a comment. Saved as it is, it changes no verdict.
 
-use std::collections::BTreeMap;
-
 use crate::algebra::Symbol;
 use crate::derivation::{Derivation, Page};
 use crate::dimension::{names_of, parse};
 
 use super::declarations::{Clause, listed};
 use super::{place, words};
+use crate::sorted::Tree;
 
 /// The symbols of all pages, and a table of what is left to declare. `files` are the documents as they are asked for; they
 /// are listed where no configuration lists them already.
@@ -44,7 +43,7 @@ pub fn configuration(derivation: &Derivation, files: &[String]) -> String {
         false if files.is_empty() => {}
         false => text += &format!("\nfiles = [{}]\n", files.join(", ")),
     }
-    let mut of_symbol: BTreeMap<&Symbol, Vec<(usize, &Clause)>> = BTreeMap::new();
+    let mut of_symbol: Tree<&Symbol, Vec<(usize, &Clause)>> = Tree::new();
     let mut order: Vec<&Symbol> = Vec::new();
     for (at, page) in pages.iter().enumerate() {
         for clause in &page.clauses {

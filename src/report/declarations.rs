@@ -6,8 +6,6 @@
 //! Pasted as it is, it says nothing that the equations do not say already: a dimension that they give is written down,
 //! and what they leave open is `real`. A dimension that would make an equation disagree is not proposed.
 
-use std::collections::BTreeSet;
-
 use crate::algebra::{Dimension, Symbol};
 use crate::audit::Dimensions;
 use crate::derivation::Derivation;
@@ -19,6 +17,7 @@ use super::dimension::{declared, every_name};
 use super::settling::settling;
 use super::symbols::{Found, symbols};
 use super::{place, words};
+use crate::sorted::Set;
 
 /// A dimension that can be declared: of which symbol of which page.
 type Proposal = (usize, Symbol, Dimension);
@@ -69,7 +68,7 @@ pub(super) fn listed(derivation: &Derivation) -> Vec<Listed> {
             }
         }
     }
-    let proposed: BTreeSet<(usize, Symbol)> = harmless(derivation, proposals)
+    let proposed: Set<(usize, Symbol)> = harmless(derivation, proposals)
         .into_iter()
         .map(|(page, symbol, _)| (page, symbol))
         .collect();
@@ -99,7 +98,7 @@ fn harmless(derivation: &Derivation, mut proposals: Vec<Proposal>) -> Vec<Propos
         let after = Dimensions::of(&pasted);
         let equations = after.conflicts.keys();
         let equations = equations.filter(|at| !before.conflicts.contains_key(at));
-        let mut wrong: BTreeSet<usize> = equations
+        let mut wrong: Set<usize> = equations
             .map(|(at, _)| derivation.equations[*at].page)
             .collect();
         let supposed = after.suppositions.keys();

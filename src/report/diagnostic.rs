@@ -9,6 +9,7 @@ use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Level, Rende
 
 use crate::audit::{Entry, Note, Verdict};
 use crate::document::{File, Span};
+use crate::sorted;
 
 use super::remark::{Known, Subject};
 use super::{Report, codes};
@@ -66,7 +67,7 @@ impl Report<'_> {
             }
             all.extend(self.of_entry(entry).into_iter().filter(|f| is_new(f.code)));
         }
-        all.sort_by_key(|finding| (finding.page, finding.primary.0.start));
+        sorted::sort_by_key(&mut all, |finding| (finding.page, finding.primary.0.start));
         all
     }
 
@@ -85,7 +86,7 @@ impl Report<'_> {
                 all.push((Subject::Page(number, problem.span.start), finding));
             }
         }
-        for (&(page, at), conflict) in &self.audit.dimensions.suppositions {
+        for (&(page, at), conflict) in self.audit.dimensions.suppositions.iter() {
             let finding = self.ill_supposed(page, at, conflict);
             all.push((Subject::Page(page, finding.primary.0.start), finding));
         }

@@ -4,6 +4,7 @@ use crate::algebra::{Expr, Formula, Symbol, expr_of};
 use crate::audit::{Counterexamples, Entry, Judged, counterexamples, is_idle};
 use crate::kernel::{FailsThroughout, FamilyPart, Group, Knowledge, Problem, Proven, Sign};
 use crate::notation::{latex, plain, plain_formula};
+use crate::sorted;
 
 use super::evidence::Point;
 use super::style::{DIM, paint};
@@ -178,7 +179,7 @@ pub(super) fn first(fails: &FailsThroughout) -> String {
     let refuted = fails.first();
     let parameter = words::symbol(&fails.family().parameter);
     let mut values = Point::new(refuted.claim(), refuted.witness()).values();
-    values.sort_by_key(|(name, _)| *name != parameter);
+    sorted::sort_by_key(&mut values, |(name, _)| *name != parameter);
     let values = values
         .iter()
         .map(|(name, value)| format!("{name} = {value}"));

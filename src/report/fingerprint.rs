@@ -3,11 +3,10 @@
 //! A fingerprint is made of what is said and not of where: the label of the equation and its content as canonical LaTeX.
 //! Moving a paragraph, or another way to type the same formula, changes none; another number or another formula does.
 
-use std::collections::BTreeMap;
-
 use crate::notation::latex_statement;
 
 use super::Report;
+use crate::sorted::Tree;
 
 /// The hash of Fowler, Noll and Vo (FNV-1a, 64 bits): the same on every machine and in every version.
 fn hash(parts: &[&str]) -> u64 {
@@ -24,7 +23,7 @@ fn hash(parts: &[&str]) -> u64 {
 /// Numbers what has the same hash, in reading order.
 #[derive(Debug, Default)]
 pub(super) struct Fingerprints {
-    seen: BTreeMap<u64, usize>,
+    seen: Tree<u64, usize>,
 }
 
 impl Fingerprints {

@@ -1,7 +1,5 @@
 //! The audit for programs. Every number is exact, so it is a string: `"2/3"`. `docs/schema.json` says the same.
 
-use std::collections::BTreeMap;
-
 use serde::Serialize;
 
 use crate::algebra::{Expr, Symbol};
@@ -29,7 +27,7 @@ pub struct AuditView {
     /// The documents in reading order.
     pub documents: Vec<DocumentView>,
     /// How many statements have each verdict; all five are always there.
-    pub summary: BTreeMap<&'static str, usize>,
+    pub summary: Map<&'static str, usize>,
     /// How the audit differs from a baseline; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub baseline: Option<Comparison>,
@@ -81,8 +79,8 @@ pub struct EquationView {
     /// What else there is to say.
     pub notes: Vec<NoteView>,
     /// For what fails: the values of a counterexample, by LaTeX name.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    pub witness: BTreeMap<String, ValueView>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    pub witness: Map<String, ValueView>,
     /// For what fails about a symbolic number of elements: a counterexample for every number, where one is found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub family: Option<FamilyView>,
@@ -91,8 +89,8 @@ pub struct EquationView {
     pub dimensions: Option<DimensionsView>,
     /// For a scaling relation that fails: each quantity in two situations, by LaTeX name. Both are positive
     /// numbers, written as products of powers.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    pub situations: BTreeMap<String, Vec<String>>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    pub situations: Map<String, Vec<String>>,
     /// For a numeric claim: what the figures say.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub numeric: Option<NumericView>,
@@ -111,14 +109,14 @@ pub struct FamilyView {
     /// Symbols that may have any value in their domain.
     pub free: Vec<String>,
     /// What other symbols are: `n + 1`.
-    pub values: BTreeMap<String, String>,
+    pub values: Map<String, String>,
     /// The elements, those that are alike together.
     pub elements: Vec<GroupView>,
     /// What the kernel has seen proved for all of them: domains, premises, what else is given, and that what was to be shown is
     /// false.
     pub proved: Vec<CheckView>,
     /// The values for the least number.
-    pub first: BTreeMap<String, ValueView>,
+    pub first: Map<String, ValueView>,
 }
 
 /// Elements that are alike.
@@ -127,7 +125,7 @@ pub struct GroupView {
     /// How many.
     pub size: String,
     /// What each of them is, by sequence.
-    pub values: BTreeMap<String, String>,
+    pub values: Map<String, String>,
 }
 
 /// Something that was proved of a family.
@@ -153,7 +151,7 @@ pub struct NumericView {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<[String; 2]>,
     /// The figures that were used, by LaTeX name.
-    pub data: BTreeMap<String, DatumView>,
+    pub data: Map<String, DatumView>,
 }
 
 /// Figures for a symbol, exact, in SI units.
@@ -257,7 +255,7 @@ impl Report<'_> {
     }
 
     fn view(&self, wanted: impl Fn(&Entry) -> bool) -> AuditView {
-        let mut summary: BTreeMap<&'static str, usize> =
+        let mut summary: Map<&'static str, usize> =
             Verdict::ALL.iter().map(|v| (v.word(), 0)).collect();
         let mut documents = Vec::new();
         for (at, page) in self.derivation.pages.iter().enumerate() {
@@ -445,7 +443,7 @@ fn family_view(found: &Counterexamples) -> FamilyView {
     let terms = |terms: &Map<Symbol, Expr>| {
         let terms = terms.iter();
         let terms = terms.map(|(symbol, term)| (symbol.to_string(), latex(term)));
-        terms.collect::<BTreeMap<String, String>>()
+        terms.collect::<Map<String, String>>()
     };
     let groups = family.groups.iter().map(|group| GroupView {
         size: latex(&group.size),
@@ -478,9 +476,9 @@ fn family_view(found: &Counterexamples) -> FamilyView {
     }
 }
 
-fn values(at: &Assignment) -> BTreeMap<String, ValueView> {
+fn values(at: &Assignment) -> Map<String, ValueView> {
     let symbols = at.symbols.iter();
-    let mut all: BTreeMap<String, ValueView> = symbols
+    let mut all: Map<String, ValueView> = symbols
         .map(|(symbol, value)| (symbol.to_string(), ValueView::Number(value.to_string())))
         .collect();
     for (sequence, elements) in &at.sequences {

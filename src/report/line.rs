@@ -5,6 +5,7 @@ use crate::audit::{Entry, Judged, Note, Outcome, Verdict};
 use crate::derivation::Source;
 use crate::kernel::Refuted;
 use crate::notation::{Mark, latex_statement};
+use crate::sorted;
 
 use super::evidence::Point;
 use super::style::{self, DIM, paint};
@@ -161,7 +162,7 @@ impl Report<'_> {
             .flat_map(|j| j.assumed.iter().map(|a| a.source))
             .filter(|s| *s != Source::Step)
             .collect();
-        used.sort_by_key(|s| !matches!(s, Source::Equation(_)));
+        sorted::sort_by_key(&mut used, |s| !matches!(s, Source::Equation(_)));
         used.dedup();
         let mut shown: Vec<String> = Vec::new();
         for source in used {

@@ -1,6 +1,7 @@
 //! The equations that were perhaps meant.
 
 use crate::derivation::Derivation;
+use crate::sorted;
 
 /// The numbers and names nearest to one that is not there: at most five.
 pub fn near_misses(derivation: &Derivation, label: &str) -> Vec<String> {
@@ -20,7 +21,7 @@ pub fn near_misses(derivation: &Derivation, label: &str) -> Vec<String> {
             }
         }
     }
-    all.sort();
+    sorted::sort(&mut all);
     all.dedup();
     all.into_iter().take(5).map(|(_, _, own)| own).collect()
 }

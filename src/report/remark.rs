@@ -8,6 +8,7 @@ use std::path::Path;
 
 use crate::audit::{Entry, Note, Verdict};
 use crate::document::{File, Position, Span};
+use crate::sorted;
 
 use super::Report;
 use super::codes::Level;
@@ -111,7 +112,9 @@ impl Report<'_> {
                 add(Subject::Entry(at), finding);
             }
         }
-        found.sort_by_key(|(_, finding, _)| (finding.page, finding.primary.0.start));
+        sorted::sort_by_key(&mut found, |(_, finding, _)| {
+            (finding.page, finding.primary.0.start)
+        });
         let entries = self.fingerprints();
         let mut fingerprints = Fingerprints::default();
         let remarks = found.into_iter().map(|(subject, finding, level)| {

@@ -1,7 +1,5 @@
 //! The evidence about scaling relations: exponents in a table, two situations side by side.
 
-use std::collections::BTreeMap;
-
 use crate::algebra::{Expr, Formula, Rational};
 use crate::audit::Judged;
 use crate::kernel::{Claim, Combination, Product, Rows, Scales, ScalesNot, Size};
@@ -9,7 +7,7 @@ use crate::notation::{latex, latex_formula, plain, plain_formula};
 use crate::search::{Repair, kept_hypotheses};
 
 use super::Report;
-use crate::sorted::Map;
+use crate::sorted::{self, Map};
 
 impl Report<'_> {
     /// A proof so that it can be redone on paper: a row of exponents for each premise, and the sum of rows that
@@ -132,7 +130,7 @@ pub(super) fn grown(refuted: &ScalesNot) -> Vec<String> {
 }
 
 /// By LaTeX name, each quantity in the first and in the second situation.
-pub(super) fn values(refuted: &ScalesNot) -> BTreeMap<String, Vec<String>> {
+pub(super) fn values(refuted: &ScalesNot) -> Map<String, Vec<String>> {
     let all = refuted.situations().values.iter();
     all.map(|(quantity, (first, second))| {
         let name = latex(quantity);
@@ -162,7 +160,7 @@ fn differing(refuted: &ScalesNot, repair: &Repair) -> Vec<Expr> {
         return Vec::new();
     };
     let mut all: Vec<Expr> = own.keys().chain(meant.keys()).cloned().collect();
-    all.sort();
+    sorted::sort(&mut all);
     all.dedup();
     all.retain(|quantity| own.get(quantity) != meant.get(quantity));
     all

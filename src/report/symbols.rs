@@ -9,7 +9,7 @@ use crate::dimension::occur;
 use crate::document::Span;
 use crate::kernel::dimension::Form;
 use crate::notation::{measured, read_symbol};
-use crate::sorted::Set;
+use crate::sorted::{self, Set};
 
 /// A symbol of a page, or the elements of a sequence.
 pub(super) struct Found {
@@ -52,7 +52,7 @@ pub(super) fn symbols(derivation: &Derivation, dimensions: &Dimensions, page: us
         let formulas = local.formulas.iter();
         terms.extend(formulas.map(|f| (local.span, Formula::clone(f))));
     }
-    terms.sort_by_key(|(span, _)| span.start);
+    sorted::sort_by_key(&mut terms, |(span, _)| span.start);
 
     let mut sequences: BTreeSet<&Symbol> = BTreeSet::new();
     for (_, formula) in &terms {

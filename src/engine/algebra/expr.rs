@@ -190,6 +190,11 @@ impl Expr {
 
     /// The same term with each term directly below it replaced.
     pub fn map_children(&self, mut change: impl FnMut(&Expr) -> Expr) -> Expr {
+        self.map_each_child(&mut change)
+    }
+
+    /// The same, compiled once for all changes.
+    fn map_each_child(&self, change: &mut dyn FnMut(&Expr) -> Expr) -> Expr {
         let mut boxed = |inner: &Expr| Box::new(change(inner));
         match self {
             Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => self.clone(),

@@ -1,6 +1,6 @@
 //! What a derivation says of dimensions, put to the inference: scopes of symbols, statements in reading order.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::{Base, Dimension, Expr, Formula, Rational, Symbol, element_parts};
@@ -8,6 +8,7 @@ use crate::derivation::{Derivation, Kind, Source, conditions, formulas};
 use crate::dimension::{Conflict, Inference, Reading, occur};
 use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
 use crate::notation::{Mark, Statement, measured};
+use crate::sorted::Tree;
 
 use super::{Entry, Note, Verdict};
 
@@ -15,9 +16,9 @@ use super::{Entry, Note, Verdict};
 #[derive(Clone, Debug, Default)]
 pub struct Dimensions {
     /// The conflicts, by equation and statement.
-    pub conflicts: BTreeMap<(usize, usize), Conflict<Source>>,
+    pub conflicts: Tree<(usize, usize), Conflict<Source>>,
     /// Suppositions at fault, by page and position.
-    pub suppositions: BTreeMap<(usize, usize), Conflict<Source>>,
+    pub suppositions: Tree<(usize, usize), Conflict<Source>>,
     /// The names of the unknowns.
     pub unknowns: Vec<Symbol>,
     inference: Inference<Source>,
@@ -104,7 +105,7 @@ impl Dimensions {
         let locals = &derivation.pages[page].locals;
         let mut pending = (0..locals.len()).peekable();
         // What has a number for a value, by supposition: under `let v_0 = 1`, velocities may be compared with numbers.
-        let mut numbers: BTreeMap<usize, Vec<Said>> = BTreeMap::new();
+        let mut numbers: Tree<usize, Vec<Said>> = Tree::new();
         for at in from..to {
             let equation = &derivation.equations[at];
             while let Some(local) = pending.next_if(|&l| locals[l].span.start < equation.span.start)
@@ -151,7 +152,7 @@ impl Dimensions {
         derivation: &Derivation,
         page: usize,
         at: usize,
-        numbers: &mut BTreeMap<usize, Vec<Said>>,
+        numbers: &mut Tree<usize, Vec<Said>>,
     ) {
         let local = derivation.local(page, at);
         let mut formulas = local.formulas.clone();

@@ -1,12 +1,12 @@
 //! Whether what is given can all be true together: no audit is vacuous.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Derivation, Equation, Kind, Source, formulas};
 use crate::kernel::{Assignment, Model, Standing};
 use crate::search::{Consistency, consistency};
+use crate::sorted::Tree;
 
 use super::{Entry, MOST_WORK, Note, Verdict, blank};
 
@@ -16,8 +16,8 @@ const MOST_FORMULAS: usize = 40;
 /// For each given equation a point at which it and all that hangs together with it holds, or what it contradicts.
 #[derive(Default)]
 pub(super) struct Models {
-    found: BTreeMap<usize, Model>,
-    contradictions: BTreeMap<usize, Vec<Source>>,
+    found: Tree<usize, Model>,
+    contradictions: Tree<usize, Vec<Source>>,
     /// Where all groups have their models.
     pub point: Assignment,
 }
@@ -119,7 +119,7 @@ fn groups(derivation: &Derivation, among: Range<usize>) -> Vec<Vec<usize>> {
         }
         at
     }
-    let mut first: BTreeMap<Symbol, usize> = BTreeMap::new();
+    let mut first: Tree<Symbol, usize> = Tree::new();
     // What is said under conditions only is not said at a point.
     let plain = |equation: &Equation| equation.statements().iter().all(|s| s.under.is_empty());
     let is_given = |equation: &Equation| {
@@ -136,7 +136,7 @@ fn groups(derivation: &Derivation, among: Range<usize>) -> Vec<Vec<usize>> {
             parent[a.max(b)] = a.min(b);
         }
     }
-    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let mut groups: Tree<usize, Vec<usize>> = Tree::new();
     for (at, _) in equations() {
         let group = groups.entry(root(&mut parent, at)).or_default();
         group.push(start + at);

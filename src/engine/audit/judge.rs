@@ -2,6 +2,7 @@ use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, values_at};
 use crate::kernel::{Obligation, Standing};
 use crate::search::{self, Consistency, Decision, Effort, Implied, InChain, Mended, Stop};
+use crate::sorted;
 
 use super::premise::Usable;
 use super::{Auditor, Judged, Outcome};
@@ -376,7 +377,7 @@ pub(super) fn sources(assumed: &[Assumed]) -> Vec<Source> {
         .map(|a| a.source)
         .filter(|s| *s != Source::Step)
         .collect();
-    all.sort();
+    sorted::sort(&mut all);
     all.dedup();
     all
 }

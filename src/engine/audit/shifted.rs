@@ -10,7 +10,7 @@ use crate::search::{self, Effort};
 use super::judge::Judge;
 use super::premise::usable;
 use super::{Auditor, Entry, Note, Shared, given};
-use crate::sorted::{Map, Set};
+use crate::sorted::{self, Map, Set};
 
 /// How many shifts are looked at: the commonest first.
 const MOST_SHIFTS: usize = 12;
@@ -59,7 +59,9 @@ pub(super) fn gather(shared: &Shared<'_>) -> Vec<(usize, Note)> {
         }
     }
     let mut order: Vec<(i64, usize)> = votes.into_iter().collect();
-    order.sort_by_key(|&(shift, number)| (Reverse(number), shift.abs(), shift));
+    sorted::sort_by_key(&mut order, |&(shift, number)| {
+        (Reverse(number), shift.abs(), shift)
+    });
     let mut found: Vec<Shift<'_>> = Vec::new();
     for (by, _) in order.into_iter().take(MOST_SHIFTS) {
         let shift = weighed(shared, entries, &all, by, &mut budget);
@@ -70,7 +72,7 @@ pub(super) fn gather(shared: &Shared<'_>) -> Vec<(usize, Note)> {
         }
         found.push(shift);
     }
-    found.sort_by_key(|shift| Reverse(shift.explained.len()));
+    sorted::sort_by_key(&mut found, |shift| Reverse(shift.explained.len()));
     let mut touched: Set<usize> = Set::new();
     for mut shift in found {
         shift.explained.retain(|step| !touched.contains(&step.page));

@@ -7,6 +7,7 @@ use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Goal, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort, InChain};
+use crate::sorted;
 
 use super::judge::{Found, Judge, sources, step};
 use super::{Outcome, stated};
@@ -91,7 +92,7 @@ impl Judge<'_> {
             let names = meant.free_symbols();
             let foreign = |condition: &Formula| condition.free_symbols().is_disjoint(&names);
             let mut order = conditions.clone();
-            order.sort_by_key(|condition| !foreign(condition));
+            sorted::sort_by_key(&mut order, |condition| !foreign(condition));
             mended.under.clone_from(&conditions);
             for condition in &order {
                 let mut fewer = mended.under.clone();

@@ -3,9 +3,10 @@
 //! Both are one quantity where a page has both and is solved for it somewhere, wherever the argument is the same symbol. Not where a term or a statement speaks
 //! of both in two ways, where a sum or a limit goes over the argument, nor where it is another elsewhere: `f(s)` beside `f(t)`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol};
+use crate::sorted::Tree;
 
 use super::Equation;
 use super::equation::{conditions, each_side, formulas};
@@ -28,7 +29,7 @@ struct Spoken {
 
 /// Leaves out the arguments of what also stands without them on a page.
 pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
-    let mut all: BTreeMap<Symbol, Spoken> = BTreeMap::new();
+    let mut all: Tree<Symbol, Spoken> = Tree::new();
     for statement in equations.iter().flat_map(Equation::statements) {
         let said: Vec<Formula> = formulas(statement);
         see_together(said.iter().chain(&conditions(statement)), &mut all);
@@ -36,10 +37,11 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     for formula in page.locals.iter().flat_map(|local| &local.formulas) {
         see_together(std::iter::once(&**formula), &mut all);
     }
-    all.retain(|name, own| {
+    let left_out = |(name, own): &(Symbol, Spoken)| {
         let argument = own.arguments.first();
         own.solved && own.alone && !own.apart && own.arguments.len() == 1 && argument != Some(name)
-    });
+    };
+    let all: Tree<Symbol, Spoken> = all.into_entries().filter(left_out).collect();
     if all.is_empty() {
         return;
     }
@@ -54,11 +56,8 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
 }
 
 /// What is said in one statement.
-fn see_together<'a>(
-    formulas: impl Iterator<Item = &'a Formula>,
-    all: &mut BTreeMap<Symbol, Spoken>,
-) {
-    let mut own: BTreeMap<Symbol, Spoken> = BTreeMap::new();
+fn see_together<'a>(formulas: impl Iterator<Item = &'a Formula>, all: &mut Tree<Symbol, Spoken>) {
+    let mut own: Tree<Symbol, Spoken> = Tree::new();
     for formula in formulas {
         if let Formula::AllEqual { sequence, .. } = formula {
             own.entry(sequence.clone()).or_default().apart = true;
@@ -70,7 +69,7 @@ fn see_together<'a>(
             see(term, &mut Vec::new(), &mut own);
         }
     }
-    for (name, own) in own {
+    for (name, own) in own.into_entries() {
         let known = all.entry(name).or_default();
         known.apart |= own.apart || own.alone && !own.arguments.is_empty();
         known.alone |= own.alone || own.moves;
@@ -79,7 +78,7 @@ fn see_together<'a>(
     }
 }
 
-fn see<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, own: &mut BTreeMap<Symbol, Spoken>) {
+fn see<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, own: &mut Tree<Symbol, Spoken>) {
     match term {
         Expr::Symbol(symbol) => own.entry(symbol.clone()).or_default().alone = true,
         Expr::Element { sequence, .. } => own.entry(sequence.clone()).or_default().apart = true,
@@ -109,14 +108,14 @@ fn within<'a>(
     term: &'a Expr,
     symbol: &'a Symbol,
     bound: &mut Vec<&'a Symbol>,
-    own: &mut BTreeMap<Symbol, Spoken>,
+    own: &mut Tree<Symbol, Spoken>,
 ) {
     bound.push(symbol);
     term.children().for_each(|child| see(child, bound, own));
     bound.pop();
 }
 
-fn without(term: &Expr, names: &BTreeMap<Symbol, Spoken>) -> Expr {
+fn without(term: &Expr, names: &Tree<Symbol, Spoken>) -> Expr {
     match term {
         Expr::Apply(name, _) if names.contains_key(name) => Expr::Symbol(name.clone()),
         term => term.map_children(|child| without(child, names)),

@@ -1,12 +1,13 @@
 //! What stands beside documents, in a file of its own, and holds in each of them; and where a document says otherwise.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::Symbol;
 use crate::document::{Attribute, File, Problem, Span};
 use crate::kernel::Domain;
 use crate::notation::Spanned;
+use crate::sorted::Tree;
 
 use super::page::{Page, dimension_of, is_empty, narrow, no_value};
 use super::{Equation, Kind};
@@ -21,7 +22,7 @@ pub struct Beside {
     /// The numbers, keys and names of equations that are given.
     pub given: Vec<Spanned<String>>,
     /// How grave a code is, where that is not as usual.
-    pub severity: BTreeMap<String, Severity>,
+    pub severity: Tree<String, Severity>,
     /// How much the search may try.
     pub budget: Budget,
 }
@@ -95,8 +96,8 @@ impl Beside {
     /// symbol, bounds that leave it no value.
     pub fn problems(&self) -> Vec<Problem> {
         let mut problems = Vec::new();
-        let mut known: BTreeMap<&Symbol, crate::algebra::Dimension> = BTreeMap::new();
-        let mut domains: BTreeMap<&Symbol, Domain> = BTreeMap::new();
+        let mut known: Tree<&Symbol, crate::algebra::Dimension> = Tree::new();
+        let mut domains: Tree<&Symbol, Domain> = Tree::new();
         let mut told = BTreeSet::new();
         for shared in &self.symbols {
             let mut own = Vec::new();
@@ -142,7 +143,7 @@ impl Page {
             shared.declare(symbol.symbol.clone(), span, &symbol.attributes);
             shared.declare_dimension(symbol.symbol.clone(), span, dimension.as_ref());
         }
-        for (symbol, domain) in &shared.domains {
+        for (symbol, domain) in shared.domains.iter() {
             let places = &shared.declared[symbol];
             self.declared.insert(symbol.clone(), places.clone());
             let there = |dimension: bool| found(places, dimension);

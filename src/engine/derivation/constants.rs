@@ -1,12 +1,13 @@
 //! Constants that nobody names: `p V = \text{const}` says that `p V` does not change, and not that it is what something else
 //! of which the same is said is. So each such word is a constant of its own.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::Span;
 use crate::notation::is_constant_word;
+use crate::sorted::Tree;
 
 use super::Equation;
 use super::equation::{each_side, formulas};
@@ -25,15 +26,15 @@ pub(super) fn tell_apart(pages: &mut [Page], equations: &mut [Equation]) -> BTre
             .filter(|s| !is_constant_word(s))
             .cloned()
             .collect(),
-        counts: BTreeMap::new(),
+        counts: Tree::new(),
         told: BTreeSet::new(),
-        last: BTreeMap::new(),
+        last: Tree::new(),
         again: false,
     };
     if words.iter().all(|symbol| names.taken.contains(symbol)) {
         return names.told;
     }
-    let mut sides: BTreeMap<(usize, Span), Expr> = BTreeMap::new();
+    let mut sides: Tree<(usize, Span), Expr> = Tree::new();
     for equation in equations {
         let page = &mut pages[equation.page];
         if equation.row == 0 {
@@ -90,10 +91,10 @@ struct Names {
     /// Names of the author's that look like one of these.
     taken: BTreeSet<Symbol>,
     /// How often each word was met.
-    counts: BTreeMap<Symbol, usize>,
+    counts: Tree<Symbol, usize>,
     told: BTreeSet<Symbol>,
     /// What each word stood for last in the display.
-    last: BTreeMap<Symbol, Symbol>,
+    last: Tree<Symbol, Symbol>,
     /// Whether it stands for that again.
     again: bool,
 }

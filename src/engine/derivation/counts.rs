@@ -1,10 +1,11 @@
 //! Counts of which nobody says so: what a sum runs to, and the index of a recurrence, is a natural number whether that is said or not.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use crate::algebra::{BigRational, Expr, Formula, Place, Symbol, split_subscript};
 
 use crate::kernel::Domain;
+use crate::sorted::Tree;
 
 use super::Equation;
 use super::equation::formulas;
@@ -19,7 +20,7 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
     let mut counts = BTreeSet::new();
     let mut steps: Vec<(Symbol, Symbol, i64)> = Vec::new();
     // What the author says to run through whole numbers, and from which on.
-    let mut said_to_run: BTreeMap<Symbol, Option<i64>> = BTreeMap::new();
+    let mut said_to_run: Tree<Symbol, Option<i64>> = Tree::new();
     for statement in equations.iter().flat_map(Equation::statements) {
         for run in &statement.runs {
             let from = said_to_run.entry(run.symbol.clone()).or_insert(run.from);
@@ -45,7 +46,7 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
     if counts.is_empty() {
         return;
     }
-    let mut first: BTreeMap<Symbol, i64> = BTreeMap::new();
+    let mut first: Tree<Symbol, i64> = Tree::new();
     for name in equations.iter().flat_map(Equation::symbols) {
         for (index, stem, offset) in &steps {
             if let Some((own, Place::Number(number))) = name.place(index)

@@ -1,6 +1,6 @@
 //! Definitions: which equations are the first to speak of a symbol, and where the text says what a new symbol means.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Place, Relation, Symbol};
@@ -11,7 +11,7 @@ use super::equation::{conditions, formulas};
 use super::page::Page;
 use super::supposed::Local;
 use super::{Equation, Kind, counts};
-use crate::sorted::Set;
+use crate::sorted::{Set, Tree};
 
 /// Leaves only those as definitions whose symbol occurs nowhere before, in reading order, nor in an equation that is supposed
 /// where they stand ("Let $x = 2$ and $W = w$"), and notes which symbols are new.
@@ -93,7 +93,7 @@ fn names_in(source: &str, body: Span) -> BTreeSet<Symbol> {
 #[derive(Default)]
 struct Sequences {
     /// How many elements it takes to begin a recurrence.
-    orders: BTreeMap<(Symbol, Symbol), i64>,
+    orders: Tree<(Symbol, Symbol), i64>,
     /// Those whose elements are all given at once: `L_n = 3 n`.
     whole: BTreeSet<(Symbol, Symbol)>,
 }

@@ -20,7 +20,7 @@ mod rows;
 mod running;
 mod supposed;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ use crate::algebra::{BigRational, Formula, Relation, Symbol};
 use crate::document::{Citation, Document, Premise, Span, in_order};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing};
 use crate::notation::{Spanned, measured, read_formulas};
-use crate::sorted::Map;
+use crate::sorted::{Map, Tree};
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
@@ -49,13 +49,13 @@ pub struct Derivation {
     pub pages: Vec<Page>,
     /// The equations of all pages.
     pub equations: Vec<Equation>,
-    labels: BTreeMap<String, Vec<usize>>,
+    labels: Tree<String, Vec<usize>>,
     /// Numbers and keys that several equations share: those of `subequations`.
-    groups: BTreeMap<String, Vec<usize>>,
+    groups: Tree<String, Vec<usize>>,
     /// By page, the equations in which a symbol occurs.
-    mentions: Vec<BTreeMap<Symbol, Vec<usize>>>,
+    mentions: Vec<Tree<Symbol, Vec<usize>>>,
     /// The pages in which a symbol occurs.
-    pages_of: BTreeMap<Symbol, Vec<usize>>,
+    pages_of: Tree<Symbol, Vec<usize>>,
     /// By page, the pages that it cites, and itself.
     neighbours: Vec<BTreeSet<usize>>,
     /// By page, the indices that run through sequences.
@@ -106,10 +106,10 @@ impl Derivation {
         let mut derivation = Derivation {
             pages: Vec::new(),
             equations: Vec::new(),
-            labels: BTreeMap::new(),
-            groups: BTreeMap::new(),
+            labels: Tree::new(),
+            groups: Tree::new(),
             mentions: Vec::new(),
-            pages_of: BTreeMap::new(),
+            pages_of: Tree::new(),
             neighbours: Vec::new(),
             running: Vec::new(),
             constants: BTreeSet::new(),
@@ -147,7 +147,7 @@ impl Derivation {
             }
         }
         for page in 0..derivation.pages.len() {
-            let mut mentions: BTreeMap<Symbol, Vec<usize>> = BTreeMap::new();
+            let mut mentions: Tree<Symbol, Vec<usize>> = Tree::new();
             let mut neighbours = BTreeSet::from([page]);
             for at in derivation.equations_of(page) {
                 for symbol in derivation.equations[at].symbols() {

@@ -1,4 +1,4 @@
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use num_traits::Zero;
@@ -10,6 +10,7 @@ use crate::document::{
 };
 use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
+use crate::sorted::{self, Tree};
 
 use super::beside::{Beside, Clash, Place};
 use super::equation::each_side;
@@ -25,11 +26,11 @@ pub struct Page {
     /// Its first heading.
     pub title: String,
     /// Where each declared symbol may lie.
-    pub domains: BTreeMap<Symbol, Domain>,
+    pub domains: Tree<Symbol, Domain>,
     /// The declared dimension of each symbol.
-    pub dimensions: BTreeMap<Symbol, Dimension>,
+    pub dimensions: Tree<Symbol, Dimension>,
     /// The figures for each symbol that has some.
-    pub data: BTreeMap<Symbol, Datum>,
+    pub data: Tree<Symbol, Datum>,
     /// The symbols that stand for Euler's number: their powers are read as exponentials.
     pub euler: BTreeSet<Symbol>,
     /// Everything supposed on the page, by `let` or `assuming`.
@@ -37,7 +38,7 @@ pub struct Page {
     /// What could not be read, besides equations.
     pub problems: Vec<Problem>,
     /// Where each declared symbol is declared, what stands beside the document first.
-    pub declared: BTreeMap<Symbol, Vec<Place>>,
+    pub declared: Tree<Symbol, Vec<Place>>,
     /// What stands beside the document and holds in it too.
     pub beside: Option<Arc<Beside>>,
     /// Which of what that names as given was found here, by position.
@@ -77,13 +78,13 @@ pub(super) fn read_page(
 ) -> (Page, Vec<Equation>) {
     let mut page = Page {
         title: String::new(),
-        domains: BTreeMap::new(),
-        dimensions: BTreeMap::new(),
-        data: BTreeMap::new(),
+        domains: Tree::new(),
+        dimensions: Tree::new(),
+        data: Tree::new(),
         euler: BTreeSet::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),
-        declared: BTreeMap::new(),
+        declared: Tree::new(),
         given: BTreeSet::new(),
         clashes: Vec::new(),
         document,
@@ -115,14 +116,14 @@ pub(super) fn read_page(
         page.give(&beside, &mut equations, &derived);
     }
     counts::infer(&mut page, &equations);
-    page.problems.sort_by_key(|p| p.span);
+    sorted::sort_by_key(&mut page.problems, |p| p.span);
     page.document.items = items;
     (page, equations)
 }
 
 /// The pages of each document: what LaTeX puts together from several files is one, and so is all else that is read together.
 pub(super) fn of_documents(pages: &[Page]) -> Vec<Vec<usize>> {
-    let mut documents: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
+    let mut documents: Tree<Option<usize>, Vec<usize>> = Tree::new();
     let mut first = 0;
     for (at, page) in pages.iter().enumerate() {
         let before = &pages[first].document;
@@ -324,12 +325,12 @@ impl Page {
 }
 
 /// What is declared for `u_i`, whatever the index is called.
-fn of_elements<'a, T>(declared: &'a BTreeMap<Symbol, T>, sequence: &Symbol) -> Option<&'a T> {
+fn of_elements<'a, T>(declared: &'a Tree<Symbol, T>, sequence: &Symbol) -> Option<&'a T> {
     elements_of(declared, sequence).map(|(_, value)| value)
 }
 
 fn elements_of<'a, T>(
-    declared: &'a BTreeMap<Symbol, T>,
+    declared: &'a Tree<Symbol, T>,
     sequence: &Symbol,
 ) -> Option<(&'a Symbol, &'a T)> {
     let prefix = format!("{sequence}_");

@@ -9,6 +9,7 @@ use std::ops::Range;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::Span;
+use crate::sorted;
 
 /// The parts of a document in which, or because of which, text is not plain text.
 #[derive(Debug, Default)]
@@ -136,7 +137,7 @@ impl Outline {
                 *end = span.end;
             }
         }
-        outline.targets.sort();
+        sorted::sort(&mut outline.targets);
         outline
     }
 }

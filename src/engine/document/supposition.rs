@@ -22,6 +22,7 @@ use super::circumstance;
 use super::conclusion;
 use super::prose::{Placed, Token};
 use super::{Extent, Span, Supposition, SuppositionKind};
+use crate::sorted;
 
 /// How far a supposition reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +70,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     }
     let (mut found, mentions) = reader.finish();
     found.extend(vanishing::read(source, &tokens[..end]));
-    found.sort_by_key(|supposition| supposition.body);
+    sorted::sort_by_key(&mut found, |supposition| supposition.body);
     (found, mentions)
 }
 
@@ -326,7 +327,7 @@ impl Reader<'_> {
                 *runs_on = true;
             }
         }
-        self.mentions.sort();
+        sorted::sort(&mut self.mentions);
         (self.found, self.mentions)
     }
 }

@@ -7,7 +7,7 @@ use crate::algebra::{
     Atom, Expr, Formula, Fraction, Function, Polynomial, Rational, SineCosine, Symbol, Var,
     expr_of_fraction, multiplied,
 };
-use crate::sorted::Map;
+use crate::sorted::{self, Map};
 
 /// Angles and exponents that are multiples of one another are related up to this.
 const HIGHEST_MULTIPLE: u32 = 8;
@@ -140,7 +140,7 @@ impl Problem {
 
     /// The sine and cosine of an angle by those of a part of it.
     fn relate_angles(&mut self, mut related: Vec<(Rational, Expr)>) -> Result<(), Reject> {
-        related.sort();
+        sorted::sort(&mut related);
         for (at, (whole, of_whole)) in related.iter().enumerate() {
             let base = related[..at]
                 .iter()
@@ -161,7 +161,7 @@ impl Problem {
 
     /// `exp(k a) = exp(a)^k`.
     fn relate_exponentials(&mut self, mut related: Vec<(Rational, Var)>) -> Result<(), Reject> {
-        related.sort();
+        sorted::sort(&mut related);
         for (at, (whole, of_whole)) in related.iter().enumerate() {
             let base = related[..at]
                 .iter()

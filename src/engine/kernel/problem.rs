@@ -7,7 +7,7 @@ use crate::algebra::{
     Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Functions, Lowering, Polynomial,
     Powers, Rational, Relation, Symbol, element_parts, element_symbol, expr_of, power_sum,
 };
-use crate::sorted::{Map, Set};
+use crate::sorted::{self, Map, Set};
 
 /// A claim as facts about polynomials: what certificates speak of.
 ///
@@ -160,7 +160,7 @@ impl Problem {
         };
         let mut every = named.clone();
         every.extend(&counts);
-        every.sort();
+        sorted::sort(&mut every);
         every.dedup();
         for symbol in every {
             if !claim.domains.contains_key(symbol) && !counts.contains(symbol) {

@@ -2,6 +2,7 @@
 
 use super::{BoundedSeries, ElementFactor, ElementSide, Problem, Reject, SeriesSquare};
 use crate::algebra::{Atom, Atoms, Polynomial, Rational, Symbol, power_sum};
+use crate::sorted;
 
 /// `Σ f² Σ g² − (Σ f g)²`, which is `Σ_{i<j} (f_i g_j − f_j g_i)²`.
 pub(super) fn series_square(
@@ -17,7 +18,7 @@ pub(super) fn series_square(
             }
         }
         powers.retain(|p| p.1 > 0);
-        powers.sort();
+        sorted::sort(&mut powers);
         total(problem, &series.count, powers)
     };
     be_count(problem, &series.count)?;
@@ -50,7 +51,7 @@ pub(crate) fn bounded_series(
                     powers.push((sequence.clone(), exponent));
                 }
             }
-            powers.sort();
+            sorted::sort(&mut powers);
             sum = sum.plus(&total(problem, &series.count, powers)?.scaled(coefficient));
         }
         Ok::<_, Reject>(sum)

@@ -2,7 +2,7 @@
 
 use crate::algebra::{Atom, Polynomial, Symbol};
 use crate::kernel::{BoundedSeries, ElementFactor, ElementSide, Problem, bounded_series};
-use crate::sorted::{Map, Set};
+use crate::sorted::{self, Map, Set};
 
 /// Guesses at what a step of a derivation can need.
 const HIGHEST_DEGREE: u32 = 6;
@@ -83,6 +83,6 @@ fn powers(problem: &Problem, sequence: &Symbol, highest: u32) -> Vec<Vec<Element
     }
     let degree = |f: &Vec<ElementFactor>| f.iter().map(|x| x.exponent).sum::<u32>();
     all.retain(|f| (1..=highest).contains(&degree(f)));
-    all.sort_by_key(degree);
+    sorted::sort_by_key(&mut all, degree);
     all
 }

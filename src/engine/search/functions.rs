@@ -3,7 +3,7 @@
 
 use crate::algebra::{Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var};
 use crate::kernel::{Assignment, Claim, Fact, Problem, Sign};
-use crate::sorted::Map;
+use crate::sorted::{self, Map};
 
 /// How deep the tree of fractions is descended.
 const MOST_STEPS: usize = 1_000;
@@ -38,7 +38,7 @@ pub fn leave_open(
     }
     for (symbol, mut family) in families {
         // The others are multiples of the smallest.
-        family.sort();
+        sorted::sort(&mut family);
         if family.iter().any(|f| f.1 == Function::Sin) {
             family.retain(|f| f.1 == Function::Sin);
         }
@@ -91,7 +91,7 @@ pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
     let mut kinds = Map::new();
     let mut calls: Vec<(Var, &Atom)> = problem.atoms.iter().collect();
     let last = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Exp, _)));
-    calls.sort_by_key(|(_, atom)| last(atom));
+    sorted::sort_by_key(&mut calls, |(_, atom)| last(atom));
     for (var, atom) in calls {
         let Atom::Opaque(Expr::Call(function, argument)) = atom else {
             continue;
@@ -227,7 +227,7 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
         let equation = pending.remove(at);
         let vars = equation.vars();
         let mut candidates: Vec<Var> = vars.iter().rev().copied().collect();
-        candidates.sort_by_key(|&var| spoken_of(var));
+        sorted::sort_by_key(&mut candidates, |&var| spoken_of(var));
         let solved = candidates.into_iter().find_map(|var| {
             let free = matches!(problem.atoms.atom(var), Atom::Symbol(_));
             if var == pi || !free || lifted.contains_key(&var) {

@@ -5,6 +5,7 @@ use num_integer::Integer;
 use super::tracked::{Pivot, Reduced, Tracked};
 use crate::algebra::{Polynomial, TooLarge, Var};
 use crate::kernel::{Fact, Knowledge, Sign};
+use crate::sorted;
 
 /// Guesses at what a derivation step can need; beyond them the search gives up.
 const MOST_BASIS_ELEMENTS: usize = 40;
@@ -176,7 +177,7 @@ fn divisors(facts: &[Fact]) -> Vec<Polynomial> {
         .filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive) && f.polynomial.len() > 1)
         .map(|f| f.polynomial.without_content().1.monic())
         .collect();
-    divisors.sort();
+    sorted::sort(&mut divisors);
     divisors.dedup();
     divisors
 }

@@ -10,7 +10,7 @@ use crate::algebra::{
     expr_of, expr_of_atom, expr_of_fraction, factors, product_of, raised,
 };
 use crate::kernel::{Claim, Knowledge, Problem, Proven};
-use crate::sorted::Set;
+use crate::sorted::{self, Set};
 
 /// More terms than this tell a reader nothing.
 const MOST_TERMS: usize = 12;
@@ -351,13 +351,13 @@ fn tidy(value: &Fraction, atoms: &Atoms) -> Expr {
     }
     let sums = sums.iter().map(|sum| positive_first(expr_of(sum, atoms)));
     let mut sums: Vec<Expr> = sums.collect();
-    powers.sort();
+    sorted::sort(&mut powers);
     sums.extend(powers);
     let mut below: Vec<Expr> = value
         .denominator()
         .map(|(factor, exponent)| raised(expr_of(factor, atoms), exponent))
         .collect();
-    below.sort();
+    sorted::sort(&mut below);
     let one = Rational::one();
     let (above, under) = match below.is_empty() {
         true => (number_before, one),

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::algebra::{Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Proven};
+use crate::sorted;
 
 /// Symbols of which a sign or an order is supposed.
 const MOST_SYMBOLS: usize = 6;
@@ -85,7 +86,7 @@ pub fn missing_among(
             }
         )
     };
-    possible.sort_by_key(|formula| !strict(formula));
+    sorted::sort_by_key(&mut possible, |formula| !strict(formula));
     let mut tried = 0;
     for (at, one) in possible.iter().enumerate() {
         for other in &possible[at + 1..] {

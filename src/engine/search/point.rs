@@ -11,7 +11,7 @@ use super::units::unit_choices;
 use super::values::{candidates, rational_roots};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
 use crate::kernel::{Fact, Sign};
-use crate::sorted::Map;
+use crate::sorted::{self, Map};
 
 /// What a point must satisfy.
 pub struct Target {
@@ -195,7 +195,7 @@ impl Target {
             !facts.iter().any(|f| alone(&f))
         };
         let mut preferred = target.order.clone();
-        preferred.sort_by_key(nonzero);
+        sorted::sort_by_key(&mut preferred, nonzero);
         let all = facts.iter().map(|f| &f.polynomial);
         target.units = unit_choices(all, &preferred, |var| target.integers.contains(&var));
         target
@@ -203,7 +203,7 @@ impl Target {
 
     fn unordered(facts: &[Fact], integers: Vec<Var>) -> Self {
         let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
-        order.sort();
+        sorted::sort(&mut order);
         order.dedup();
         let mut start = State::default();
         let possible = facts

@@ -5,7 +5,7 @@ use super::simplex::nonnegative_solution;
 use super::tracked::Tracked;
 use crate::algebra::{Atom, Atoms, Monomial, Polynomial, Rational, Symbol, power_sum};
 use crate::kernel::{Fact, Knowledge, PositiveTerm, SeriesSquare, Sign};
-use crate::sorted::{Map, Set};
+use crate::sorted::{self, Map, Set};
 
 /// Guesses at what a step of a derivation can need.
 const MOST_CANDIDATES: usize = 400;
@@ -489,7 +489,7 @@ fn series_squares(atoms: &Atoms) -> Vec<(Polynomial, SeriesSquare)> {
                 let doubled =
                     |p: &[(Symbol, u32)]| p.iter().map(|(s, e)| (s.clone(), 2 * e)).collect();
                 let mut both: Vec<_> = f.iter().chain(&g).cloned().collect();
-                both.sort();
+                sorted::sort(&mut both);
                 let (Some(ff), Some(gg), Some(fg)) =
                     (sum(doubled(&f)), sum(doubled(&g)), sum(both))
                 else {

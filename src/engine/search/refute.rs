@@ -17,7 +17,7 @@ use crate::algebra::{
     Values, Var, element_parts, element_symbol,
 };
 use crate::kernel::{Assignment, Claim, Domain, Fact, Hypothesis, Obligation, Sign};
-use crate::sorted::{Map, Set};
+use crate::sorted::{self, Map, Set};
 
 /// Sums over a symbolic number of elements are tried with up to this many.
 const MOST_ELEMENTS: i64 = 4;
@@ -260,7 +260,7 @@ fn sizes(counts: &[Symbol], claim: &Claim) -> Vec<Vec<i64>> {
             .take(256)
             .collect();
     }
-    all.sort_by_key(|sizes| (sizes.iter().sum::<i64>(), sizes.clone()));
+    sorted::sort_by_key(&mut all, |sizes| (sizes.iter().sum::<i64>(), sizes.clone()));
     all
 }
 

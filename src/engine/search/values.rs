@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use num_traits::{One, Signed};
 
 use crate::algebra::{BigInt, BigRational, Polynomial, Rational, Var};
+use crate::sorted;
 
 /// Numbers to try, with their cost: the simpler the cheaper.
 pub fn candidates() -> &'static [(u32, Rational)] {
@@ -98,7 +99,7 @@ pub fn rational_roots(polynomial: &Polynomial, var: Var) -> Option<Vec<Rational>
             }
         }
     }
-    roots.sort_by_key(simplicity);
+    sorted::sort_by_key(&mut roots, simplicity);
     roots.dedup();
     Some(roots)
 }

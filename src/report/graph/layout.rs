@@ -8,6 +8,7 @@
 use std::ops::Range;
 
 use super::Graph;
+use crate::sorted::{self, Tree};
 
 /// Sizes, in units of the drawing.
 pub(super) const NODE_HEIGHT: i64 = 26;
@@ -292,8 +293,8 @@ fn slots(
     depth: &[usize],
     first: usize,
 ) -> Vec<Vec<i64>> {
-    let mut row_of_node: std::collections::BTreeMap<usize, i64> = Default::default();
-    let mut row_of_via: std::collections::BTreeMap<usize, i64> = Default::default();
+    let mut row_of_node: Tree<usize, i64> = Tree::new();
+    let mut row_of_via: Tree<usize, i64> = Tree::new();
     let mut all = Vec::with_capacity(columns.len());
     for (layer, column) in columns.iter().enumerate() {
         let wish = |item: &Item| -> Option<i64> {
@@ -320,7 +321,7 @@ fn slots(
             .enumerate()
             .map(|(at, item)| (wish(item).unwrap_or(i64::MAX), at))
             .collect();
-        order.sort();
+        sorted::sort(&mut order);
         let mut rows = vec![0; column.len()];
         let mut next = 0;
         for (wish, at) in order {

@@ -9,13 +9,14 @@ mod layout;
 mod svg;
 mod text;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use crate::audit::{Entry, Review, Verdict};
 use crate::derivation::{Assumed, Source, formulas};
 
 use super::Report;
 use super::words::{plain_statement, shortened};
+use crate::sorted::Tree;
 
 pub use json::GraphView;
 
@@ -246,7 +247,7 @@ fn node(report: &Report<'_>, entry: &Entry) -> Node {
 /// From the statement of a premise that was used to what was judged from it.
 fn edges(report: &Report<'_>) -> Vec<(usize, usize)> {
     let entries = &report.audit.entries;
-    let mut starts: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut starts: Tree<usize, usize> = Tree::new();
     for (at, entry) in entries.iter().enumerate() {
         starts.entry(entry.equation).or_insert(at);
     }

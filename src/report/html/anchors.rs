@@ -1,21 +1,22 @@
 //! What the parts of the page are called in links: each its own name, whatever the author numbers how.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use crate::report::Report;
+use crate::sorted::Tree;
 
 /// The names, by position in the derivation.
 pub(super) struct Anchors {
     equations: Vec<String>,
     /// The first equation of each number or name.
-    labels: BTreeMap<String, usize>,
+    labels: Tree<String, usize>,
 }
 
 impl Anchors {
     /// `eq-23` where the number is made of letters and digits and is the first such, otherwise by position, `eq--7`.
     pub(super) fn of(report: &Report<'_>) -> Anchors {
         let mut taken: BTreeSet<String> = BTreeSet::new();
-        let mut labels = BTreeMap::new();
+        let mut labels = Tree::new();
         let mut equations = Vec::new();
         for (at, equation) in report.derivation.equations.iter().enumerate() {
             for label in [&equation.tag, &equation.name].into_iter().flatten() {

@@ -6,6 +6,7 @@ use crate::audit::Note;
 use crate::notation::escape;
 use crate::report::codes::Level;
 use crate::report::diagnostic::Finding;
+use crate::sorted;
 
 use super::words;
 use super::{Page, anchors};
@@ -49,7 +50,9 @@ impl Page<'_> {
             let own = report.of_entry(entry).into_iter();
             found.extend(own.map(|finding| (finding, Some(entry.equation))));
         }
-        found.sort_by_key(|(finding, _)| (finding.page, finding.primary.0.start));
+        sorted::sort_by_key(&mut found, |(finding, _)| {
+            (finding.page, finding.primary.0.start)
+        });
         found
     }
 

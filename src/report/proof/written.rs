@@ -1,7 +1,5 @@
 //! The identities of a certificate, a line each.
 
-use std::collections::BTreeSet;
-
 use num_traits::Zero;
 
 use crate::algebra::{Polynomial, Symbol, expr_of};
@@ -12,6 +10,7 @@ use crate::kernel::{
 use crate::notation::plain;
 
 use super::words;
+use crate::sorted::Set;
 
 /// A proof as it is being written.
 pub(super) struct Written<'a> {
@@ -19,7 +18,7 @@ pub(super) struct Written<'a> {
     /// The facts so far, lemmas included.
     pub known: Vec<Fact>,
     /// The facts that are used, by position.
-    pub used: BTreeSet<usize>,
+    pub used: Set<usize>,
     pub steps: Vec<String>,
 }
 
@@ -28,7 +27,7 @@ impl<'a> Written<'a> {
         Written {
             problem,
             known: problem.facts.clone(),
-            used: BTreeSet::new(),
+            used: Set::new(),
             steps: Vec::new(),
         }
     }

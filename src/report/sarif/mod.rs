@@ -5,8 +5,6 @@
 
 mod model;
 
-use std::collections::BTreeMap;
-
 use serde_json::{Value, json};
 
 use crate::document::Position;
@@ -19,6 +17,7 @@ use super::Report;
 use super::codes::{self, CODES};
 use super::place::uri;
 use super::remark::{Remark, Saved, Subject};
+use crate::sorted::Map;
 
 const SCHEMA: &str =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
@@ -52,7 +51,7 @@ impl Report<'_> {
             text += &format!("\n{name}: {}", said.replace('\n', "\n  "));
         }
         let mut place = located(&remark.path, remark.place, remark.saved.as_ref());
-        let mut properties = BTreeMap::new();
+        let mut properties = Map::new();
         if let Subject::Entry(at) = remark.subject {
             let name = self.key(at);
             if !name.is_empty() {
@@ -95,7 +94,7 @@ impl Report<'_> {
             message: Text { text },
             locations: [place],
             related_locations: related.collect(),
-            partial_fingerprints: BTreeMap::from([(FINGERPRINT, remark.fingerprint.clone())]),
+            partial_fingerprints: Map::from([(FINGERPRINT, remark.fingerprint.clone())]),
             baseline_state: compared.then_some(state),
             fixes: fixes.collect(),
             properties,
@@ -103,9 +102,9 @@ impl Report<'_> {
     }
 
     /// What else a program may want to know: the statement as it was read, its verdict, the counterexample.
-    fn properties(&self, at: usize) -> BTreeMap<&'static str, Value> {
+    fn properties(&self, at: usize) -> Map<&'static str, Value> {
         let view = self.equation_view(&self.audit.entries[at]);
-        let mut properties = BTreeMap::from([
+        let mut properties = Map::from([
             ("kind", json!(view.kind)),
             ("verdict", json!(view.verdict)),
             ("premises", json!(view.premises)),

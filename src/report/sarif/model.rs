@@ -1,7 +1,6 @@
 //! The part of SARIF 2.1.0 that is written, by the names of the standard.
 
-use std::collections::BTreeMap;
-
+use crate::sorted::Map;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -70,13 +69,13 @@ pub struct Outcome {
     pub locations: [Location; 1],
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub related_locations: Vec<Location>,
-    pub partial_fingerprints: BTreeMap<&'static str, String>,
+    pub partial_fingerprints: Map<&'static str, String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub baseline_state: Option<&'static str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fixes: Vec<Repair>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    pub properties: BTreeMap<&'static str, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    pub properties: Map<&'static str, Value>,
 }
 
 #[derive(Debug, Serialize)]

@@ -9,6 +9,7 @@ use super::define::{Environment, Meaning};
 use super::expand::Budget;
 use super::files::Library;
 use super::token::{self, Place, Token};
+use crate::sorted::Tree;
 
 /// What tokens that no file spells are spelt from.
 const COINED: &str = "\\operatorname{}#1\r\n";
@@ -47,12 +48,12 @@ pub(super) struct Assembler<'l> {
     pub origin: Origin,
     pub frames: Vec<Frame>,
     pub macros: BTreeMap<String, Meaning>,
-    pub environments: BTreeMap<String, Rc<Environment>>,
+    pub environments: Tree<String, Rc<Environment>>,
     /// What definitions replaced, to be restored where their group ends.
     pub undo: Vec<(String, Option<Meaning>)>,
     pub scopes: Vec<usize>,
     /// The author's own switches.
-    pub switches: BTreeMap<String, bool>,
+    pub switches: Tree<String, bool>,
     /// Conditions whose branch is being read.
     pub open_conditions: usize,
     /// Whether what is read now is left out, its comments too.
@@ -80,10 +81,10 @@ pub(super) fn assemble(path: String, source: Arc<str>, library: &dyn Library) ->
         origin: Origin::default(),
         frames: Vec::new(),
         macros: BTreeMap::new(),
-        environments: BTreeMap::new(),
+        environments: Tree::new(),
         undo: Vec::new(),
         scopes: Vec::new(),
-        switches: BTreeMap::new(),
+        switches: Tree::new(),
         open_conditions: 0,
         skipping: false,
         preamble: source.contains("\\begin{document}"),

@@ -1,6 +1,6 @@
 //! Numbers as LaTeX counts and prints them.
 
-use std::collections::BTreeMap;
+use crate::sorted::Tree;
 
 /// A printed number that would be longer is nonsense.
 const LONGEST: usize = 64;
@@ -10,10 +10,10 @@ const DEPTH: usize = 8;
 /// The counters of a document, and how each is printed.
 #[derive(Debug)]
 pub(super) struct Numbering {
-    counters: BTreeMap<String, i64>,
-    formats: BTreeMap<String, String>,
+    counters: Tree<String, i64>,
+    formats: Tree<String, String>,
     /// What goes back to 0 when a counter is stepped.
-    resets: BTreeMap<String, Vec<String>>,
+    resets: Tree<String, Vec<String>>,
     chapters: bool,
     /// Whether the counter of equations was set in a way that is not followed: from then on no number is known.
     lost: bool,
@@ -34,9 +34,9 @@ impl Numbering {
                 | "extreport"
         );
         let mut numbering = Numbering {
-            counters: BTreeMap::new(),
-            formats: BTreeMap::new(),
-            resets: BTreeMap::new(),
+            counters: Tree::new(),
+            formats: Tree::new(),
+            resets: Tree::new(),
             chapters,
             lost: false,
         };

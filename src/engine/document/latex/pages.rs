@@ -7,6 +7,7 @@ use super::super::{Directive, Document, Item};
 use super::assemble::Assembled;
 use super::numbering::Numbering;
 use super::scan::Scanner;
+use crate::sorted;
 
 /// The documents that a text consists of.
 pub(super) fn documents(assembled: Assembled) -> Vec<Document> {
@@ -18,8 +19,8 @@ pub(super) fn documents(assembled: Assembled) -> Vec<Document> {
         pages,
         lost,
     } = assembled;
-    problems.sort_by_key(|problem| problem.span);
-    obstacles.sort_by_key(|problem| problem.span);
+    sorted::sort_by_key(&mut problems, |problem| problem.span);
+    sorted::sort_by_key(&mut obstacles, |problem| problem.span);
     let mut scanner = Scanner {
         text: &text,
         bytes: text.as_bytes(),
@@ -50,8 +51,8 @@ pub(super) fn documents(assembled: Assembled) -> Vec<Document> {
         ..
     } = scanner;
     problems.extend(amiss);
-    problems.sort_by_key(|problem| problem.span);
-    items.sort_by_key(|item| item.span().start);
+    sorted::sort_by_key(&mut problems, |problem| problem.span);
+    sorted::sort_by_key(&mut items, |item| item.span().start);
     let declares = |item: &&Item| {
         let Item::Directives { clauses, span } = item else {
             return false;

@@ -9,6 +9,7 @@ use super::ends::{bracketed, ends_paragraph};
 use super::names;
 use super::numbering::Numbering;
 use crate::document::Inline;
+use crate::sorted;
 
 /// `subequations` that are being read.
 pub(super) struct Sub {
@@ -323,7 +324,7 @@ impl<'a> Scanner<'a> {
         if self.preamble || span.start >= span.end {
             return;
         }
-        hidden.sort();
+        sorted::sort(&mut hidden);
         let prose = prose::read(self.text, span, &inline, &hidden);
         self.items.push(Item::Prose(prose));
     }

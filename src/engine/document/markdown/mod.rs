@@ -18,6 +18,7 @@ mod inline;
 use super::outline::{Excluded, Kind, Outline, Title, front_matter};
 use super::{Inline, prose};
 use super::{Item, Problem, Span};
+use crate::sorted;
 use fences::Finder;
 
 /// A guess: real documents need one round, or two.
@@ -65,7 +66,7 @@ pub(super) fn read(source: &str) -> Reading {
             round = 0;
             continue;
         }
-        scanner.problems.sort_by_key(|problem| problem.span);
+        sorted::sort_by_key(&mut scanner.problems, |problem| problem.span);
         return Reading {
             items: scanner.items,
             problems: scanner.problems,
@@ -295,7 +296,7 @@ impl<'a> Scanner<'a> {
                 .iter()
                 .take_while(|target| target.start < span.end),
         );
-        hidden.sort();
+        sorted::sort(&mut hidden);
         let prose = prose::read(self.source, span, &inline, &hidden);
         self.items.push(Item::Prose(prose));
     }

@@ -24,6 +24,8 @@ mod vector;
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;
 
+use std::convert::Infallible;
+
 use super::commands;
 use super::lexer::{Kind, Token};
 use super::{Before, BeforeKind, Choice, Clause, Run, Side, SyntaxError};
@@ -256,6 +258,11 @@ impl<'s> Parser<'s> {
 
     /// The refusal of the next token, which cannot stand where it stands.
     fn unexpected<T>(&self) -> Read<T> {
+        self.unexpected_here().map(|never| match never {})
+    }
+
+    /// The same, compiled once for all that might have been read.
+    fn unexpected_here(&self) -> Read<Infallible> {
         let span = self.span();
         match self.peek() {
             Kind::Bad(number) => match self.errors.get(number) {
@@ -336,6 +343,10 @@ impl<'s> Parser<'s> {
 
     /// The refusal of this place, where a term should stand.
     fn no_term<T>(&self) -> Read<T> {
+        self.no_term_here().map(|never| match never {})
+    }
+
+    fn no_term_here(&self) -> Read<Infallible> {
         let span = self.span();
         match self.peek() {
             Kind::Relation(..) => refuse(span, "a term is missing before this relation sign"),

@@ -13,7 +13,7 @@ use crate::algebra::{
     Atom, Atoms, Expr, Function, Monomial, Polynomial, Rational, Univariate, Var,
 };
 use crate::kernel::{Algebraic, Assignment, Fact, Field, Obligation, Sign};
-use crate::sorted::Map;
+use crate::sorted::{self, Map};
 pub use known::without_rational_points;
 use solve::HIGHEST_DEGREE;
 use state::{Search, State};
@@ -94,7 +94,7 @@ impl<'a> Posed<'a> {
             return None;
         }
         let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
-        order.sort();
+        sorted::sort(&mut order);
         order.dedup();
         let integers = claim.domains.iter().filter(|(_, d)| d.integer);
         let integers = integers.filter_map(|(s, _)| atoms.find(&Atom::Symbol(s.clone())));

@@ -4,6 +4,7 @@ use super::polynomial_in;
 use crate::algebra::{Rational, Univariate, Var, sum_of_signs};
 use crate::kernel::Field;
 use crate::search::values::{rational_roots, square_root};
+use crate::sorted;
 
 /// Intervals are halved so often at most, all together.
 const MOST_HALVINGS: usize = 256;
@@ -68,7 +69,7 @@ pub fn fields(polynomial: &Univariate) -> Vec<Field> {
         .filter(|p| p.degree() <= HIGHEST_DEGREE)
         .flat_map(|p| isolated(&p))
         .collect();
-    all.sort_by_key(|field| {
+    sorted::sort_by_key(&mut all, |field| {
         let (low, high) = field.ends();
         let middle = low + high;
         let degree = field.polynomial().degree();

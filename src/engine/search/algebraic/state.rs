@@ -6,7 +6,7 @@ use crate::algebra::{Monomial, Polynomial, Rational, Univariate, Var};
 use crate::kernel::{Fact, Field, Sign};
 use crate::search::point::satisfies;
 use crate::search::values::candidates;
-use crate::sorted::Map;
+use crate::sorted::{self, Map};
 
 /// How many of the usual numbers are tried for an unknown.
 const MOST_NUMBERS: usize = 10;
@@ -192,7 +192,7 @@ impl State {
     /// where there are as many equations as unknowns, one with an expression.
     fn linear(&self) -> Option<(usize, Var, Polynomial, Polynomial)> {
         let mut unknowns: Vec<Var> = self.equations.iter().flat_map(|e| self.open(e)).collect();
-        unknowns.sort();
+        sorted::sort(&mut unknowns);
         unknowns.dedup();
         let tight = self.equations.len() >= unknowns.len();
         let mut best: Option<(bool, usize, Var, Polynomial, Polynomial)> = None;

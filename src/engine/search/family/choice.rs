@@ -7,7 +7,7 @@ use num_traits::Zero;
 use super::is_natural;
 use crate::algebra::{BigRational, Expr, Formula, Symbol, Values};
 use crate::kernel::{Assignment, Claim};
-use crate::sorted::{Map, Set};
+use crate::sorted::{self, Map, Set};
 
 /// Claims about more counts are left alone.
 const MOST_COUNTS: usize = 4;
@@ -159,7 +159,7 @@ pub(super) fn choices<'a>(
             (cost, Choice { parameter, others })
         }));
     }
-    all.sort_by_key(|(cost, _)| *cost);
+    sorted::sort_by_key(&mut all, |(cost, _)| *cost);
     let relations = Rc::new(Relations::of(claim, &counts));
     let all = all.into_iter().map(|(_, choice)| choice);
     all.filter(move |choice| relations.allow(choice))
@@ -179,7 +179,9 @@ fn counts(claim: &Claim, count: &Symbol) -> Vec<Symbol> {
     let hypotheses = claim.hypotheses.iter();
     let equations = hypotheses.filter(|h| h.formula.as_equation().is_some());
     let in_equations: Set<Symbol> = equations.flat_map(|h| h.formula.free_symbols()).collect();
-    counts.sort_by_key(|s| (s == count, !in_equations.contains(s), !in_goal.contains(s)));
+    sorted::sort_by_key(&mut counts, |s| {
+        (s == count, !in_equations.contains(s), !in_goal.contains(s))
+    });
     counts
 }
 

@@ -18,7 +18,7 @@ use crate::kernel::{
     Assignment, Candidate, Claim, Domain, FailsThroughout, Family, FamilyPart, Group, Obligation,
     check_family,
 };
-use crate::sorted::Map;
+use crate::sorted::{self, Map};
 use choice::Choice;
 use solve::Solution;
 
@@ -132,7 +132,7 @@ impl Search<'_> {
         let sequences: Vec<Symbol> = {
             let all = self.claim.formulas().flat_map(Formula::sequences);
             let mut all: Vec<Symbol> = all.collect();
-            all.sort();
+            sorted::sort(&mut all);
             all.dedup();
             all
         };
@@ -247,7 +247,7 @@ impl Search<'_> {
                 _ => None,
             })
             .collect();
-        elements.sort_by_key(|own| own.0);
+        sorted::sort_by_key(&mut elements, |own| own.0);
         elements.into_iter().map(|own| own.1)
     }
 

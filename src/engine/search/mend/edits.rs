@@ -5,7 +5,7 @@ use crate::algebra::{
 };
 
 use super::super::implied::{number, own_number, scaled};
-use crate::sorted::Set;
+use crate::sorted::{self, Set};
 
 /// Formulas with more parts than this are not edited: a reader could not see one slip in them either.
 const MOST_PARTS: usize = 80;
@@ -172,7 +172,7 @@ pub fn edits(printed: &Formula, names: &Names) -> Vec<Edit> {
         Formula::AllEqual { .. } => false,
     };
     all.retain(|edit| !same(edit));
-    all.sort_by_key(|edit| edit.cost);
+    sorted::sort_by_key(&mut all, |edit| edit.cost);
     all.truncate(MOST_EDITS);
     all
 }

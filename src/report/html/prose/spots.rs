@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::document::{Item, Span};
+use crate::sorted;
 
 use super::super::{Page, words};
 
@@ -81,7 +82,7 @@ impl<'a> Spots<'a> {
             Kind::Math(_) => 1,
             Kind::Cited(_) => 2,
         };
-        all.sort_by_key(|spot| (spot.span.start, rank(&spot.kind)));
+        sorted::sort_by_key(&mut all, |spot| (spot.span.start, rank(&spot.kind)));
         let displays: Vec<Span> = all
             .iter()
             .filter(|s| matches!(s.kind, Kind::Display(_)))

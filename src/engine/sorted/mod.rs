@@ -1,7 +1,13 @@
 //! Ordered maps and sets as sorted vectors, with the names that those of the standard library have.
 //!
 //! A claim has few symbols, a term few factors, a certificate few steps: there a vector is faster than a tree, and much less to
-//! compile. An insertion moves all that comes later, so what grows with the document stays in a `BTreeMap`.
+//! compile. An insertion moves all that comes later, so what grows with the document is in a [`Tree`].
+
+mod sort;
+mod tree;
+
+pub use sort::{sort, sort_by, sort_by_key};
+pub use tree::Tree;
 
 use std::borrow::Borrow;
 use std::cmp::Ordering;
@@ -9,8 +15,7 @@ use std::fmt;
 use std::ops::{Bound, Index, Range, RangeBounds};
 use std::{iter, mem, slice, vec};
 
-/// So many entries are put in their places one by one.
-const FEW: usize = 24;
+use serde::{Serialize, Serializer};
 
 /// A map, its entries in the order of their keys.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -41,27 +46,15 @@ fn in_order<T>(mut items: Vec<T>, compare: fn(&T, &T) -> Ordering) -> Vec<T> {
     if items.is_sorted_by(|a, b| compare(a, b).is_lt()) {
         return items;
     }
-    let mut sorted: Vec<T> = Vec::with_capacity(items.len());
-    if items.len() <= FEW {
-        for item in items {
-            match sorted.binary_search_by(|own| compare(own, &item)) {
-                Ok(at) => sorted[at] = item,
-                Err(at) => sorted.insert(at, item),
-            }
+    sort_by(&mut items, compare);
+    items.dedup_by(|later, kept| {
+        let again = compare(kept, later).is_eq();
+        if again {
+            mem::swap(later, kept);
         }
-        return sorted;
-    }
-    let later = items.split_off(items.len() / 2);
-    let mut earlier = in_order(items, compare).into_iter().peekable();
-    for item in in_order(later, compare) {
-        while let Some(before) = earlier.next_if(|own| compare(own, &item).is_lt()) {
-            sorted.push(before);
-        }
-        earlier.next_if(|own| compare(own, &item).is_eq());
-        sorted.push(item);
-    }
-    sorted.extend(earlier);
-    sorted
+        again
+    });
+    items
 }
 
 /// The positions of what lies in a range; `before` counts the keys below another, and those equal to it where it is told to.
@@ -425,6 +418,12 @@ impl<K: fmt::Debug, V: fmt::Debug> fmt::Debug for Map<K, V> {
 impl<T: fmt::Debug> fmt::Debug for Set<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_set().entries(self).finish()
+    }
+}
+
+impl<K: Serialize, V: Serialize> Serialize for Map<K, V> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self)
     }
 }
 
