@@ -6,8 +6,8 @@ use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 
 use cradle_verify::algebra::{
-    Atom, Atoms, BigInt, BigRational, Conditions, Expr, Fraction, Lowering, Monomial, Polynomial,
-    Rational, Symbol, Var,
+    Atom, Atoms, BigInt, BigRational, Expr, Fraction, Lowering, Monomial, Polynomial, Rational,
+    Symbol, Var,
 };
 use cradle_verify::sorted::{Map, Set};
 use num_traits::{One, Pow, Signed, Zero};
@@ -448,12 +448,9 @@ proptest! {
         let mut atoms = Atoms::default();
         let sequences = Set::new();
         let mut lowering = Lowering {
-            atoms: &mut atoms,
             sequences: &sequences,
             constants: &sequences,
-            powers: None,
-            functions: None,
-            conditions: Conditions::default(),
+            ..Lowering::plain(&mut atoms)
         };
         let expected = naive(&expr, &values);
         let Ok(fraction) = lowering.lower(&expr) else {

@@ -507,6 +507,42 @@ fn spellings_of_one_term() {
         (&["x^2(a + b)", "{x^2}(a + b)"], "x^2 (a + b)"),
         (&["x^2(E^*)^2"], "x^2 (E^*)^2"),
         (&[r"\underbrace{a b}_{\text{two}} + c"], "a b + c"),
+        (
+            &[r"\int_a^b \frac{dx}{x}", r"\int_a^b \frac{1}{x} \, dx"],
+            r"\int_{a}^{b} \frac{1}{x} \, dx",
+        ),
+        (
+            &[r"\int_a^b \frac{p x \, dx}{q}"],
+            r"\int_{a}^{b} \frac{p x}{q} \, dx",
+        ),
+        (
+            &[r"\int_a^b k \frac{dx'}{x'} + c"],
+            r"\int_{a}^{b} k \frac{1}{x'} \, dx' + c",
+        ),
+        (
+            &[
+                r"\int_a^\infty f \, dx",
+                r"\int_{a}^{+\infty} f \, dx",
+                r"\int^\infty_a f \, dx",
+            ],
+            r"\lim_{x' \to \infty} \int_{a}^{x'} f \, dx",
+        ),
+        (
+            &[r"\int_{-\infty}^b x' \, dx"],
+            r"\lim_{x'' \to -\infty} \int_{x''}^{b} x' \, dx",
+        ),
+        (
+            &[
+                r"2 \left[ x^2 \right]_{x=a}^{x=b}",
+                r"2 [x^2]_{x=a}^b",
+                r"2 \left[x^2\right]^{b}_{x = a}",
+            ],
+            r"2 (b^2 - a^2)",
+        ),
+        (
+            &[r"\left[ \frac{k}{x} \right]_{x=a}^\infty"],
+            r"\lim_{x \to \infty} \frac{k}{x} - \frac{k}{a}",
+        ),
     ];
     for (sources, expected) in spellings {
         for source in *sources {
@@ -647,9 +683,54 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (r"a = \farc{1}{2}", r"\farc", r"`\farc` is not known"),
     (r"a = \color{red} b", r"\color", r"`\color` is not read"),
     (
-        r"a = b \pm c",
+        r"a = b \pm c = d \pm e",
         r"\pm",
         r"`\pm` states two equations at once",
+    ),
+    (
+        r"a \leq b \mp c",
+        r"\mp",
+        r"`\pm` states two equations at once",
+    ),
+    (
+        r"m = 5.0 \pm 0.1",
+        r"5.0 \pm 0.1",
+        "a value with its uncertainty is not read",
+    ),
+    (
+        r"\int_{-\infty}^\infty f \, dx = 1",
+        r"\int_{-\infty}^\infty",
+        "of the limits of an integral only one may be infinite",
+    ),
+    (
+        r"\int_a^b \frac{dx}{x} y = 1",
+        "y",
+        "whether this is integrated too is not clear",
+    ),
+    (
+        r"\int_a^b \frac{dx}{x} / y = 1",
+        "/",
+        "whether this is integrated too is not clear",
+    ),
+    (
+        r"a = [x^2]_0^1",
+        r"[x^2]_0^1",
+        "what runs between these limits is not told",
+    ),
+    (
+        r"a = [y]_{x=0}^{x=1}",
+        r"[y]_{x=0}^{x=1}",
+        "nothing in this bracket runs with `x`",
+    ),
+    (
+        r"a = [x \frac{dy}{dx}]_{x=0}^{x=1}",
+        r"[x \frac{dy}{dx}]_{x=0}^{x=1}",
+        "what this is at its limits cannot be told",
+    ),
+    (
+        r"a = [x^2]_0",
+        "_0",
+        "of the limits after this bracket one is missing",
     ),
     (
         r"\frac{\partial f}{\partial x} = 0",

@@ -146,7 +146,7 @@ proptest! {
         prop_assert_eq!(&by_key, &items);
         items.sort();
         prop_assert_eq!(all, items);
-        by_key.sort_by(|a, b| b.0.cmp(&a.0));
+        by_key.sort_by_key(|item| std::cmp::Reverse(item.0));
         prop_assert_eq!(by_comparison, by_key);
     }
 }

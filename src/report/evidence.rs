@@ -4,9 +4,7 @@
 
 use num_traits::Signed;
 
-use crate::algebra::{
-    Atoms, BigRational, Conditions, Expr, Formula, Lowering, Values, expr_of_fraction,
-};
+use crate::algebra::{Atoms, BigRational, Expr, Formula, Lowering, Values, expr_of_fraction};
 use crate::derivation::values_at;
 use crate::kernel::{Assignment, Claim, in_powers_of_pi};
 use crate::notation::plain;
@@ -112,12 +110,9 @@ impl<'a> Point<'a> {
     pub fn computed(&self, term: &Expr) -> Option<Expr> {
         let mut atoms = Atoms::default();
         let value = Lowering {
-            atoms: &mut atoms,
             sequences: &self.claim.sequences.keys().cloned().collect(),
             constants: &self.values.constants,
-            powers: None,
-            functions: None,
-            conditions: Conditions::default(),
+            ..Lowering::plain(&mut atoms)
         }
         .lower(&self.values.unfolded(term))
         .ok()?;

@@ -9,6 +9,7 @@ mod dimensions;
 mod family;
 mod functions;
 mod induction;
+mod integrals;
 mod knowledge;
 mod obligations;
 mod proofs;

@@ -134,12 +134,9 @@ impl Proving {
     pub fn p(&self, text: &str) -> Polynomial {
         let (mut atoms, known) = (self.problem.atoms.clone(), self.problem.atoms.len());
         let value = Lowering {
-            atoms: &mut atoms,
             sequences: &self.claim.sequences.keys().cloned().collect(),
             constants: &Set::new(),
-            powers: None,
-            functions: None,
-            conditions: Default::default(),
+            ..Lowering::plain(&mut atoms)
         }
         .lower(&term(text))
         .expect("a term");

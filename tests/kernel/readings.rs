@@ -490,13 +490,32 @@ fn only_declared_constants_come_out_of_an_integral() {
 }
 
 #[test]
-fn integrand_that_is_divided_is_left_as_it_stands() {
-    let bare = claim(&[], r"\int_a^b \frac{s}{s} \, ds = b - a");
-    let p = Proving::new(bare);
-    assert_eq!(
-        p.checked(p.combination(&[], 1, &[])),
-        Err(Reject::IdentityFails)
-    );
+fn what_is_divided_by_in_an_integrand_must_not_vanish_between_the_limits() {
+    for integrand in [r"\frac{s}{s}", r"\frac{2 s}{s + s}"] {
+        let bare = claim(&[], &format!(r"\int_a^b {integrand} \, ds = b - a"));
+        let p = Proving::new(bare.clone());
+        let product = Expr::Product(vec![term("a"), term("b")]);
+        assert_eq!(
+            p.checked(p.combination(&[], 1, &[])),
+            Err(Reject::MayBeNegative(product))
+        );
+        let p = Proving::new(bare.domain("a", positive()).domain("b", positive()));
+        assert_eq!(p.checked(p.combination(&[], 1, &[])), Ok(()));
+    }
+    // Here it does, whatever is known.
+    for wrong in [
+        r"\int_{-1}^1 \frac{1}{s^2} \, ds = -2",
+        r"\int_{-1}^1 \frac{1}{s} \, ds = 0",
+        r"\int_0^1 \frac{1}{s^2} \, ds = 1",
+        r"\int_0^2 \frac{1}{s - 1} \, ds = 0",
+    ] {
+        let p = Proving::new(claim(&[], wrong));
+        assert_eq!(
+            p.checked(p.combination(&[], 1, &[])),
+            Err(Reject::IdentityFails),
+            "{wrong}"
+        );
+    }
 }
 
 #[test]

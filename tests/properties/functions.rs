@@ -2,8 +2,7 @@
 //! precision of floating point. It proves nothing, and would show a wrong rule.
 
 use cradle_verify::algebra::{
-    Atom, Atoms, Conditions, Expr, Fraction, Function, Functions, Lowering, Polynomial, Powers,
-    Symbol,
+    Atom, Atoms, Expr, Fraction, Function, Functions, Lowering, Polynomial, Powers, Symbol,
 };
 use cradle_verify::document::Span;
 use cradle_verify::notation::read_expr;
@@ -148,12 +147,11 @@ fn what_is_read_agrees_with_what_is_written() {
         for (functions, powers) in readings() {
             let mut atoms = Atoms::default();
             let mut lowering = Lowering {
-                atoms: &mut atoms,
                 sequences: &nothing,
                 constants: &constants,
                 powers: powers.as_ref(),
                 functions: functions.as_ref(),
-                conditions: Conditions::default(),
+                ..Lowering::plain(&mut atoms)
             };
             let read = lowering.lower(&term).expect("a small term");
             let slope = lowering.lower(&Expr::Derivative {

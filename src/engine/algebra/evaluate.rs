@@ -302,7 +302,9 @@ impl Values {
                     .map(|(n, c)| c * BigRational::from_integer(n.into()))
                     .collect())
             }
-            Expr::Limit { .. } if along.order == 0 => Ok(vec![self.limit(term)?]),
+            Expr::Limit { .. } | Expr::Integral { .. } if along.order == 0 => {
+                Ok(vec![self.worked_out(term)?])
+            }
             Expr::Limit { .. } | Expr::Element { .. } | Expr::Apply(..) | Expr::Integral { .. } => {
                 Err(EvaluateError::Unsupported(term.clone()))
             }
@@ -379,22 +381,27 @@ impl Values {
         })
     }
 
-    /// A limit is taken of the term, not of its value.
-    fn limit(&self, term: &Expr) -> Result<BigRational, EvaluateError> {
+    /// A limit or an integral is taken of the term, not of its value.
+    fn worked_out(&self, term: &Expr) -> Result<BigRational, EvaluateError> {
         let unsupported = || EvaluateError::Unsupported(term.clone());
+        let term = &self.unfolded(term);
         let mut atoms = Atoms::default();
-        let value = Lowering {
-            sequences: &self.sequences.keys().cloned().collect(),
-            constants: &self.constants,
-            ..Lowering::plain(&mut atoms)
+        let mut constants = self.constants.clone();
+        if self.still {
+            constants.extend(term.free_symbols());
         }
-        .lower(&self.unfolded(term))
-        .map_err(|_| unsupported())?;
+        let mut lowering = Lowering {
+            sequences: &self.sequences.keys().cloned().collect(),
+            constants: &constants,
+            ..Lowering::plain(&mut atoms)
+        };
+        let value = lowering.lower(term).map_err(|_| unsupported())?;
+        let conditions = lowering.conditions;
         let polynomial = |polynomial: &Polynomial| {
             let mut values = Map::new();
             for var in polynomial.vars() {
                 let atom = expr_of_atom(atoms.atom(var));
-                if matches!(atom, Expr::Limit { .. }) {
+                if matches!(atom, Expr::Limit { .. } | Expr::Integral { .. }) {
                     return Err(unsupported());
                 }
                 values.insert(var, self.value(&atom)?);
@@ -403,6 +410,22 @@ impl Values {
             let value = value.map_err(|_| unsupported())?;
             Ok(value.ok_or_else(unsupported)?.to_big())
         };
+        // There is an integral only where the integrand has a value all the way.
+        if let Expr::Integral { .. } = term {
+            let mut fits = conditions.doubtful.is_empty();
+            for base in &conditions.positive {
+                fits &= polynomial(base)?.is_positive();
+            }
+            for base in &conditions.nonnegative {
+                fits &= !polynomial(base)?.is_negative();
+            }
+            for base in &conditions.zero {
+                fits &= polynomial(base)?.is_zero();
+            }
+            if !fits {
+                return Err(unsupported());
+            }
+        }
         let mut result = polynomial(value.numerator())?;
         for (factor, exponent) in value.denominator() {
             let below = polynomial(&factor.pow(exponent).map_err(|_| unsupported())?)?;

@@ -507,7 +507,7 @@ pub fn multiplied(angle: &SineCosine, times: u32) -> Result<SineCosine, TooLarge
 }
 
 /// The root of a polynomial that is a square, one of both.
-fn square_root(polynomial: &Polynomial) -> Result<Option<Polynomial>, TooLarge> {
+pub(super) fn square_root(polynomial: &Polynomial) -> Result<Option<Polynomial>, TooLarge> {
     let Some((monomial, number)) = polynomial.leading() else {
         return Ok(None);
     };

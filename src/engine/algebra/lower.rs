@@ -5,10 +5,9 @@ use std::fmt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
-use super::effort::is_spent;
 use super::{
-    Atom, Atoms, BigRational, Expr, Fraction, Functions, LimitPoint, Monomial, Polynomial, Powers,
-    Rational, Symbol, TooLarge, Var,
+    Atom, Atoms, BigRational, Expr, Fraction, Functions, Monomial, Polynomial, Powers, Rational,
+    Symbol, TooLarge, Var,
 };
 use crate::sorted::Set;
 
@@ -63,7 +62,7 @@ pub struct Conditions {
 }
 
 impl Conditions {
-    fn extend(&mut self, other: Conditions) {
+    pub(super) fn extend(&mut self, other: Conditions) {
         self.nonzero.extend(other.nonzero);
         self.zero.extend(other.zero);
         self.nonnegative.extend(other.nonnegative);
@@ -72,13 +71,26 @@ impl Conditions {
         self.doubtful.extend(other.doubtful);
     }
 
+    /// The same of other polynomials.
+    pub(super) fn map(self, mut change: impl FnMut(&Polynomial) -> Polynomial) -> Conditions {
+        let mut all = |own: Set<Polynomial>| own.iter().map(&mut change).collect();
+        Conditions {
+            nonzero: all(self.nonzero),
+            zero: all(self.zero),
+            nonnegative: all(self.nonnegative),
+            positive: all(self.positive),
+            bases: all(self.bases),
+            doubtful: self.doubtful,
+        }
+    }
+
     /// What must not vanish.
     pub fn divisors(&self) -> impl Iterator<Item = &Polynomial> {
         self.nonzero.iter().chain(&self.bases)
     }
 
     /// Every polynomial that some condition is about.
-    fn polynomials(&self) -> impl Iterator<Item = &Polynomial> {
+    pub(super) fn polynomials(&self) -> impl Iterator<Item = &Polynomial> {
         let signs = self.nonnegative.iter().chain(&self.positive);
         self.divisors().chain(&self.zero).chain(signs)
     }
@@ -92,6 +104,8 @@ pub struct Lowering<'a> {
     pub sequences: &'a Set<Symbol>,
     /// The symbols that depend on no variable of differentiation.
     pub constants: &'a Set<Symbol>,
+    /// Symbols that do not depend on another.
+    pub still: &'a Set<(Symbol, Symbol)>,
     /// How powers are taken apart; `None` to read them as they are written.
     pub powers: Option<&'a Powers>,
     /// What is known of symbols where functions are taken apart.
@@ -106,10 +120,12 @@ impl<'a> Lowering<'a> {
     /// Reads terms as they are written, no symbol a sequence or known to be constant.
     pub fn plain(atoms: &'a mut Atoms) -> Self {
         static NONE: Set<Symbol> = Set::new();
+        static NO_PAIRS: Set<(Symbol, Symbol)> = Set::new();
         Lowering {
             atoms,
             sequences: &NONE,
             constants: &NONE,
+            still: &NO_PAIRS,
             powers: None,
             functions: None,
             conditions: Conditions::default(),
@@ -239,7 +255,7 @@ impl Lowering<'_> {
     }
 
     /// `u_3` is an element where `u` is a sequence.
-    fn atom_of_symbol(&self, symbol: &Symbol) -> Atom {
+    pub(super) fn atom_of_symbol(&self, symbol: &Symbol) -> Atom {
         let element = element_name(symbol)
             .and_then(|(name, position)| Some((self.sequences.get(name)?.clone(), position)));
         match element {
@@ -416,7 +432,7 @@ impl Lowering<'_> {
     }
 
     /// Whether an unknown is another at another value of a bound index.
-    fn depends(&self, var: Var, index: &Symbol) -> bool {
+    pub(super) fn depends(&self, var: Var, index: &Symbol) -> bool {
         match self.atoms.atom(var) {
             Atom::Bound { index: own, .. } => own == index,
             Atom::Symbol(symbol) | Atom::Root { of: symbol, .. } => symbol == index,
@@ -447,7 +463,7 @@ impl Lowering<'_> {
     }
 
     /// The derivative of one unknown: 1, 0, or an unknown of its own.
-    fn atom_derivative(&mut self, var: Var, variable: &Symbol) -> Lowered {
+    pub(super) fn atom_derivative(&mut self, var: Var, variable: &Symbol) -> Lowered {
         let atom = self.atoms.atom(var).clone();
         if atom == self.atom_of_symbol(variable) {
             return Ok(Rational::one().into());
@@ -479,8 +495,11 @@ impl Lowering<'_> {
     }
 
     /// Whether an unknown is made of declared constants alone, the variable not among them.
-    fn is_constant(&self, atom: &Atom, variable: &Symbol) -> bool {
-        let constant = |s: &Symbol| s != variable && self.constants.contains(s);
+    pub(super) fn is_constant(&self, atom: &Atom, variable: &Symbol) -> bool {
+        let still = |s: &Symbol| {
+            !self.still.is_empty() && self.still.contains(&(s.clone(), variable.clone()))
+        };
+        let constant = |s: &Symbol| s != variable && (self.constants.contains(s) || still(s));
         match atom {
             Atom::Symbol(symbol) => constant(symbol),
             // How many elements there are does not change while something else does.
@@ -495,171 +514,6 @@ impl Lowering<'_> {
             }
         }
     }
-
-    /// An integral by linearity: powers of the variable are integrated, everything else becomes an integral of
-    /// one product, in which no more than the product itself tells it from another.
-    ///
-    /// That the integral as written exists is not looked at.
-    fn integral(
-        &mut self,
-        whole: &Expr,
-        body: &Expr,
-        variable: &Symbol,
-        from: &Expr,
-        to: &Expr,
-    ) -> Lowered {
-        let outer = std::mem::take(&mut self.conditions);
-        let value = self.lower(body);
-        let inner = std::mem::replace(&mut self.conditions, outer);
-        let value = value?;
-        let still = |&var: &Var| self.is_constant(self.atoms.atom(var), variable);
-        let sure = inner.nonzero.iter().all(|p| p.vars().iter().all(still))
-            && inner.zero.is_empty()
-            && inner.positive.is_empty()
-            && inner.bases.is_empty()
-            && inner.doubtful.is_empty();
-        // What is divided by and is not constant would have to differ from 0 all the way.
-        if !sure {
-            return Ok(self.atom(Atom::Opaque(whole.clone())));
-        }
-        self.conditions.nonzero.extend(inner.nonzero);
-        let below = self.recip(&value.expanded_denominator()?.into())?;
-        let value = value.numerator();
-        let (start, end) = (self.lower(from)?, self.lower(to)?);
-        // An even root of the variable needs limits that are not negative; one of something else that moves
-        // with it cannot be followed.
-        let own = self.atoms.var(self.atom_of_symbol(variable));
-        for base in &inner.nonnegative {
-            let moves = base.vars().iter().any(|&v| self.depends(v, variable));
-            if *base == Polynomial::var(own) {
-                for limit in [&start, &end] {
-                    let sign = sign_of_fraction(limit)?;
-                    self.conditions.nonnegative.insert(sign);
-                }
-            } else if moves {
-                return Ok(self.atom(Atom::Opaque(whole.clone())));
-            } else {
-                self.conditions.nonnegative.insert(base.clone());
-            }
-        }
-        let (start, end) = (
-            expr_of_fraction(&start, self.atoms),
-            expr_of_fraction(&end, self.atoms),
-        );
-        let mut sum = Fraction::default();
-        for (monomial, coefficient) in value.terms() {
-            let (mut outside, mut inside) = (Monomial::one(), Monomial::one());
-            let mut power = Some(Rational::zero());
-            for &(var, exponent) in monomial.powers() {
-                let own = Monomial::power(var, exponent);
-                let root = power_of(self.atoms.atom(var), variable);
-                if self.is_constant(self.atoms.atom(var), variable) {
-                    outside = outside.times(&own);
-                    continue;
-                }
-                inside = inside.times(&own);
-                power = power
-                    .zip(root)
-                    .map(|(all, root)| all + root * Rational::from(exponent));
-            }
-            let part = match power {
-                Some(power) => {
-                    // ∫ x^r dx = (b^(r+1) − a^(r+1)) / (r+1)
-                    let power = power + Rational::one();
-                    let exponent = Expr::Number(power.to_big());
-                    let at = |end: &Expr| Expr::Power(end.clone().into(), exponent.clone().into());
-                    let (above, below) = (self.lower(&at(&end))?, self.lower(&at(&start))?);
-                    let length = above.plus(&below.negated())?;
-                    length.times(&power.recip().into())?
-                }
-                None => {
-                    let one = Polynomial::term(inside, Rational::one());
-                    self.atom(Atom::Opaque(Expr::Integral {
-                        body: expr_of(&one, self.atoms).into(),
-                        variable: variable.clone(),
-                        from: start.clone().into(),
-                        to: end.clone().into(),
-                    }))
-                }
-            };
-            let factor = Polynomial::term(outside, coefficient.clone());
-            sum = sum.plus(&part.times(&factor.into())?)?;
-        }
-        Ok(sum.times(&below)?)
-    }
-
-    fn limit(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
-        let outer = std::mem::take(&mut self.conditions);
-        let value = self.lower(body)?;
-        let inner = std::mem::replace(&mut self.conditions, outer);
-        let opaque = Expr::Limit {
-            body: expr_of_fraction(&value, self.atoms).into(),
-            variable: variable.clone(),
-            point: point.clone(),
-        };
-        let own = self.atom_of_symbol(variable);
-        let var = self.atoms.var(own);
-        let below = value.expanded_denominator()?;
-        let mut others: Set<Var> = value.numerator().vars().into_iter().collect();
-        others.extend(below.vars());
-        others.remove(&var);
-        let (mut held, mut plain) = (Vec::new(), true);
-        for &other in &others {
-            plain &= matches!(self.atoms.atom(other), Atom::Symbol(_));
-            let change = self.atom_derivative(other, variable)?;
-            if !change.is_zero() {
-                held.push(change.numerator().clone());
-            }
-        }
-        let found = match point {
-            _ if !plain || inner.polynomials().count() > inner.nonzero.len() => None,
-            _ if !inner.doubtful.is_empty() => None,
-            // A lone symbol that is not known to be constant tells nothing about where it goes.
-            _ if !held.is_empty()
-                && value.as_polynomial().is_some_and(|p| p.degree_in(var) == 0) =>
-            {
-                None
-            }
-            LimitPoint::Finite(point) => {
-                let point = self.lower(point)?;
-                let moves = point.numerator().degree_in(var) > 0;
-                if moves {
-                    None
-                } else {
-                    limit_at(value.numerator(), &below, var, &point)?
-                }
-            }
-            LimitPoint::PlusInfinity | LimitPoint::MinusInfinity => {
-                limit_at_infinity(value.numerator(), &below, var)?
-            }
-        };
-        let Some((above, below)) = found else {
-            self.conditions.doubtful.insert(opaque.clone());
-            return Ok(self.atom(Atom::Opaque(opaque)));
-        };
-        // What is divided by on the way must not vanish near the point: it does not, as a polynomial in the
-        // variable, if its leading coefficient does not.
-        for divisor in &inner.nonzero {
-            let lead = divisor.in_powers_of(var).pop().unwrap_or_default();
-            if lead.as_constant().is_none() {
-                self.conditions.nonzero.insert(lead);
-            }
-        }
-        self.conditions.zero.extend(held);
-        Ok(above.times(&self.recip(&below)?)?)
-    }
-}
-
-/// The exponent, where an unknown is a power of a symbol.
-fn power_of(atom: &Atom, symbol: &Symbol) -> Option<Rational> {
-    match atom {
-        Atom::Symbol(own) if own == symbol => Some(Rational::one()),
-        Atom::Opaque(Expr::Power(base, exponent)) => match (&**base, &**exponent) {
-            (Expr::Symbol(own), Expr::Number(exponent)) if own == symbol => Some(exponent.into()),
-            _ => None,
-        },
-        _ => None,
-    }
 }
 
 /// A polynomial with the sign of a rational function.
@@ -671,55 +525,6 @@ pub fn sign_of_fraction(value: &Fraction) -> Result<Polynomial, TooLarge> {
         }
     }
     Ok(polynomial)
-}
-
-/// The limit at infinity by the leading terms; `None` where it is not finite.
-fn limit_at_infinity(
-    above: &Polynomial,
-    below: &Polynomial,
-    var: Var,
-) -> Result<Option<(Fraction, Fraction)>, LowerError> {
-    let (m, n) = (above.degree_in(var), below.degree_in(var));
-    if m > 4096 || n > 4096 {
-        return Err(LowerError::TooLarge);
-    }
-    let lead = |p: &Polynomial| p.in_powers_of(var).pop().unwrap_or_default();
-    Ok(match m.cmp(&n) {
-        std::cmp::Ordering::Less => Some((Fraction::default(), lead(below).into())),
-        std::cmp::Ordering::Equal => Some((lead(above).into(), lead(below).into())),
-        std::cmp::Ordering::Greater => None,
-    })
-}
-
-/// The limit at a finite point: common zeros are divided out, then the point is put in.
-fn limit_at(
-    above: &Polynomial,
-    below: &Polynomial,
-    var: Var,
-    point: &Fraction,
-) -> Result<Option<(Fraction, Fraction)>, LowerError> {
-    let Some(point) = point.as_polynomial() else {
-        return Ok(None);
-    };
-    let root = Polynomial::var(var).minus(point);
-    let (mut above, mut below) = (above.clone(), below.clone());
-    loop {
-        let bottom = below.substitute(var, point)?;
-        let top = above.substitute(var, point)?;
-        if !bottom.is_zero() {
-            return Ok(Some((top.into(), bottom.into())));
-        }
-        if !top.is_zero() || above.is_zero() {
-            return Ok(None);
-        }
-        let (Some(a), Some(b)) = (above.divided_by(&root), below.divided_by(&root)) else {
-            return match is_spent() {
-                true => Err(LowerError::TooLarge),
-                false => Ok(None),
-            };
-        };
-        (above, below) = (a, b);
-    }
 }
 
 fn partial_derivative(value: &Fraction, var: Var) -> Lowered {

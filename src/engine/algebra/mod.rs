@@ -14,6 +14,8 @@ mod formula;
 mod fraction;
 mod function;
 mod indexed;
+mod integral;
+mod limit;
 mod lower;
 mod monomial;
 mod polynomial;

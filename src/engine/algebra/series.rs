@@ -72,6 +72,7 @@ impl Lowering<'_> {
             atoms: &mut atoms,
             sequences: self.sequences,
             constants: self.constants,
+            still: self.still,
             powers: self.powers,
             functions: Some(&known),
             conditions: Conditions::default(),

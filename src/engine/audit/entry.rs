@@ -244,6 +244,22 @@ impl Entry {
         matches!(self.verdict, Verdict::Fails | Verdict::IllDimensioned)
     }
 
+    /// Notes symbols that a proof takes as constant.
+    pub(super) fn takes_as_constant(&mut self, symbols: Vec<Symbol>) {
+        let known = self.notes.iter_mut().find_map(|note| match note {
+            Note::TakenAsConstant(known) => Some(known),
+            _ => None,
+        });
+        match known {
+            Some(known) => {
+                let new = symbols.into_iter().filter(|own| !known.contains(own));
+                let new: Vec<Symbol> = new.collect();
+                known.extend(new);
+            }
+            None => self.notes.push(Note::TakenAsConstant(symbols)),
+        }
+    }
+
     /// The author crosses it out, and it is wrong.
     pub fn fails_as_marked(&self) -> bool {
         self.is_wrong()

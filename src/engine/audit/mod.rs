@@ -476,7 +476,7 @@ impl Auditor<'_> {
                 found.conditions.into_iter().partition(stated::stands_still);
             match stated::constants(&found.judged, &still) {
                 Some(symbols) if !self.says_otherwise(at, &still) => {
-                    entry.notes.push(Note::TakenAsConstant(symbols));
+                    entry.takes_as_constant(symbols);
                 }
                 _ => conditions.extend(still),
             }

@@ -59,6 +59,7 @@ impl Problem {
             return Ok(());
         }
         let knowledge = Knowledge::new(&self.facts);
+        self.add_facts_about_logarithms(&knowledge)?;
         // Arguments that are multiples of one another, each with what it is a multiple of.
         let mut angles: Map<Expr, Vec<(Rational, Expr)>> = Map::new();
         let mut exponents: Map<Expr, Vec<(Rational, Var)>> = Map::new();

@@ -34,6 +34,7 @@ mod functions;
 mod in_pi;
 mod induction;
 mod knowledge;
+mod logarithms;
 mod obligation;
 mod powers;
 mod private;

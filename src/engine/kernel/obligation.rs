@@ -103,4 +103,20 @@ impl Obligation {
         witness::Point::new(&self.claim, self.as_written(), &point).premises()?;
         Ok(Model { point })
     }
+
+    /// Whether a counterexample to another claim is one to this: the other is about fewer situations, for more is constant in it.
+    ///
+    /// # Errors
+    /// The other claim is not the same with further symbols constant.
+    pub fn refuted_by_fewer(&self, other: &Refuted) -> Result<(), Reject> {
+        let mut own = self.claim.clone();
+        let constant = other.claim.domains.iter().filter(|(_, own)| own.constant);
+        for (symbol, _) in constant {
+            own.domains.entry(symbol.clone()).or_default().constant = true;
+        }
+        match own == other.claim {
+            true => Ok(()),
+            false => Err(Reject::OfAnotherClaim),
+        }
+    }
 }

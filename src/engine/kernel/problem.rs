@@ -1,8 +1,10 @@
 use std::sync::Arc;
 
+use num_traits::Zero;
+
 use super::functions::pi_is_the_number;
 use super::powers::powers_of;
-use super::{Claim, Domain, Fact, Reject, Sign, Standing};
+use super::{Claim, Domain, Fact, Hypothesis, Reject, Sign, Standing};
 use crate::algebra::{
     Atom, Atoms, BigRational, Conditions, Expr, Formula, Fraction, Functions, Lowering, Polynomial,
     Powers, Rational, Relation, Symbol, element_parts, element_symbol, expr_of, power_sum,
@@ -33,6 +35,8 @@ pub struct Problem {
     /// The symbols that are known to be natural numbers, for sums go up to them.
     counts: Set<Symbol>,
     pub(super) constants: Set<Symbol>,
+    /// Symbols that a premise says do not depend on another.
+    still: Set<(Symbol, Symbol)>,
     /// How powers are taken apart; `None` where terms are read as they are written.
     pub(super) powers: Option<Powers>,
     /// What is known of symbols where functions are taken apart; `None` where there is nothing.
@@ -137,6 +141,7 @@ impl Problem {
             elements: claim.sequences.clone(),
             counts: counts.clone(),
             constants,
+            still: still(claim),
             powers: powers.filter(|_| apart),
             functions,
             formulas: Vec::new(),
@@ -247,6 +252,7 @@ impl Problem {
             atoms: &mut self.atoms,
             sequences: &self.sequences,
             constants: &self.constants,
+            still: &self.still,
             powers: self.powers.as_ref(),
             functions: self.functions.as_ref(),
             conditions: Conditions::default(),
@@ -259,6 +265,7 @@ impl Problem {
             atoms,
             sequences: &self.sequences,
             constants: &self.constants,
+            still: &self.still,
             powers: self.powers.as_ref(),
             functions: self.functions.as_ref(),
             conditions: Conditions::default(),
@@ -618,6 +625,30 @@ fn constants(claim: &Claim, named: &[&Symbol], pi: bool) -> Set<Symbol> {
     let sequences = (claim.sequences.iter()).filter(|(s, d)| d.constant && !named.contains(s));
     let symbols = declared.chain(sequences).map(|(symbol, _)| symbol.clone());
     symbols.chain(pi.then(|| Symbol::new("\\pi"))).collect()
+}
+
+/// The symbols of which a premise says throughout that they do not depend on another, `dk/ds = 0`, by which is integrated.
+fn still(claim: &Claim) -> Set<(Symbol, Symbol)> {
+    let integrated = |variable: &Symbol| {
+        let over =
+            |part: &Expr| matches!(part, Expr::Integral { variable: own, .. } if own == variable);
+        let mut terms = claim.formulas().flat_map(Formula::terms);
+        terms.any(|term| term.any(&over))
+    };
+    let laws = claim.hypotheses.iter();
+    let laws = laws.filter(|own| own.standing == Standing::Identity);
+    let pair = |law: &Hypothesis| match law.formula.as_equation()? {
+        (Expr::Derivative { body, variable }, Expr::Number(zero)) if zero.is_zero() => {
+            match &**body {
+                Expr::Symbol(symbol) if integrated(variable) => {
+                    Some((symbol.clone(), variable.clone()))
+                }
+                _ => None,
+            }
+        }
+        _ => None,
+    };
+    laws.filter_map(pair).collect()
 }
 
 /// The symbols that say how many elements there are. A sum up to the index of another says nothing of the symbol

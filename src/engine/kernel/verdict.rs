@@ -91,6 +91,8 @@ pub enum Reject {
     NotUnfoldable(usize),
     /// There is no fact at this position, or it is not of the kind that is needed.
     NoSuchFact(usize),
+    /// The evidence is about a claim that is not this one with more held constant.
+    OfAnotherClaim,
     /// The relation is not one that the certificates speak of.
     UnsupportedRelation,
     /// The proof is of another kind than the goal.
@@ -173,6 +175,7 @@ impl fmt::Display for Reject {
         f.write_str(match self {
             Reject::NotUnfoldable(_) => "a hypothesis cannot be put in for a symbol",
             Reject::NoSuchFact(_) => "the certificate names a fact that is not there",
+            Reject::OfAnotherClaim => "the evidence is about another claim",
             Reject::UnsupportedRelation => "the relation is not one that can be decided yet",
             Reject::WrongKind => "the proof is of another kind than the goal",
             Reject::IdentityFails => "the certificate's identity does not hold",

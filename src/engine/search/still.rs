@@ -4,8 +4,8 @@
 use super::course::said_to_move;
 use super::refute::Points;
 use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
-use crate::algebra::{Atom, Expr, Formula, element_parts};
-use crate::kernel::{Claim, Obligation, Problem};
+use crate::algebra::{Atom, Expr, Formula, Symbol, element_parts};
+use crate::kernel::{Claim, Obligation, Problem, Refuted};
 
 /// More quantities than this that might change are not looked at one by one.
 const MOST_STILL: usize = 8;
@@ -37,7 +37,33 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
         }
         refuted(obligation, point)
     });
+    let found = found.or_else(|| refuted_where_constant(obligation, &still));
     found.map(Decision::Refuted)
+}
+
+/// A counterexample in which what is held still is constant: only then it is known what an integral is worth.
+fn refuted_where_constant(obligation: &Obligation, still: &[Formula]) -> Option<Refuted> {
+    let claim = obligation.claim();
+    let mut terms = claim.formulas().flat_map(Formula::terms);
+    if !terms.any(|term| term.any(&|part| matches!(part, Expr::Integral { .. }))) {
+        return None;
+    }
+    let mut constant = claim.clone();
+    for (slope, _) in still.iter().filter_map(Formula::as_equation) {
+        let Expr::Derivative { body, .. } = slope else {
+            return None;
+        };
+        let Expr::Symbol(symbol) = &**body else {
+            return None;
+        };
+        constant.domains.entry(symbol.clone()).or_default().constant = true;
+    }
+    let posed = pose(constant).ok()?;
+    let found = first(&mut Points::new(&posed), QUICK, |point| {
+        refuted(&posed, point)
+    })?;
+    obligation.refuted_by_fewer(&found).ok()?;
+    Some(found)
 }
 
 /// A proof with as few of these held still as may be.
@@ -82,5 +108,28 @@ pub(super) fn held_still(claim: &Claim, problem: &Problem) -> Vec<Formula> {
             still.push(Formula::equal(slope.clone(), Expr::integer(0)));
         }
     }
+    for term in claim.formulas().flat_map(Formula::terms) {
+        in_integrals(term, &mut |symbol, variable| {
+            let constant = claim.domains.get(symbol).is_some_and(|own| own.constant);
+            let slope = Expr::Derivative {
+                body: Expr::Symbol(symbol.clone()).into(),
+                variable: variable.clone(),
+            };
+            let held = Formula::equal(slope, Expr::integer(0));
+            if !constant && !said.contains(symbol) && !still.contains(&held) {
+                still.push(held);
+            }
+        });
+    }
     still
+}
+
+/// What stands in integrands besides the variable, with the variable.
+fn in_integrals(term: &Expr, found: &mut impl FnMut(&Symbol, &Symbol)) {
+    if let Expr::Integral { body, variable, .. } = term {
+        let mut symbols = body.free_symbols();
+        symbols.remove(variable);
+        symbols.iter().for_each(|symbol| found(symbol, variable));
+    }
+    term.children().for_each(|child| in_integrals(child, found));
 }

@@ -95,8 +95,13 @@ impl Operands {
                 self.moving
                     .extend(body.free_symbols().into_iter().filter(|s| s != variable));
                 self.variables.insert(variable.clone());
-                if let Expr::Integral { .. } = term {
+                if let Expr::Integral { from, to, .. } = term {
                     applications(body, &mut self.applied);
+                    // The limits come to stand in the functions of the integrand.
+                    if body.any(&|part| matches!(part, Expr::Call(..))) {
+                        self.called.extend(from.free_symbols());
+                        self.called.extend(to.free_symbols());
+                    }
                 }
             }
             Expr::Call(_, argument) => self.called.extend(argument.free_symbols()),

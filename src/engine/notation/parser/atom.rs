@@ -12,7 +12,7 @@ use crate::notation::commands;
 impl<'s> Parser<'s> {
     /// Whether a factor can start here, in a product without a sign.
     pub(super) fn starts_factor(&self) -> bool {
-        if self.integrand && self.at_differential() {
+        if self.integrand && (self.at_differential() || self.has_differential()) {
             return false;
         }
         match self.peek() {
@@ -91,7 +91,12 @@ impl<'s> Parser<'s> {
             _ => match self.delimiter() {
                 Some(delimiter) => {
                     let brackets = delimiter.function.is_none();
+                    let square = delimiter.close == "]";
                     let content = self.group(delimiter)?;
+                    if square && self.at_limits() {
+                        let content = self.between(start, &content)?;
+                        return Ok(content);
+                    }
                     if brackets {
                         self.last_group = Some((start, self.at));
                     }
@@ -261,7 +266,10 @@ impl<'s> Parser<'s> {
                 )
             }
             _ => {
-                let over = self.argument("\\frac")?;
+                let over = match self.over_differential()? {
+                    Some(over) => over,
+                    None => self.argument("\\frac")?,
+                };
                 let under = match self.unit_denominator().filter(|_| counted(&over)) {
                     Some(unit) => self.take_unit(unit)?.expr,
                     None => self.argument("\\frac")?,

@@ -8,6 +8,7 @@ use super::term::invisible;
 use super::vector::is_vector;
 use super::{Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{Expr, LimitPoint, Symbol};
+use crate::document::Span;
 use crate::notation::commands;
 
 /// The highest derivative that is read.
@@ -26,8 +27,13 @@ impl Parser<'_> {
         self.is_d(self.at) && self.starts_name(self.at + 1)
     }
 
+    /// Whether the differential of the integrand that is being read stood above a stroke.
+    pub(super) fn has_differential(&self) -> bool {
+        self.integrand && self.differential.is_some()
+    }
+
     /// The variable after `d`.
-    fn variable(&mut self, power_allowed: bool) -> Read<(Symbol, usize)> {
+    pub(super) fn variable(&mut self, power_allowed: bool) -> Read<(Symbol, usize)> {
         let start = self.at;
         let mut name = self.name()?;
         let order = match name.power.take() {
@@ -140,7 +146,7 @@ impl Parser<'_> {
     }
 
     /// The token after the group that opens at `at`. Derivatives are few, and their groups are short.
-    fn after_group(&self, at: usize) -> Option<usize> {
+    pub(super) fn after_group(&self, at: usize) -> Option<usize> {
         const FAR: usize = 400;
         let mut depth = 0usize;
         for next in at..at + FAR {
@@ -157,43 +163,91 @@ impl Parser<'_> {
         None
     }
 
+    /// What stands above the stroke of `\frac{p \, dx}{q}`, where that ends an integrand; nothing is taken otherwise.
+    pub(super) fn over_differential(&mut self) -> Read<Option<Expr>> {
+        if !self.integrand || self.peek() != Kind::Open {
+            return Ok(None);
+        }
+        let (start, open) = (self.at, self.span());
+        let Some(end) = self.after_group(start) else {
+            return Ok(None);
+        };
+        let last = (start + 1..end).rfind(|&at| self.is_d(at) && self.starts_name(at + 1));
+        let Some(sign) = last else {
+            return Ok(None);
+        };
+        self.at = sign + 1;
+        let variable = self.variable(false);
+        let ends = self.at + 1 == end;
+        self.at = start;
+        let (true, Ok((variable, _))) = (ends, variable) else {
+            return Ok(None);
+        };
+        self.advance();
+        let over = match self.at == sign {
+            true => Expr::integer(1),
+            false => {
+                let read = |parser: &mut Self| {
+                    parser.integrand = true;
+                    parser.sum()
+                };
+                let over = self.inside(false, read)?;
+                if self.at != sign {
+                    return self.unexpected();
+                }
+                if matches!(over.expr, Expr::Sum(_)) && over.shape == Shape::Loose {
+                    return invisible(over.span);
+                }
+                over.expr
+            }
+        };
+        self.at = end - 1;
+        self.close(open)?;
+        self.differential = Some(variable);
+        Ok(Some(over))
+    }
+
     /// `\int_a^b body \, dx`.
     pub(super) fn integral(&mut self) -> Read<Expr> {
         let start = self.at;
         self.advance();
-        let (mut from, mut to) = (None, None);
-        loop {
-            match self.peek() {
-                Kind::Char('_') if from.is_none() => {
-                    self.advance();
-                    from = Some(self.argument("\\int_")?);
-                }
-                Kind::Char('^') if to.is_none() => {
-                    self.advance();
-                    to = Some(self.argument("\\int^")?);
-                }
-                _ => break,
-            }
-        }
-        let sign = self.since(start);
-        let (Some(from), Some(to)) = (from, to) else {
+        let Some(limits) = self.limits()? else {
             return refuse_with(
-                sign,
+                self.since(start),
                 "only definite integrals are read",
                 "write `\\int_{a}^{b} f \\, dx`",
             );
         };
-        let outside = (self.bar, self.integrand);
+        let sign = self.since(start);
+        let outside = (self.bar, self.integrand, self.differential.take());
         (self.bar, self.integrand) = (false, true);
         let body = if self.at_differential() {
-            Ok(Expr::Number(num_rational::BigRational::from_integer(
-                1.into(),
-            )))
+            Ok(Expr::integer(1))
         } else {
             self.sum().map(|body| body.expr)
         };
-        (self.bar, self.integrand) = outside;
+        let above = self.differential.take();
+        (self.bar, self.integrand, self.differential) = outside;
         let body = body?;
+        let variable = match above {
+            Some(variable) => {
+                self.integrand_has_ended(&body)?;
+                variable
+            }
+            None => self.differential_here(sign)?,
+        };
+        if !self.integrand && self.at_differential() {
+            return refuse(
+                self.span(),
+                "this is a second differential: an integral has one",
+            );
+        }
+        self.integrals.push((variable.clone(), limits.clone()));
+        limits.integral(body, variable, sign)
+    }
+
+    /// The variable of the differential that stands here.
+    fn differential_here(&mut self, sign: Span) -> Read<Symbol> {
         if !self.at_differential() {
             if self.peek() == Kind::End || self.peek() == Kind::Close {
                 return refuse_with(
@@ -205,19 +259,23 @@ impl Parser<'_> {
             return self.unexpected();
         }
         self.advance();
-        let (variable, _) = self.variable(false)?;
-        if !self.integrand && self.at_differential() {
-            return refuse(
+        Ok(self.variable(false)?.0)
+    }
+
+    /// After `\int \frac{dx}{x}` it must be clear that nothing else is integrated.
+    fn integrand_has_ended(&mut self, body: &Expr) -> Read<()> {
+        let sign = matches!(
+            self.peek(),
+            Kind::Command("cdot" | "times") | Kind::Char('*' | '/')
+        );
+        if sign || self.starts_factor() || matches!(body, Expr::Sum(_)) {
+            return refuse_with(
                 self.span(),
-                "this is a second differential: an integral has one",
+                "whether this is integrated too is not clear",
+                "end the integrand with `\\, dx`",
             );
         }
-        Ok(Expr::Integral {
-            body: Box::new(body),
-            variable,
-            from: Box::new(from),
-            to: Box::new(to),
-        })
+        Ok(())
     }
 
     /// `\lim_{x \to a} body`; the body is the product that follows.

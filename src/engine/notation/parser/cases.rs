@@ -4,6 +4,7 @@
 //! Each case is a statement of its own, under its condition. `\text{otherwise}` is where none of the conditions before it
 //! holds, and is read where each of these is a single relation.
 
+use super::both::refuse_signs;
 use super::statement::Place;
 use super::{Case, Kind, Parser, Read, refuse, refuse_with};
 use crate::document::Span;
@@ -32,6 +33,7 @@ impl Parser<'_> {
             match place {
                 Place::Side(side) => sides.push(side),
                 Place::Dots(span) => return refuse(span, "dots are not read before cases"),
+                Place::Either { sign, .. } => return refuse_signs(sign),
             }
         }
         if !self.cases.is_empty() {
@@ -74,6 +76,7 @@ impl Parser<'_> {
         let side = match self.place()? {
             Place::Side(side) => side,
             Place::Dots(span) => return refuse(span, "dots are not read in a case"),
+            Place::Either { sign, .. } => return refuse_signs(sign),
         };
         let end = self.at;
         self.accept(Kind::Char(','));

@@ -1,13 +1,16 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
 //! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
-//! symbol names, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits.
+//! symbol names, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits,
+//! `between` what a term grows by from one limit to another, `both` what is said with `\pm`.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
 //! [`DEPTH`], so that no input can exhaust the stack.
 
 mod aside;
 mod atom;
+mod between;
+mod both;
 mod calculus;
 mod cases;
 mod count;
@@ -29,7 +32,9 @@ use std::convert::Infallible;
 use super::commands;
 use super::lexer::{Kind, Token};
 use super::{Before, BeforeKind, Choice, Clause, Run, Side, SyntaxError};
-use crate::algebra::Expr;
+use between::Limits;
+
+use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
 
 /// How deep the reader may recurse; a group costs it two or three steps. People stop at ten groups.
@@ -53,6 +58,12 @@ pub(super) struct Parser<'s> {
     bound: Vec<String>,
     /// Whether `dx` ends the integrand that is being read.
     integrand: bool,
+    /// The variable of a differential that stands above the stroke of a fraction, `\int \frac{dx}{x}`; it ends the integrand.
+    differential: Option<Symbol>,
+    /// Which sign a `\pm` is read as, where that is read.
+    signs: Option<both::Signs>,
+    /// The variables of the integrals read so far, with their limits.
+    integrals: Vec<(Symbol, Limits)>,
     /// Whether the innermost open delimiter is a bare `|`, so that the next one closes it.
     bar: bool,
     /// Whether this is in the argument of a sine, a cosine or a tangent, where degrees are read.
@@ -157,6 +168,9 @@ impl<'s> Parser<'s> {
             depth: 0,
             bound: Vec::new(),
             integrand: false,
+            differential: None,
+            signs: None,
+            integrals: Vec::new(),
             bar: false,
             angle: false,
             doubled: false,

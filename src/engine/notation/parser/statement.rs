@@ -1,5 +1,6 @@
 //! Statements: chains of relations, joined by implications, labelled and marked.
 
+use super::both::{self, either};
 use super::series::hole_of;
 use super::{Kind, Parser, Read, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
@@ -68,9 +69,15 @@ fn separates(words: &str) -> bool {
 /// Nobody writes more relations in one clause, or more clauses in one statement; each is judged from those before it.
 const MOST_RELATIONS: usize = 500;
 
-/// A place in a chain: a term, or the dots of `u_1 = \dots = u_n`.
+/// A place in a chain: a term, one with the upper and the lower of two signs, or the dots of `u_1 = \dots = u_n`.
 pub(super) enum Place {
     Side(Side),
+    /// The sign is where the two differ first.
+    Either {
+        upper: Side,
+        lower: Side,
+        sign: Span,
+    },
     Dots(Span),
 }
 
@@ -285,7 +292,7 @@ impl<'s> Parser<'s> {
             self.advance();
         }
         let start = self.at;
-        let mut places = vec![self.place()?];
+        let mut places = vec![self.place_with_signs()?];
         let mut links = Vec::new();
         loop {
             let end = self.at;
@@ -315,12 +322,13 @@ impl<'s> Parser<'s> {
             if matches!(self.peek(), Kind::Begin(name) if is_cases(name)) {
                 return self.before_cases(places, links);
             }
-            places.push(self.place()?);
+            places.push(self.place_with_signs()?);
         }
         let span = self.since(start);
         if links.is_empty() {
             return self.lone(span);
         }
+        let places = either(places, &links)?;
         self.chain(places, links, span)
     }
 
@@ -367,12 +375,13 @@ impl<'s> Parser<'s> {
             .enumerate()
             .find_map(|(at, place)| match place {
                 Place::Dots(span) => Some((at, *span)),
-                Place::Side(_) => None,
+                Place::Side(_) | Place::Either { .. } => None,
             });
         let mut sides = Vec::new();
         for place in places {
             match place {
                 Place::Side(side) => sides.push(side),
+                Place::Either { sign, .. } => return both::refuse_signs(sign),
                 Place::Dots(span) if dots.is_some_and(|(_, first)| first != span) => {
                     return refuse(span, "dots are read only once in a chain");
                 }

@@ -38,6 +38,10 @@ impl Parser<'_> {
                     self.advance();
                     true
                 }
+                Kind::Command(name @ ("pm" | "mp")) if self.at_both_signs() => {
+                    self.advance();
+                    self.lower_sign(name == "mp")
+                }
                 _ => false,
             };
             if let Kind::Command(name) = self.peek()
@@ -73,7 +77,8 @@ impl Parser<'_> {
                 term = self.dotted(&mut terms, term, dots)?;
             }
             terms.push(term);
-            if !matches!(self.peek(), Kind::Char('+' | '-')) {
+            let goes_on = matches!(self.peek(), Kind::Char('+' | '-')) || self.at_both_signs();
+            if !goes_on || self.has_differential() {
                 break;
             }
         }
@@ -131,6 +136,7 @@ impl Parser<'_> {
         let mut slashes = 0;
         loop {
             match self.peek() {
+                _ if self.has_differential() => break,
                 Kind::Command("cdot" | "times") | Kind::Char('*') => {
                     if self.peek() == Kind::Command("times") {
                         product.times = Some(self.span());

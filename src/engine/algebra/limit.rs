@@ -1,0 +1,219 @@
+//! Limits: of rational functions, and at infinity of what exponentials are in, too.
+
+use super::effort::is_spent;
+use super::lower::{LowerError, Lowered, Lowering};
+use super::{
+    Atom, Conditions, Expr, Fraction, Function, LimitPoint, Polynomial, Symbol, Var,
+    expr_of_fraction, sign_of_fraction,
+};
+use crate::sorted::Set;
+
+/// Leading terms are compared up to this degree.
+const HIGHEST_DEGREE: u32 = 4096;
+
+/// A numerator and a denominator.
+type Parts = (Fraction, Fraction);
+
+impl Lowering<'_> {
+    /// A limit, where it can be told; otherwise an unknown of which it is not known whether it has a value.
+    pub(super) fn limit(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
+        if !is_no_more_than_a_limit(body, variable) {
+            return self.limit_of(body, variable, point);
+        }
+        // Nothing else depends on what there is for the limit's sake alone.
+        let others = body.free_symbols().into_iter();
+        let pairs = others.map(|own| (own, variable.clone()));
+        let still: Set<(Symbol, Symbol)> = self.still.iter().cloned().chain(pairs).collect();
+        let mut within = Lowering {
+            atoms: self.atoms,
+            sequences: self.sequences,
+            constants: self.constants,
+            still: &still,
+            powers: self.powers,
+            functions: self.functions,
+            conditions: std::mem::take(&mut self.conditions),
+        };
+        let value = within.limit_of(body, variable, point);
+        self.conditions = within.conditions;
+        value
+    }
+
+    fn limit_of(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
+        let outer = std::mem::take(&mut self.conditions);
+        let value = self.lower(body)?;
+        let inner = std::mem::replace(&mut self.conditions, outer);
+        let opaque = Expr::Limit {
+            body: expr_of_fraction(&value, self.atoms).into(),
+            variable: variable.clone(),
+            point: point.clone(),
+        };
+        let own = self.atom_of_symbol(variable);
+        let var = self.atoms.var(own);
+        let below = value.expanded_denominator()?;
+        let mut others: Set<Var> = value.numerator().vars().into_iter().collect();
+        others.extend(below.vars());
+        others.remove(&var);
+        let growing = self.growing(&others, variable, point)?;
+        if let Some((exponential, _)) = &growing {
+            others.remove(exponential);
+        }
+        let (mut held, mut plain) = (Vec::new(), true);
+        for &other in &others {
+            plain &= matches!(self.atoms.atom(other), Atom::Symbol(_));
+            let change = self.atom_derivative(other, variable)?;
+            if !change.is_zero() {
+                held.push(change.numerator().clone());
+            }
+        }
+        // That something is positive all the way is known at infinity only, from where on does not matter.
+        let far = *point == LimitPoint::PlusInfinity;
+        let signs = inner.positive.len() + inner.nonnegative.len();
+        let needed = inner.polynomials().count() - inner.nonzero.len();
+        let found = match point {
+            _ if !plain || needed > if far { signs } else { 0 } => None,
+            _ if !inner.doubtful.is_empty() => None,
+            // A lone symbol that is not known to be constant tells nothing about where it goes.
+            _ if !held.is_empty()
+                && value.as_polynomial().is_some_and(|p| p.degree_in(var) == 0) =>
+            {
+                None
+            }
+            LimitPoint::Finite(point) => {
+                let point = self.lower(point)?;
+                let moves = point.numerator().degree_in(var) > 0;
+                if moves {
+                    None
+                } else {
+                    limit_at(value.numerator(), &below, var, &point)?
+                }
+            }
+            LimitPoint::PlusInfinity | LimitPoint::MinusInfinity => match &growing {
+                None => limit_at_infinity(value.numerator(), &below, var)?,
+                // What grows exponentially grows faster than every power.
+                Some((exponential, _)) => {
+                    match limit_at_infinity(value.numerator(), &below, *exponential)? {
+                        Some((above, below)) => {
+                            let (above, below) = (above.numerator(), below.numerator());
+                            limit_at_infinity(above, below, var)?
+                        }
+                        None => None,
+                    }
+                }
+            },
+        };
+        let Some((above, below)) = found else {
+            self.conditions.doubtful.insert(opaque.clone());
+            return Ok(self.atom(Atom::Opaque(opaque)));
+        };
+        let mut leading = vec![var];
+        if let Some((exponential, rate)) = growing {
+            leading.insert(0, exponential);
+            self.conditions.positive.insert(rate);
+        }
+        self.needed_on_the_way(&inner, &leading);
+        self.conditions.zero.extend(held);
+        Ok(above.times(&self.recip(&below)?)?)
+    }
+
+    /// The only exponential in which the variable is, and what must be positive so that it grows beyond all bounds towards
+    /// plus infinity; nothing where something else is in the way.
+    fn growing(
+        &mut self,
+        vars: &Set<Var>,
+        variable: &Symbol,
+        point: &LimitPoint,
+    ) -> Result<Option<(Var, Polynomial)>, LowerError> {
+        if *point != LimitPoint::PlusInfinity {
+            return Ok(None);
+        }
+        let moving = |own: &&Var| match self.atoms.atom(**own) {
+            Atom::Opaque(Expr::Call(Function::Exp, exponent)) => exponent.mentions(variable),
+            _ => false,
+        };
+        let found: Vec<Var> = vars.iter().filter(moving).copied().collect();
+        let &[var] = &found[..] else {
+            return Ok(None);
+        };
+        let rate = self.rate(var, variable)?;
+        Ok(match rate {
+            Some(rate) => Some((var, sign_of_fraction(&rate)?)),
+            None => None,
+        })
+    }
+
+    /// What must not vanish, or must be positive, near the point: as a polynomial in what grows, fastest first, it does if its
+    /// leading coefficient does.
+    fn needed_on_the_way(&mut self, inner: &Conditions, growing: &[Var]) {
+        let lead = |p: &Polynomial| {
+            let lead = |p: Polynomial, &var: &Var| p.in_powers_of(var).pop().unwrap_or_default();
+            growing.iter().fold(p.clone(), lead)
+        };
+        for divisor in &inner.nonzero {
+            let lead = lead(divisor);
+            if lead.as_constant().is_none() {
+                self.conditions.nonzero.insert(lead);
+            }
+        }
+        let signs = inner.positive.iter().chain(&inner.nonnegative);
+        self.conditions.positive.extend(signs.map(lead));
+    }
+}
+
+/// Whether a variable is nothing but a limit of an integral: what `\int_a^\infty` is read with.
+fn is_no_more_than_a_limit(body: &Expr, variable: &Symbol) -> bool {
+    let Expr::Integral { body, from, to, .. } = body else {
+        return false;
+    };
+    let is = |limit: &Expr| matches!(limit, Expr::Symbol(own) if own == variable);
+    let others = [&**from, &**to, &**body].into_iter().filter(|own| !is(own));
+    (is(from) || is(to)) && !others.into_iter().any(|own| own.mentions(variable))
+}
+
+/// The limit at infinity by the leading terms; `None` where it is not finite.
+fn limit_at_infinity(
+    above: &Polynomial,
+    below: &Polynomial,
+    var: Var,
+) -> Result<Option<Parts>, LowerError> {
+    let (m, n) = (above.degree_in(var), below.degree_in(var));
+    if m.max(n) > HIGHEST_DEGREE {
+        return Err(LowerError::TooLarge);
+    }
+    let lead = |p: &Polynomial| p.in_powers_of(var).pop().unwrap_or_default();
+    Ok(match m.cmp(&n) {
+        std::cmp::Ordering::Less => Some((Fraction::default(), lead(below).into())),
+        std::cmp::Ordering::Equal => Some((lead(above).into(), lead(below).into())),
+        std::cmp::Ordering::Greater => None,
+    })
+}
+
+/// The limit at a finite point: common zeros are divided out, then the point is put in.
+fn limit_at(
+    above: &Polynomial,
+    below: &Polynomial,
+    var: Var,
+    point: &Fraction,
+) -> Result<Option<Parts>, LowerError> {
+    let Some(point) = point.as_polynomial() else {
+        return Ok(None);
+    };
+    let root = Polynomial::var(var).minus(point);
+    let (mut above, mut below) = (above.clone(), below.clone());
+    loop {
+        let bottom = below.substitute(var, point)?;
+        let top = above.substitute(var, point)?;
+        if !bottom.is_zero() {
+            return Ok(Some((top.into(), bottom.into())));
+        }
+        if !top.is_zero() || above.is_zero() {
+            return Ok(None);
+        }
+        let (Some(a), Some(b)) = (above.divided_by(&root), below.divided_by(&root)) else {
+            return match is_spent() {
+                true => Err(LowerError::TooLarge),
+                false => Ok(None),
+            };
+        };
+        (above, below) = (a, b);
+    }
+}

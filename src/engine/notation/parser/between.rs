@@ -1,0 +1,225 @@
+//! Limits, and what a term grows by from one to the other: `\left[ \frac{x^2}{2} \right]_a^b`.
+//!
+//! What runs from `a` to `b` in a bracket is told there, `_{x=a}^{x=b}`, or by the integral before it in the same display that has
+//! the same limits. A limit that is infinite is taken as a limit: `\int_a^\infty f \, dx` is `\lim_{x' \to \infty} \int_a^{x'} f \, dx`.
+
+use super::{Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
+use crate::algebra::{Expr, LimitPoint, Relation, Symbol};
+use crate::document::Span;
+
+/// A bracket is looked up among so many integrals before it.
+const NEAR: usize = 16;
+
+/// Where something begins and ends.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Limits {
+    pub(super) from: Limit,
+    pub(super) to: Limit,
+}
+
+/// One limit.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Limit {
+    /// What runs, where that is said: `x` in `_{x = a}`.
+    of: Option<Symbol>,
+    at: LimitPoint,
+}
+
+impl Limits {
+    /// The integral between these limits.
+    pub(super) fn integral(self, body: Expr, variable: Symbol, sign: Span) -> Read<Expr> {
+        let named = [&self.from, &self.to]
+            .into_iter()
+            .filter_map(|own| own.of.as_ref());
+        if named.into_iter().any(|own| *own != variable) {
+            return refuse(sign, "the limits of this integral are of another variable");
+        }
+        let outside = [&self.from.at, &self.to.at]
+            .into_iter()
+            .filter_map(|own| match own {
+                LimitPoint::Finite(own) => Some(&**own),
+                _ => None,
+            });
+        let outside: Vec<Expr> = outside.cloned().collect();
+        // A name that nothing else in it has, and whose dimension is the same.
+        let mut far = Symbol::new(format!("{variable}'"));
+        while body.mentions(&far) || outside.iter().any(|own| own.mentions(&far)) {
+            far = Symbol::new(format!("{far}'"));
+        }
+        let mut taken = None;
+        let mut end = |limit: LimitPoint| match limit {
+            LimitPoint::Finite(at) => Ok(at),
+            far_away if taken.is_none() => {
+                taken = Some(far_away);
+                Ok(Box::new(Expr::Symbol(far.clone())))
+            }
+            _ => refuse(
+                sign,
+                "of the limits of an integral only one may be infinite",
+            ),
+        };
+        let integral = Expr::Integral {
+            from: end(self.from.at)?,
+            to: end(self.to.at)?,
+            body: Box::new(body),
+            variable,
+        };
+        Ok(match taken {
+            None => integral,
+            Some(point) => Expr::Limit {
+                body: Box::new(integral),
+                variable: far,
+                point,
+            },
+        })
+    }
+}
+
+impl Parser<'_> {
+    /// `_a^b` or `^b_a`, if both are here.
+    pub(super) fn limits(&mut self) -> Read<Option<Limits>> {
+        let (mut from, mut to) = (None, None);
+        loop {
+            match self.peek() {
+                Kind::Char('_') if from.is_none() => {
+                    self.advance();
+                    from = Some(self.one_limit("_")?);
+                }
+                Kind::Char('^') if to.is_none() => {
+                    self.advance();
+                    to = Some(self.one_limit("^")?);
+                }
+                _ => break,
+            }
+        }
+        Ok(from.zip(to).map(|(from, to)| Limits { from, to }))
+    }
+
+    fn one_limit(&mut self, sign: &str) -> Read<Limit> {
+        let braces = self.peek() == Kind::Open;
+        let open = self.span();
+        let first = self.at + usize::from(braces);
+        // `x = a`
+        let mut of = None;
+        if braces && self.has_relation(self.at) {
+            self.advance();
+            if !self.starts_name(self.at) {
+                return self.unexpected();
+            }
+            of = Some(self.variable(false)?.0);
+            if !matches!(self.peek(), Kind::Relation(Relation::Equal, _)) {
+                return self.unexpected();
+            }
+            self.advance();
+        }
+        let at = if of.is_some() { self.at } else { first };
+        let signed = usize::from(braces && matches!(self.kind(at), Kind::Char('+' | '-')));
+        if self.kind(at + signed) == Kind::Command("infty") {
+            let minus = self.kind(at) == Kind::Char('-');
+            self.at = at + signed + 1;
+            if braces {
+                self.close(open)?;
+            }
+            let at = match minus {
+                true => LimitPoint::MinusInfinity,
+                false => LimitPoint::PlusInfinity,
+            };
+            return Ok(Limit { of, at });
+        }
+        let at = match of {
+            None => self.argument(sign)?,
+            Some(_) => {
+                let at = self.inside(false, Self::sum)?;
+                self.close(open)?;
+                at.expr
+            }
+        };
+        let at = LimitPoint::Finite(Box::new(at));
+        Ok(Limit { of, at })
+    }
+
+    /// Whether a relation sign stands in the group that opens here.
+    fn has_relation(&self, open: usize) -> bool {
+        let end = self.after_group(open).unwrap_or(open);
+        let mut depth = 0usize;
+        (open..end).any(|at| {
+            match self.kind(at) {
+                Kind::Open => depth += 1,
+                Kind::Close => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            depth == 1 && matches!(self.kind(at), Kind::Relation(..))
+        })
+    }
+
+    /// Whether limits follow a bracket.
+    pub(super) fn at_limits(&self) -> bool {
+        match self.peek() {
+            Kind::Char('_') => true,
+            Kind::Char('^') => {
+                let power = match self.kind(self.at + 1) {
+                    Kind::Open => self.after_group(self.at + 1),
+                    _ => Some(self.at + 2),
+                };
+                power.is_some_and(|after| self.kind(after) == Kind::Char('_'))
+            }
+            _ => false,
+        }
+    }
+
+    /// What a term in brackets grows by between the limits that follow.
+    pub(super) fn between(&mut self, start: usize, term: &Expr) -> Read<Factor> {
+        let sign = self.at;
+        let Some(limits) = self.limits()? else {
+            return refuse_with(
+                self.since(sign),
+                "of the limits after this bracket one is missing",
+                "write `\\left[ f \\right]_{x=a}^{x=b}`",
+            );
+        };
+        let named = limits.from.of.as_ref().or(limits.to.of.as_ref());
+        let same = |(_, own): &&(Symbol, Limits)| {
+            own.from.at == limits.from.at && own.to.at == limits.to.at
+        };
+        let mut near = self.integrals.iter().rev().take(NEAR);
+        let integral = near.find(same);
+        let variable = named.or(integral.map(|(variable, _)| variable)).cloned();
+        let Some(variable) = variable else {
+            return refuse_with(
+                self.since(start),
+                "what runs between these limits is not told",
+                "write `\\left[ f \\right]_{x=a}^{x=b}`",
+            );
+        };
+        let other = limits.to.of.as_ref().is_some_and(|own| *own != variable);
+        if other || !term.free_symbols().contains(&variable) {
+            return refuse(
+                self.since(start),
+                format!("nothing in this bracket runs with `{variable}`"),
+            );
+        }
+        let moves = |part: &Expr| matches!(part, Expr::Derivative { .. } | Expr::Apply(..));
+        if term.any(&moves) {
+            return refuse_with(
+                self.since(start),
+                "what this is at its limits cannot be told from the symbols in it",
+                "write both values out, with names of their own",
+            );
+        }
+        let at = |limit: &LimitPoint| match limit {
+            LimitPoint::Finite(value) => term.substitute(&variable, value),
+            point => Expr::Limit {
+                body: Box::new(term.clone()),
+                variable: variable.clone(),
+                point: point.clone(),
+            },
+        };
+        let below = Expr::Negate(Box::new(at(&limits.from.at)));
+        Ok(Factor {
+            expr: Expr::Sum(vec![at(&limits.to.at), below]),
+            shape: Shape::Tight,
+            span: self.since(start),
+            braces: false,
+        })
+    }
+}

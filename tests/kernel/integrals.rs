@@ -1,0 +1,206 @@
+//! Integrals by antiderivatives: what is right is proved, what is wrong is not, and nothing is integrated across a pole.
+
+use cradle_verify::kernel::{Claim, Reject};
+
+use super::claims::*;
+
+/// Symbols that are constant, and positive where a root or a logarithm is taken.
+fn declared(goal: &str) -> Claim {
+    let mut claim = claim(&[], goal);
+    for name in ["a", "b", "k", "c", "w"] {
+        let domain = cradle_verify::kernel::Domain {
+            constant: true,
+            ..positive()
+        };
+        claim = claim.domain(name, domain);
+    }
+    claim
+}
+
+fn checked(goal: &str) -> Result<(), Reject> {
+    let p = Proving::new(declared(goal));
+    p.checked(p.combination(&[], 1, &[]))
+}
+
+/// Terms in x.
+const TERMS: &[&str] = &[
+    "x^3",
+    r"k \cdot x^2 - c \cdot x",
+    r"\frac{k}{x}",
+    r"\frac{k}{x^2} + c \cdot x",
+    r"\frac{1}{c + k \cdot x}",
+    r"\frac{1}{(c + k \cdot x)^2}",
+    r"\ln x",
+    r"k \ln(c + k \cdot x)",
+    r"\exp(-k \cdot x)",
+    r"\exp(c \cdot x) \exp(k \cdot x)",
+    r"c \sin(k \cdot x)",
+    r"\cos(k \cdot x + c)",
+    r"x - \sin(k \cdot x) \cos(k \cdot x)",
+];
+
+fn at(term: &str, limit: &str) -> String {
+    let letters = term.replace(r"\exp", "@");
+    format!(
+        "({})",
+        letters
+            .replace('x', &format!("({limit})"))
+            .replace('@', r"\exp")
+    )
+}
+
+#[test]
+fn slope_is_integrated_to_what_it_is_the_slope_of() {
+    for term in TERMS {
+        let slope = format!(r"\int_a^b \frac{{d}}{{dx}}\left[{term}\right] \, dx");
+        let (end, start) = (at(term, "b"), at(term, "a"));
+        assert_eq!(
+            checked(&format!("{slope} = {end} - {start}")),
+            Ok(()),
+            "{term}"
+        );
+        for wrong in [
+            format!("{slope} = {end} + {start}"),
+            format!("{slope} = 2 {end} - {start}"),
+            format!("{slope} = {start} - {end}"),
+            format!("{slope} = {end} - {}", at(term, "2 a")),
+        ] {
+            assert_eq!(checked(&wrong), Err(Reject::IdentityFails), "{wrong}");
+        }
+    }
+}
+
+#[test]
+fn what_has_no_known_antiderivative_is_left_as_it_stands() {
+    for integrand in [
+        r"x \sin(k x)",
+        r"\exp(-k x^2)",
+        r"\frac{\sin x}{x}",
+        r"\frac{x}{c + k x}",
+        r"\frac{1}{c + x^2}",
+        r"\ln x",
+    ] {
+        let zero = format!(r"\int_a^b {integrand} \, dx = 0");
+        assert_eq!(checked(&zero), Err(Reject::IdentityFails), "{integrand}");
+        let itself = format!(r"\int_a^b {integrand} \, dx = \int_a^b {integrand} \, dx");
+        assert_eq!(checked(&itself), Ok(()), "{integrand}");
+    }
+}
+
+#[test]
+fn what_may_move_is_not_taken_out() {
+    for (integrand, as_if) in [
+        (r"\frac{p}{x^2}", r"\frac{p}{a} - \frac{p}{b}"),
+        (r"p \exp(p x)", r"\exp(p b) - \exp(p a)"),
+        (r"p^2 x", r"\frac{p^2}{2} (b^2 - a^2)"),
+    ] {
+        let goal = format!(r"\int_a^b {integrand} \, dx = {as_if}");
+        assert_eq!(checked(&goal), Err(Reject::IdentityFails), "{goal}");
+    }
+}
+
+#[test]
+fn improper_integrals_and_limits_of_exponentials() {
+    for (right, wrong) in [
+        (
+            r"\int_a^\infty \frac{k}{x^2} \, dx = \frac{k}{a}",
+            r"\int_a^\infty \frac{k}{x^2} \, dx = \frac{k}{a^2}",
+        ),
+        (
+            r"\int_0^\infty \exp(-k x) \, dx = \frac{1}{k}",
+            r"\int_0^\infty \exp(-k x) \, dx = k",
+        ),
+        (
+            r"\lim_{x \to \infty} (c - \exp(-k x)) = c",
+            r"\lim_{x \to \infty} (c - \exp(-k x)) = 0",
+        ),
+        (
+            r"\lim_{x \to \infty} x^3 \exp(-k x) = 0",
+            r"\lim_{x \to \infty} x^3 \exp(-k x) = 1",
+        ),
+        (
+            r"\lim_{x \to \infty} \frac{c \exp(k x) + x}{\exp(k x) - x} = c",
+            r"\lim_{x \to \infty} \frac{c \exp(k x) + x}{\exp(k x) - x} = 1",
+        ),
+    ] {
+        assert_eq!(checked(right), Ok(()), "{right}");
+        assert_eq!(checked(wrong), Err(Reject::IdentityFails), "{wrong}");
+    }
+    // What grows, or may grow, has no limit there.
+    for none in [
+        r"\lim_{x \to \infty} \exp(k x) = 0",
+        r"\lim_{x \to -\infty} \exp(-k x) = 0",
+        r"\int_a^\infty \frac{k}{x} \, dx = 0",
+        r"\int_a^\infty k \, dx = 0",
+        r"\int_{-\infty}^b \exp(-k x) \, dx = 0",
+    ] {
+        assert!(checked(none).is_err(), "{none}");
+    }
+    let unsigned = claim(&[], r"\lim_{x \to \infty} \exp(-q x) = 0").domain("q", constant());
+    let p = Proving::new(unsigned);
+    let refused = p.checked(p.combination(&[], 1, &[]));
+    assert!(
+        matches!(refused, Err(Reject::MayBeNegative(_))),
+        "{refused:?}"
+    );
+}
+
+#[test]
+fn law_of_logarithms_is_one_of_exponentials() {
+    let laws = [r"\ln N - \ln M = -k t"];
+    let bare = claim(&laws, r"N = M \exp(-k t)")
+        .domain("N", positive())
+        .domain("M", positive());
+    let p = Proving::new(bare);
+    let facts = p.problem.facts.iter().zip(&p.problem.origins);
+    let of_the_law = facts.filter(|(fact, origin)| {
+        fact.sign == cradle_verify::kernel::Sign::Zero
+            && matches!(origin, cradle_verify::kernel::Origin::Hypothesis(0))
+    });
+    assert_eq!(of_the_law.count(), 2);
+    // A factor that may be 0 is not divided by.
+    let laws = [r"v = u \ln M - u \ln m"];
+    for (domain, count) in [(constant(), 1), (positive(), 2)] {
+        let bare = claim(&laws, r"M = m \exp(v/u)").domain("m", positive());
+        let p = Proving::new(bare.domain("M", positive()).domain("u", domain));
+        let facts = p.problem.facts.iter().zip(&p.problem.origins);
+        let of_the_law = facts.filter(|(fact, origin)| {
+            fact.sign == cradle_verify::kernel::Sign::Zero
+                && matches!(origin, cradle_verify::kernel::Origin::Hypothesis(0))
+        });
+        assert_eq!(of_the_law.count(), count);
+    }
+}
+
+#[test]
+fn evidence_about_fewer_situations_must_be_about_the_same_claim() {
+    use cradle_verify::kernel::{Candidate, Checked, Obligation};
+    let goal = r"\int_a^b \frac{q}{x^2} \, dx = q";
+    let bare = claim(&[], goal)
+        .domain("a", positive())
+        .domain("b", positive());
+    let own = Obligation::new(bare.clone(), Vec::new()).expect("a claim");
+    let still = bare.clone().domain("q", constant());
+    let posed = Obligation::new(still.clone(), Vec::new()).expect("a claim");
+    let point = point(&[("a", 1), ("b", 2), ("q", 1)]);
+    let found = posed
+        .check(Candidate::Counterexample(point))
+        .expect("evidence");
+    let Checked::Refuted(found) = found else {
+        panic!("a counterexample refutes");
+    };
+    assert_eq!(own.refuted_by_fewer(&found), Ok(()));
+    for other in [
+        claim(&[], goal).domain("a", positive()),
+        claim(&["q = 1"], goal)
+            .domain("a", positive())
+            .domain("b", positive()),
+        claim(&[], r"\int_a^b \frac{q}{x^2} \, dx = 2 q")
+            .domain("a", positive())
+            .domain("b", positive()),
+        bare.domain("q", positive()),
+    ] {
+        let other = Obligation::new(other, Vec::new()).expect("a claim");
+        assert_eq!(other.refuted_by_fewer(&found), Err(Reject::OfAnotherClaim));
+    }
+}
