@@ -540,6 +540,13 @@ fn spellings_of_one_term() {
             r"2 (b^2 - a^2)",
         ),
         (
+            &[
+                r"k \lambda \left[ -\frac{1}{x} \right]_{x=a}^{x=b}",
+                r"k \lambda \cdot [-\frac1x]_{x=a}^b",
+            ],
+            r"k \lambda \left( -\frac{1}{b} - \left( -\frac{1}{a} \right) \right)",
+        ),
+        (
             &[r"\left[ \frac{k}{x} \right]_{x=a}^\infty"],
             r"\lim_{x \to \infty} \frac{k}{x} - \frac{k}{a}",
         ),

@@ -285,7 +285,13 @@ impl Lowering<'_> {
         if rest.as_constant().is_some_and(|c| c.is_one()) {
             return Ok(sum);
         }
-        Ok(sum.plus(&self.function_of(Function::Ln, &rest))?)
+        // ln(1/x) = −ln x: of both the one whose term comes first is written.
+        let turned = inverse(&rest)?;
+        let first = |value: &Fraction| expr_of_fraction(value, self.atoms);
+        Ok(match first(&turned) < first(&rest) {
+            true => sum.minus(&self.function_of(Function::Ln, &turned))?,
+            false => sum.plus(&self.function_of(Function::Ln, &rest))?,
+        })
     }
 
     /// The logarithm of a positive number by its prime factors.

@@ -1,6 +1,6 @@
 //! What stands before and is not cited: what a step follows from in the place of what it cites, or besides.
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation, Reject};
 use crate::search::{self, Effort, InChain};
@@ -327,6 +327,29 @@ impl Judge<'_> {
             return true;
         }
         false
+    }
+}
+
+impl Judge<'_> {
+    /// Whether what is cited is silent on a symbol of a goal that an equation before gives as an integral: a counterexample that
+    /// gives that symbol any value is none to what the author says.
+    pub(super) fn is_told_before(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+    ) -> bool {
+        let integral = |part: &Expr| matches!(part, Expr::Integral { .. });
+        let [near, _] = self.others(premises);
+        let mut given = near.iter().filter_map(|own| own.formula.as_equation());
+        given.any(|sides| {
+            let (Expr::Symbol(symbol), term) = sides else {
+                return false;
+            };
+            let one = Formula::equal(Expr::Symbol(symbol.clone()), Expr::integer(0));
+            let wanted = goal.formula.free_symbols().contains(symbol);
+            wanted && term.any(&integral) && !speaks_of_all(assumed.iter(), &one)
+        })
     }
 }
 

@@ -177,14 +177,24 @@ impl Judge<'_> {
                 let witness = refuted.witness().clone();
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 let marked = self.derivation.equations[self.at].kind == Kind::Marked;
+                let mut strong = false;
                 let settled = marked && goal.questioned || {
                     let attempts = self.attempts(goal, &assumed, premises, Some(witness));
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
                         || self.unstated(goal, &assumed, premises, &mut found)
-                        || !self.strengthen(goal, &assumed, premises, &mut found)
-                            && self.rescue(goal, &attempts, &FARTHER, &mut found)
+                        || {
+                            strong = self.strengthen(goal, &assumed, premises, &mut found);
+                            !strong && self.rescue(goal, &attempts, &FARTHER, &mut found)
+                        }
                 };
-                if !settled {
+                if !settled && !strong && self.is_told_before(goal, &assumed, premises) {
+                    let reason = "of some symbol in it only what stands before and is not cited speaks, and nothing \
+                                  decides it with that";
+                    found.judged.outcome = Outcome::Open(Stop {
+                        reason: reason.into(),
+                        ..Stop::default()
+                    });
+                } else if !settled {
                     self.instead(goal, &assumed, premises, &mut found);
                 }
             }

@@ -235,6 +235,8 @@ fn elements(term: &Expr) -> Vec<Symbol> {
 fn stands(term: &Expr, symbol: &Symbol) -> bool {
     match term {
         Expr::Symbol(own) => own == symbol,
+        // What is integrated over moves, whether the integrand speaks of it or not.
+        Expr::Integral { variable, .. } if variable == symbol => true,
         Expr::Derivative { body, .. } if matches!(**body, Expr::Symbol(_)) => false,
         _ => term.children().any(|child| stands(child, symbol)),
     }

@@ -219,10 +219,18 @@ fn first<T>(
 
 /// A point at which all hypotheses hold, or a proof that there is none. `hints` are points to start from.
 pub fn consistency(claim: &Claim, hints: &[Assignment]) -> Consistency {
-    let unfold = unfold::definitions_to_unfold(claim);
-    match Obligation::of_premises(claim.clone(), unfold) {
-        Ok(premises) => consistency_posed(&premises, hints),
-        Err(_) => Consistency::Unknown,
+    let of = |claim: &Claim| {
+        let unfold = unfold::definitions_to_unfold(claim);
+        match Obligation::of_premises(claim.clone(), unfold) {
+            Ok(premises) => consistency_posed(&premises, hints),
+            Err(_) => Consistency::Unknown,
+        }
+    };
+    // What is true together where more is constant is true together.
+    let held = still::held_constant(claim).map(|constant| of(&constant));
+    match held {
+        Some(model @ Consistency::Model(_)) => model,
+        _ => of(claim),
     }
 }
 

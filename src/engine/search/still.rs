@@ -37,33 +37,33 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
         }
         refuted(obligation, point)
     });
-    let found = found.or_else(|| refuted_where_constant(obligation, &still));
+    let found = found.or_else(|| refuted_where_constant(obligation));
     found.map(Decision::Refuted)
 }
 
 /// A counterexample in which what is held still is constant: only then it is known what an integral is worth.
-fn refuted_where_constant(obligation: &Obligation, still: &[Formula]) -> Option<Refuted> {
-    let claim = obligation.claim();
-    let mut terms = claim.formulas().flat_map(Formula::terms);
-    if !terms.any(|term| term.any(&|part| matches!(part, Expr::Integral { .. }))) {
-        return None;
-    }
-    let mut constant = claim.clone();
-    for (slope, _) in still.iter().filter_map(Formula::as_equation) {
-        let Expr::Derivative { body, .. } = slope else {
-            return None;
-        };
-        let Expr::Symbol(symbol) = &**body else {
-            return None;
-        };
-        constant.domains.entry(symbol.clone()).or_default().constant = true;
-    }
-    let posed = pose(constant).ok()?;
+fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
+    let posed = pose(held_constant(obligation.claim())?).ok()?;
     let found = first(&mut Points::new(&posed), QUICK, |point| {
         refuted(&posed, point)
     })?;
     obligation.refuted_by_fewer(&found).ok()?;
     Some(found)
+}
+
+/// The claim with what stands in its integrands constant, where the author does not say that it moves; `None` where nothing
+/// does.
+pub(super) fn held_constant(claim: &Claim) -> Option<Claim> {
+    let said = said_to_move(claim);
+    let mut constant = claim.clone();
+    for term in claim.formulas().flat_map(Formula::terms) {
+        in_integrals(term, &mut |symbol, _| {
+            if !said.contains(symbol) {
+                constant.domains.entry(symbol.clone()).or_default().constant = true;
+            }
+        });
+    }
+    (constant != *claim).then_some(constant)
 }
 
 /// A proof with as few of these held still as may be.

@@ -237,6 +237,9 @@ impl<'s> Parser<'s> {
     /// Whether brackets open here, in which arguments may stand.
     pub(super) fn at_argument(&self) -> bool {
         let left = usize::from(self.peek() == Kind::Command("left"));
+        if self.kind(self.at + left) == Kind::Char('[') && self.bracket_has_limits(self.at + left) {
+            return false;
+        }
         matches!(
             self.kind(self.at + left),
             Kind::Char('(' | '[') | Kind::Command("lbrack" | "{" | "lbrace")

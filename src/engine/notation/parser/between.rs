@@ -154,17 +154,39 @@ impl Parser<'_> {
 
     /// Whether limits follow a bracket.
     pub(super) fn at_limits(&self) -> bool {
-        match self.peek() {
+        self.limits_at(self.at)
+    }
+
+    fn limits_at(&self, at: usize) -> bool {
+        match self.kind(at) {
             Kind::Char('_') => true,
             Kind::Char('^') => {
-                let power = match self.kind(self.at + 1) {
-                    Kind::Open => self.after_group(self.at + 1),
-                    _ => Some(self.at + 2),
+                let power = match self.kind(at + 1) {
+                    Kind::Open => self.after_group(at + 1),
+                    _ => Some(at + 2),
                 };
                 power.is_some_and(|after| self.kind(after) == Kind::Char('_'))
             }
             _ => false,
         }
+    }
+
+    /// Whether limits follow the bracket that opens at a place. Brackets with limits are short.
+    pub(super) fn bracket_has_limits(&self, open: usize) -> bool {
+        const FAR: usize = 400;
+        let mut depth = 0usize;
+        for at in open..open + FAR {
+            match self.kind(at) {
+                Kind::Char('[') => depth += 1,
+                Kind::Char(']') => depth -= 1,
+                Kind::End => return false,
+                _ => {}
+            }
+            if depth == 0 {
+                return self.limits_at(at + 1);
+            }
+        }
+        false
     }
 
     /// What a term in brackets grows by between the limits that follow.
