@@ -472,12 +472,12 @@ fn one() -> Fraction {
 }
 
 /// The inverse of what is known not to vanish wherever it is made use of.
-fn inverse(value: &Fraction) -> Lowered {
+pub(super) fn inverse(value: &Fraction) -> Lowered {
     value.recip()?.ok_or(LowerError::DivisionByZero)
 }
 
 /// The only unknown of a polynomial that is one.
-fn alone(polynomial: &Polynomial) -> Option<Var> {
+pub(super) fn alone(polynomial: &Polynomial) -> Option<Var> {
     let vars = polynomial.vars();
     (vars.len() == 1 && *polynomial == Polynomial::var(vars[0])).then(|| vars[0])
 }

@@ -12,7 +12,7 @@
 //!
 //! What is linear does not vanish between two places if, and only if, its values there have one sign: their product is positive.
 
-use super::function::square_root;
+use super::function::{alone, inverse, square_root};
 use super::lower::{LowerError, Lowered, Lowering};
 use super::{
     Atom, Atoms, BigInt, Conditions, Expr, Fraction, Function, Monomial, Polynomial, Rational,
@@ -88,7 +88,7 @@ impl Lowering<'_> {
         let mut value = Fraction::from(transferred(found.numerator(), &atoms, self.atoms));
         for (factor, exponent) in found.denominator() {
             let factor = Fraction::from(transferred(factor, &atoms, self.atoms)).pow(exponent)?;
-            value = value.times(&factor.recip()?.ok_or(LowerError::DivisionByZero)?)?;
+            value = value.times(&inverse(&factor)?)?;
         }
         Ok(value)
     }
@@ -127,8 +127,9 @@ impl Lowering<'_> {
             if self.slope(base, range).is_none() {
                 return Ok(false);
             }
-            for value in self.at_limits(base, range)? {
-                self.conditions.positive.insert(sign_of_fraction(&value)?);
+            let [a, b] = self.at_limits(base, range)?;
+            if !self.may_be_positive(&a)? || !self.may_be_positive(&b)? {
+                return Ok(false);
             }
         }
         for divisor in &inner.nonzero {
@@ -145,15 +146,20 @@ impl Lowering<'_> {
                 },
             };
             let [a, b] = self.at_limits(&followed, range)?;
-            let both = sign_of_fraction(&a.times(&b)?)?;
-            match both.as_constant() {
-                Some(number) if number.is_positive() => {}
-                Some(_) => return Ok(false),
-                None => {
-                    self.conditions.positive.insert(both);
-                }
+            if !self.may_be_positive(&a.times(&b)?)? {
+                return Ok(false);
             }
         }
+        Ok(true)
+    }
+
+    /// Notes that a value must be positive; whether it can be.
+    fn may_be_positive(&mut self, value: &Fraction) -> Result<bool, LowerError> {
+        let sign = sign_of_fraction(value)?;
+        if let Some(number) = sign.as_constant() {
+            return Ok(number.is_positive());
+        }
+        self.conditions.positive.insert(sign);
         Ok(true)
     }
 
@@ -308,7 +314,7 @@ impl Lowering<'_> {
             let var = Polynomial::var(var);
             let own = Fraction::from(var).pow(size)?;
             product = match exponent < 0 {
-                true => product.times(&own.recip()?.ok_or(LowerError::DivisionByZero)?)?,
+                true => product.times(&inverse(&own)?)?,
                 false => product.times(&own)?,
             };
         }
@@ -370,8 +376,7 @@ impl Lowering<'_> {
         var: Var,
         range: &Range,
     ) -> Result<Option<Fraction>, LowerError> {
-        let over = Fraction::from(Polynomial::var(var)).recip()?;
-        let quotient = value.times(&over.ok_or(LowerError::DivisionByZero)?)?;
+        let quotient = value.times(&inverse(&Polynomial::var(var).into())?)?;
         let moves = self.moves(quotient.numerator(), range)
             || quotient
                 .denominator()
@@ -464,14 +469,6 @@ fn transferred(polynomial: &Polynomial, from: &Atoms, to: &mut Atoms) -> Polynom
         all = all.plus(&Polynomial::term(own, coefficient.clone()));
     }
     all
-}
-
-/// The only unknown of a polynomial that is one.
-fn alone(polynomial: &Polynomial) -> Option<Var> {
-    match polynomial.vars()[..] {
-        [var] if *polynomial == Polynomial::var(var) => Some(var),
-        _ => None,
-    }
 }
 
 fn whole(number: i64) -> Rational {
