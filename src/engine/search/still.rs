@@ -6,6 +6,7 @@ use super::refute::Points;
 use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
 use crate::algebra::{Atom, Expr, Formula, Symbol, element_parts};
 use crate::kernel::{Claim, Obligation, Problem, Refuted};
+use crate::sorted::Set;
 
 /// More quantities than this that might change are not looked at one by one.
 const MOST_STILL: usize = 8;
@@ -54,16 +55,28 @@ fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
 /// The claim with what stands in its integrands constant, where the author does not say that it moves; `None` where nothing
 /// does.
 pub(super) fn held_constant(claim: &Claim) -> Option<Claim> {
-    let said = said_to_move(claim);
-    let mut constant = claim.clone();
+    let is_constant = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(|own| own.constant);
+    let mut held: Set<Symbol> = Set::new();
     for term in claim.formulas().flat_map(Formula::terms) {
         in_integrals(term, &mut |symbol, _| {
-            if !said.contains(symbol) {
-                constant.domains.entry(symbol.clone()).or_default().constant = true;
+            if !is_constant(symbol) {
+                held.insert(symbol.clone());
             }
         });
     }
-    (constant != *claim).then_some(constant)
+    if !held.is_empty() {
+        let said = said_to_move(claim);
+        held.retain(|symbol| !said.contains(symbol));
+    }
+    // Most claims have no integral: nothing is copied for these.
+    if held.is_empty() {
+        return None;
+    }
+    let mut constant = claim.clone();
+    for symbol in &held {
+        constant.domains.entry(symbol.clone()).or_default().constant = true;
+    }
+    Some(constant)
 }
 
 /// A proof with as few of these held still as may be.
