@@ -53,6 +53,8 @@ const KNOWN_TO: &[(&str, &[&str])] = &[
     ("tiny_skia", &["figures"]),
     ("ttf_parser", &["figures"]),
     ("miniz_oxide", &["figures"]),
+    ("crc32fast", &["figures"]),
+    ("mimalloc", &["memory"]),
 ];
 
 /// A line of code, without its comment.

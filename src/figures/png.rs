@@ -139,35 +139,31 @@ fn outline(glyph: ttf_parser::GlyphId, italic: bool) -> Option<Path> {
     outline.0.finish()
 }
 
-/// The file: header, density, title and the dots without their opacity, for nothing shows through.
+/// The file: header, density, title and the dots.
 fn encode(pixmap: &Pixmap, title: &str) -> Vec<u8> {
     let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
     let mut header = Vec::new();
     header.extend(pixmap.width().to_be_bytes());
     header.extend(pixmap.height().to_be_bytes());
-    // Eight bits, red, green and blue, the only compression and filtering there are, no interlacing.
-    header.extend([8, 2, 0, 0, 0]);
+    // Eight bits; red, green, blue and opacity; the only compression and filtering there are; no interlacing.
+    header.extend([8, 6, 0, 0, 0]);
     chunk(&mut file, b"IHDR", &header);
     let density = [DENSITY.to_be_bytes(), DENSITY.to_be_bytes()].concat();
     chunk(&mut file, b"pHYs", &[density.as_slice(), &[1]].concat());
     let title = [b"Title\0\0\0\0\0", title.as_bytes()].concat();
     chunk(&mut file, b"iTXt", &title);
     let row = pixmap.width() as usize * 4;
-    let mut dots = Vec::with_capacity(pixmap.data().len());
     let blank = vec![0; row];
+    let mut dots = Vec::with_capacity(pixmap.data().len() + pixmap.height() as usize);
     let mut above = blank.as_slice();
     for line in pixmap.data().chunks_exact(row) {
-        // Each row as its difference from the one above: most of it is 0.
-        dots.push(2);
-        let start = dots.len();
-        dots.resize(start + row / 4 * 3, 0);
-        if line != above {
-            let pairs = line.chunks_exact(4).zip(above.chunks_exact(4));
-            for (out, (dot, up)) in dots[start..].chunks_exact_mut(3).zip(pairs) {
-                out[0] = dot[0].wrapping_sub(up[0]);
-                out[1] = dot[1].wrapping_sub(up[1]);
-                out[2] = dot[2].wrapping_sub(up[2]);
-            }
+        if line == above {
+            // As its difference from the row above.
+            dots.push(2);
+            dots.extend_from_slice(&blank);
+        } else {
+            dots.push(0);
+            dots.extend_from_slice(line);
         }
         above = line;
     }
@@ -182,16 +178,6 @@ fn chunk(file: &mut Vec<u8>, kind: &[u8; 4], data: &[u8]) {
     let start = file.len();
     file.extend(kind);
     file.extend(data);
-    let sum = checksum(&file[start..]);
+    let sum = crc32fast::hash(&file[start..]);
     file.extend(sum.to_be_bytes());
-}
-
-/// The cyclic redundancy check of PNG (W3C, *PNG*, third edition, annex D).
-fn checksum(data: &[u8]) -> u32 {
-    let step = |sum: u32| match sum & 1 {
-        1 => 0xedb8_8320 ^ (sum >> 1),
-        _ => sum >> 1,
-    };
-    let add = |sum: u32, &byte: &u8| (0..8).fold(sum ^ u32::from(byte), |sum, _| step(sum));
-    !data.iter().fold(u32::MAX, add)
 }

@@ -169,17 +169,22 @@ fn png_has_two_dots_to_a_point_and_the_colours_of_the_curves() {
         assert_eq!(width as f64, 2.0 * figure.scene.width);
         assert_eq!(height as f64, 2.0 * figure.scene.height);
         let mut dots = miniz_oxide::inflate::decompress_to_vec_zlib(chunks[3].1).unwrap();
-        assert_eq!(dots.len(), (3 * width + 1) * height);
-        // Every row is the difference from the one above.
-        let row = 3 * width + 1;
-        for at in row..dots.len() {
-            if at % row != 0 {
-                dots[at] = dots[at].wrapping_add(dots[at - row]);
+        let row = 4 * width + 1;
+        assert_eq!(dots.len(), row * height);
+        for at in (0..dots.len()).step_by(row) {
+            // A row is as it is, or the difference from the one above.
+            assert!([0, 2].contains(&dots[at]));
+            if dots[at] == 2 {
+                for dot in at + 1..at + row {
+                    dots[dot] = dots[dot].wrapping_add(dots[dot - row]);
+                }
             }
         }
-        let has = |colour: [u8; 3]| {
-            dots.chunks_exact(row)
-                .any(|row| row[1..].chunks_exact(3).any(|dot| dot == colour))
+        let has = |[red, green, blue]: [u8; 3]| {
+            dots.chunks_exact(row).any(|row| {
+                let mut dots = row[1..].chunks_exact(4);
+                dots.any(|dot| dot == [red, green, blue, u8::MAX])
+            })
         };
         let first = figures::scene::Ink::Series(1);
         assert!(has(Palette::LIGHT.colour(first)), "{}", figure.scene.name);
