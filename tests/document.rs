@@ -768,7 +768,11 @@ proptest! {
     #[test]
     fn every_fence_is_a_display_or_a_problem(source in document()) {
         let plain: String = source.chars().filter(|c| !"`<\\\t\r~+".contains(*c)).collect();
-        let plain = format!("x\n{}", plain.replace("    ", " ").replace("---\n", "--\n").replace("[x](", "["));
+        let mut plain = format!("x\n{}", plain.replace("---\n", "--\n").replace("[x](", "["));
+        // What is left out may bring spaces together.
+        while plain.contains("    ") {
+            plain = plain.replace("    ", " ");
+        }
         let document = read(&plain);
         let (bytes, mut at) = (plain.as_bytes(), 0);
         while at + 1 < bytes.len() {

@@ -550,6 +550,28 @@ fn spellings_of_one_term() {
             &[r"\left[ \frac{k}{x} \right]_{x=a}^\infty"],
             r"\lim_{x \to \infty} \frac{k}{x} - \frac{k}{a}",
         ),
+        (&[r"k \left. x^2 \right|_{x=a}^{x=b}"], r"k (b^2 - a^2)"),
+        (
+            &[r"k x^2 \Big|_{x=a}^{x=b}", r"k x^2 |_{x=a}^b"],
+            r"k b^2 - k a^2",
+        ),
+        (
+            &[
+                r"\left. x^2 \right|_{x=3}",
+                r"x^2 \big|_{x=3}",
+                r"[x^2]_{x=3}",
+            ],
+            "3^2",
+        ),
+        (
+            &[
+                r"\left. \frac{dU}{dx} \right|_{x=x_0}",
+                r"\frac{dU}{dx} \bigg\rvert_{x = x_0}",
+            ],
+            r"\lim_{x \to x_0} \frac{dU}{dx}",
+        ),
+        (&[r"y |_{t=0} + 1"], r"\lim_{t \to 0} y + 1"),
+        (&["x(0)", r"x\left(0\right)"], "x(0)"),
     ];
     for (sources, expected) in spellings {
         for source in *sources {
@@ -730,14 +752,25 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "nothing in this bracket runs with `x`",
     ),
     (
-        r"a = [x \frac{dy}{dx}]_{x=0}^{x=1}",
-        r"[x \frac{dy}{dx}]_{x=0}^{x=1}",
-        "what this is at its limits cannot be told",
-    ),
-    (
         r"a = [x^2]_0",
         "_0",
-        "of the limits after this bracket one is missing",
+        "of the limits after this one is missing",
+    ),
+    (
+        r"a = x + x^2 |_{x=0}^{x=1}",
+        r"x^2 |_{x=0}^{x=1}",
+        "whether the whole sum is meant here, or its last term alone, is not clear",
+    ),
+    (
+        r"a = \left. x^2 \right)",
+        r"\right",
+        r"`\right|` is expected here",
+    ),
+    (r"a = \left. x^2", r"\left.", "this is never closed"),
+    (
+        r"a = y |_0^1",
+        r"y |_0^1",
+        "what runs between these limits is not told",
     ),
     (
         r"\frac{\partial f}{\partial x} = 0",
@@ -1006,7 +1039,6 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\rm kg\,x",
         r"`\rm{kg\,x}` is no name",
     ),
-    (r"x(0) = a", "x(0)", "this may be the value of a function"),
     (
         r"u^{(2)} = a",
         "(2)",

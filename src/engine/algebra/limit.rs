@@ -1,7 +1,7 @@
 //! Limits: of rational functions, and at infinity of what exponentials are in, too.
 
 use super::effort::is_spent;
-use super::lower::{LowerError, Lowered, Lowering};
+use super::lower::{LowerError, Lowered, Lowering, expr_of};
 use super::{
     Atom, Conditions, Expr, Fraction, Function, LimitPoint, Polynomial, Symbol, Var,
     expr_of_fraction, sign_of_fraction,
@@ -47,6 +47,11 @@ impl Lowering<'_> {
             variable: variable.clone(),
             point: point.clone(),
         };
+        if let LimitPoint::Finite(place) = point
+            && let Some(found) = self.where_it_is_continuous(&value, &inner, variable, place)?
+        {
+            return Ok(found);
+        }
         let own = self.atom_of_symbol(variable);
         let var = self.atoms.var(own);
         let below = value.expanded_denominator()?;
@@ -113,6 +118,71 @@ impl Lowering<'_> {
         self.needed_on_the_way(&inner, &leading);
         self.conditions.zero.extend(held);
         Ok(above.times(&self.recip(&below)?)?)
+    }
+
+    /// The value at a finite point, of what sines, cosines, exponentials or roots are in: it is the limit where nothing is divided by 0 there,
+    /// and everything under a root or in a logarithm is positive there. `None` for what is rational and what else there is.
+    fn where_it_is_continuous(
+        &mut self,
+        value: &Fraction,
+        inner: &Conditions,
+        variable: &Symbol,
+        place: &Expr,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let explicit = expr_of_fraction(value, self.atoms);
+        let is_smooth = |part: &Expr| match part {
+            Expr::Call(function, _) => matches!(
+                function,
+                Function::Sin | Function::Cos | Function::Exp | Function::Ln
+            ),
+            part => part.is_arithmetic(),
+        };
+        let rational = !explicit.any(&|part| matches!(part, Expr::Call(..)) || part.is_root());
+        if rational || place.mentions(variable) || explicit.any(&|part| !is_smooth(part)) {
+            return Ok(None);
+        }
+        // What else is in it must not move with the variable.
+        let mut held = Vec::new();
+        for other in explicit.free_symbols() {
+            if other != *variable {
+                let own = self.atom_of_symbol(&other);
+                let own = self.atoms.var(own);
+                let change = self.atom_derivative(own, variable)?;
+                if !change.is_zero() {
+                    held.push(change.numerator().clone());
+                }
+            }
+        }
+        let unknown = !inner.doubtful.is_empty() || !inner.bases.is_empty();
+        if unknown || !explicit.mentions(variable) && !held.is_empty() {
+            return Ok(None);
+        }
+        let there = |condition: &Polynomial, atoms: &_| {
+            expr_of(condition, atoms).substitute(variable, place)
+        };
+        let nonzero: Vec<Expr> = inner
+            .nonzero
+            .iter()
+            .map(|own| there(own, self.atoms))
+            .collect();
+        let signs = inner.positive.iter().chain(&inner.nonnegative);
+        let positive: Vec<Expr> = signs.map(|own| there(own, self.atoms)).collect();
+        for condition in &nonzero {
+            let condition = self.lower(condition)?;
+            self.conditions
+                .nonzero
+                .insert(condition.numerator().clone());
+        }
+        for condition in &positive {
+            let condition = self.lower(condition)?;
+            self.conditions
+                .positive
+                .insert(sign_of_fraction(&condition)?);
+        }
+        self.conditions
+            .zero
+            .extend(inner.zero.iter().cloned().chain(held));
+        self.lower(&explicit.substitute(variable, place)).map(Some)
     }
 
     /// The only exponential in which the variable is, and what must be positive so that it grows beyond all bounds towards

@@ -39,6 +39,17 @@ impl Judge<'_> {
         (all.len() > assumed.len()).then_some(all)
     }
 
+    /// Whether the page declares its symbols: where nothing is declared, citations are seldom complete either.
+    pub(super) fn is_declared(&self) -> bool {
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        !page.declared.is_empty()
+    }
+
+    /// Whether the step may rest on what stands before as its author goes along: nothing is cited, and nothing declared.
+    pub(super) fn cites_loosely(&self) -> bool {
+        !self.names_its_premises() && !self.is_declared()
+    }
+
     /// The slip of the pen in a step that needs what stands before and is not cited.
     pub(super) fn mended_from_all(
         &mut self,
@@ -81,7 +92,7 @@ impl Judge<'_> {
         self.attempts_with(goal, assumed, premises, witness, &others)
     }
 
-    /// Tries a step that nothing decides from what is itself left open, or holds under conditions.
+    /// Tries a step that is not proved from what is itself left open, or holds under conditions.
     pub(super) fn rescue_from_open(
         &mut self,
         goal: &Goal,
@@ -89,8 +100,11 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        let [_, all, open] = self.before(premises);
-        if open.len() == all.len() {
+        let [_, all, mut open] = self.before(premises);
+        // Other pages may mean other things by the same letters.
+        let page = |at: usize| self.derivation.equations[at].page;
+        open.retain(|&other| page(other) == page(self.at));
+        if open.iter().all(|other| all.contains(other)) {
             return false;
         }
         let open = [self.gathered(&open)];

@@ -1,6 +1,6 @@
 //! Goals about the elements of sequences, where what is said of every index is needed.
 
-use crate::algebra::Symbol;
+use crate::algebra::{Expr, Formula, Place, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::kernel::{ForEvery, HoldsForEvery};
 use crate::search::{self, Stop};
@@ -39,8 +39,10 @@ impl Judge<'_> {
             found.judged.outcome = Outcome::ForEvery(least.into());
             return true;
         }
-        // A sum says itself what it is further on, and values at one index refute what is said of it.
-        if condition || claims.iter().all(|claim| claim.throughout.is_empty()) {
+        // A sum says itself what it is further on, and values at one index refute what is said of it; so they do where nothing ties
+        // an index to another.
+        let alone = |claim: &ForEvery| claim.throughout.is_empty() || is_of_one_index(claim);
+        if condition || claims.iter().all(alone) {
             return false;
         }
         // What the author crosses out need not follow from anything else.
@@ -120,4 +122,29 @@ impl Judge<'_> {
             None => (assumed.to_vec(), holds),
         }
     }
+}
+
+/// Whether a claim speaks of elements at the index itself alone, and each hypothesis of every index says what another of them is: then
+/// there are such elements at the other indices whatever they are at this one.
+fn is_of_one_index(claim: &ForEvery) -> bool {
+    let is_own = |symbol: &Symbol| match symbol.place(&claim.index) {
+        Some((_, place)) => place == Place::Running(0),
+        None => true,
+    };
+    let mut spoken_of: Set<Symbol> = Set::new();
+    let mut defines = |formula: &Formula| {
+        let own = match formula.as_equation() {
+            Some((Expr::Symbol(symbol), right)) if symbol.place(&claim.index).is_some() => {
+                !right.mentions(symbol) && !spoken_of.contains(symbol)
+            }
+            _ => false,
+        };
+        spoken_of.extend(formula.free_symbols());
+        own
+    };
+    let mut throughout = claim.throughout.iter();
+    throughout.all(|&at| defines(&claim.claim.hypotheses[at].formula))
+        && Formula::free_symbols_of(claim.claim.formulas())
+            .into_iter()
+            .all(is_own)
 }

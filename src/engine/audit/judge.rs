@@ -28,6 +28,8 @@ pub(super) struct Found {
     pub judged: Judged,
     /// What it follows from, where that is not what is cited.
     pub instead: Vec<Source>,
+    /// Whether it may follow from what is cited all the same: nothing was found against that.
+    pub may_follow: bool,
     /// What must hold besides.
     pub conditions: Vec<Formula>,
     /// The premises that cannot all be true.
@@ -48,6 +50,7 @@ impl Found {
         Found {
             judged,
             instead: Vec::new(),
+            may_follow: false,
             conditions: Vec::new(),
             contradictory: Vec::new(),
             implied: None,
@@ -184,7 +187,11 @@ impl Judge<'_> {
                         || self.unstated(goal, &assumed, premises, &mut found)
                         || {
                             strong = self.strengthen(goal, &assumed, premises, &mut found);
-                            !strong && self.rescue(goal, &attempts, &FARTHER, &mut found)
+                            !strong
+                                && (self.rescue(goal, &attempts, &FARTHER, &mut found)
+                                    || self.cites_loosely()
+                                        && self
+                                            .rescue_from_open(goal, &assumed, premises, &mut found))
                         }
                 };
                 if !settled && !strong && self.is_told_before(goal, &assumed, premises) {
@@ -206,7 +213,9 @@ impl Judge<'_> {
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
                         || self.rescue(goal, &attempts, &FARTHER, &mut found)
                         || self.rescue_from_open(goal, &assumed, premises, &mut found)
+                        || self.unstated(goal, &assumed, premises, &mut found)
                 };
+                found.may_follow = rescued;
                 if !rescued && obligation.is_ok_and(|posed| self.contradicts_itself(&posed)) {
                     found.contradictory = sources(&assumed);
                 }

@@ -34,10 +34,11 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::algebra::{Formula, effort};
-use crate::derivation::{Assumed, Derivation, Kind, Source, goals};
+use crate::derivation::{Assumed, Derivation, Equation, Kind, Source, goals};
 use crate::document::{Extent, threads};
 use crate::kernel::{Assignment, Standing};
 use crate::notation::{Mark, Statement};
+use crate::search::Stop;
 use crate::sorted::{Map, Set};
 
 pub use dimensions::Dimensions;
@@ -453,6 +454,7 @@ impl Auditor<'_> {
         };
         let mut steps: Vec<(usize, Formula)> = Vec::new();
         let mut instead: Set<Source> = Set::new();
+        let mut may_follow = false;
         for (position, goal) in goals(statement).into_iter().enumerate() {
             if defines && position == 0 {
                 let outcome = Outcome::Defined;
@@ -489,6 +491,7 @@ impl Auditor<'_> {
                     .push(Note::InconsistentPremises(found.contradictory));
             }
             instead.extend(found.instead);
+            may_follow |= found.may_follow;
             if entry.implied.is_none() && entry.mended.is_none() {
                 (entry.implied, entry.mended) = (found.implied, found.mended);
                 entry.missing = found.missing;
@@ -515,7 +518,10 @@ impl Auditor<'_> {
             })
             .collect();
         if !instead.is_empty() {
-            let wrongly = says_so && !premises.is_empty() && !self.goes_on(at, premises, &instead);
+            // A link of a chain may need what another does not.
+            instead.extend(used.iter().map(|&premise| Source::Equation(premise)));
+            let cites = says_so && !premises.is_empty() && !may_follow;
+            let wrongly = cites && !self.goes_on(at, premises, &instead);
             let note = match wrongly {
                 true => Note::Miscited {
                     cited: premises.to_vec(),
@@ -534,6 +540,9 @@ impl Auditor<'_> {
             !usable.unreadable.is_empty() || !usable.later.is_empty() || !usable.numeric.is_empty();
         if entry.verdict == Verdict::Fails && missing {
             entry.verdict = Verdict::Undecided;
+        }
+        if entry.verdict == Verdict::Fails && !equation.unread.is_empty() {
+            self.leave_open(equation, &mut entry);
         }
         if entry.verdict == Verdict::Undecided {
             entry.notes.extend(
@@ -561,6 +570,30 @@ impl Auditor<'_> {
         }
         self.mark(statement, &mut entry);
         entry
+    }
+
+    /// Leaves open what was refuted without something that is supposed and could not be read.
+    fn leave_open(&self, equation: &Equation, entry: &mut Entry) {
+        let source = &self.derivation.pages[equation.page].document.source;
+        let unread = equation
+            .unread
+            .iter()
+            .filter_map(|own| source.get(own.range()));
+        let unread: Vec<String> = unread.map(|own| format!("`{}`", own.trim())).collect();
+        for judged in &mut entry.judged {
+            if matches!(judged.outcome, Outcome::Refuted(_)) {
+                judged.outcome = Outcome::Open(Stop {
+                    reason: format!(
+                        "what is supposed before it could not be read: {}",
+                        unread.join(", ")
+                    ),
+                    ..Stop::default()
+                });
+            }
+        }
+        (entry.implied, entry.mended) = (None, None);
+        entry.missing.clear();
+        entry.verdict = Verdict::Undecided;
     }
 
     /// Evaluates a numeric claim. What is wrong or not proved itself is not put in.

@@ -44,9 +44,11 @@ impl Moving {
             return;
         };
         for (side, other) in [(left, right), (right, left)] {
-            // "At $t = \tau$" names a moment.
+            // "At $t = \tau$" names a moment, and what something is at a place does not move with it.
+            let at_place = |part: &Expr| matches!(part, Expr::Limit { .. });
             if let Expr::Symbol(symbol) = side
                 && !matches!(other, Expr::Symbol(_) | Expr::Number(_))
+                && !other.any(&at_place)
             {
                 self.explicit.push((symbol.clone(), formula.names()));
             }

@@ -189,6 +189,10 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
         };
         let held = match &**body {
             Expr::Symbol(symbol) => vec![symbol.clone()],
+            // A slope of a slope.
+            Expr::Derivative { body, .. } if let Expr::Symbol(symbol) = &**body => {
+                vec![symbol.clone()]
+            }
             body @ Expr::Series { .. } => elements(body),
             _ => return None,
         };

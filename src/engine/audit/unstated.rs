@@ -13,7 +13,7 @@ use super::judge::{Found, Judge, sources, step};
 use super::{Outcome, stated};
 
 impl Judge<'_> {
-    /// Whether a refuted step follows, from what it cites or from what stands before, where symbols that could be anything
+    /// Whether a step that was not proved follows, from what it cites or from what stands before, where symbols that could be anything
     /// are not 0; of a root, where they are positive.
     pub(super) fn unstated(
         &mut self,
@@ -22,22 +22,32 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        let Outcome::Refuted(refuted) = &found.judged.outcome else {
-            return false;
+        let witness = match &found.judged.outcome {
+            Outcome::Refuted(refuted) => Some(refuted.witness().clone()),
+            Outcome::Open(_) => None,
+            _ => return false,
         };
-        let witness = refuted.witness().clone();
-        if self.under_conditions(goal, assumed.to_vec(), Some(&witness), found) {
+        if self.under_conditions(goal, assumed.to_vec(), witness.as_ref(), true, found) {
             found.instead.clear();
             return true;
         }
-        // Where nothing is declared, citations are seldom complete either.
-        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
-        if self.names_its_premises() && !page.declared.is_empty() {
+        if self.names_its_premises() && self.is_declared() {
             return false;
         }
         // Of what is not cited nothing need be true at the witness.
-        let all = self.with_others(assumed, premises);
-        all.is_some_and(|all| self.under_conditions(goal, all, None, found))
+        let Some(all) = self.with_others(assumed, premises) else {
+            return false;
+        };
+        let others = all[assumed.len()..].to_vec();
+        if self.under_conditions(goal, all, None, true, found) {
+            return true;
+        }
+        // Whether all of it can be true may be more than can be told. What moves is then told by all of it, not by one.
+        others.len() > 1
+            && others.into_iter().any(|other| {
+                let set = assumed.iter().cloned().chain([other]).collect();
+                self.under_conditions(goal, set, None, false, found)
+            })
     }
 
     /// The slip of the pen in a step that would follow, without it, where symbols that could be anything are not 0: with a counterexample at
@@ -108,11 +118,13 @@ impl Judge<'_> {
         }
     }
 
+    /// Whether the step follows from a set where something is not 0, or is positive; or `still`, where something does not change.
     fn under_conditions(
         &self,
         goal: &Goal,
         set: Vec<Assumed>,
         witness: Option<&Assignment>,
+        still: bool,
         found: &mut Found,
     ) -> bool {
         let claim = self.derivation.claim(self.at, &set, &goal.formula);
@@ -123,7 +135,7 @@ impl Judge<'_> {
         if let Some(conditions) = self.nonzero(&claim, &unbounded, witness, found) {
             return self.holds_under(goal, set, &conditions, Effort::Light, found);
         }
-        if self.holds_still(goal, &set, claim, found) {
+        if still && self.holds_still(goal, &set, claim, found) {
             return true;
         }
         let conditions = self.positive(goal, &set, &unbounded);

@@ -2,14 +2,17 @@
 //!
 //! Both are one quantity where a page has both and is solved for it somewhere, wherever the argument is the same symbol. Not where a term or a statement speaks
 //! of both in two ways, where a sum or a limit goes over the argument, nor where it is another elsewhere: `f(s)` beside `f(t)`.
+//!
+//! The value at a number, `y(0)`, is that of what depends on one symbol throughout; `\dot{y}(0)` is that of its slope.
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::sorted::Tree;
 
 use super::Equation;
 use super::equation::{conditions, each_side, formulas};
+use super::names::undotted;
 use super::page::Page;
 
 /// How a page speaks of a name.
@@ -23,6 +26,8 @@ struct Spoken {
     alone: bool,
     /// It is differentiated by itself somewhere.
     moves: bool,
+    /// Its value at a number is spoken of.
+    valued: bool,
     /// Nothing may be concluded from that.
     apart: bool,
 }
@@ -37,21 +42,29 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     for formula in page.locals.iter().flat_map(|local| &local.formulas) {
         see_together(std::iter::once(&**formula), &mut all);
     }
-    let left_out = |(name, own): &(Symbol, Spoken)| {
-        let argument = own.arguments.first();
-        own.solved && own.alone && !own.apart && own.arguments.len() == 1 && argument != Some(name)
-    };
-    let all: Tree<Symbol, Spoken> = all.into_entries().filter(left_out).collect();
-    if all.is_empty() {
+    // What has one argument throughout, and whether it is left out.
+    let mut functions: Tree<Symbol, (Symbol, bool)> = Tree::new();
+    let mut any = false;
+    for (name, own) in all.into_entries() {
+        let mut arguments = own.arguments.into_iter();
+        if let (Some(argument), None) = (arguments.next(), arguments.next()) {
+            let left_out = own.solved && own.alone && !own.apart && argument != name;
+            any |= left_out || own.valued;
+            functions.insert(name, (argument, left_out));
+        } else {
+            any |= own.valued;
+        }
+    }
+    if !any {
         return;
     }
     for equation in equations {
         for statement in equation.statements.iter_mut().flatten() {
-            each_side(statement, &mut |term, _| *term = without(term, &all));
+            each_side(statement, &mut |term, _| *term = without(term, &functions));
         }
     }
     for formula in page.locals.iter_mut().flat_map(|local| &mut local.formulas) {
-        *formula = formula.map_terms(|term| without(term, &all)).into();
+        *formula = formula.map_terms(|term| without(term, &functions)).into();
     }
 }
 
@@ -74,6 +87,7 @@ fn see_together<'a>(formulas: impl Iterator<Item = &'a Formula>, all: &mut Tree<
         known.apart |= own.apart || own.alone && !own.arguments.is_empty();
         known.alone |= own.alone || own.moves;
         known.solved |= own.solved;
+        known.valued |= own.valued;
         known.arguments.extend(own.arguments);
     }
 }
@@ -89,6 +103,7 @@ fn see<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, own: &mut Tree<Symbol, S
         Expr::Apply(name, arguments) => {
             let known = own.entry(name.clone()).or_default();
             match &arguments[..] {
+                [Expr::Number(_)] => known.valued = true,
                 [Expr::Symbol(argument)] if !bound.contains(&argument) => {
                     known.arguments.insert(argument.clone());
                 }
@@ -115,9 +130,40 @@ fn within<'a>(
     bound.pop();
 }
 
-fn without(term: &Expr, names: &Tree<Symbol, Spoken>) -> Expr {
-    match term {
-        Expr::Apply(name, _) if names.contains_key(name) => Expr::Symbol(name.clone()),
-        term => term.map_children(|child| without(child, names)),
+/// A term without the arguments that are left out, and with values at a number as what they are: limits there, which are the values of
+/// what does not jump.
+fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
+    let Expr::Apply(name, arguments) = term else {
+        return term.map_children(|child| without(child, functions));
+    };
+    let plain = |name: &Symbol| {
+        let (argument, left_out) = functions.get(name)?;
+        let body = match left_out {
+            true => Expr::Symbol(name.clone()),
+            false => Expr::Apply(name.clone(), vec![Expr::Symbol(argument.clone())]),
+        };
+        Some((body, argument.clone()))
+    };
+    let slope = || {
+        let (body, variable) = plain(&undotted(name)?)?;
+        let slope = Expr::Derivative {
+            body: body.into(),
+            variable: variable.clone(),
+        };
+        Some((slope, variable))
+    };
+    match &arguments[..] {
+        [place @ Expr::Number(_)] => match plain(name).or_else(slope) {
+            Some((body, variable)) => Expr::Limit {
+                body: body.into(),
+                variable,
+                point: LimitPoint::Finite(place.clone().into()),
+            },
+            None => term.clone(),
+        },
+        _ => match functions.get(name) {
+            Some((_, true)) => Expr::Symbol(name.clone()),
+            _ => term.clone(),
+        },
     }
 }

@@ -10,7 +10,7 @@ use crate::sorted::Tree;
 use super::Equation;
 use super::equation::formulas;
 use super::page::Page;
-use super::running::{Offsets, offsets, recurs};
+use super::running::{Offsets, family, has_numbered, offsets, recurs};
 
 /// Gives what can only be a count, and is declared to be nothing else, the domain of one.
 ///
@@ -19,6 +19,8 @@ use super::running::{Offsets, offsets, recurs};
 pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
     let mut counts = BTreeSet::new();
     let mut steps: Vec<(Symbol, Symbol, i64)> = Vec::new();
+    // What is known for a count by its letter where a sequence is given in terms of it.
+    let usual = Symbol::new("n");
     // What the author says to run through whole numbers, and from which on.
     let mut said_to_run: Tree<Symbol, Option<i64>> = Tree::new();
     for statement in equations.iter().flat_map(Equation::statements) {
@@ -30,6 +32,12 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
         for formula in formulas(statement) {
             for term in formula.terms() {
                 limits(term, &mut Vec::new(), &mut counts);
+            }
+            if let Some(stem) = family(&formula, &usual)
+                && equations.iter().any(|own| has_numbered(own, &stem, &usual))
+            {
+                steps.push((usual.clone(), stem, 0));
+                counts.insert(usual.clone());
             }
             for (index, offsets) in recurrences(&formula) {
                 let least = offsets.into_iter().map(|(stem, (least, _))| (stem, least));

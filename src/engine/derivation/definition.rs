@@ -3,12 +3,13 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::algebra::{Expr, Formula, Place, Relation, Symbol};
+use crate::algebra::{Expr, Formula, Place, Relation, Symbol, split_subscript};
 use crate::document::Span;
 use crate::notation::{Clause, Statement, read_expr, read_formulas};
 
 use super::equation::{conditions, formulas};
 use super::page::Page;
+use super::running::family;
 use super::supposed::Local;
 use super::{Equation, Kind, counts};
 use crate::sorted::{Set, Tree};
@@ -96,6 +97,8 @@ struct Sequences {
     orders: Tree<(Symbol, Symbol), i64>,
     /// Those whose elements are all given at once: `L_n = 3 n`.
     whole: BTreeSet<(Symbol, Symbol)>,
+    /// Those whose elements are given in terms of others': `y_n = x_n^2`.
+    tied: BTreeSet<(Symbol, Symbol)>,
 }
 
 impl Sequences {
@@ -103,15 +106,19 @@ impl Sequences {
         let Some((Expr::Symbol(symbol), right)) = formula.as_equation() else {
             return;
         };
-        let named = right.free_symbols();
-        for index in named.iter() {
-            if let Some((stem, Place::Running(0))) = symbol.place(index)
-                && named
-                    .iter()
-                    .all(|s| s.place(index).is_none_or(|(own, _)| own != stem))
-            {
+        for index in right.free_symbols().iter() {
+            if let Some(stem) = family(formula, index) {
                 self.whole.insert((index.clone(), stem));
             }
+        }
+        // `y_n = x_n^2` says what `y_{n+1}` is, but `y_1` may be what the sequence begins with.
+        if let Some((_, text)) = split_subscript(symbol.name())
+            && let index = Symbol::new(text)
+            && index.can_be_index()
+            && right.depends_on(&index)
+            && let Some((stem, Place::Running(0))) = symbol.place(&index)
+        {
+            self.tied.insert((index, stem));
         }
     }
 
@@ -141,7 +148,14 @@ impl Sequences {
             let place = symbol.place(index);
             place.is_some_and(|(own, place)| own == *stem && !matches!(place, Place::Running(0)))
         });
+        let is_tied = self.tied.iter().any(|(index, stem)| {
+            let place = symbol.place(index);
+            place.is_some_and(|(own, place)| {
+                own == *stem && matches!(place, Place::Running(offset) if offset != 0)
+            })
+        });
         is_given
+            || is_tied
             || self.orders.iter().any(|((index, stem), order)| {
                 let number = |s: &Symbol| match s.place(index) {
                     Some((own, Place::Number(_))) => own == *stem,
@@ -158,7 +172,7 @@ impl Sequences {
     }
 }
 
-/// `s`, of `s = …`, where it has not occurred before, on this page or an earlier one, or in the case before only.
+/// `s`, of `s = …`, or of `s^2 = … = …`, where it has not occurred before, on this page or an earlier one, or in the case before only.
 fn defined_symbol(
     statement: &Statement,
     seen: &BTreeSet<Symbol>,
@@ -168,8 +182,14 @@ fn defined_symbol(
         return None;
     };
     let (side, link) = (sides.first()?, links.first()?);
-    let Expr::Symbol(symbol) = &side.expr else {
-        return None;
+    let symbol = match &side.expr {
+        Expr::Symbol(symbol) => symbol,
+        // `s^2 = \frac{1}{N} \sum_i (x_i - m)^2 = …` says what a variance is, and goes on.
+        Expr::Power(base, exponent) if sides.len() > 2 => match (&**base, &**exponent) {
+            (Expr::Symbol(symbol), Expr::Number(_)) => symbol,
+            _ => return None,
+        },
+        _ => return None,
     };
     // "$\pi = 3.14$" rounds a number; as a name for something else it is defined as others are.
     if symbol.name() == "\\pi"

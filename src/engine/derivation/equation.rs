@@ -67,6 +67,8 @@ pub struct Equation {
     pub told: Vec<usize>,
     /// Values that the text around it names and does not plainly suppose, unread.
     pub mentioned: Vec<Span>,
+    /// What the text before it supposes and could not be read.
+    pub unread: Vec<Span>,
     /// The heading above it.
     pub section: String,
 }

@@ -80,10 +80,17 @@ impl Occurrences {
     }
 }
 
+/// `x` of `\dot{x}`.
+pub(super) fn undotted(name: &Symbol) -> Option<Symbol> {
+    let inside = name.name().strip_prefix("\\dot{")?.strip_suffix('}')?;
+    Some(Symbol::new(inside))
+}
+
 /// Refuses the equations of a page in which a name is read as a factor before a parenthesis and elsewhere on the page as a function.
 ///
 /// `f(x + 1)` is a product by itself ([docs/notation.md](../../docs/notation.md)). Where the page has `f(x)` too, it is the
 /// value of a function at another place, and a product would be a misreading.
+/// The value at a number, `x(0)`, is read of what the page has as a function.
 /// What is read as a unit after a number is refused in the same way where the page has or declares a symbol of that name.
 pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
     let all = || {
@@ -104,13 +111,19 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
     }
     let angles = of(BeforeKind::Degrees);
     let angles: BTreeSet<Symbol> = angles.into_iter().filter(|name| declared(name)).collect();
-    if functions.is_empty() && symbols.is_empty() && angles.is_empty() {
+    let values = of(BeforeKind::Value);
+    if functions.is_empty() && symbols.is_empty() && angles.is_empty() && values.is_empty() {
         return;
     }
     for equation in equations {
         let mut before = equation.statements().iter().flat_map(|s| &s.before);
         let doubtful = before.find(|before| match before.kind {
             BeforeKind::Function => false,
+            BeforeKind::Value => {
+                let moving = undotted(&before.name);
+                !functions.contains(&before.name)
+                    && !moving.is_some_and(|own| functions.contains(&own))
+            }
             BeforeKind::Factor => functions.contains(&before.name),
             BeforeKind::Unit => symbols.contains(&before.name),
             BeforeKind::Degrees => angles.contains(&before.name),
@@ -124,6 +137,12 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
                     "whether `{name}` is a unit here, or the symbol of that name, is not clear"
                 ),
                 "write `\\qty{…}{…}` for a quantity, or `\\cdot` before a symbol".to_owned(),
+            ),
+            BeforeKind::Value => (
+                format!("this may be the value of a function `{name}` at a number, or a product"),
+                format!(
+                    "for a product write `\\cdot` before the parenthesis; values are read of what the page has as a function, as `{name}(t)`"
+                ),
             ),
             BeforeKind::Degrees => (
                 format!(

@@ -8,7 +8,7 @@ use crate::document::{
     Citation, Directive, Extent, Item, Layout, Premise, Prose, Span, Supposition, SuppositionKind,
     Vanishing, above_signs,
 };
-use crate::notation::{Spanned, SyntaxError};
+use crate::notation::{Spanned, SyntaxError, read_formulas};
 use crate::sorted::Set;
 
 use super::definition::Known;
@@ -32,6 +32,8 @@ struct Between {
     derives: Option<Span>,
     cited: Vec<Citation>,
     mentioned: Vec<Span>,
+    /// What is supposed and could not be read.
+    unread: Vec<Span>,
     /// Whether words say that the display follows from something.
     concludes: Option<bool>,
     /// Whether they cite something just before the display.
@@ -211,6 +213,9 @@ impl<'p> Reader<'p> {
             .suppose(body, kind, self.level, &mut self.active, false);
         self.page.restrict(before.., &self.spoken_of);
         let new = before..self.page.locals.len();
+        if new.is_empty() && read_formulas(&self.page.document.source, body).is_err() {
+            self.between.unread.push(body);
+        }
         match kind {
             SuppositionKind::Case { runs_on: true } => self.running.extend(new),
             SuppositionKind::Define => {
@@ -394,6 +399,7 @@ impl<'p> Reader<'p> {
             locals: self.active.clone(),
             told: (self.told.iter().rev().take(MOST_MENTIONED).copied()).collect(),
             mentioned: said.mentioned.clone(),
+            unread: said.unread.clone(),
             section: self.section.clone(),
         }
     }

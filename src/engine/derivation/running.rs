@@ -43,7 +43,12 @@ pub(super) fn running(page: &Page, equations: &[Equation]) -> Vec<Running> {
         return Vec::new();
     }
     let given: Vec<Formula> = given.collect();
-    let found = indices.filter(|index| all().any(|f| recurs(&offsets(&f, index))));
+    let found = indices.filter(|index| {
+        let begins = |stem: &Symbol| equations.iter().any(|own| has_numbered(own, stem, index));
+        all().any(|f| {
+            recurs(&offsets(&f, index)) || family(&f, index).is_some_and(|stem| begins(&stem))
+        })
+    });
     let found = found.map(|index| Running {
         index: index.clone(),
         varying: varying(page, &given, index),
@@ -64,6 +69,29 @@ pub(super) fn offsets(formula: &Formula, index: &Symbol) -> Offsets {
         }
     }
     offsets
+}
+
+/// The sequence all of whose elements an equation gives, in terms of the index: `E` of `E_n = n^2 E_0`.
+pub(super) fn family(formula: &Formula, index: &Symbol) -> Option<Symbol> {
+    let Some((Expr::Symbol(symbol), right)) = formula.as_equation() else {
+        return None;
+    };
+    let (stem, Place::Running(0)) = symbol.place(index)? else {
+        return None;
+    };
+    let shifted = |own: &Symbol| {
+        let place = own.place(index).filter(|place| place.0 == stem);
+        place.is_some_and(|(_, place)| !matches!(place, Place::Number(_)))
+    };
+    let named = right.free_symbols();
+    (named.contains(index) && !named.iter().any(shifted)).then_some(stem)
+}
+
+/// Whether an equation speaks of an element of a sequence by its number: `E_1`.
+pub(super) fn has_numbered(equation: &Equation, stem: &Symbol, index: &Symbol) -> bool {
+    let is =
+        |own: &Symbol| matches!(own.place(index), Some((own, Place::Number(_))) if own == *stem);
+    equation.symbols().iter().any(is)
 }
 
 /// Whether two elements of one sequence, a fixed number of places from each other, are among those that run with an index.

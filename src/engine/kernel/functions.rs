@@ -42,18 +42,20 @@ pub(super) fn about_pi() -> (Rational, Rational) {
 }
 
 impl Problem {
-    /// What is true of functions at every point where their terms have values; where an argument has none, there
-    /// are values that make it true all the same, so that nothing is said of the argument.
-    pub(super) fn add_facts_about_functions(&mut self) -> Result<(), Reject> {
-        if self.pi_is_the_number()
-            && let Some(pi) = self.atoms.find(&Atom::Symbol(Symbol::new("\\pi")))
-        {
+    /// Between which numbers `\pi` lies, where it is the number.
+    pub(super) fn add_facts_about_pi(&mut self) {
+        if self.pi_is_the_number() {
             let (below, above) = about_pi();
-            let pi = Polynomial::var(pi);
+            let pi = Polynomial::var(self.atoms.var(Atom::Symbol(Symbol::new("\\pi"))));
             let above = Polynomial::constant(above).minus(&pi);
             self.learn(pi.minus(&Polynomial::constant(below)), Sign::Positive);
             self.learn(above, Sign::Positive);
         }
+    }
+
+    /// What is true of functions at every point where their terms have values; where an argument has none, there
+    /// are values that make it true all the same, so that nothing is said of the argument.
+    pub(super) fn add_facts_about_functions(&mut self) -> Result<(), Reject> {
         let called = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(..)));
         if !self.atoms.iter().any(|(_, atom)| called(atom)) {
             return Ok(());

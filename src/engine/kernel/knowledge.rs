@@ -71,7 +71,8 @@ impl Knowledge {
         }
     }
 
-    fn monomial_is_nonnegative(&self, monomial: &Monomial) -> bool {
+    /// Whether a product of unknowns is known not to be negative.
+    pub fn monomial_is_nonnegative(&self, monomial: &Monomial) -> bool {
         let mut powers = monomial.powers().iter();
         powers.all(|(v, e)| e % 2 == 0 || self.nonnegative_vars.contains(v))
     }

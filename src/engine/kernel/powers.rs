@@ -15,9 +15,11 @@ const HIGHEST_ORDER: u32 = 120;
 
 /// What the terms of a claim let be taken apart; `None` where there is nothing of the kind.
 ///
-/// `elsewhere` are symbols whose domain says nothing of a symbol of that name: those that were put in.
+/// `elsewhere` are symbols whose domain says nothing of a symbol of that name: those that were put in. `pi` tells whether `\pi` is the
+/// number.
 pub(super) fn powers_of<'a>(
     claim: &Claim,
+    pi: bool,
     terms: impl Iterator<Item = &'a Expr> + Clone,
     sequences: &Set<Symbol>,
     counts: &Set<Symbol>,
@@ -59,6 +61,11 @@ pub(super) fn powers_of<'a>(
         {
             powers.roots.insert(symbol.clone(), order);
         }
+    }
+    if pi {
+        let pi = Symbol::new("\\pi");
+        powers.nonzero.insert(pi.clone());
+        powers.positive.insert(pi);
     }
     functions.positive = powers.positive.clone();
     Some((powers, functions))

@@ -118,7 +118,7 @@ impl Problem {
                 .flat_map(Formula::terms)
                 .chain(values.iter().map(|v| &v.1));
             let put_in = |symbol: &Symbol| values.iter().any(|v| v.0 == *symbol);
-            powers_of(claim, terms, &sequences, &counts, put_in)
+            powers_of(claim, pi, terms, &sequences, &counts, put_in)
         };
         let (powers, functions) = powers.unzip();
         let functions = (pi || functions.is_some()).then(|| Functions {
@@ -215,6 +215,7 @@ impl Problem {
                 problem.add(Polynomial::var(var), Sign::Positive, Origin::Domain(of));
             }
         }
+        problem.add_facts_about_pi();
         problem.add_facts_about_powers()?;
         problem.add_facts_about_functions()?;
         Ok(problem)
@@ -627,11 +628,16 @@ fn constants(claim: &Claim, named: &[&Symbol], pi: bool) -> Set<Symbol> {
     symbols.chain(pi.then(|| Symbol::new("\\pi"))).collect()
 }
 
-/// The symbols of which a premise says throughout that they do not depend on another, `dk/ds = 0`, by which is integrated.
+/// The symbols of which a premise says throughout that they do not depend on another, `dk/ds = 0`, by which is integrated or which goes
+/// to a limit.
 fn still(claim: &Claim) -> Set<(Symbol, Symbol)> {
     let integrated = |variable: &Symbol| {
-        let over =
-            |part: &Expr| matches!(part, Expr::Integral { variable: own, .. } if own == variable);
+        let over = |part: &Expr| match part {
+            Expr::Integral { variable: own, .. } | Expr::Limit { variable: own, .. } => {
+                own == variable
+            }
+            _ => false,
+        };
         let mut terms = claim.formulas().flat_map(Formula::terms);
         terms.any(|term| term.any(&over))
     };

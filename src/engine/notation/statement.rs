@@ -84,6 +84,8 @@ pub struct Before {
 pub enum BeforeKind {
     /// A function of what is in the parenthesis after it.
     Function,
+    /// A function whose value at a number this is, `x(0)`.
+    Value,
     /// A factor before a parenthesis.
     Factor,
     /// A unit after a number, `5\,\mathrm{km}`.

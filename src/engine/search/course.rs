@@ -137,7 +137,7 @@ fn one() -> BigRational {
 }
 
 /// The symbol that is differentiated, and how often.
-fn differentiated(term: &Expr) -> Option<(&Symbol, usize)> {
+pub(super) fn differentiated(term: &Expr) -> Option<(&Symbol, usize)> {
     match term {
         Expr::Symbol(symbol) => Some((symbol, 0)),
         Expr::Derivative { body, .. } => {

@@ -1,7 +1,7 @@
 //! What the author differentiates nowhere is mostly meant not to change. That is nothing to prove with unseen: a claim that
 //! follows so follows under a condition, and a counterexample at which it is so is a counterexample.
 
-use super::course::said_to_move;
+use super::course::{differentiated, said_to_move};
 use super::refute::Points;
 use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
 use crate::algebra::{Atom, Expr, Formula, Symbol, element_parts};
@@ -42,9 +42,17 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
     found.map(Decision::Refuted)
 }
 
-/// A counterexample in which what is held still is constant: only then it is known what an integral is worth.
+/// A counterexample in which what is held still is constant: only then it is known what an integral is worth, or a slope of a slope.
 fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
-    let posed = pose(held_constant(obligation.claim())?).ok()?;
+    let claim = obligation.claim();
+    let mut held = in_integrands(claim);
+    let slopes = slopes_held_still(obligation.problem(), &said_to_move(claim));
+    held.extend(
+        slopes
+            .iter()
+            .filter_map(|slope| Some(differentiated(slope)?.0.clone())),
+    );
+    let posed = pose(with_constants(claim, held)?).ok()?;
     let found = first(&mut Points::new(&posed), QUICK, |point| {
         refuted(&posed, point)
     })?;
@@ -55,6 +63,11 @@ fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
 /// The claim with what stands in its integrands constant, where the author does not say that it moves; `None` where nothing
 /// does.
 pub(super) fn held_constant(claim: &Claim) -> Option<Claim> {
+    with_constants(claim, in_integrands(claim))
+}
+
+/// What stands in integrands and is not said to move.
+fn in_integrands(claim: &Claim) -> Set<Symbol> {
     let is_constant = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(|own| own.constant);
     let mut held: Set<Symbol> = Set::new();
     for term in claim.formulas().flat_map(Formula::terms) {
@@ -68,7 +81,11 @@ pub(super) fn held_constant(claim: &Claim) -> Option<Claim> {
         let said = said_to_move(claim);
         held.retain(|symbol| !said.contains(symbol));
     }
-    // Most claims have no integral: nothing is copied for these.
+    held
+}
+
+/// The claim with further symbols constant. Most claims have none of these: nothing is copied for them.
+fn with_constants(claim: &Claim, held: Set<Symbol>) -> Option<Claim> {
     if held.is_empty() {
         return None;
     }
@@ -102,25 +119,9 @@ pub fn still_in(claim: Claim) -> Vec<Formula> {
 /// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by.
 pub(super) fn held_still(claim: &Claim, problem: &Problem) -> Vec<Formula> {
     let said = said_to_move(claim);
-    let mut still = Vec::new();
-    for (_, atom) in problem.atoms.iter() {
-        let Atom::Opaque(slope @ Expr::Derivative { body, variable }) = atom else {
-            continue;
-        };
-        let is_still = match &**body {
-            Expr::Symbol(symbol) => !said.contains(symbol),
-            // A sum over data, and not one that runs to the variable.
-            body @ Expr::Series { .. } => {
-                let own = element_parts(variable).map(|parts| parts.0);
-                let mut moving = said.iter().chain([variable]).chain(&own);
-                !moving.any(|symbol| body.mentions(symbol))
-            }
-            _ => false,
-        };
-        if is_still {
-            still.push(Formula::equal(slope.clone(), Expr::integer(0)));
-        }
-    }
+    let slopes = slopes_held_still(problem, &said).into_iter();
+    let zero = |slope: Expr| Formula::equal(slope, Expr::integer(0));
+    let mut still: Vec<Formula> = slopes.map(zero).collect();
     for term in claim.formulas().flat_map(Formula::terms) {
         in_integrals(term, &mut |symbol, variable| {
             let constant = claim.domains.get(symbol).is_some_and(|own| own.constant);
@@ -135,6 +136,29 @@ pub(super) fn held_still(claim: &Claim, problem: &Problem) -> Vec<Formula> {
         });
     }
     still
+}
+
+/// The slopes, and slopes of slopes, of what is not said to move.
+fn slopes_held_still(problem: &Problem, said: &Set<Symbol>) -> Vec<Expr> {
+    let mut slopes = Vec::new();
+    for (_, atom) in problem.atoms.iter() {
+        let Atom::Opaque(slope @ Expr::Derivative { body, variable }) = atom else {
+            continue;
+        };
+        let is_still = match &**body {
+            // A sum over data, and not one that runs to the variable.
+            body @ Expr::Series { .. } => {
+                let own = element_parts(variable).map(|parts| parts.0);
+                let mut moving = said.iter().chain([variable]).chain(&own);
+                !moving.any(|symbol| body.mentions(symbol))
+            }
+            _ => differentiated(slope).is_some_and(|(symbol, _)| !said.contains(symbol)),
+        };
+        if is_still {
+            slopes.push(slope.clone());
+        }
+    }
+    slopes
 }
 
 /// What stands in integrands besides the variable, with the variable.

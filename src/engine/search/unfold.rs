@@ -9,7 +9,8 @@ use crate::sorted::Set;
 /// declared positive, for the term may be seen to be.
 pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     // Most claims have nothing of the kind.
-    if !claim.formulas().any(has_operands) {
+    let pi = pi_is_the_number(claim);
+    if !pi && !claim.formulas().any(has_operands) {
         return Vec::new();
     }
     let mut formulas: Vec<Formula> = claim.formulas().cloned().collect();
@@ -43,9 +44,11 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
                 true => claim.hypotheses[at].standing == Standing::Identity,
                 false if found.counts.contains(&symbol) => true,
                 false if found.called.contains(&symbol) => true,
-                false => found.rooted.contains(&symbol) && !positive(),
+                false if found.rooted.contains(&symbol) && !positive() => true,
+                // Beside the number π a value need not be rational: what nothing else speaks of needs none.
+                false => pi && is_alone(&symbol, at, &formulas),
             };
-            let number = symbol.name() == "\\pi" && pi_is_the_number(claim);
+            let number = symbol.name() == "\\pi" && pi;
             let fits = fits && !number && !found.variables.contains(&symbol);
             fits.then_some((at, Expr::Symbol(symbol), term))
         });
@@ -62,6 +65,15 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     }
 }
 
+/// Whether no other formula speaks of a symbol.
+fn is_alone(symbol: &Symbol, at: usize, formulas: &[Formula]) -> bool {
+    let mut others = formulas
+        .iter()
+        .enumerate()
+        .filter(|(other, _)| *other != at);
+    !others.any(|(_, formula)| formula.terms().iter().any(|term| term.mentions(symbol)))
+}
+
 fn has_operands(formula: &Formula) -> bool {
     let is_operand =
         |part: &Expr| matches!(part, Expr::Call(..)) || part.binder().is_some() || part.is_root();
@@ -74,7 +86,7 @@ fn has_operands(formula: &Formula) -> bool {
 struct Operands {
     /// Under a derivative, a limit or an integral.
     moving: Set<Symbol>,
-    /// Unknown functions, applied, under an integral.
+    /// Unknown functions, applied, under an integral or a limit.
     applied: Set<Expr>,
     /// In the upper limit of a sum.
     counts: Set<Symbol>,
@@ -95,8 +107,10 @@ impl Operands {
                 self.moving
                     .extend(body.free_symbols().into_iter().filter(|s| s != variable));
                 self.variables.insert(variable.clone());
-                if let Expr::Integral { from, to, .. } = term {
+                if !matches!(term, Expr::Derivative { .. }) {
                     applications(body, &mut self.applied);
+                }
+                if let Expr::Integral { from, to, .. } = term {
                     // The limits come to stand in the functions of the integrand.
                     if body.any(&|part| matches!(part, Expr::Call(..))) {
                         self.called.extend(from.free_symbols());

@@ -47,11 +47,17 @@ pub(super) fn introduced(
             _ => false,
         }
     };
-    let before = index.checked_sub(1).and_then(|before| tokens.get(before));
     let negated = || follows(index, tokens, NEGATING);
     let by_us = || !begun || follows(index, tokens, &["we", "us", "now", "and"]);
     // "From (1) with $a = b$ …"
-    let cited = || matches!(before, Some((Token::Tag(_) | Token::Keys(_), _)));
+    let cites =
+        |token: Option<&Placed<'_>>| matches!(token, Some((Token::Tag(_) | Token::Keys(_), _)));
+    let cited = || cites(tokens[..index].last());
+    // "By (1), for $e = 1$, …"
+    let cited_before = || {
+        let mut known = tokens[..index].iter().rev();
+        cites(known.find(|(token, _)| *token != Token::Mark(',')))
+    };
     let capital =
         matches!(tokens[index].0, Token::Word(word) if word.starts_with(char::is_uppercase));
     // In the middle of a sentence that only a display can have begun.
@@ -84,6 +90,11 @@ pub(super) fn introduced(
         "if" if is_condition(source, index, tokens) => Some((case, Reach::Sentence)),
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
         "for" | "when" if !begun && (comma || referred) && value() => Some((case, joined(true))),
+        "for" | "when"
+            if (!begun || cited_before()) && value() && leads_to_display(source, index, tokens) =>
+        {
+            Some((case, joined(true)))
+        }
         "for" if !begun && described() => Some((case, joined(true))),
         "case" if comma && value() && !is_compared(index, tokens) => Some((case, joined(true))),
         "setting" | "putting" | "substituting" | "inserting" | "using" if !begun && value() => {
@@ -143,6 +154,17 @@ fn is_compared(index: usize, tokens: &[Placed<'_>]) -> bool {
         _ => None,
     });
     words.any(|word| COMPARING.contains(&word.as_str()))
+}
+
+/// Whether nothing else is said between the value after a word and a display: "For $N = 3$ the value is", "By (1), for $e = 1$".
+fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 2..).unwrap_or_default();
+    let says = |(token, _): &Placed<'_>| match token {
+        Token::Math(body) => source.get(body.range()).is_some_and(relates),
+        Token::Word(word) => NEGATING.contains(word) || matches!(*word, "and" | "or"),
+        token => *token == Token::Stop,
+    };
+    !rest.iter().any(says)
 }
 
 /// Whether the text ends with the value that follows a word and a "where": what comes next is said of that place.

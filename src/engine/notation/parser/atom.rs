@@ -87,6 +87,9 @@ impl<'s> Parser<'s> {
             Kind::Command(name) if commands::is_function(name) => {
                 (self.nested(|parser| parser.call(name))?, Shape::Loose)
             }
+            Kind::Command("left") if self.kind(self.at + 1) == Kind::Char('.') => {
+                return self.nested(Self::bounded);
+            }
             _ if self.starts_name(self.at) => return self.named(),
             _ => match self.delimiter() {
                 Some(delimiter) => {
@@ -94,8 +97,7 @@ impl<'s> Parser<'s> {
                     let square = delimiter.close == "]";
                     let content = self.group(delimiter)?;
                     if square && self.at_limits() {
-                        let content = self.between(start, &content)?;
-                        return Ok(content);
+                        return Ok(self.between(start, &content, true)?.0);
                     }
                     if brackets {
                         self.last_group = Some((start, self.at));

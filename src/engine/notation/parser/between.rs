@@ -1,4 +1,5 @@
-//! Limits, and what a term grows by from one to the other: `\left[ \frac{x^2}{2} \right]_a^b`.
+//! Limits, what a term grows by from one to the other, `\left[ \frac{x^2}{2} \right]_a^b` or `\frac{x^2}{2} \Big|_a^b`, and what it is
+//! at a place, `\left. \frac{dU}{dx} \right|_{x = a}`: the limit there, which is the value of what does not jump.
 //!
 //! What runs from `a` to `b` in a bracket is told there, `_{x=a}^{x=b}`, or by the integral before it in the same display that has
 //! the same limits. A limit that is infinite is taken as a limit: `\int_a^\infty f \, dx` is `\lim_{x' \to \infty} \int_a^{x'} f \, dx`.
@@ -78,6 +79,11 @@ impl Limits {
 impl Parser<'_> {
     /// `_a^b` or `^b_a`, if both are here.
     pub(super) fn limits(&mut self) -> Read<Option<Limits>> {
+        let (from, to) = self.scripted()?;
+        Ok(from.zip(to).map(|(from, to)| Limits { from, to }))
+    }
+
+    fn scripted(&mut self) -> Read<(Option<Limit>, Option<Limit>)> {
         let (mut from, mut to) = (None, None);
         loop {
             match self.peek() {
@@ -89,10 +95,9 @@ impl Parser<'_> {
                     self.advance();
                     to = Some(self.one_limit("^")?);
                 }
-                _ => break,
+                _ => return Ok((from, to)),
             }
         }
-        Ok(from.zip(to).map(|(from, to)| Limits { from, to }))
     }
 
     fn one_limit(&mut self, sign: &str) -> Read<Limit> {
@@ -189,22 +194,67 @@ impl Parser<'_> {
         false
     }
 
-    /// What a term in brackets grows by between the limits that follow.
-    pub(super) fn between(&mut self, start: usize, term: &Expr) -> Read<Factor> {
-        let sign = self.at;
-        let Some(limits) = self.limits()? else {
+    /// `\left. f \right|` with limits or a place, which follow.
+    pub(super) fn bounded(&mut self) -> Read<Factor> {
+        let start = self.at;
+        self.at += 2;
+        let open = self.since(start);
+        let content = self.inside(false, Self::sum)?;
+        if self.peek() == Kind::End {
+            return refuse(open, "this is never closed");
+        }
+        if self.peek() != Kind::Command("right") || !self.is_bar(self.at + 1) {
             return refuse_with(
-                self.since(sign),
-                "of the limits after this bracket one is missing",
-                "write `\\left[ f \\right]_{x=a}^{x=b}`",
+                self.span(),
+                "`\\right|` is expected here, to close what was opened",
+                "write `\\left. f \\right|_{x = a}`",
             );
+        }
+        self.at += 2;
+        Ok(self.between(start, &content.expr, false)?.0)
+    }
+
+    fn is_bar(&self, at: usize) -> bool {
+        matches!(
+            self.kind(at),
+            Kind::Char('|') | Kind::Command("vert" | "rvert")
+        )
+    }
+
+    /// Whether a bar stands here that what stands before it is evaluated at: `f |_{x = a}`.
+    pub(super) fn at_bar(&self) -> bool {
+        !self.bar && self.is_bar(self.at) && matches!(self.kind(self.at + 1), Kind::Char('_' | '^'))
+    }
+
+    /// What a term is at the place that follows, `_{x = a}`, or grows by between the limits that do; and what runs there. `square` are
+    /// brackets, not a bar.
+    pub(super) fn between(
+        &mut self,
+        start: usize,
+        term: &Expr,
+        square: bool,
+    ) -> Read<(Factor, Symbol)> {
+        let sign = self.at;
+        let (from, to) = self.scripted()?;
+        let (upper, lower) = match (from, to) {
+            (Some(from), Some(to)) => (to, Some(from)),
+            (Some(place), None) if place.of.is_some() => (place, None),
+            _ => {
+                return refuse_with(
+                    self.since(sign),
+                    "of the limits after this one is missing",
+                    "write `\\left[ f \\right]_{x=a}^{x=b}`, or `\\left. f \\right|_{x=a}` for a value",
+                );
+            }
         };
-        let named = limits.from.of.as_ref().or(limits.to.of.as_ref());
-        let same = |(_, own): &&(Symbol, Limits)| {
-            own.from.at == limits.from.at && own.to.at == limits.to.at
-        };
+        let named = upper
+            .of
+            .as_ref()
+            .or(lower.as_ref().and_then(|own| own.of.as_ref()));
         let mut near = self.integrals.iter().rev().take(NEAR);
-        let integral = near.find(same);
+        let integral = near.find(|(_, own)| {
+            Some(&own.from.at) == lower.as_ref().map(|own| &own.at) && own.to.at == upper.at
+        });
         let variable = named.or(integral.map(|(variable, _)| variable)).cloned();
         let Some(variable) = variable else {
             return refuse_with(
@@ -213,35 +263,43 @@ impl Parser<'_> {
                 "write `\\left[ f \\right]_{x=a}^{x=b}`",
             );
         };
-        let other = limits.to.of.as_ref().is_some_and(|own| *own != variable);
-        if other || !term.free_symbols().contains(&variable) {
+        let is_other = |own: &Limit| own.of.as_ref().is_some_and(|own| *own != variable);
+        let runs = term.free_symbols().contains(&variable);
+        // What a bracket is drawn around runs with it; what is evaluated at a bar may depend on it unseen.
+        let hides = named.is_some() && !square;
+        if is_other(&upper) || lower.as_ref().is_some_and(is_other) || !runs && !hides {
             return refuse(
                 self.since(start),
                 format!("nothing in this bracket runs with `{variable}`"),
             );
         }
-        let moves = |part: &Expr| matches!(part, Expr::Derivative { .. } | Expr::Apply(..));
-        if term.any(&moves) {
-            return refuse_with(
-                self.since(start),
-                "what this is at its limits cannot be told from the symbols in it",
-                "write both values out, with names of their own",
-            );
-        }
-        let at = |limit: &LimitPoint| match limit {
-            LimitPoint::Finite(value) => term.substitute(&variable, value),
+        // What depends on the variable without its being written there is known by its limit alone.
+        let moves = |part: &Expr| {
+            matches!(
+                part,
+                Expr::Derivative { .. } | Expr::Integral { .. } | Expr::Apply(..)
+            )
+        };
+        let hidden = !runs || term.any(&moves);
+        let at = |limit: LimitPoint| match limit {
+            LimitPoint::Finite(value) if !hidden => term.substitute(&variable, &value),
             point => Expr::Limit {
                 body: Box::new(term.clone()),
                 variable: variable.clone(),
-                point: point.clone(),
+                point,
             },
         };
-        let below = Expr::Negate(Box::new(at(&limits.from.at)));
-        Ok(Factor {
-            expr: Expr::Sum(vec![at(&limits.to.at), below]),
+        let upper = at(upper.at);
+        let expr = match lower {
+            None => upper,
+            Some(lower) => Expr::Sum(vec![upper, Expr::Negate(Box::new(at(lower.at)))]),
+        };
+        let factor = Factor {
+            expr,
             shape: Shape::Tight,
             span: self.since(start),
             braces: false,
-        })
+        };
+        Ok((factor, variable))
     }
 }

@@ -76,11 +76,14 @@ impl Parser<'_> {
             ),
             (false, expr) => {
                 if let (Expr::Symbol(name), [Expr::Number(_)]) = (&expr, arguments.as_slice()) {
-                    let message = format!(
-                        "this may be the value of a function `{name}` at a number, or a product"
-                    );
-                    let help = "for a product write `\\cdot` before the parenthesis; give the value of a function at a number a name, such as `x_0`";
-                    return refuse_with(self.since(start), message, help);
+                    // Whether there is such a function, the page tells.
+                    self.before.push(Before {
+                        name: name.clone(),
+                        span: self.since(start),
+                        kind: BeforeKind::Value,
+                    });
+                    let value = Expr::Apply(name.clone(), arguments);
+                    return self.scripts(start, value, Shape::Tight, false);
                 }
                 self.before.extend(self.factor_before(start, &expr));
                 self.before_factor(start, open, Factor { expr, ..function }, arguments)

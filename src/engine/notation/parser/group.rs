@@ -137,10 +137,11 @@ impl Parser<'_> {
         match self.peek() {
             Kind::Char('(' | '[') => true,
             Kind::Char('|') => !self.bar,
+            Kind::Command("left") => self.kind(self.at + 1) != Kind::Char('.'),
             Kind::Command(name) => {
                 matches!(
                     name,
-                    "left" | "{" | "lbrace" | "lbrack" | "lvert" | "lceil" | "lfloor"
+                    "{" | "lbrace" | "lbrack" | "lvert" | "lceil" | "lfloor"
                 )
             }
             _ => false,

@@ -64,6 +64,8 @@ pub(super) struct Parser<'s> {
     signs: Option<both::Signs>,
     /// The variables of the integrals read so far, with their limits.
     integrals: Vec<(Symbol, Limits)>,
+    /// What runs to the bar after the term that was read last, where nothing opens it: `f |_a^b`.
+    barred: Option<Symbol>,
     /// Whether the innermost open delimiter is a bare `|`, so that the next one closes it.
     bar: bool,
     /// Whether this is in the argument of a sine, a cosine or a tangent, where degrees are read.
@@ -171,6 +173,7 @@ impl<'s> Parser<'s> {
             differential: None,
             signs: None,
             integrals: Vec::new(),
+            barred: None,
             bar: false,
             angle: false,
             doubled: false,

@@ -64,9 +64,17 @@ impl Parser<'_> {
                 }
                 continue;
             }
+            self.barred = None;
             let term = self.term()?;
             if negative && term.braces {
                 return invisible(term.span);
+            }
+            if let Some(variable) = self.barred.take()
+                && terms.iter().any(|before| before.expr.mentions(&variable))
+            {
+                let message =
+                    "whether the whole sum is meant here, or its last term alone, is not clear";
+                return refuse_with(term.span, message, "write `\\left[ … \\right]_a^b`");
             }
             let mut term = Term {
                 span: self.since(from),
@@ -201,6 +209,13 @@ impl Parser<'_> {
                     && let Some(unit) = self.unit_here(product.measured) =>
                 {
                     product.push_unit(self.take_unit(unit)?)?;
+                }
+                _ if self.at_bar() => {
+                    let before = std::mem::take(&mut product).finish(self.since(start))?;
+                    self.advance();
+                    let (between, variable) = self.between(start, &before.expr, false)?;
+                    product.push(between)?;
+                    self.barred = Some(variable);
                 }
                 _ if self.starts_factor() => {
                     differential |= self.at_differential();

@@ -108,11 +108,7 @@ impl Prover {
         };
         // What is positive in every term only hides the rest.
         let content = self.positive_content(&reduced.polynomial);
-        if !content.is_one() {
-            let content = Polynomial::term(content, Rational::one());
-            reduced.polynomial = reduced.polynomial.divided_by(&content)?;
-            *reduced.outer.entry(content).or_insert(0) += 1;
-        }
+        let mut reduced = without(reduced, content)?;
         let mut found = decompose(&reduced.polynomial, strict, &known);
         if found.is_none() {
             for other in self.variants(&reduced) {
@@ -121,6 +117,14 @@ impl Prover {
                     reduced = other;
                     break;
                 }
+            }
+        }
+        // What is not negative does too, where 0 will do.
+        if found.is_none() && !strict {
+            let content = self.nonnegative_content(&reduced.polynomial);
+            if !content.is_one() {
+                reduced = without(reduced, content)?;
+                found = decompose(&reduced.polynomial, strict, &known);
             }
         }
         let found = found?;
@@ -258,6 +262,18 @@ impl Prover {
             .fold(Monomial::one(), |all, power| all.times(&power))
     }
 
+    /// The powers that divide every term and are known not to be negative.
+    fn nonnegative_content(&self, polynomial: &Polynomial) -> Monomial {
+        let content = polynomial.content();
+        let powers = content.powers().iter().map(|&(var, exponent)| {
+            let is_known = self
+                .knowledge
+                .monomial_is_nonnegative(&Monomial::power(var, 1));
+            Monomial::power(var, if is_known { exponent } else { exponent / 2 * 2 })
+        });
+        powers.fold(Monomial::one(), |all, power| all.times(&power))
+    }
+
     /// Every inequality with the eliminated unknowns removed and positive factors divided out, as lemmas.
     fn signed_facts(&mut self) -> Vec<(usize, Fact)> {
         if let Some(known) = &self.signed {
@@ -347,6 +363,16 @@ impl Prover {
         let sign = fact.sign;
         Ok(Some((Fact { polynomial, sign }, proof)))
     }
+}
+
+/// The same with what divides every term outside.
+fn without(mut reduced: Reduced, content: Monomial) -> Option<Reduced> {
+    if !content.is_one() {
+        let content = Polynomial::term(content, Rational::one());
+        reduced.polynomial = reduced.polynomial.divided_by(&content)?;
+        *reduced.outer.entry(content).or_insert(0) += 1;
+    }
+    Some(reduced)
 }
 
 /// The numbers of elements of sums that are known to be positive.
