@@ -572,6 +572,10 @@ fn spellings_of_one_term() {
         ),
         (&[r"y |_{t=0} + 1"], r"\lim_{t \to 0} y + 1"),
         (&["x(0)", r"x\left(0\right)"], "x(0)"),
+        (
+            &[r"\int_a^b \frac{\int_a^c e\,dx}{a}\,dx"],
+            r"\int_{a}^{b} \frac{\int_{a}^{c} e \, dx}{a} \, dx",
+        ),
     ];
     for (sources, expected) in spellings {
         for source in *sources {

@@ -172,8 +172,11 @@ impl Parser<'_> {
         let Some(end) = self.after_group(start) else {
             return Ok(None);
         };
-        let last = (start + 1..end).rfind(|&at| self.is_d(at) && self.starts_name(at + 1));
-        let Some(sign) = last else {
+        let signs = || (start + 1..end).filter(|&at| self.is_d(at) && self.starts_name(at + 1));
+        // An integral above the stroke has a differential of its own.
+        let integrals = (start + 1..end).filter(|&at| self.kind(at) == Kind::Command("int"));
+        let own = signs().count() > integrals.count();
+        let Some(sign) = signs().last().filter(|_| own) else {
             return Ok(None);
         };
         self.at = sign + 1;
