@@ -116,14 +116,14 @@ pub const SLIPS: &[(&str, &str, &str)] = &[
     ("D14", r"\geq", "<"),
     ("D15", r"2 \cdot 1", r"2 \cdot 2"),
     ("D16", r"\right)^2 = ", r"\right)^2 = 2 "),
-];
-
-/// Slips with which steps fail that cite the wrong equation: they are wrong too if that is believed.
-pub const SPREADING: &[(&str, &str, &str)] = &[
     ("N8", "R_{t+1} = R_t", "R_{t+1} = -R_t"),
     ("N8", "T_{t+1} = T_t", "T_{t+1} = 4 T_t"),
     ("D6", r"\frac{1}{4}", r"\frac{1}{2}"),
     ("D12", "e^n", "e^{2n}"),
+];
+
+/// Slips with which steps fail that cite the wrong equation: they are wrong too if that is believed.
+pub const SPREADING: &[(&str, &str, &str)] = &[
     ("R17", "2 E", "4 E"),
     ("H6", "v_0^{-1/5}", "v_0^{1/5}"),
     ("H9", "v_0^{11/5}", "v_0^{6/5}"),

@@ -62,6 +62,23 @@ hole!(limit_in_hypothesis_bounds_free_variable, {
     let p = Proving::new(c);
     p.checked(p.non_vanishing(&[("h", 1)], "1", &[]))
 });
+// Of 0/x there is a limit at 0.
+hole!(limit_in_hypothesis_bounds_its_place, {
+    let law = r"\lim_{x \to z} \frac{a}{x} = 0";
+    let c = claim(&[law], r"z \neq 0").domain("a", constant());
+    let p = Proving::new(c);
+    p.checked(p.non_vanishing(&[("z", 1)], "1", &[]))
+});
+hole!(limit_in_hypothesis_of_what_is_not_continuous, {
+    let law = r"y = \lim_{t \to 0} \frac{\sin t}{t}";
+    Proving::new(claim(&[law], "y = 7")).trivially()
+});
+hole!(limit_that_says_its_place_is_positive, {
+    let law = r"y = \lim_{t \to b} \sqrt{t} \sin t";
+    let c = claim(&[law], r"b \neq 0").domain("b", constant());
+    let p = Proving::new(c);
+    p.checked(p.non_vanishing(&[("b", 1)], "1", &[]))
+});
 hole!(held_by_pointwise_derivative, {
     let c = claim(&[r"\frac{ds}{dx} = 0"], r"\lim_{x \to 0} s x = 0").at_point(0);
     Proving::new(c).trivially()

@@ -146,6 +146,40 @@ fn improper_integrals_and_limits_of_exponentials() {
 }
 
 #[test]
+fn limits_where_nothing_jumps() {
+    for (right, wrong) in [
+        (
+            r"\lim_{x \to 0} (a \cos(w x) + b \sin(w x)) = a",
+            r"\lim_{x \to 0} (a \cos(w x) + b \sin(w x)) = b",
+        ),
+        (
+            r"\lim_{x \to 0} \frac{d}{dx}\left[b \sin(w x)\right] = w b",
+            r"\lim_{x \to 0} \frac{d}{dx}\left[b \sin(w x)\right] = b",
+        ),
+        (
+            r"\lim_{x \to k} c \exp(-x) = c \exp(-k)",
+            r"\lim_{x \to k} c \exp(-x) = c \exp(k)",
+        ),
+        (
+            r"\lim_{x \to 4} \frac{c \sqrt{x}}{x + 1} = \frac{2 c}{5}",
+            r"\lim_{x \to 4} \frac{c \sqrt{x}}{x + 1} = \frac{c}{5}",
+        ),
+    ] {
+        assert_eq!(checked(right), Ok(()), "{right}");
+        assert_eq!(checked(wrong), Err(Reject::IdentityFails), "{wrong}");
+    }
+    for none in [
+        r"\lim_{x \to 0} \frac{\sin x}{x} = 0",
+        r"\lim_{x \to 0} \frac{\cos x}{x} = 0",
+        r"\lim_{x \to 0} \ln x = 0",
+        r"\lim_{x \to -1} \sqrt{x} \cos x = 0",
+        r"\lim_{x \to 0} q \cos x = q",
+    ] {
+        assert!(checked(none).is_err(), "{none}");
+    }
+}
+
+#[test]
 fn law_of_logarithms_is_one_of_exponentials() {
     let laws = [r"\ln N - \ln M = -k t"];
     let bare = claim(&laws, r"N = M \exp(-k t)")

@@ -117,6 +117,13 @@ impl Lowering<'_> {
         }
         self.needed_on_the_way(&inner, &leading);
         self.conditions.zero.extend(held);
+        if let LimitPoint::Finite(_) = point {
+            // Where it vanishes there may be a limit all the same: that of 0/x at 0.
+            let inverse = below.recip()?.ok_or(LowerError::DivisionByZero)?;
+            let factors = inverse.denominator().map(|(factor, _)| factor.clone());
+            self.conditions.away.extend(factors);
+            return Ok(above.times(&inverse)?);
+        }
         Ok(above.times(&self.recip(&below)?)?)
     }
 
@@ -157,32 +164,48 @@ impl Lowering<'_> {
         if unknown || !explicit.mentions(variable) && !held.is_empty() {
             return Ok(None);
         }
-        let there = |condition: &Polynomial, atoms: &_| {
-            expr_of(condition, atoms).substitute(variable, place)
+        // What does not change on the way is so there, or nowhere; what does must be so there, or more would have to be known.
+        let (mut lasting, mut moved) = (Conditions::default(), Conditions::default());
+        lasting.zero = inner.zero.iter().cloned().chain(held).collect();
+        for condition in &inner.nonzero {
+            let term = expr_of(condition, self.atoms);
+            match term.mentions(variable) {
+                false => drop(lasting.nonzero.insert(condition.clone())),
+                true => {
+                    let there = self.lower(&term.substitute(variable, place))?;
+                    moved.away.insert(there.numerator().clone());
+                }
+            }
+        }
+        for condition in inner.positive.iter().chain(&inner.nonnegative) {
+            let term = expr_of(condition, self.atoms).substitute(variable, place);
+            let there = self.lower(&term)?;
+            moved.positive.insert(sign_of_fraction(&there)?);
+        }
+        let outer = std::mem::take(&mut self.conditions);
+        let there = self.lower(&explicit.substitute(variable, place));
+        let own = std::mem::replace(&mut self.conditions, outer);
+        let there = match there {
+            Err(LowerError::DivisionByZero) => return Ok(None),
+            there => there?,
         };
-        let nonzero: Vec<Expr> = inner
-            .nonzero
-            .iter()
-            .map(|own| there(own, self.atoms))
-            .collect();
-        let signs = inner.positive.iter().chain(&inner.nonnegative);
-        let positive: Vec<Expr> = signs.map(|own| there(own, self.atoms)).collect();
-        for condition in &nonzero {
-            let condition = self.lower(condition)?;
-            self.conditions
-                .nonzero
-                .insert(condition.numerator().clone());
+        moved.away.extend(own.nonzero);
+        moved.away.retain(|own| !lasting.nonzero.contains(own));
+        moved
+            .positive
+            .extend(own.positive.into_iter().chain(own.nonnegative));
+        let unknown = !(own.doubtful.is_empty() && own.bases.is_empty());
+        let is_positive = |own: &Polynomial| own.as_constant().is_some_and(|c| c.is_positive());
+        if unknown
+            || moved.away.iter().any(Polynomial::is_zero)
+            || !moved.positive.iter().all(is_positive)
+        {
+            return Ok(None);
         }
-        for condition in &positive {
-            let condition = self.lower(condition)?;
-            self.conditions
-                .positive
-                .insert(sign_of_fraction(&condition)?);
-        }
-        self.conditions
-            .zero
-            .extend(inner.zero.iter().cloned().chain(held));
-        self.lower(&explicit.substitute(variable, place)).map(Some)
+        moved.away.retain(|own| own.as_constant().is_none());
+        self.conditions.extend(lasting);
+        self.conditions.away.extend(moved.away);
+        Ok(Some(there))
     }
 
     /// The only exponential in which the variable is, and what must be positive so that it grows beyond all bounds towards

@@ -57,6 +57,8 @@ pub struct Conditions {
     /// What a power with a whole exponent that may be negative is taken of: it must not vanish. Where such a power is
     /// asserted it may all the same, for the exponent need not be negative.
     pub bases: Set<Polynomial>,
+    /// What a limit has another value for where it vanishes, or none: it must not, but that there is a limit does not say so.
+    pub away: Set<Polynomial>,
     /// Terms of which it is not known whether they have a value: a limit that may not exist.
     pub doubtful: Set<Expr>,
 }
@@ -68,6 +70,7 @@ impl Conditions {
         self.nonnegative.extend(other.nonnegative);
         self.positive.extend(other.positive);
         self.bases.extend(other.bases);
+        self.away.extend(other.away);
         self.doubtful.extend(other.doubtful);
     }
 
@@ -80,13 +83,14 @@ impl Conditions {
             nonnegative: all(self.nonnegative),
             positive: all(self.positive),
             bases: all(self.bases),
+            away: all(self.away),
             doubtful: self.doubtful,
         }
     }
 
     /// What must not vanish.
     pub fn divisors(&self) -> impl Iterator<Item = &Polynomial> {
-        self.nonzero.iter().chain(&self.bases)
+        self.nonzero.iter().chain(&self.bases).chain(&self.away)
     }
 
     /// Every polynomial that some condition is about.

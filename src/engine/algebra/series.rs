@@ -153,7 +153,8 @@ impl Lowering<'_> {
     /// have from the first value on; `None` where it needs anything else.
     fn conditions_outside(&self, index: &Symbol) -> Option<[Vec<Expr>; 2]> {
         let conditions = &self.conditions;
-        let others = !conditions.zero.is_empty() || !conditions.doubtful.is_empty();
+        let limits = !conditions.zero.is_empty() || !conditions.away.is_empty();
+        let others = limits || !conditions.doubtful.is_empty();
         if others || !conditions.nonnegative.is_empty() || !conditions.positive.is_empty() {
             return None;
         }

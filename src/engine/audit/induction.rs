@@ -23,21 +23,30 @@ impl Judge<'_> {
         found: &mut Found,
     ) -> bool {
         let claims = self.claims_for_every(goal, assumed);
-        if claims.is_empty() {
+        let page = self.derivation.equations[self.at].page;
+        if claims.is_empty() && self.derivation.running(page).is_empty() {
             return false;
         }
-        for claim in &claims {
-            let Some((holds, used)) = search::prove_for_every(claim) else {
-                continue;
-            };
-            let (kept, least) = self.least_for_every(claim, holds, &used, goal, assumed);
-            if self.is_contradictory(&kept, goal) {
-                found.contradictory = sources(&kept);
+        if self.proved_for_every(&claims, goal, assumed, found) {
+            return true;
+        }
+        // What the author crosses out need not follow from anything else.
+        let marked = self.derivation.equations[self.at].kind == Kind::Marked && goal.questioned;
+        // What gives every element is mostly not cited again.
+        if !condition
+            && !marked
+            && let Some(all) = self.with_others(assumed, premises)
+            && self.proved_for_every(&self.claims_for_every(goal, &all), goal, &all, found)
+        {
+            // What is not cited is no premise that could contradict others.
+            if found.contradictory.is_empty() {
+                found.instead = sources(&found.judged.assumed);
                 return true;
             }
-            found.judged.assumed = kept;
-            found.judged.outcome = Outcome::ForEvery(least.into());
-            return true;
+            found.contradictory.clear();
+        }
+        if claims.is_empty() {
+            return false;
         }
         // A sum says itself what it is further on, and values at one index refute what is said of it; so they do where nothing ties
         // an index to another.
@@ -45,8 +54,6 @@ impl Judge<'_> {
         if condition || claims.iter().all(alone) {
             return false;
         }
-        // What the author crosses out need not follow from anything else.
-        let marked = self.derivation.equations[self.at].kind == Kind::Marked && goal.questioned;
         if !marked {
             let attempts = self.attempts(goal, assumed, premises, None);
             if self.rescue(goal, &attempts, &NEARBY, found) {
@@ -68,6 +75,28 @@ impl Judge<'_> {
                 });
             }
         }
+        true
+    }
+
+    /// Whether one of these claims is proved, or its premises contradict one another.
+    fn proved_for_every(
+        &self,
+        claims: &[ForEvery],
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
+        let proved = |claim| Some((claim, search::prove_for_every(claim)?));
+        let Some((claim, (holds, used))) = claims.iter().find_map(proved) else {
+            return false;
+        };
+        let (kept, least) = self.least_for_every(claim, holds, &used, goal, assumed);
+        if self.is_contradictory(&kept, goal) {
+            found.contradictory = sources(&kept);
+            return true;
+        }
+        found.judged.assumed = kept;
+        found.judged.outcome = Outcome::ForEvery(least.into());
         true
     }
 

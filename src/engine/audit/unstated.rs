@@ -174,6 +174,10 @@ impl Judge<'_> {
         };
         let meant = unless.divided.iter().all(may_be_meant);
         let conditions = unless.conditions();
+        // What is to be shown is no condition of its own.
+        if conditions.contains(&claim.goal) {
+            return None;
+        }
         if witness.is_some() {
             found.conditions.clone_from(&conditions);
         }

@@ -41,6 +41,7 @@ impl Problem {
             // Powers that are not whole would need more than is known.
             let plain = lowering.conditions.nonnegative.is_empty()
                 && lowering.conditions.bases.is_empty()
+                && lowering.conditions.away.is_empty()
                 && lowering.conditions.doubtful.is_empty();
             if !plain || self.speaks_of_logarithms(&value) {
                 continue;

@@ -214,8 +214,8 @@ impl Problem {
         let value = lowering.lower(&base).ok()?;
         let conditions = lowering.conditions;
         let exponent = *exponent;
-        (conditions.doubtful.is_empty() && conditions.zero.is_empty())
-            .then_some(Base { value, exponent })
+        let plain = conditions.zero.is_empty() && conditions.away.is_empty();
+        (plain && conditions.doubtful.is_empty()).then_some(Base { value, exponent })
     }
 
     fn about(&self, power: Var, base: &Base, knowledge: &Knowledge) -> Result<Vec<Fact>, Reject> {

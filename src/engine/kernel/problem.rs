@@ -357,6 +357,10 @@ impl Problem {
             }
             None => self.read(formula)?,
         };
+        let fact = match fact {
+            Some(fact) => away_from(fact, &conditions.away)?,
+            None => None,
+        };
         self.take(fact, conditions, &origin);
         Ok(())
     }
@@ -454,7 +458,7 @@ impl Problem {
                 let mut lowering = self.lowering();
                 let common = lowering.lower(value)?;
                 // A limit with something held constant: see `assume`.
-                if !lowering.conditions.zero.is_empty() {
+                if !(lowering.conditions.zero.is_empty() && lowering.conditions.away.is_empty()) {
                     return Ok(());
                 }
                 common
@@ -572,6 +576,25 @@ fn unfolded(claim: &Claim, unfold: &[usize], sequences: &Set<Symbol>) -> Result<
         values.push((symbol, term));
     }
     Ok((formulas, goal, values))
+}
+
+/// What a premise says if something vanishes, too, where its terms are read as if that did not: nothing then.
+fn away_from(fact: Fact, away: &Set<Polynomial>) -> Result<Option<Fact>, Reject> {
+    let Fact {
+        mut polynomial,
+        mut sign,
+    } = fact;
+    for factor in away {
+        polynomial = match sign {
+            Sign::Zero => polynomial.times(factor)?,
+            Sign::NonNegative | Sign::Positive => {
+                sign = Sign::NonNegative;
+                polynomial.times(factor)?.times(factor)?
+            }
+            Sign::NonZero => return Ok(None),
+        };
+    }
+    Ok(Some(Fact { polynomial, sign }))
 }
 
 /// `symbol = term`, the term not mentioning the symbol.

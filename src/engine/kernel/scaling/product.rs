@@ -91,7 +91,8 @@ impl Reader {
         let value = lowering.lower(term)?;
         // Quantities are not 0 here, and roots are of sizes; but a limit or a sum may have no value at all.
         let conditions = lowering.conditions;
-        match conditions.zero.is_empty() && conditions.doubtful.is_empty() {
+        let plain = conditions.zero.is_empty() && conditions.away.is_empty();
+        match plain && conditions.doubtful.is_empty() {
             true => Ok(value),
             false => Err(Reject::NotAProduct(term.clone())),
         }

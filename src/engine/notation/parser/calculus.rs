@@ -176,7 +176,7 @@ impl Parser<'_> {
         // An integral above the stroke has a differential of its own.
         let integrals = (start + 1..end).filter(|&at| self.kind(at) == Kind::Command("int"));
         let own = signs().count() > integrals.count();
-        let Some(sign) = signs().last().filter(|_| own) else {
+        let Some(sign) = signs().next_back().filter(|_| own) else {
             return Ok(None);
         };
         self.at = sign + 1;
