@@ -1,5 +1,6 @@
 //! Counts of which nobody says so: what a sum runs to, and the index of a recurrence, is a natural number whether that is said or not.
 
+use std::cell::LazyCell;
 use std::collections::BTreeSet;
 
 use crate::algebra::{BigRational, Expr, Formula, Place, Symbol, split_subscript};
@@ -10,7 +11,7 @@ use crate::sorted::Tree;
 use super::Equation;
 use super::equation::formulas;
 use super::page::Page;
-use super::running::{Offsets, family, has_numbered, offsets, recurs};
+use super::running::{Offsets, family, numbered, offsets, recurs};
 
 /// Gives what can only be a count, and is declared to be nothing else, the domain of one.
 ///
@@ -21,6 +22,7 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
     let mut steps: Vec<(Symbol, Symbol, i64)> = Vec::new();
     // What is known for a count by its letter where a sequence is given in terms of it.
     let usual = Symbol::new("n");
+    let begun = LazyCell::new(|| numbered(equations, &usual));
     // What the author says to run through whole numbers, and from which on.
     let mut said_to_run: Tree<Symbol, Option<i64>> = Tree::new();
     for statement in equations.iter().flat_map(Equation::statements) {
@@ -34,7 +36,7 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
                 limits(term, &mut Vec::new(), &mut counts);
             }
             if let Some(stem) = family(&formula, &usual)
-                && equations.iter().any(|own| has_numbered(own, &stem, &usual))
+                && begun.contains(&stem)
             {
                 steps.push((usual.clone(), stem, 0));
                 counts.insert(usual.clone());

@@ -90,25 +90,49 @@ fn names_in(source: &str, body: Span) -> BTreeSet<Symbol> {
     names.collect()
 }
 
-/// What is known of sequences, each with its index.
+/// What is known of sequences, by their names, each with its index.
 #[derive(Default)]
-struct Sequences {
+struct Sequences(Tree<Symbol, Vec<(Symbol, Sequence)>>);
+
+/// What is known of a sequence.
+#[derive(Default)]
+struct Sequence {
     /// How many elements it takes to begin a recurrence.
-    orders: Tree<(Symbol, Symbol), i64>,
-    /// Those whose elements are all given at once: `L_n = 3 n`.
-    whole: BTreeSet<(Symbol, Symbol)>,
-    /// Those whose elements are given in terms of others': `y_n = x_n^2`.
-    tied: BTreeSet<(Symbol, Symbol)>,
+    order: Option<i64>,
+    /// All elements are given at once: `L_n = 3 n`.
+    whole: bool,
+    /// Each element is given in terms of others': `y_n = x_n^2`.
+    tied: bool,
 }
 
 impl Sequences {
+    fn entry(&mut self, stem: Symbol, index: &Symbol) -> &mut Sequence {
+        let known = self.0.entry(stem).or_default();
+        let at = known.iter().position(|(own, _)| own == index);
+        let at = at.unwrap_or_else(|| {
+            known.push((index.clone(), Sequence::default()));
+            known.len() - 1
+        });
+        &mut known[at].1
+    }
+
+    /// The sequences of which a symbol is an element, each with its index, and its place there.
+    fn of(&self, symbol: &Symbol) -> impl Iterator<Item = (&Symbol, &Sequence, Place)> {
+        let stem = split_subscript(symbol.name()).map(|(stem, _)| Symbol::new(stem));
+        let known = stem
+            .and_then(|stem| self.0.get(&stem))
+            .into_iter()
+            .flatten();
+        known.filter_map(|(index, own)| Some((index, own, symbol.place(index)?.1)))
+    }
+
     fn learn_term(&mut self, formula: &Formula) {
         let Some((Expr::Symbol(symbol), right)) = formula.as_equation() else {
             return;
         };
         for index in right.free_symbols().iter() {
             if let Some(stem) = family(formula, index) {
-                self.whole.insert((index.clone(), stem));
+                self.entry(stem, index).whole = true;
             }
         }
         // `y_n = x_n^2` says what `y_{n+1}` is, but `y_1` may be what the sequence begins with.
@@ -118,23 +142,22 @@ impl Sequences {
             && right.depends_on(&index)
             && let Some((stem, Place::Running(0))) = symbol.place(&index)
         {
-            self.tied.insert((index, stem));
+            self.entry(stem, &index).tied = true;
         }
     }
 
     /// Whether a symbol is an element of a sequence of which something is known.
     fn have(&self, symbol: &Symbol) -> bool {
-        let mut known = self.orders.keys().chain(&self.whole);
-        known.any(|(index, stem)| symbol.place(index).is_some_and(|(own, _)| own == *stem))
+        let mut known = self.of(symbol);
+        known.any(|(_, own, _)| own.whole || own.order.is_some())
     }
 
     fn learn(&mut self, formula: &Formula) {
         for (index, offsets) in counts::recurrences(formula) {
             for (stem, (least, greatest)) in offsets {
                 if least < greatest {
-                    let order = self.orders.entry((index.clone(), stem));
-                    let order = order.or_insert(greatest - least);
-                    *order = (greatest - least).min(*order);
+                    let order = &mut self.entry(stem, &index).order;
+                    *order = Some(order.map_or(greatest - least, |own| own.min(greatest - least)));
                 }
             }
         }
@@ -143,32 +166,23 @@ impl Sequences {
     /// Whether a symbol is an element of such a sequence that the recurrence leads to: it needs no definition, though it may
     /// not have been written before. The first so many elements do.
     fn know(&self, symbol: &Symbol, seen: &BTreeSet<Symbol>) -> bool {
-        let mut whole = self.whole.iter();
-        let is_given = whole.any(|(index, stem)| {
-            let place = symbol.place(index);
-            place.is_some_and(|(own, place)| own == *stem && !matches!(place, Place::Running(0)))
-        });
-        let is_tied = self.tied.iter().any(|(index, stem)| {
-            let place = symbol.place(index);
-            place.is_some_and(|(own, place)| {
-                own == *stem && matches!(place, Place::Running(offset) if offset != 0)
-            })
-        });
-        is_given
-            || is_tied
-            || self.orders.iter().any(|((index, stem), order)| {
-                let number = |s: &Symbol| match s.place(index) {
-                    Some((own, Place::Number(_))) => own == *stem,
-                    _ => false,
-                };
-                match symbol.place(index) {
-                    Some((own, Place::Running(_))) => own == *stem,
-                    Some(_) if number(symbol) => {
-                        seen.iter().filter(|s| number(s)).count() as i64 >= *order
+        self.of(symbol).any(|(index, own, place)| {
+            let given = own.whole && place != Place::Running(0);
+            let tied = own.tied && matches!(place, Place::Running(offset) if offset != 0);
+            given
+                || tied
+                || own.order.is_some_and(|order| match place {
+                    Place::Running(_) => true,
+                    Place::Number(_) => {
+                        let stem = symbol.place(index).map(|(stem, _)| stem);
+                        let number = |s: &&Symbol| {
+                            matches!(s.place(index), Some((own, Place::Number(_))) if Some(&own) == stem.as_ref())
+                        };
+                        seen.iter().filter(number).count() as i64 >= order
                     }
-                    _ => false,
-                }
-            })
+                    Place::Unclear => false,
+                })
+        })
     }
 }
 

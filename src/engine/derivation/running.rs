@@ -4,6 +4,9 @@
 //! bound and not `constant`) and has a recurrence in it: something that speaks of an element and of another a fixed
 //! number of places away, as `E_{n+1} = e^2 E_n` does. Where nothing of the kind is written, `v_1` and `v_n` are labels.
 
+use std::cell::LazyCell;
+use std::collections::BTreeSet;
+
 use crate::algebra::{Expr, Formula, Place, Symbol, mentions_symbol, running_symbol};
 use crate::kernel::{Domain, ForEvery};
 
@@ -44,9 +47,10 @@ pub(super) fn running(page: &Page, equations: &[Equation]) -> Vec<Running> {
     }
     let given: Vec<Formula> = given.collect();
     let found = indices.filter(|index| {
-        let begins = |stem: &Symbol| equations.iter().any(|own| has_numbered(own, stem, index));
+        let numbered = LazyCell::new(|| numbered(equations, index));
         all().any(|f| {
-            recurs(&offsets(&f, index)) || family(&f, index).is_some_and(|stem| begins(&stem))
+            let is_numbered = |stem| numbered.contains(&stem);
+            recurs(&offsets(&f, index)) || family(&f, index).is_some_and(is_numbered)
         })
     });
     let found = found.map(|index| Running {
@@ -87,11 +91,14 @@ pub(super) fn family(formula: &Formula, index: &Symbol) -> Option<Symbol> {
     (named.contains(index) && !named.iter().any(shifted)).then_some(stem)
 }
 
-/// Whether an equation speaks of an element of a sequence by its number: `E_1`.
-pub(super) fn has_numbered(equation: &Equation, stem: &Symbol, index: &Symbol) -> bool {
-    let is =
-        |own: &Symbol| matches!(own.place(index), Some((own, Place::Number(_))) if own == *stem);
-    equation.symbols().iter().any(is)
+/// The sequences of which some equation has an element with its number: `E` where there is an `E_1`.
+pub(super) fn numbered(equations: &[Equation], index: &Symbol) -> BTreeSet<Symbol> {
+    let symbols = equations.iter().flat_map(Equation::symbols);
+    let stems = symbols.filter_map(|own| match own.place(index)? {
+        (stem, Place::Number(_)) => Some(stem),
+        _ => None,
+    });
+    stems.collect()
 }
 
 /// Whether two elements of one sequence, a fixed number of places from each other, are among those that run with an index.
