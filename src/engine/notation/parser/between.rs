@@ -247,7 +247,7 @@ impl Parser<'_> {
                 );
             }
         };
-        let named = upper
+        let told = upper
             .of
             .as_ref()
             .or(lower.as_ref().and_then(|own| own.of.as_ref()));
@@ -255,7 +255,7 @@ impl Parser<'_> {
         let integral = near.find(|(_, own)| {
             Some(&own.from.at) == lower.as_ref().map(|own| &own.at) && own.to.at == upper.at
         });
-        let variable = named.or(integral.map(|(variable, _)| variable)).cloned();
+        let variable = told.or(integral.map(|(variable, _)| variable)).cloned();
         let Some(variable) = variable else {
             return refuse_with(
                 self.since(start),
@@ -264,23 +264,24 @@ impl Parser<'_> {
             );
         };
         let is_other = |own: &Limit| own.of.as_ref().is_some_and(|own| *own != variable);
-        let runs = term.free_symbols().contains(&variable);
+        let named = term.free_symbols();
+        let runs = named.contains(&variable);
         // What a bracket is drawn around runs with it; what is evaluated at a bar may depend on it unseen.
-        let hides = named.is_some() && !square;
+        let hides = told.is_some() && !square;
         if is_other(&upper) || lower.as_ref().is_some_and(is_other) || !runs && !hides {
             return refuse(
                 self.since(start),
                 format!("nothing in this bracket runs with `{variable}`"),
             );
         }
-        // What depends on the variable without its being written there is known by its limit alone.
+        // What may depend on the variable without its being written there is known by its limit alone.
         let moves = |part: &Expr| {
             matches!(
                 part,
                 Expr::Derivative { .. } | Expr::Integral { .. } | Expr::Apply(..)
             )
         };
-        let hidden = !runs || term.any(&moves);
+        let hidden = named.iter().any(|own| *own != variable) || term.any(&moves);
         let at = |limit: LimitPoint| match limit {
             LimitPoint::Finite(value) if !hidden => term.substitute(&variable, &value),
             point => Expr::Limit {

@@ -215,6 +215,7 @@ impl Parser<'_> {
                     self.advance();
                     let (between, variable) = self.between(start, &before.expr, false)?;
                     product.push(between)?;
+                    stroke = None;
                     self.barred = Some(variable);
                 }
                 _ if self.starts_factor() => {
