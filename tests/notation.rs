@@ -548,12 +548,12 @@ fn spellings_of_one_term() {
         ),
         (
             &[r"\left[ \frac{k}{x} \right]_{x=a}^\infty"],
-            r"\lim_{x \to \infty} \frac{k}{x} - \frac{k}{a}",
+            r"\lim_{x \to \infty} \frac{k}{x} - \lim_{x \to a} \frac{k}{x}",
         ),
         (&[r"k \left. x^2 \right|_{x=a}^{x=b}"], r"k (b^2 - a^2)"),
         (
             &[r"k x^2 \Big|_{x=a}^{x=b}", r"k x^2 |_{x=a}^b"],
-            r"k b^2 - k a^2",
+            r"\lim_{x \to b} k x^2 - \lim_{x \to a} k x^2",
         ),
         (
             &[

@@ -219,18 +219,17 @@ fn first<T>(
 
 /// A point at which all hypotheses hold, or a proof that there is none. `hints` are points to start from.
 pub fn consistency(claim: &Claim, hints: &[Assignment]) -> Consistency {
-    let of = |claim: &Claim| {
-        let unfold = unfold::definitions_to_unfold(claim);
-        match Obligation::of_premises(claim.clone(), unfold) {
-            Ok(premises) => consistency_posed(&premises, hints),
-            Err(_) => Consistency::Unknown,
-        }
+    let of = |claim: &Claim, unfold: Vec<usize>| {
+        let premises = Obligation::of_premises(claim.clone(), unfold);
+        premises.map_or(Consistency::Unknown, |own| consistency_posed(&own, hints))
     };
+    let unfold = unfold::definitions_to_unfold(claim);
     // What is true together where more is constant is true together.
-    let held = still::held_constant(claim).map(|constant| of(&constant));
+    let held = still::held_constant(claim, &unfold);
+    let held = held.map(|constant| of(&constant, unfold::definitions_to_unfold(&constant)));
     match held {
         Some(model @ Consistency::Model(_)) => model,
-        _ => of(claim),
+        _ => of(claim, unfold),
     }
 }
 

@@ -16,7 +16,7 @@ const MOST_TIMES: usize = 2;
 pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
     let (problem, _) = with_rates(obligation)?;
     let claim = obligation.claim();
-    let still = still::held_still(claim, &problem);
+    let still = still::held_still(obligation, &problem);
     let found = |conditions: &[Formula]| attempt(&pose(assuming(claim, conditions)).ok()?);
     let needs = match found(&still)? {
         Attempt::Needs(needs) => needs,

@@ -5,7 +5,7 @@ use super::course::{differentiated, said_to_move};
 use super::refute::Points;
 use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
 use crate::algebra::{Atom, Expr, Formula, Symbol, element_parts};
-use crate::kernel::{Claim, Obligation, Problem, Refuted};
+use crate::kernel::{Claim, Obligation, Problem, Refuted, definition};
 use crate::sorted::Set;
 
 /// More quantities than this that might change are not looked at one by one.
@@ -13,7 +13,7 @@ const MOST_STILL: usize = 8;
 
 /// Decides a claim in which symbols might change of which the author does not say so.
 pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
-    let still = held_still(obligation.claim(), obligation.problem());
+    let still = held_still(obligation, obligation.problem());
     let claim = obligation.claim();
     let with = |still: &[Formula]| pose(assuming(claim, still)).ok();
     let proved = |still: &[Formula]| -> Option<Derived> {
@@ -45,7 +45,7 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
 /// A counterexample in which what is held still is constant: only then it is known what an integral is worth, or a slope of a slope.
 fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
     let claim = obligation.claim();
-    let mut held = in_integrands(claim);
+    let mut held = in_integrands(claim, obligation.unfold());
     let slopes = slopes_held_still(obligation.problem(), &said_to_move(claim));
     held.extend(
         slopes
@@ -61,13 +61,20 @@ fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
 }
 
 /// The claim with what stands in its integrands constant, where the author does not say that it moves; `None` where nothing
-/// does.
-pub(super) fn held_constant(claim: &Claim) -> Option<Claim> {
-    with_constants(claim, in_integrands(claim))
+/// does. The hypotheses `unfold` are put in.
+pub(super) fn held_constant(claim: &Claim, unfold: &[usize]) -> Option<Claim> {
+    with_constants(claim, in_integrands(claim, unfold))
+}
+
+/// The symbols for which hypotheses put in the terms that define them: how these move is said there.
+fn put_in(claim: &Claim, unfold: &[usize]) -> Set<Symbol> {
+    let hypotheses = unfold.iter().filter_map(|&at| claim.hypotheses.get(at));
+    let defined = hypotheses.filter_map(|own| definition(&own.formula));
+    defined.map(|(symbol, _)| symbol).collect()
 }
 
 /// What stands in integrands and is not said to move.
-fn in_integrands(claim: &Claim) -> Set<Symbol> {
+fn in_integrands(claim: &Claim, unfold: &[usize]) -> Set<Symbol> {
     let is_constant = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(|own| own.constant);
     let mut held: Set<Symbol> = Set::new();
     for term in claim.formulas().flat_map(Formula::terms) {
@@ -78,8 +85,8 @@ fn in_integrands(claim: &Claim) -> Set<Symbol> {
         });
     }
     if !held.is_empty() {
-        let said = said_to_move(claim);
-        held.retain(|symbol| !said.contains(symbol));
+        let (said, known) = (said_to_move(claim), put_in(claim, unfold));
+        held.retain(|symbol| !said.contains(symbol) && !known.contains(symbol));
     }
     held
 }
@@ -110,15 +117,18 @@ pub(super) fn fewest(
 /// What might change in a claim, of which the author does not say so, held still.
 pub fn still_in(claim: Claim) -> Vec<Formula> {
     let posed = pose(claim);
-    let still = posed.map(|posed| held_still(posed.claim(), posed.problem()));
+    let still = posed.map(|posed| held_still(&posed, posed.problem()));
     let mut still = still.unwrap_or_default();
     still.truncate(MOST_STILL);
     still
 }
 
-/// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by.
-pub(super) fn held_still(claim: &Claim, problem: &Problem) -> Vec<Formula> {
+/// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by. The problem
+/// may be the obligation's with its laws differentiated.
+pub(super) fn held_still(obligation: &Obligation, problem: &Problem) -> Vec<Formula> {
+    let claim = obligation.claim();
     let said = said_to_move(claim);
+    let known = put_in(claim, obligation.unfold());
     let slopes = slopes_held_still(problem, &said).into_iter();
     let zero = |slope: Expr| Formula::equal(slope, Expr::integer(0));
     let mut still: Vec<Formula> = slopes.map(zero).collect();
@@ -130,7 +140,8 @@ pub(super) fn held_still(claim: &Claim, problem: &Problem) -> Vec<Formula> {
                 variable: variable.clone(),
             };
             let held = Formula::equal(slope, Expr::integer(0));
-            if !constant && !said.contains(symbol) && !still.contains(&held) {
+            let moves = said.contains(symbol) || known.contains(symbol);
+            if !constant && !moves && !still.contains(&held) {
                 still.push(held);
             }
         });
