@@ -6,9 +6,11 @@ use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 
 use cradle_verify::algebra::{
-    Atom, Atoms, BigInt, BigRational, Expr, Fraction, Lowering, Monomial, Polynomial, Rational,
-    Symbol, Var,
+    Atom, Atoms, BigInt, BigRational, EvaluateError, Expr, Fraction, Lowering, Monomial,
+    Polynomial, Rational, Symbol, Values, Var,
 };
+use cradle_verify::document::Span;
+use cradle_verify::notation::read_expr;
 use cradle_verify::sorted::{Map, Set};
 use num_traits::{One, Pow, Signed, Zero};
 use proptest::prelude::*;
@@ -320,10 +322,10 @@ proptest! {
     }
 }
 
-type Values = Map<Symbol, BigRational>;
+type Point = Map<Symbol, BigRational>;
 
 /// The value of a term by the definition of each operation; `None` where it is not defined.
-fn naive(expr: &Expr, at: &Values) -> Option<BigRational> {
+fn naive(expr: &Expr, at: &Point) -> Option<BigRational> {
     Some(match expr {
         Expr::Number(number) => number.clone(),
         Expr::Symbol(symbol) => at.get(symbol)?.clone(),
@@ -442,7 +444,7 @@ proptest! {
         numbers in prop::collection::vec((-5i64..6, 1i64..4), 6),
     ) {
         let names = ["x", "y", "z", "u_1", "u_2", "u_3"];
-        let values: Values = names.iter().zip(&numbers)
+        let values: Point = names.iter().zip(&numbers)
             .map(|(name, &(n, d))| (Symbol::new(*name), BigRational::new(n.into(), d.into())))
             .collect();
         let mut atoms = Atoms::default();
@@ -474,4 +476,22 @@ proptest! {
             prop_assert_eq!((value_of(fraction.numerator()) / below).to_big(), expected);
         }
     }
+}
+
+#[test]
+fn a_limit_has_a_value_only_where_it_is_known_to_be_one() {
+    let falling = r"\lim_{x \to \infty} \exp(-k x)";
+    let falling = read_expr(falling, Span::new(0, falling.len())).expect("a limit");
+    let at = |rate: i64| {
+        let rate = BigRational::from_integer(rate.into());
+        let values = Values {
+            symbols: [(Symbol::new("k"), rate)].into_iter().collect(),
+            still: true,
+            ..Values::default()
+        };
+        values.value(&falling)
+    };
+    assert_eq!(at(1), Ok(BigRational::zero()));
+    // There it grows beyond all bounds.
+    assert!(matches!(at(-1), Err(EvaluateError::Unsupported(_))));
 }

@@ -57,28 +57,29 @@ hole!(
     )
     .trivially()
 );
-hole!(limit_in_hypothesis_bounds_free_variable, {
-    let c = claim(&[r"\lim_{h \to 0} \frac{h x}{h} = y"], r"h \neq 0").domain("x", constant());
-    let p = Proving::new(c);
-    p.checked(p.non_vanishing(&[("h", 1)], "1", &[]))
-});
+/// That a symbol is not 0, because what a law says would have no value otherwise.
+fn nonzero_by(law: &str, symbol: &str, fixed: &str) -> Result<(), Reject> {
+    let goal = format!(r"{symbol} \neq 0");
+    let p = Proving::new(claim(&[law], &goal).domain(fixed, constant()));
+    p.checked(p.non_vanishing(&[(symbol, 1)], "1", &[]))
+}
+hole!(
+    limit_in_hypothesis_bounds_free_variable,
+    nonzero_by(r"\lim_{h \to 0} \frac{h x}{h} = y", "h", "x")
+);
 // Of 0/x there is a limit at 0.
-hole!(limit_in_hypothesis_bounds_its_place, {
-    let law = r"\lim_{x \to z} \frac{a}{x} = 0";
-    let c = claim(&[law], r"z \neq 0").domain("a", constant());
-    let p = Proving::new(c);
-    p.checked(p.non_vanishing(&[("z", 1)], "1", &[]))
-});
-hole!(limit_in_hypothesis_of_what_is_not_continuous, {
-    let law = r"y = \lim_{t \to 0} \frac{\sin t}{t}";
-    Proving::new(claim(&[law], "y = 7")).trivially()
-});
-hole!(limit_that_says_its_place_is_positive, {
-    let law = r"y = \lim_{t \to b} \sqrt{t} \sin t";
-    let c = claim(&[law], r"b \neq 0").domain("b", constant());
-    let p = Proving::new(c);
-    p.checked(p.non_vanishing(&[("b", 1)], "1", &[]))
-});
+hole!(
+    limit_in_hypothesis_bounds_its_place,
+    nonzero_by(r"\lim_{x \to z} \frac{a}{x} = 0", "z", "a")
+);
+hole!(
+    limit_that_says_its_place_is_positive,
+    nonzero_by(r"y = \lim_{t \to b} \sqrt{t} \sin t", "b", "b")
+);
+hole!(
+    limit_in_hypothesis_of_what_is_not_continuous,
+    Proving::new(claim(&[r"y = \lim_{t \to 0} \frac{\sin t}{t}"], "y = 7")).trivially()
+);
 hole!(held_by_pointwise_derivative, {
     let c = claim(&[r"\frac{ds}{dx} = 0"], r"\lim_{x \to 0} s x = 0").at_point(0);
     Proving::new(c).trivially()

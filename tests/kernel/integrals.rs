@@ -22,6 +22,20 @@ fn checked(goal: &str) -> Result<(), Reject> {
     p.checked(p.combination(&[], 1, &[]))
 }
 
+/// The first of each pair is proved, and the second is not.
+fn told_apart(pairs: &[(&str, &str)]) {
+    for (right, wrong) in pairs {
+        assert_eq!(checked(right), Ok(()), "{right}");
+        assert_eq!(checked(wrong), Err(Reject::IdentityFails), "{wrong}");
+    }
+}
+
+fn refused(goals: &[&str]) {
+    for none in goals {
+        assert!(checked(none).is_err(), "{none}");
+    }
+}
+
 /// Terms in x.
 const TERMS: &[&str] = &[
     "x^3",
@@ -101,7 +115,7 @@ fn what_may_move_is_not_taken_out() {
 
 #[test]
 fn improper_integrals_and_limits_of_exponentials() {
-    for (right, wrong) in [
+    told_apart(&[
         (
             r"\int_a^\infty \frac{k}{x^2} \, dx = \frac{k}{a}",
             r"\int_a^\infty \frac{k}{x^2} \, dx = \frac{k}{a^2}",
@@ -122,20 +136,15 @@ fn improper_integrals_and_limits_of_exponentials() {
             r"\lim_{x \to \infty} \frac{c \exp(k x) + x}{\exp(k x) - x} = c",
             r"\lim_{x \to \infty} \frac{c \exp(k x) + x}{\exp(k x) - x} = 1",
         ),
-    ] {
-        assert_eq!(checked(right), Ok(()), "{right}");
-        assert_eq!(checked(wrong), Err(Reject::IdentityFails), "{wrong}");
-    }
+    ]);
     // What grows, or may grow, has no limit there.
-    for none in [
+    refused(&[
         r"\lim_{x \to \infty} \exp(k x) = 0",
         r"\lim_{x \to -\infty} \exp(-k x) = 0",
         r"\int_a^\infty \frac{k}{x} \, dx = 0",
         r"\int_a^\infty k \, dx = 0",
         r"\int_{-\infty}^b \exp(-k x) \, dx = 0",
-    ] {
-        assert!(checked(none).is_err(), "{none}");
-    }
+    ]);
     let unsigned = claim(&[], r"\lim_{x \to \infty} \exp(-q x) = 0").domain("q", constant());
     let p = Proving::new(unsigned);
     let refused = p.checked(p.combination(&[], 1, &[]));
@@ -147,7 +156,7 @@ fn improper_integrals_and_limits_of_exponentials() {
 
 #[test]
 fn limits_where_nothing_jumps() {
-    for (right, wrong) in [
+    told_apart(&[
         (
             r"\lim_{x \to 0} (a \cos(w x) + b \sin(w x)) = a",
             r"\lim_{x \to 0} (a \cos(w x) + b \sin(w x)) = b",
@@ -164,19 +173,14 @@ fn limits_where_nothing_jumps() {
             r"\lim_{x \to 4} \frac{c \sqrt{x}}{x + 1} = \frac{2 c}{5}",
             r"\lim_{x \to 4} \frac{c \sqrt{x}}{x + 1} = \frac{c}{5}",
         ),
-    ] {
-        assert_eq!(checked(right), Ok(()), "{right}");
-        assert_eq!(checked(wrong), Err(Reject::IdentityFails), "{wrong}");
-    }
-    for none in [
+    ]);
+    refused(&[
         r"\lim_{x \to 0} \frac{\sin x}{x} = 0",
         r"\lim_{x \to 0} \frac{\cos x}{x} = 0",
         r"\lim_{x \to 0} \ln x = 0",
         r"\lim_{x \to -1} \sqrt{x} \cos x = 0",
         r"\lim_{x \to 0} q \cos x = q",
-    ] {
-        assert!(checked(none).is_err(), "{none}");
-    }
+    ]);
 }
 
 #[test]

@@ -410,21 +410,19 @@ impl Values {
             let value = value.map_err(|_| unsupported())?;
             Ok(value.ok_or_else(unsupported)?.to_big())
         };
-        // There is an integral only where the integrand has a value all the way.
-        if let Expr::Integral { .. } = term {
-            let mut fits = conditions.doubtful.is_empty();
-            for base in &conditions.positive {
-                fits &= polynomial(base)?.is_positive();
-            }
-            for base in &conditions.nonnegative {
-                fits &= !polynomial(base)?.is_negative();
-            }
-            for base in &conditions.zero {
-                fits &= polynomial(base)?.is_zero();
-            }
-            if !fits {
-                return Err(unsupported());
-            }
+        // There is a limit, or an integral, only where what it is taken of has a value all the way.
+        let mut fits = conditions.doubtful.is_empty();
+        for base in &conditions.positive {
+            fits &= polynomial(base)?.is_positive();
+        }
+        for base in &conditions.nonnegative {
+            fits &= !polynomial(base)?.is_negative();
+        }
+        for base in &conditions.zero {
+            fits &= polynomial(base)?.is_zero();
+        }
+        if !fits {
+            return Err(unsupported());
         }
         let mut result = polynomial(value.numerator())?;
         for (factor, exponent) in value.denominator() {

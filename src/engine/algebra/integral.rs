@@ -57,15 +57,7 @@ impl Lowering<'_> {
         );
         // The variable is no unknown of the claim, nor is what it is in.
         let mut atoms = self.atoms.clone();
-        let mut within = Lowering {
-            atoms: &mut atoms,
-            sequences: self.sequences,
-            constants: self.constants,
-            still: self.still,
-            powers: self.powers,
-            functions: self.functions,
-            conditions: Conditions::default(),
-        };
+        let mut within = self.over(&mut atoms);
         let value = within.lower(body)?;
         let inner = std::mem::take(&mut within.conditions);
         let own = within.atom_of_symbol(variable);

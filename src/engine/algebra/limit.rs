@@ -1,4 +1,4 @@
-//! Limits: of rational functions, and at infinity of what exponentials are in, too.
+//! Limits: of rational functions, at a place of what sines, exponentials and roots are in, and at infinity of what exponentials are in, too.
 
 use super::effort::is_spent;
 use super::lower::{LowerError, Lowered, Lowering, expr_of};
@@ -24,17 +24,15 @@ impl Lowering<'_> {
         let others = body.free_symbols().into_iter();
         let pairs = others.map(|own| (own, variable.clone()));
         let still: Set<(Symbol, Symbol)> = self.still.iter().cloned().chain(pairs).collect();
+        let mut atoms = std::mem::take(self.atoms);
         let mut within = Lowering {
-            atoms: self.atoms,
-            sequences: self.sequences,
-            constants: self.constants,
             still: &still,
-            powers: self.powers,
-            functions: self.functions,
-            conditions: std::mem::take(&mut self.conditions),
+            ..self.over(&mut atoms)
         };
         let value = within.limit_of(body, variable, point);
-        self.conditions = within.conditions;
+        let conditions = within.conditions;
+        *self.atoms = atoms;
+        self.conditions.extend(conditions);
         value
     }
 
@@ -62,14 +60,8 @@ impl Lowering<'_> {
         if let Some((exponential, _)) = &growing {
             others.remove(exponential);
         }
-        let (mut held, mut plain) = (Vec::new(), true);
-        for &other in &others {
-            plain &= matches!(self.atoms.atom(other), Atom::Symbol(_));
-            let change = self.atom_derivative(other, variable)?;
-            if !change.is_zero() {
-                held.push(change.numerator().clone());
-            }
-        }
+        let plain = (others.iter()).all(|&other| matches!(self.atoms.atom(other), Atom::Symbol(_)));
+        let held = self.slopes(&others, variable)?;
         // That something is positive all the way is known at infinity only, from where on does not matter.
         let far = *point == LimitPoint::PlusInfinity;
         let signs = inner.positive.len() + inner.nonnegative.len();
@@ -149,63 +141,78 @@ impl Lowering<'_> {
             return Ok(None);
         }
         // What else is in it must not move with the variable.
-        let mut held = Vec::new();
-        for other in explicit.free_symbols() {
-            if other != *variable {
-                let own = self.atom_of_symbol(&other);
-                let own = self.atoms.var(own);
-                let change = self.atom_derivative(own, variable)?;
-                if !change.is_zero() {
-                    held.push(change.numerator().clone());
-                }
-            }
-        }
+        let others = explicit.free_symbols().into_iter();
+        let others = others.filter(|own| own != variable);
+        let others: Set<Var> = others
+            .map(|own| self.atoms.var(self.atom_of_symbol(&own)))
+            .collect();
+        let held = self.slopes(&others, variable)?;
         let unknown = !inner.doubtful.is_empty() || !inner.bases.is_empty();
         if unknown || !explicit.mentions(variable) && !held.is_empty() {
             return Ok(None);
         }
         // What does not change on the way is so there, or nowhere; what does must be so there, or more would have to be known.
-        let (mut lasting, mut moved) = (Conditions::default(), Conditions::default());
-        lasting.zero = inner.zero.iter().cloned().chain(held).collect();
-        for condition in &inner.nonzero {
-            let term = expr_of(condition, self.atoms);
-            match term.mentions(variable) {
-                false => drop(lasting.nonzero.insert(condition.clone())),
-                true => {
-                    let there = self.lower(&term.substitute(variable, place))?;
-                    moved.away.insert(there.numerator().clone());
-                }
-            }
-        }
-        for condition in inner.positive.iter().chain(&inner.nonnegative) {
-            let term = expr_of(condition, self.atoms).substitute(variable, place);
-            let there = self.lower(&term)?;
-            moved.positive.insert(sign_of_fraction(&there)?);
-        }
+        let (lasting, changing): (Vec<&Polynomial>, Vec<&Polynomial>) =
+            (inner.nonzero.iter()).partition(|own| !expr_of(own, self.atoms).mentions(variable));
+        let at_place =
+            |own: &Polynomial, atoms: &_| expr_of(own, atoms).substitute(variable, place);
+        let changing: Vec<Expr> = changing
+            .into_iter()
+            .map(|own| at_place(own, self.atoms))
+            .collect();
+        let signs = inner.positive.iter().chain(&inner.nonnegative);
+        let signs: Vec<Expr> = signs.map(|own| at_place(own, self.atoms)).collect();
         let outer = std::mem::take(&mut self.conditions);
-        let there = self.lower(&explicit.substitute(variable, place));
+        let mut there = || {
+            let value = self.lower(&explicit.substitute(variable, place))?;
+            for condition in &changing {
+                let divisor = self.lower(condition)?.numerator().clone();
+                self.conditions.away.insert(divisor);
+            }
+            for condition in &signs {
+                let sign = sign_of_fraction(&self.lower(condition)?)?;
+                self.conditions.positive.insert(sign);
+            }
+            Ok(value)
+        };
+        let there = there();
         let own = std::mem::replace(&mut self.conditions, outer);
         let there = match there {
             Err(LowerError::DivisionByZero) => return Ok(None),
             there => there?,
         };
-        moved.away.extend(own.nonzero);
-        moved.away.retain(|own| !lasting.nonzero.contains(own));
-        moved
-            .positive
-            .extend(own.positive.into_iter().chain(own.nonnegative));
-        let unknown = !(own.doubtful.is_empty() && own.bases.is_empty());
         let is_positive = |own: &Polynomial| own.as_constant().is_some_and(|c| c.is_positive());
-        if unknown
-            || moved.away.iter().any(Polynomial::is_zero)
-            || !moved.positive.iter().all(is_positive)
-        {
+        let fits = own.doubtful.is_empty()
+            && own.bases.is_empty()
+            && own.zero.is_empty()
+            && own.positive.iter().chain(&own.nonnegative).all(is_positive);
+        let mut away: Vec<Polynomial> = own.nonzero.into_iter().chain(own.away).collect();
+        away.retain(|own| !lasting.contains(&own) && own.as_constant().is_none_or(|c| c.is_zero()));
+        if !fits || away.iter().any(Polynomial::is_zero) {
             return Ok(None);
         }
-        moved.away.retain(|own| own.as_constant().is_none());
-        self.conditions.extend(lasting);
-        self.conditions.away.extend(moved.away);
+        self.conditions.nonzero.extend(lasting.into_iter().cloned());
+        self.conditions
+            .zero
+            .extend(inner.zero.iter().cloned().chain(held));
+        self.conditions.away.extend(away);
         Ok(Some(there))
+    }
+
+    /// The slopes of unknowns by a variable, of those that are not known to stand still.
+    fn slopes(
+        &mut self,
+        vars: &Set<Var>,
+        variable: &Symbol,
+    ) -> Result<Vec<Polynomial>, LowerError> {
+        let mut slopes = Vec::new();
+        for &var in vars {
+            let change = self.atom_derivative(var, variable)?;
+            if !change.is_zero() {
+                slopes.push(change.numerator().clone());
+            }
+        }
+        Ok(slopes)
     }
 
     /// The only exponential in which the variable is, and what must be positive so that it grows beyond all bounds towards

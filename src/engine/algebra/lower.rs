@@ -138,6 +138,19 @@ impl<'a> Lowering<'a> {
 }
 
 impl Lowering<'_> {
+    /// The same over another table of atoms, where nothing is needed yet.
+    pub(super) fn over<'b>(&'b self, atoms: &'b mut Atoms) -> Lowering<'b> {
+        Lowering {
+            atoms,
+            sequences: self.sequences,
+            constants: self.constants,
+            still: self.still,
+            powers: self.powers,
+            functions: self.functions,
+            conditions: Conditions::default(),
+        }
+    }
+
     /// The value of a term; [`Lowering::conditions`] grows by what it needs.
     pub fn lower(&mut self, expr: &Expr) -> Lowered {
         match expr {

@@ -11,8 +11,8 @@ use num_traits::ToPrimitive;
 
 use super::lower::{LowerError, Lowering};
 use super::{
-    Atom, BigRational, Conditions, Expr, Fraction, Functions, Monomial, Polynomial, Rational,
-    Symbol, Var, expr_of, expr_of_fraction,
+    Atom, BigRational, Expr, Fraction, Functions, Monomial, Polynomial, Rational, Symbol, Var,
+    expr_of, expr_of_fraction,
 };
 use crate::sorted::Set;
 
@@ -69,13 +69,8 @@ impl Lowering<'_> {
         let known = with_index(functions, index, first);
         let mut atoms = self.atoms.clone();
         let mut inside = Lowering {
-            atoms: &mut atoms,
-            sequences: self.sequences,
-            constants: self.constants,
-            still: self.still,
-            powers: self.powers,
             functions: Some(&known),
-            conditions: Conditions::default(),
+            ..self.over(&mut atoms)
         };
         let value = inside.lower(body)?;
         let Some([divisors, bases]) = inside.conditions_outside(index) else {

@@ -342,9 +342,7 @@ impl Judge<'_> {
         }
         false
     }
-}
 
-impl Judge<'_> {
     /// Whether what is cited is silent on a symbol of a goal that an equation before gives as an integral: a counterexample that
     /// gives that symbol any value is none to what the author says.
     pub(super) fn is_told_before(

@@ -482,6 +482,13 @@ impl Auditor<'_> {
                 }
                 _ => conditions.extend(still),
             }
+            // Links of a chain may need the same.
+            let told = |own: &Formula| {
+                let mut notes = entry.notes.iter();
+                notes
+                    .any(|note| matches!(note, Note::UnstatedCondition(told) if told.contains(own)))
+            };
+            conditions.retain(|own| !told(own));
             if !conditions.is_empty() {
                 entry.notes.push(Note::UnstatedCondition(conditions));
             }

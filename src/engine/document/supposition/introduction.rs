@@ -89,9 +89,10 @@ pub(super) fn introduced(
         }
         "if" if is_condition(source, index, tokens) => Some((case, Reach::Sentence)),
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
-        "for" | "when" if !begun && (comma || referred) && value() => Some((case, joined(true))),
         "for" | "when"
-            if (!begun || cited_before()) && value() && leads_to_display(source, index, tokens) =>
+            if value()
+                && (!begun && (comma || referred)
+                    || (!begun || cited_before()) && leads_to_display(source, index, tokens)) =>
         {
             Some((case, joined(true)))
         }
