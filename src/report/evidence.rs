@@ -6,7 +6,7 @@ use num_traits::Signed;
 
 use crate::algebra::{Atoms, BigRational, Expr, Formula, Lowering, Values, expr_of_fraction};
 use crate::derivation::values_at;
-use crate::kernel::{Assignment, Claim, in_powers_of_pi};
+use crate::kernel::{Assignment, Claim, in_powers_of_pi, with_constant_functions};
 use crate::notation::plain;
 use crate::search::without_rational_points;
 use crate::sorted::Set;
@@ -125,7 +125,8 @@ impl<'a> Point<'a> {
             Formula::Relation { left, right, .. } => {
                 let given = |term: &Expr| {
                     let calls = self.at.functions.iter();
-                    calls.fold(term.clone(), |term, (call, value)| {
+                    let term = with_constant_functions(term, &self.at.functions);
+                    calls.fold(term, |term, (call, value)| {
                         term.replace(call, &Expr::Number(value.clone()))
                     })
                 };

@@ -168,8 +168,13 @@ impl Report<'_> {
                 paint(DIM, &self.origin(assumed.source))
             );
         }
+        // A counterexample may be one of few situations: what moves nowhere in it need not be declared constant.
+        let said = (self.derivation).claim(entry.equation, &judged.assumed, &judged.goal.formula);
         for (symbol, line) in claim.map(domains).unwrap_or_default() {
+            let own = claim.and_then(|claim| claim.domains.get(symbol));
+            let held = own != said.domains.get(symbol);
             let declared = match self.declared_beside(entry, judged, symbol) {
+                _ if held => "in this counterexample".into(),
                 Some(place) => format!("declared, {place}"),
                 None => "declared".into(),
             };

@@ -19,4 +19,5 @@ mod roots;
 mod scaling;
 mod search;
 mod series;
+mod unknown;
 mod witnesses;

@@ -224,7 +224,7 @@ pub struct Assignment {
     /// How everything can move through the point, where laws tie derivatives together.
     pub course: Option<Course>,
     /// The values of sines, cosines, exponentials and logarithms, by call, in place of a value for the one symbol in
-    /// their argument that has none.
+    /// their argument that has none; and of unknown functions that are constant.
     pub functions: Map<Expr, BigRational>,
     /// Values `Σ c_k π^k` by their coefficients, for symbols that have no rational one.
     pub in_pi: Map<Symbol, Vec<BigRational>>,

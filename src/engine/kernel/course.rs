@@ -145,6 +145,9 @@ impl Point<'_> {
             let Atom::Opaque(term @ Expr::Derivative { .. }) = atom else {
                 continue;
             };
+            if self.stands_still(term) {
+                continue;
+            }
             let (symbol, variable, order) = derivative(term).ok_or(Reject::NoCourse)?;
             let motion = found.get_or_insert_with(|| Motion {
                 variable: variable.clone(),
@@ -185,7 +188,7 @@ impl Point<'_> {
         for (var, atom) in self.atoms.iter() {
             let follows = match atom {
                 Atom::Symbol(_) => true,
-                Atom::Opaque(term) if derivative(term).is_some() => true,
+                Atom::Opaque(term) if derivative(term).is_some() || self.stands_still(term) => true,
                 Atom::Opaque(term) => term.free_symbols().into_iter().all(|symbol| {
                     let own = self.atoms.find(&Atom::Symbol(symbol.clone()));
                     symbol != motion.variable

@@ -43,6 +43,7 @@ mod rates;
 mod replay;
 mod scaling;
 mod series;
+mod unknown;
 mod verdict;
 mod witness;
 
@@ -69,6 +70,7 @@ pub use scaling::{
     ScalingVerdict, Situations, Size, check_scaling,
 };
 pub(crate) use series::bounded_series;
+pub use unknown::with_constant_functions;
 pub use verdict::{Checked, Model, Proven, Refuted, Reject};
 
 /// Decides whether a candidate is evidence for or against a claim.

@@ -52,8 +52,10 @@ impl Point<'_> {
     pub(super) fn take_functions(&mut self) -> Result<(), Reject> {
         let at = self.at;
         for (call, value) in &at.functions {
-            let Expr::Call(function, argument) = call else {
-                return Err(Reject::NoValue);
+            let (function, argument) = match call {
+                Expr::Call(function, argument) => (function, argument),
+                Expr::Apply(..) => continue,
+                _ => return Err(Reject::NoValue),
             };
             let value = Rational::from(value);
             let partner = |function| {

@@ -60,6 +60,7 @@ impl<'a> Point<'a> {
         {
             return Err(Reject::NoValue);
         }
+        self.functions_may_be_constant()?;
         self.take_functions()?;
         self.take_field()?;
         for (symbol, value) in &self.at.symbols {
@@ -112,7 +113,7 @@ impl<'a> Point<'a> {
         }
     }
 
-    fn is_defined(&mut self, conditions: &Conditions) -> Result<bool, Reject> {
+    pub(super) fn is_defined(&mut self, conditions: &Conditions) -> Result<bool, Reject> {
         let nonzero = conditions.divisors().map(|p| (p, Sign::NonZero));
         let zero = conditions.zero.iter().map(|p| (p, Sign::Zero));
         let nonnegative = conditions.nonnegative.iter();
@@ -123,7 +124,17 @@ impl<'a> Point<'a> {
                 return Ok(false);
             }
         }
-        Ok(conditions.doubtful.is_empty())
+        // What may not exist does where unknown functions are constant and nothing else is in the way.
+        for term in &conditions.doubtful {
+            let exists = match self.with_functions(term) {
+                Some(term) => self.with_functions_put_in(&term).is_ok(),
+                None => false,
+            };
+            if !exists {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     fn is_true(&mut self, fact: &Fact) -> Result<bool, Reject> {
@@ -189,7 +200,7 @@ impl<'a> Point<'a> {
         Ok(lowering.lower(term)?)
     }
 
-    fn fraction(&mut self, value: &Fraction) -> Result<Option<Rational>, Reject> {
+    pub(super) fn fraction(&mut self, value: &Fraction) -> Result<Option<Rational>, Reject> {
         let mut result = self.value(value.numerator())?;
         for (factor, exponent) in value.denominator() {
             let below = self.value(&factor.pow(exponent)?)?;
@@ -250,6 +261,9 @@ impl<'a> Point<'a> {
     }
 
     fn opaque(&mut self, expr: &Expr) -> Result<Rational, Reject> {
+        if let Some(term) = self.with_functions(expr) {
+            return self.with_functions_put_in(&term);
+        }
         let mut evaluated = |inner: &Expr| {
             let value = self.lowered(inner)?;
             self.fraction(&value)?.ok_or(Reject::NoValue)

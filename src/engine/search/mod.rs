@@ -27,6 +27,7 @@ mod still;
 mod tracked;
 mod unfold;
 mod units;
+mod unknown;
 mod values;
 
 use crate::algebra::{
@@ -178,6 +179,7 @@ pub fn decide_within(
         .or_else(irrational)
         .map(Decision::Refuted)
         .or_else(|| still::decide(obligation))
+        .or_else(|| unknown::decide(obligation))
         .unwrap_or(Decision::Open(stop))
 }
 
