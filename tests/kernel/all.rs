@@ -16,6 +16,7 @@ mod proofs;
 mod rates;
 mod readings;
 mod roots;
+mod running;
 mod scaling;
 mod search;
 mod series;

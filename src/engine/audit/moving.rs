@@ -4,7 +4,11 @@ use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Derivation, Equation, formulas};
 
 use super::Auditor;
+use crate::search::are_tied;
 use crate::sorted::Set;
+
+/// So many equations before that speak of a variable are asked what moves with it.
+const MOST_LAWS: usize = 64;
 
 /// What some equations and suppositions say of what moves.
 #[derive(Default)]
@@ -12,22 +16,32 @@ pub(super) struct Moving {
     differentiated: Set<Symbol>,
     /// Symbols by themselves on a side of an equation, with all that it speaks of.
     explicit: Vec<(Symbol, Set<Symbol>)>,
+    constants: Set<Symbol>,
+    /// All equations, each with the position of what states it and all that it speaks of.
+    laws: Vec<(usize, Formula, Set<Symbol>)>,
 }
 
 impl Moving {
     fn of(derivation: &Derivation, page: usize) -> Moving {
         let mut found = Moving::default();
-        let locals = &derivation.pages[page].locals;
+        let own_page = &derivation.pages[page];
+        let constants = own_page.domains.iter().filter(|own| own.1.constant);
+        found.constants = constants.map(|own| own.0.clone()).collect();
+        let locals = &own_page.locals;
         // What is so at one moment says nothing of others.
-        let at_moment = |own: &&Equation| {
+        let at_moment = |own: &Equation| {
             let mut locals = own.locals.iter().copied().chain(own.moments.clone());
             locals.any(|at| derivation.pages[page].locals[at].is_momentary())
         };
-        let equations = derivation.equations[derivation.equations_of(page)].iter();
-        let lasting = equations.filter(|own| !at_moment(own));
-        let statements = lasting.flat_map(Equation::statements);
-        for formula in statements.flat_map(formulas) {
-            found.learn(&formula);
+        for at in derivation.equations_of(page) {
+            let equation = &derivation.equations[at];
+            if !at_moment(equation) {
+                for formula in equation.statements().iter().flat_map(formulas) {
+                    found.learn(&formula);
+                    let names = formula.free_symbols();
+                    found.laws.push((at, formula, names));
+                }
+            }
         }
         let locals = locals.iter().filter(|local| !local.is_momentary());
         for formula in locals.flat_map(|local| &local.formulas) {
@@ -56,7 +70,7 @@ impl Moving {
     }
 
     /// Whether a symbol is said to change with a variable; of a sequence, one of its elements.
-    fn says(&self, name: &Symbol, is_sequence: bool, variable: &Symbol) -> bool {
+    fn says(&self, at: usize, name: &Symbol, is_sequence: bool, variable: &Symbol) -> bool {
         let is_meant = |own: &Symbol| {
             let stem = own.name().rsplit_once('_').map(|parts| parts.0);
             own == name || is_sequence && stem == Some(name.name())
@@ -67,7 +81,14 @@ impl Moving {
             all.any(|other| other == variable || self.differentiated.contains(other))
         };
         let mut explicit = self.explicit.iter();
+        let before = self.laws.partition_point(|own| own.0 < at);
+        let speaking = self.laws[..before].iter().rev();
+        let speaking = speaking.filter(|own| own.2.contains(variable));
+        let laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
+        let moves = |own: &Symbol| self.differentiated.contains(own);
+        let constant = |own: &Symbol| self.constants.contains(own);
         self.differentiated.iter().any(is_meant)
+            || are_tied(name, variable, &laws, moves, constant)
             || explicit.any(|(own, named)| {
                 *own == dotted || named.contains(&dotted) || is_meant(own) && changes(named)
             })
@@ -87,7 +108,7 @@ impl Auditor<'_> {
             };
             let (names, sequences) = (condition.names(), condition.sequences());
             let mut held = names.iter().filter(|name| *name != variable);
-            held.any(|name| moving.says(name, sequences.contains(name), variable))
+            held.any(|name| moving.says(at, name, sequences.contains(name), variable))
         })
     }
 }

@@ -123,10 +123,15 @@ impl Point<'_> {
                 return Err(Reject::NoCourse);
             }
         }
+        self.can_be_solved(&laws)
+    }
+
+    /// Whether laws can be solved near the point, each for its unknown: the matrix of the partial derivatives is regular.
+    pub(super) fn can_be_solved(&mut self, laws: &[(&Polynomial, Var)]) -> Result<(), Reject> {
         let mut matrix = Vec::with_capacity(laws.len());
-        for (law, _) in &laws {
+        for (law, _) in laws {
             let mut row = Vec::with_capacity(laws.len());
-            for &(_, lead) in &laws {
+            for &(_, lead) in laws {
                 let slope = law.derivative(lead);
                 row.push(self.number(&slope)?.as_rational().ok_or(Reject::NoValue)?);
             }
@@ -172,7 +177,7 @@ impl Point<'_> {
     }
 
     /// Whether a symbol may change: it is no count, no element of a sequence, and no number by its domain.
-    fn may_move(&self, symbol: &Symbol) -> bool {
+    pub(super) fn may_move(&self, symbol: &Symbol) -> bool {
         let element = element_parts(symbol)
             .is_some_and(|(sequence, _)| self.problem.sequences.contains(&sequence));
         let number = self.problem.pi_is_the_number() && symbol.name() == "\\pi";

@@ -41,6 +41,7 @@ mod private;
 mod problem;
 mod rates;
 mod replay;
+mod running;
 mod scaling;
 mod series;
 mod unknown;
@@ -70,7 +71,7 @@ pub use scaling::{
     ScalingVerdict, Situations, Size, check_scaling,
 };
 pub(crate) use series::bounded_series;
-pub use unknown::with_constant_functions;
+pub use unknown::{collect_running, with_constant_functions};
 pub use verdict::{Checked, Model, Proven, Refuted, Reject};
 
 /// Decides whether a candidate is evidence for or against a claim.

@@ -7,7 +7,7 @@
 use super::Reject;
 use super::witness::Point;
 use crate::algebra::{BigRational, Expr, Formula, Rational, Symbol};
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// A term in which the unknown functions among these applications are constant.
 pub fn with_constant_functions(term: &Expr, functions: &Map<Expr, BigRational>) -> Expr {
@@ -34,6 +34,15 @@ fn applied(term: &Expr) -> Option<&Symbol> {
         Expr::Apply(name, _) => Some(name),
         _ => None,
     }
+}
+
+/// Adds what runs in a term: what functions are applied to, and what is bound or differentiated by.
+pub fn collect_running(term: &Expr, running: &mut Set<Symbol>) {
+    if let Expr::Apply(_, arguments) = term {
+        running.extend(arguments.iter().flat_map(Expr::free_symbols));
+    }
+    running.extend(term.binder().cloned());
+    (term.children()).for_each(|part| collect_running(part, running));
 }
 
 impl Point<'_> {
@@ -68,8 +77,15 @@ impl Point<'_> {
                 return Err(Reject::NoValue);
             }
         }
-        let is_constant =
-            |symbol: &Symbol| self.claim.domains.get(symbol).is_some_and(|d| d.constant);
+        let mut running = Set::new();
+        let formulas = problem.formulas.iter().map(|own| &*own.0);
+        for formula in formulas.chain([&problem.goal_formula]) {
+            (formula.terms().into_iter()).for_each(|term| collect_running(term, &mut running));
+        }
+        let is_constant = |symbol: &Symbol| {
+            let declared = self.claim.domains.get(symbol).is_some_and(|d| d.constant);
+            declared && !running.contains(symbol)
+        };
         let concerned = |term: &Expr| given.iter().any(|own| term.mentions(own.0));
         for (formula, _) in &problem.formulas {
             let terms = formula.terms();
@@ -96,7 +112,8 @@ impl Point<'_> {
 
     /// Whether a term does not move because unknown functions are constant.
     pub(super) fn stands_still(&self, term: &Expr) -> bool {
-        self.with_functions(term).is_some_and(|own| is_number(&own))
+        let is_fixed = |own: Expr| own.free_symbols().is_empty() && !own.has_elements();
+        self.with_functions(term).is_some_and(is_fixed)
     }
 
     /// The value of a term with unknown functions put in, where all that it needs is so.

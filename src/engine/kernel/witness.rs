@@ -94,6 +94,7 @@ impl<'a> Point<'a> {
             }
         }
         self.course_exists()?;
+        self.laws_can_keep_up()?;
         self.bounds_are_met()
     }
 

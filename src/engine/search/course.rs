@@ -123,13 +123,40 @@ pub fn in_motion(
     Some(point)
 }
 
-/// The symbols that are differentiated where the author writes it.
+/// The symbols that are differentiated where the author writes it. Nobody differentiates what does not change: where that is a term with
+/// nothing in it that moves, all of it may.
 pub(super) fn said_to_move(claim: &Claim) -> Set<Symbol> {
     let mut found = Set::new();
     for term in claim.formulas().flat_map(Formula::terms) {
         term.collect_differentiated(&mut found);
     }
+    let mut bodies = Vec::new();
+    for term in claim.formulas().flat_map(Formula::terms) {
+        differentiated_terms(term, &mut bodies);
+    }
+    let is_constant = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(|own| own.constant);
+    let mut moving = Set::new();
+    for (body, variable) in bodies {
+        let symbols = body.free_symbols();
+        if !symbols
+            .iter()
+            .any(|own| own == variable || found.contains(own))
+        {
+            moving.extend(symbols.into_iter().filter(|own| !is_constant(own)));
+        }
+    }
+    found.extend(moving);
     found
+}
+
+/// The terms of more than a symbol that are differentiated, with the variable.
+fn differentiated_terms<'a>(term: &'a Expr, found: &mut Vec<(&'a Expr, &'a Symbol)>) {
+    if let Expr::Derivative { body, variable } = term
+        && differentiated(term).is_none()
+    {
+        found.push((body, variable));
+    }
+    (term.children()).for_each(|part| differentiated_terms(part, found));
 }
 
 fn one() -> BigRational {

@@ -5,7 +5,7 @@ use super::course::{differentiated, said_to_move};
 use super::refute::Points;
 use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
 use crate::algebra::{Atom, Expr, Formula, Symbol, element_parts};
-use crate::kernel::{Claim, Obligation, Problem, Refuted, definition};
+use crate::kernel::{Claim, Obligation, Problem, Refuted, Standing, definition};
 use crate::sorted::Set;
 
 /// More quantities than this that might change are not looked at one by one.
@@ -45,8 +45,9 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
 /// A counterexample in which what is held still is constant: only then it is known what an integral is worth, or a slope of a slope.
 fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
     let claim = obligation.claim();
-    let mut held = in_integrands(claim, obligation.unfold());
-    let slopes = slopes_held_still(obligation.problem(), &said_to_move(claim));
+    let said = Said::of(claim, obligation.unfold());
+    let mut held = said.nothing_of_integrands();
+    let slopes = said.nothing_of_slopes(obligation.problem());
     held.extend(
         slopes
             .iter()
@@ -63,32 +64,116 @@ fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
 /// The claim with what stands in its integrands constant, where the author does not say that it moves; `None` where nothing
 /// does. The hypotheses `unfold` are put in.
 pub(super) fn held_constant(claim: &Claim, unfold: &[usize]) -> Option<Claim> {
-    with_constants(claim, in_integrands(claim, unfold))
+    with_constants(claim, Said::of(claim, unfold).nothing_of_integrands())
 }
 
-/// The symbols for which hypotheses put in the terms that define them: how these move is said there.
-fn put_in(claim: &Claim, unfold: &[usize]) -> Set<Symbol> {
-    let hypotheses = unfold.iter().filter_map(|&at| claim.hypotheses.get(at));
-    let defined = hypotheses.filter_map(|own| definition(&own.formula));
-    defined.map(|(symbol, _)| symbol).collect()
+/// What a claim says of what moves.
+struct Said<'a> {
+    claim: &'a Claim,
+    /// What is differentiated where the author writes it.
+    moving: Set<Symbol>,
+    /// The symbols for which hypotheses put in the terms that define them: how these move is said there.
+    put_in: Set<Symbol>,
 }
 
-/// What stands in integrands and is not said to move.
-fn in_integrands(claim: &Claim, unfold: &[usize]) -> Set<Symbol> {
-    let is_constant = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(|own| own.constant);
-    let mut held: Set<Symbol> = Set::new();
-    for term in claim.formulas().flat_map(Formula::terms) {
-        in_integrals(term, &mut |symbol, _| {
-            if !is_constant(symbol) {
-                held.insert(symbol.clone());
+impl<'a> Said<'a> {
+    fn of(claim: &'a Claim, unfold: &[usize]) -> Self {
+        let hypotheses = unfold.iter().filter_map(|&at| claim.hypotheses.get(at));
+        let defined = hypotheses.filter_map(|own| definition(&own.formula));
+        Said {
+            claim,
+            moving: said_to_move(claim),
+            put_in: defined.map(|(symbol, _)| symbol).collect(),
+        }
+    }
+
+    fn is_constant(&self, symbol: &Symbol) -> bool {
+        (self.claim.domains.get(symbol)).is_some_and(|own| own.constant)
+    }
+
+    /// Whether nothing is said of how a symbol moves with a variable.
+    fn nothing_of(&self, symbol: &Symbol, variable: &Symbol) -> bool {
+        let laws = self.claim.hypotheses.iter();
+        let laws = laws.filter(|own| own.standing == Standing::Identity);
+        let laws: Vec<&Formula> = laws.map(|own| &*own.formula).collect();
+        let moves = |other: &Symbol| self.moving.contains(other);
+        let constant = |other: &Symbol| self.is_constant(other);
+        !moves(symbol)
+            && !self.put_in.contains(symbol)
+            && !are_tied(symbol, variable, &laws, moves, constant)
+    }
+
+    /// What stands in integrands besides the variable, with the variable, and is not said to move.
+    fn nothing_of_all_integrands(&self) -> Vec<(Symbol, Symbol)> {
+        let mut found = Vec::new();
+        for term in self.claim.formulas().flat_map(Formula::terms) {
+            in_integrals(term, &mut |symbol, variable| {
+                let own = (symbol.clone(), variable.clone());
+                if !self.is_constant(symbol)
+                    && !found.contains(&own)
+                    && self.nothing_of(symbol, variable)
+                {
+                    found.push(own);
+                }
+            });
+        }
+        found
+    }
+
+    /// The same without the variables.
+    fn nothing_of_integrands(&self) -> Set<Symbol> {
+        let all = self.nothing_of_all_integrands().into_iter();
+        all.map(|own| own.0).collect()
+    }
+
+    /// The slopes, and slopes of slopes, of what is not said to move.
+    fn nothing_of_slopes(&self, problem: &Problem) -> Vec<Expr> {
+        let mut slopes = Vec::new();
+        for (_, atom) in problem.atoms.iter() {
+            let Atom::Opaque(slope @ Expr::Derivative { body, variable }) = atom else {
+                continue;
+            };
+            let is_still = match &**body {
+                // A sum over data, and not one that runs to the variable.
+                body @ Expr::Series { .. } => {
+                    let own = element_parts(variable).map(|parts| parts.0);
+                    let mut moving = self.moving.iter().chain([variable]).chain(&own);
+                    !moving.any(|symbol| body.mentions(symbol))
+                }
+                _ => differentiated(slope)
+                    .is_some_and(|(symbol, _)| self.nothing_of(symbol, variable)),
+            };
+            if is_still {
+                slopes.push(slope.clone());
             }
-        });
+        }
+        slopes
     }
-    if !held.is_empty() {
-        let (said, known) = (said_to_move(claim), put_in(claim, unfold));
-        held.retain(|symbol| !said.contains(symbol) && !known.contains(symbol));
-    }
-    held
+}
+
+/// Whether one of these laws ties a symbol to a variable, and none says which of all that it speaks of moves with it: `p V = c` ties `p` to
+/// `V`, and `s = v t` not `v` to `t`, unless `s` is constant.
+pub fn are_tied(
+    symbol: &Symbol,
+    variable: &Symbol,
+    laws: &[&Formula],
+    moves: impl Fn(&Symbol) -> bool,
+    is_constant: impl Fn(&Symbol) -> bool,
+) -> bool {
+    let speaking = laws.iter().filter_map(|law| {
+        let (left, _) = law.as_equation()?;
+        let names = law.free_symbols();
+        names.contains(variable).then_some((left, names))
+    });
+    let speaking: Vec<(&Expr, Set<Symbol>)> = speaking.collect();
+    let by_itself = |left: &Expr, own: &Symbol| matches!(left, Expr::Symbol(left) if left == own);
+    let is_explicit =
+        |own: &Symbol| speaking.iter().any(|law| by_itself(law.0, own)) && !is_constant(own);
+    let moves = |own: &Symbol| own != variable && (moves(own) || is_explicit(own));
+    speaking.iter().any(|(left, names)| {
+        // `x = a` names a place.
+        names.contains(symbol) && !by_itself(left, variable) && !names.iter().any(moves)
+    })
 }
 
 /// The claim with further symbols constant. Most claims have none of these: nothing is copied for them.
@@ -126,50 +211,19 @@ pub fn still_in(claim: Claim) -> Vec<Formula> {
 /// That each derivative is 0 of what is differentiated nowhere, and might depend on what others are differentiated by. The problem
 /// may be the obligation's with its laws differentiated.
 pub(super) fn held_still(obligation: &Obligation, problem: &Problem) -> Vec<Formula> {
-    let claim = obligation.claim();
-    let said = said_to_move(claim);
-    let known = put_in(claim, obligation.unfold());
-    let slopes = slopes_held_still(problem, &said).into_iter();
-    let zero = |slope: Expr| Formula::equal(slope, Expr::integer(0));
-    let mut still: Vec<Formula> = slopes.map(zero).collect();
-    for term in claim.formulas().flat_map(Formula::terms) {
-        in_integrals(term, &mut |symbol, variable| {
-            let constant = claim.domains.get(symbol).is_some_and(|own| own.constant);
-            let slope = Expr::Derivative {
-                body: Expr::Symbol(symbol.clone()).into(),
-                variable: variable.clone(),
-            };
-            let held = Formula::equal(slope, Expr::integer(0));
-            let moves = said.contains(symbol) || known.contains(symbol);
-            if !constant && !moves && !still.contains(&held) {
-                still.push(held);
-            }
-        });
-    }
-    still
-}
-
-/// The slopes, and slopes of slopes, of what is not said to move.
-fn slopes_held_still(problem: &Problem, said: &Set<Symbol>) -> Vec<Expr> {
-    let mut slopes = Vec::new();
-    for (_, atom) in problem.atoms.iter() {
-        let Atom::Opaque(slope @ Expr::Derivative { body, variable }) = atom else {
-            continue;
+    let said = Said::of(obligation.claim(), obligation.unfold());
+    let mut slopes = said.nothing_of_slopes(problem);
+    for (symbol, variable) in said.nothing_of_all_integrands() {
+        let slope = Expr::Derivative {
+            body: Expr::Symbol(symbol).into(),
+            variable,
         };
-        let is_still = match &**body {
-            // A sum over data, and not one that runs to the variable.
-            body @ Expr::Series { .. } => {
-                let own = element_parts(variable).map(|parts| parts.0);
-                let mut moving = said.iter().chain([variable]).chain(&own);
-                !moving.any(|symbol| body.mentions(symbol))
-            }
-            _ => differentiated(slope).is_some_and(|(symbol, _)| !said.contains(symbol)),
-        };
-        if is_still {
-            slopes.push(slope.clone());
+        if !slopes.contains(&slope) {
+            slopes.push(slope);
         }
     }
-    slopes
+    let zero = |slope: Expr| Formula::equal(slope, Expr::integer(0));
+    slopes.into_iter().map(zero).collect()
 }
 
 /// What stands in integrands besides the variable, with the variable.

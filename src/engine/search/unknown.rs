@@ -3,7 +3,7 @@
 use super::refute::Points;
 use super::{Decision, QUICK, first, pose, refuted};
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
-use crate::kernel::{Claim, Obligation, with_constant_functions};
+use crate::kernel::{Claim, Obligation, collect_running, with_constant_functions};
 use crate::sorted::{Map, Set};
 
 /// Refutes a claim that speaks of unknown functions, with these constant, and with them all that its hypotheses tie to them.
@@ -16,7 +16,7 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
     if applied.is_empty() {
         return None;
     }
-    let constant = held_constant(claim, &applied);
+    let constant = held_constant(claim, &applied)?;
     let plain = pose(as_symbols(&constant, &applied)).ok()?;
     let constant = pose(constant).ok()?;
     let found = first(&mut Points::new(&plain), QUICK, |mut point| {
@@ -42,8 +42,8 @@ fn applications(term: &Expr, found: &mut Map<Symbol, Expr>) {
     term.children().for_each(|part| applications(part, found));
 }
 
-/// The claim with all constant that is left in hypotheses about these functions.
-fn held_constant(claim: &Claim, applied: &Map<Symbol, Expr>) -> Claim {
+/// The claim with all constant that is left in hypotheses about these functions; `None` where that is what something depends on.
+fn held_constant(claim: &Claim, applied: &Map<Symbol, Expr>) -> Option<Claim> {
     let none = BigRational::from_integer(0.into());
     let values: Map<Expr, BigRational> = applied
         .iter()
@@ -60,11 +60,17 @@ fn held_constant(claim: &Claim, applied: &Map<Symbol, Expr>) -> Claim {
             held.extend(left.flat_map(|own| own.free_symbols()));
         }
     }
+    let mut running = Set::new();
+    let terms = claim.formulas().flat_map(Formula::terms);
+    terms.for_each(|term| collect_running(term, &mut running));
+    if held.iter().any(|symbol| running.contains(symbol)) {
+        return None;
+    }
     let mut constant = claim.clone();
     for symbol in held {
         constant.domains.entry(symbol).or_default().constant = true;
     }
-    constant
+    Some(constant)
 }
 
 /// The claim with a constant symbol in place of each unknown function.

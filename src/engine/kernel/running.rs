@@ -1,0 +1,139 @@
+//! Points of claims with limits and integrals: whether the laws can be kept along the way that these go.
+//!
+//! What is taken of a limit or an integral depends on what runs in it; at a point all other symbols in it are taken as constant. A law that
+//! speaks of the variable holds wherever this runs, and so do those that speak of what must move with it. At one point alone `p V = c` is
+//! true of any constants.
+//!
+//! **Statement.** Let each law that speaks of the variable, or of what moves with it, have an unknown of its own that it *leads*: a symbol
+//! that may move and stands in no limit or integral over the variable. If the matrix of the partial derivatives of these laws by what they lead
+//! is regular at the point, then they hold around it with everything else constant (implicit functions). What must not be negative, or not
+//! vanish, is asked not to be 0 if it speaks of what moves.
+
+use super::witness::Point;
+use super::{Origin, Reject, Sign, Standing};
+use crate::algebra::{Atom, Expr, Polynomial, Symbol, Var, expr_of_atom};
+use crate::sorted::Set;
+
+/// What runs, and what is inside of what it runs in.
+#[derive(Default)]
+struct Running {
+    variables: Set<Symbol>,
+    inside: Set<Symbol>,
+}
+
+impl Running {
+    fn collect(&mut self, term: &Expr) {
+        if let Expr::Limit { body, variable, .. } | Expr::Integral { body, variable, .. } = term {
+            self.variables.insert(variable.clone());
+            self.inside.extend(body.free_symbols());
+        }
+        term.children().for_each(|part| self.collect(part));
+    }
+}
+
+impl Point<'_> {
+    /// Whether the laws can hold along the way that limits and integrals go.
+    pub(super) fn laws_can_keep_up(&mut self) -> Result<(), Reject> {
+        let problem = self.problem;
+        let mut running = Running::default();
+        let formulas = problem.formulas.iter().map(|own| &*own.0);
+        for formula in formulas.chain([&problem.goal_formula]) {
+            formula
+                .terms()
+                .into_iter()
+                .for_each(|term| running.collect(term));
+        }
+        if running.variables.is_empty() {
+            return Ok(());
+        }
+        let mut laws: Vec<Law> = Vec::new();
+        for (fact, origin) in problem.facts.iter().zip(&problem.origins) {
+            let Origin::Hypothesis(at) = *origin else {
+                continue;
+            };
+            let standing = problem.formulas.get(at).map(|own| own.1);
+            if standing == Some(Standing::Identity) && !fact.polynomial.is_zero() {
+                laws.push(Law {
+                    fact: &fact.polynomial,
+                    sign: fact.sign,
+                    names: self.names(&fact.polynomial),
+                    lead: None,
+                });
+            }
+        }
+        let mut moving = running.variables.clone();
+        while let Some(at) = laws.iter().position(|law| law.is_behind(&moving)) {
+            let symbol = self.lead(&laws, at, &running, &moving)?;
+            laws[at].lead = self.atoms.find(&Atom::Symbol(symbol.clone()));
+            moving.insert(symbol);
+        }
+        let unsure = |law: &&Law| law.sign != Sign::Zero && law.mentions(&moving);
+        for law in laws.iter().filter(unsure) {
+            if self.number(law.fact)?.is_zero() {
+                return Err(Reject::NoCourse);
+            }
+        }
+        let led = laws.iter().filter_map(|law| Some((law.fact, law.lead?)));
+        let led: Vec<(&Polynomial, Var)> = led.collect();
+        self.can_be_solved(&led)
+    }
+
+    /// What a law may lead: of what may move, what the fewest laws speak of.
+    fn lead(
+        &mut self,
+        laws: &[Law],
+        at: usize,
+        running: &Running,
+        moving: &Set<Symbol>,
+    ) -> Result<Symbol, Reject> {
+        let mut found: Option<(usize, Symbol)> = None;
+        for symbol in &laws[at].names {
+            let var = self.atoms.find(&Atom::Symbol(symbol.clone()));
+            let Some(var) = var.filter(|_| {
+                !moving.contains(symbol)
+                    && !running.inside.contains(symbol)
+                    && self.may_move(symbol)
+            }) else {
+                continue;
+            };
+            let slope = laws[at].fact.derivative(var);
+            if self.number(&slope)?.is_zero() {
+                continue;
+            }
+            let others = laws.iter().filter(|law| law.names.contains(symbol)).count();
+            if found.as_ref().is_none_or(|(fewest, _)| others < *fewest) {
+                found = Some((others, symbol.clone()));
+            }
+        }
+        found.map(|own| own.1).ok_or(Reject::NoCourse)
+    }
+
+    /// The symbols of which a polynomial speaks.
+    fn names(&self, polynomial: &Polynomial) -> Set<Symbol> {
+        let terms = polynomial
+            .vars()
+            .into_iter()
+            .map(|var| expr_of_atom(self.atoms.atom(var)));
+        let moving = terms.filter(|term| !self.stands_still(term));
+        moving.flat_map(|term| term.free_symbols()).collect()
+    }
+}
+
+/// What a hypothesis says wherever its symbols go.
+struct Law<'a> {
+    fact: &'a Polynomial,
+    sign: Sign,
+    names: Set<Symbol>,
+    lead: Option<Var>,
+}
+
+impl Law<'_> {
+    fn mentions(&self, moving: &Set<Symbol>) -> bool {
+        self.names.iter().any(|name| moving.contains(name))
+    }
+
+    /// Whether it speaks of what moves and leads nothing yet.
+    fn is_behind(&self, moving: &Set<Symbol>) -> bool {
+        self.sign == Sign::Zero && self.lead.is_none() && self.mentions(moving)
+    }
+}
