@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Derivation, Equation, Kind, Source, formulas};
-use crate::kernel::{Assignment, Model, Standing};
+use crate::kernel::{Assignment, Model};
 use crate::search::{Consistency, consistency};
 use crate::sorted::Tree;
 
@@ -53,10 +53,11 @@ pub(super) fn models(derivation: &Derivation, page: usize) -> Models {
     for group in groups(derivation, derivation.equations_of(page)) {
         let assume = |members: &[usize]| -> Vec<Assumed> {
             let all = members.iter().flat_map(|&at| {
+                let standing = derivation.standing_among(at, members);
                 let statements = derivation.equations[at].statements().iter();
                 statements.flat_map(formulas).map(move |formula| Assumed {
                     formula: formula.into(),
-                    standing: Standing::Identity,
+                    standing,
                     source: Source::Equation(at),
                 })
             });

@@ -198,6 +198,7 @@ pub fn usable<'a>(
             .map(|&(page, at)| derivation.local(page, at));
         others.any(|other| !other.values().is_disjoint(&values))
     };
+    let together: Vec<usize> = premises.iter().copied().chain([at]).collect();
     for &premise in premises {
         let equation = &derivation.equations[premise];
         if equation.statements.is_err() {
@@ -226,7 +227,7 @@ pub fn usable<'a>(
             continue;
         }
         // An assumption is carried along by what was concluded under it.
-        let mut standing = Standing::Identity;
+        let mut standing = derivation.standing_among(premise, &together);
         for &(page, local) in &offer.under {
             for formula in &derivation.local(page, local).formulas {
                 let own =

@@ -48,6 +48,8 @@ pub struct Equation {
     pub meant: bool,
     /// Of how much words say that it is said, where none say that it follows.
     pub extent: Extent,
+    /// Whether the text before it speaks of one moment, cite it what it may.
+    pub at_moment: bool,
     /// What it says of one moment alone, as positions in [`Page::locals`](super::Page::locals).
     pub moments: Range<usize>,
     /// Whether words before it cite something or say that it follows, and none that it defines anything.

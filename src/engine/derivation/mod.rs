@@ -25,16 +25,17 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::algebra::{BigRational, Formula, Relation, Symbol};
-use crate::document::{Citation, Document, Premise, Span, in_order};
-use crate::kernel::{Claim, Domain, Hypothesis, Standing};
+use crate::document::{Citation, Document, Extent, Premise, Span, in_order};
+use crate::kernel::{Claim, Domain, Hypothesis, Standing, collect_running};
 use crate::notation::{Spanned, measured, read_formulas};
-use crate::sorted::{Map, Tree};
+use crate::sorted::{Map, Set, Tree};
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
 pub use page::{Datum, Page, Premises};
 pub use running::Running;
+use supposed::said_of_moment;
 pub use supposed::{Local, is_put};
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
@@ -427,6 +428,40 @@ impl Derivation {
         let locals = own.locals.iter().copied();
         let of_moment = |&local: &usize| self.local(own.page, local).is_momentary();
         self.supposed(at, &locals.filter(of_moment).collect::<Vec<_>>())
+    }
+
+    /// Whether an equation says something throughout or of one value alone of what runs in others that it is taken with: "At the top $v = 0$",
+    /// or what is given where $t = 0$ is supposed.
+    pub fn standing_among(&self, at: usize, others: &[usize]) -> Standing {
+        let own = &self.equations[at];
+        let given = own.kind == Kind::Given && !own.locals.is_empty();
+        let of_moment = |statement| said_of_moment(statement, Extent::Moment, |_| true).is_some();
+        let told = own.at_moment && !own.explains && own.statements().iter().all(of_moment);
+        if !told && !given {
+            return Standing::Identity;
+        }
+        let statements = others
+            .iter()
+            .flat_map(|&at| self.equations[at].statements());
+        let mut running = Set::new();
+        for formula in statements.flat_map(formulas) {
+            (formula.terms().into_iter()).for_each(|term| collect_running(term, &mut running));
+        }
+        let page = &self.pages[own.page];
+        let fixes = |local: &usize| {
+            let local = &page.locals[*local];
+            let at_point = |own: &&Arc<Formula>| page.standing_of(local, own) == Standing::AtPoint;
+            let mut formulas = local.formulas.iter().filter(at_point);
+            formulas.any(|own| {
+                own.free_symbols()
+                    .iter()
+                    .any(|symbol| running.contains(symbol))
+            })
+        };
+        match !running.is_empty() && (told || own.locals.iter().any(fixes)) {
+            true => Standing::AtPoint,
+            false => Standing::Identity,
+        }
     }
 
     /// What the text before an equation tells in passing, the nearest first.

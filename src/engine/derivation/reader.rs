@@ -74,6 +74,8 @@ pub(super) struct Reader<'p> {
     bare: bool,
     /// Of how much the display before is said.
     extent: Extent,
+    /// The same where something is cited, too.
+    told_extent: Extent,
     /// The equations of the display that the text goes on from.
     last: Range<usize>,
     /// What is spoken of before the last display.
@@ -99,6 +101,7 @@ impl<'p> Reader<'p> {
             between: Between::default(),
             bare: true,
             extent: Extent::Throughout,
+            told_extent: Extent::Throughout,
             last: 0..0,
             known: Known::default(),
             spoken_of: Known::default(),
@@ -129,7 +132,8 @@ impl<'p> Reader<'p> {
             self.page.title = title.to_owned();
         }
         (self.level, self.section) = (level, title.to_owned());
-        (self.last, self.bare, self.extent) = (0..0, true, Extent::Throughout);
+        (self.last, self.bare) = (0..0, true);
+        (self.extent, self.told_extent) = (Extent::Throughout, Extent::Throughout);
         let locals = &self.page.locals;
         self.active
             .retain(|&at| locals[at].level < level && !locals[at].is_momentary());
@@ -274,10 +278,14 @@ impl<'p> Reader<'p> {
                 // Where nothing is said between two displays, they are introduced together.
                 None => self.bare,
             };
-        self.extent = match said.extent {
-            _ if !self.bare => Extent::Throughout,
-            None | Some(Extent::AsBefore) => self.extent,
+        let or_before = |before: Extent| match said.extent {
+            None | Some(Extent::AsBefore) => before,
             Some(extent) => extent,
+        };
+        self.told_extent = or_before(self.told_extent);
+        self.extent = match self.bare {
+            true => or_before(self.extent),
+            false => Extent::Throughout,
         };
         let at_moment = self.said_of_moment(&read);
         let passage = self.passage(&said, &read, &at_moment);
@@ -387,6 +395,7 @@ impl<'p> Reader<'p> {
             reasons: said.reasons,
             meant: said.meant,
             extent: self.extent,
+            at_moment: self.told_extent == Extent::Moment,
             moments: 0..0,
             drawn: is_derived,
             numeric: said.numeric.clone().filter(|_| kind != Kind::Given),

@@ -250,7 +250,7 @@ impl Editor<'_> {
                 };
                 let other = match own_number(term) {
                     Some(_) => number(&other),
-                    None if other.is_zero() => continue,
+                    None if other.is_zero() || printed.is_zero() => continue,
                     None => scaled(term, &(&other / printed)),
                 };
                 self.found.push((Change::Coefficient, cost, signed(other)));
