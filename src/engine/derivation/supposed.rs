@@ -3,10 +3,10 @@
 use std::ops::{Range, RangeFrom};
 use std::sync::Arc;
 
-use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::algebra::{Expr, Formula, Relation, Symbol, element_parts, element_symbol};
 use crate::document::{Extent, Span, SuppositionKind, Vanishing};
 use crate::kernel::Standing;
-use crate::notation::{Clause, Statement, SyntaxError, read_expr, read_formulas};
+use crate::notation::{Clause, Statement, SyntaxError, read_expr, read_formulas, read_symbol};
 
 use super::definition::Known;
 use super::equation::{Equation, formulas};
@@ -16,6 +16,9 @@ use crate::sorted::Set;
 
 /// How many displays back is looked for what prose says to be zero.
 const MOST_BEFORE: usize = 6;
+
+/// No more symbols than this are counted up to in `R_1, \ldots, R_4 > 0`.
+const MOST_LISTED: u32 = 32;
 
 /// A hypothesis that is in effect in a part of a page.
 #[derive(Clone, Debug)]
@@ -105,8 +108,8 @@ impl Page {
         let in_passing = matches!(kind, SuppositionKind::Fact { .. });
         let is_fact = in_passing || kind == SuppositionKind::Known;
         let is_let = is_case || kind == SuppositionKind::Let;
-        let mut statements = match read_formulas(&self.document.source, body) {
-            Ok(statements) => statements,
+        let said = match self.supposed(body) {
+            Ok(said) => said,
             Err(error) => {
                 if strict {
                     self.complain(error);
@@ -114,19 +117,7 @@ impl Page {
                 return;
             }
         };
-        self.read_exponentials(statements.iter_mut());
-        if let Some(conditional) = statements.iter().find(|s| !s.under.is_empty()) {
-            if strict {
-                self.complain(SyntaxError {
-                    span: conditional.span,
-                    message: "what is supposed here is said under a condition".into(),
-                    help: Some("suppose the condition first".into()),
-                });
-            }
-            return;
-        }
-        for statement in &statements {
-            let formulas = formulas(statement);
+        for (formulas, span) in said {
             let values: Set<Symbol> = formulas.iter().flat_map(assigned).collect();
             let own: Set<Symbol> = formulas.iter().flat_map(Formula::names).collect();
             let locals = &self.locals;
@@ -153,7 +144,7 @@ impl Page {
                 set,
                 formulas: formulas.into_iter().map(Arc::new).collect(),
                 is_let,
-                span: statement.span,
+                span,
                 of_case: is_case || matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
                 is_told: is_fact,
                 is_special: false,
@@ -161,6 +152,30 @@ impl Page {
                 moment: None,
                 level,
             });
+        }
+    }
+
+    /// What a text says that is supposed, statement by statement.
+    fn supposed(&self, body: Span) -> Result<Vec<(Vec<Formula>, Span)>, SyntaxError> {
+        let source = &self.document.source;
+        let mut statements = match read_formulas(source, body) {
+            Ok(statements) => statements,
+            Err(error) => {
+                let bounds = bounds_of_all(source, body).ok_or(error)?;
+                return Ok(vec![(bounds, body)]);
+            }
+        };
+        self.read_exponentials(statements.iter_mut());
+        match statements.iter().find(|s| !s.under.is_empty()) {
+            Some(conditional) => Err(SyntaxError {
+                span: conditional.span,
+                message: "what is supposed here is said under a condition".into(),
+                help: Some("suppose the condition first".into()),
+            }),
+            None => Ok(statements
+                .iter()
+                .map(|own| (formulas(own), own.span))
+                .collect()),
         }
     }
 
@@ -442,6 +457,49 @@ pub(super) fn slope_by(display: &[Part], equations: &[Equation]) -> Option<Expr>
             variable: variable.clone(),
         })
     })
+}
+
+/// What one bound says of several symbols: `a, b > 0` or `R_1, \ldots, R_4 > 0`.
+fn bounds_of_all(source: &str, body: Span) -> Option<Vec<Formula>> {
+    let text = source.get(body.range())?;
+    let (names, bound) = text.rsplit_once(',')?;
+    let start = body.end - bound.len();
+    let statements = read_formulas(source, Span::new(start, body.end)).ok()?;
+    let bounds = statements.iter().flat_map(formulas).collect::<Vec<_>>();
+    let [
+        bound @ Formula::Relation {
+            left: Expr::Symbol(last),
+            relation,
+            ..
+        },
+    ] = &bounds[..]
+    else {
+        return None;
+    };
+    if *relation == Relation::Equal {
+        return None;
+    }
+    let mut all: Vec<Symbol> = Vec::new();
+    let mut dots = false;
+    for name in names.split(',').map(str::trim) {
+        match name {
+            "\\ldots" | "\\dots" | "\\cdots" | "\\dotsc" if !dots => dots = true,
+            name if !dots => all.push(read_symbol(name).ok()?),
+            _ => return None,
+        }
+    }
+    if dots {
+        let (stem, from) = element_parts(all.last()?)?;
+        let (own, to) = element_parts(last)?;
+        if own != stem || to > from + MOST_LISTED {
+            return None;
+        }
+        all.extend((from + 1..to).map(|position| element_symbol(&stem, position)));
+    }
+    all.push(last.clone());
+    let of =
+        |name: &Symbol| bound.map_terms(|term| term.substitute(last, &Expr::Symbol(name.clone())));
+    Some(all.iter().map(of).collect())
 }
 
 /// What an equation says the value of.

@@ -15,8 +15,8 @@ use self::introduction::{MOST_DESCRIBING, introduced, is_condition};
 pub(super) use self::mathematics::relates;
 use self::mathematics::{differs, is_bound, is_number, is_value};
 use self::words::{
-    CONCLUDING, DENYING, DOUBTFUL, KNOWN, NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, OF_CASES,
-    REASONS, UNDECIDED,
+    CONCLUDING, DENYING, DOUBTFUL, HAVING, KNOWN, NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING,
+    OF_CASES, REASONS, UNDECIDED,
 };
 use super::circumstance;
 use super::conclusion;
@@ -175,7 +175,9 @@ impl Reader<'_> {
             }
         }
         let draws = conclusion::draws(word);
-        self.sentence.concluded |= draws || matches!(word, "have" | "show" | "shows");
+        // "The bars have the lengths $a > b > 0$" concludes nothing.
+        let we_have = word == "have" && follows(index, self.tokens, HAVING);
+        self.sentence.concluded |= draws || we_have || matches!(word, "show" | "shows");
         let introduced = introduced(self.source, word, index, self.tokens, self.sentence.begun);
         self.sentence.active = match (self.sentence.active, introduced) {
             _ if self.sentence.doubtful => None,
@@ -378,7 +380,8 @@ fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> b
     let starts = || reach == Reach::Sentence && follows(index, tokens, NAMED_BEFORE);
     let after = tokens.get(index + 1).map(|(token, _)| *token);
     let placed = matches!(after, Some(Token::Word("at" | "when"))) && !is_number(math);
-    is_named(index, tokens) && !placed || starts()
+    // "Let $v > 0$ be the speed" names it and says its sign.
+    is_named(index, tokens) && !placed && !is_bound(math) || starts()
 }
 
 /// Whether what comes after the mathematics at `index` makes it a name.

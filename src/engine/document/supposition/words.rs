@@ -23,6 +23,21 @@ pub(super) const CONCLUDING: &[&str] = &[
     "square",
     "equation",
 ];
+/// Who or what comes before a "have" with which a sentence concludes: "we have".
+pub(super) const HAVING: &[&str] = &[
+    "we",
+    "you",
+    "one",
+    "i",
+    "to",
+    "must",
+    "now",
+    "then",
+    "thus",
+    "hence",
+    "also",
+    "therefore",
+];
 /// With these, a sentence supposes nothing that could be used.
 pub(super) const DOUBTFUL: &[&str] = &[
     "or",
