@@ -11,6 +11,7 @@ mod checker;
 mod constants;
 mod counts;
 mod definition;
+mod dots;
 mod equation;
 mod euler;
 mod names;
@@ -127,7 +128,9 @@ impl Derivation {
         let (pages, equations) = (&mut derivation.pages, &mut derivation.equations);
         for (at, page) in pages.iter_mut().enumerate() {
             let own = equation::of_page(at, equations);
-            arguments::leave_out(page, &mut equations[own]);
+            let own = &mut equations[own];
+            dots::read_as_slopes(page, own);
+            arguments::leave_out(page, own);
         }
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);

@@ -22,12 +22,22 @@ struct Running {
 }
 
 impl Running {
-    fn collect(&mut self, term: &Expr) {
-        if let Expr::Limit { body, variable, .. } | Expr::Integral { body, variable, .. } = term {
-            self.variables.insert(variable.clone());
-            self.inside.extend(body.free_symbols());
+    fn collect(&mut self, term: &Expr, derivatives: bool) {
+        match term {
+            Expr::Limit { body, variable, .. } | Expr::Integral { body, variable, .. } => {
+                self.add(body, variable);
+            }
+            Expr::Derivative { body, variable } if derivatives && body.mentions(variable) => {
+                self.add(body, variable);
+            }
+            _ => {}
         }
-        term.children().for_each(|part| self.collect(part));
+        (term.children()).for_each(|part| self.collect(part, derivatives));
+    }
+
+    fn add(&mut self, body: &Expr, variable: &Symbol) {
+        self.variables.insert(variable.clone());
+        self.inside.extend(body.free_symbols());
     }
 }
 
@@ -37,11 +47,12 @@ impl Point<'_> {
         let problem = self.problem;
         let mut running = Running::default();
         let formulas = problem.formulas.iter().map(|own| &*own.0);
+        // A course says itself how derivatives are tied together.
+        let derivatives = self.at.course.is_none();
         for formula in formulas.chain([&problem.goal_formula]) {
-            formula
-                .terms()
-                .into_iter()
-                .for_each(|term| running.collect(term));
+            for term in formula.terms() {
+                running.collect(term, derivatives);
+            }
         }
         if running.variables.is_empty() {
             return Ok(());
@@ -114,7 +125,8 @@ impl Point<'_> {
             .vars()
             .into_iter()
             .map(|var| expr_of_atom(self.atoms.atom(var)));
-        let moving = terms.filter(|term| !self.stands_still(term));
+        let is_slope = |term: &Expr| matches!(term, Expr::Derivative { .. });
+        let moving = terms.filter(|term| !is_slope(term) && !self.stands_still(term));
         moving.flat_map(|term| term.free_symbols()).collect()
     }
 }

@@ -86,7 +86,7 @@ fn has_operands(formula: &Formula) -> bool {
 struct Operands {
     /// Under a derivative, a limit or an integral.
     moving: Set<Symbol>,
-    /// Unknown functions, applied, under an integral or a limit.
+    /// Unknown functions, applied, in the same places.
     applied: Set<Expr>,
     /// In the upper limit of a sum.
     counts: Set<Symbol>,
@@ -107,9 +107,7 @@ impl Operands {
                 self.moving
                     .extend(body.free_symbols().into_iter().filter(|s| s != variable));
                 self.variables.insert(variable.clone());
-                if !matches!(term, Expr::Derivative { .. }) {
-                    applications(body, &mut self.applied);
-                }
+                applications(body, &mut self.applied);
                 if let Expr::Integral { from, to, .. } = term {
                     // The limits come to stand in the functions of the integrand.
                     if body.any(&|part| matches!(part, Expr::Call(..))) {

@@ -43,7 +43,9 @@ pub(super) fn introduced(
         let rest = tokens.get(index + 1..).unwrap_or_default();
         let between = rest.iter().take(MOST_DESCRIBING).take_while(words).count();
         match rest.get(between..between + 2) {
-            Some([(Token::Math(body), _), (Token::Mark(','), _)]) => is_value(text(*body)),
+            Some([(Token::Math(body), _), (Token::Mark(',') | Token::Stop, _)]) => {
+                is_value(text(*body))
+            }
             _ => false,
         }
     };
@@ -92,10 +94,13 @@ pub(super) fn introduced(
         "for" | "when"
             if value()
                 && (!begun && (comma || referred)
-                    || (!begun || cited_before()) && leads_to_display(source, index, tokens)) =>
+                    || (!begun || cited_before() || only_joins(&tokens[..index]))
+                        && leads_to_display(source, index, tokens)) =>
         {
             Some((case, joined(true)))
         }
+        // "The stone lands when $y = 0$, hence"
+        "when" if value() && concludes_at_once(index, tokens) => Some((case, joined(true))),
         "for" if !begun && described() => Some((case, joined(true))),
         "case" if comma && value() && !is_compared(index, tokens) => Some((case, joined(true))),
         "setting" | "putting" | "substituting" | "inserting" | "using" if !begun && value() => {
@@ -166,6 +171,23 @@ fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
         token => *token == Token::Stop,
     };
     !rest.iter().any(says)
+}
+
+/// Whether a sentence goes on with these: "and".
+fn only_joins(before: &[Placed<'_>]) -> bool {
+    let joins =
+        |token: &Placed<'_>| token.0.is_among(&["and", "but"]) || token.0 == Token::Mark(',');
+    !before.is_empty() && before.iter().all(joins)
+}
+
+/// Whether what follows from the value after the word at `index` comes next: ", hence", ", that is", ", so that".
+fn concludes_at_once(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 2..).unwrap_or_default();
+    let [(Token::Mark(','), _), (Token::Word(word), _), ..] = rest else {
+        return false;
+    };
+    let no_more = |(token, _): &Placed<'_>| !matches!(token, Token::Stop | Token::Math(_));
+    (conclusion::draws(word) || matches!(*word, "that" | "then")) && rest.iter().all(no_more)
 }
 
 /// Whether the text ends with the value that follows a word and a "where": what comes next is said of that place.

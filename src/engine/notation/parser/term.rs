@@ -195,11 +195,18 @@ impl Parser<'_> {
                         product.divide(unit)?;
                         continue;
                     }
+                    // `h/2\pi`, and not `4/3 \pi r^3`.
+                    let of_pi = product.is_lettered() && self.is_number_of_pi();
                     let under = match self.choice {
                         Some(Choice::Below(more)) => self.all_below(more)?,
+                        _ if of_pi => self.all_below(1)?,
                         _ => self.factor()?,
                     };
-                    stroke = Some((from - 1, 0));
+                    if of_pi {
+                        let place = (Choice::Below(0), self.since(from - 1));
+                        self.choices.push(place);
+                    }
+                    stroke = Some((from - 1, u8::from(of_pi)));
                     if self.pending.is_some() {
                         self.beside(&mut stroke);
                     }
@@ -246,6 +253,11 @@ impl Parser<'_> {
         }
     }
 
+    /// Whether a number and π come next, which belong together below a stroke.
+    fn is_number_of_pi(&self) -> bool {
+        matches!(self.peek(), Kind::Number(_)) && self.kind(self.at + 1) == Kind::Command("pi")
+    }
+
     /// What a stroke divides by, and up to so many factors beside it, as another reading of `a/bc` has them.
     fn all_below(&mut self, more: u8) -> Read<Factor> {
         let start = self.at;
@@ -284,6 +296,14 @@ struct Product {
 }
 
 impl Product {
+    /// Whether a letter stands in it.
+    fn is_lettered(&self) -> bool {
+        let is_letter = |part: &Expr| matches!(part, Expr::Symbol(_));
+        self.factors
+            .iter()
+            .any(|factor| factor.expr.any(&is_letter))
+    }
+
     fn take_pending(&mut self, parser: &mut Parser) -> Read<()> {
         match parser.pending.take() {
             Some(group) => self.push(group),
