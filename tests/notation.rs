@@ -570,6 +570,8 @@ fn spellings_of_one_term() {
             ],
             r"\lim_{x \to x_0} \frac{dU}{dx}",
         ),
+        (&["h/2\\pi", r"h/(2\pi)"], r"\frac{h}{2 \pi}"),
+        (&[r"4/3 \pi r^3"], r"\frac{4}{3} \pi r^3"),
         (&[r"y |_{t=0} + 1"], r"\lim_{t \to 0} y + 1"),
         (&["x(0)", r"x\left(0\right)"], "x(0)"),
         (

@@ -171,8 +171,9 @@ pub fn are_tied(
         |own: &Symbol| speaking.iter().any(|law| by_itself(law.0, own)) && !is_constant(own);
     let moves = |own: &Symbol| own != variable && (moves(own) || is_explicit(own));
     speaking.iter().any(|(left, names)| {
-        // `x = a` names a place.
-        names.contains(symbol) && !by_itself(left, variable) && !names.iter().any(moves)
+        // `x = a` names a place, and `y(t) = a t` says what depends on what.
+        let says = by_itself(left, variable) || matches!(left, Expr::Apply(..));
+        names.contains(symbol) && !says && !names.iter().any(moves)
     })
 }
 
