@@ -84,7 +84,8 @@ impl Moving {
         let before = self.laws.partition_point(|own| own.0 < at);
         let speaking = self.laws[..before].iter().rev();
         let speaking = speaking.filter(|own| own.2.contains(variable));
-        let laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
+        let mut laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
+        laws.reverse();
         let moves = |own: &Symbol| self.differentiated.contains(own);
         let constant = |own: &Symbol| self.constants.contains(own);
         self.differentiated.iter().any(is_meant)

@@ -196,7 +196,8 @@ pub fn usable<'a>(
         let mut others = in_effect
             .iter()
             .map(|&(page, at)| derivation.local(page, at));
-        others.any(|other| !other.values().is_disjoint(&values))
+        // That $k > 0$ is not taken back by $k = m \omega^2$.
+        own.is_equation() && others.any(|other| !other.values().is_disjoint(&values))
     };
     let together: Vec<usize> = premises.iter().copied().chain([at]).collect();
     for &premise in premises {

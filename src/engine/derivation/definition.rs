@@ -52,7 +52,7 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
                 }
                 sequences.learn(&formula);
                 if equation.kind == Kind::Given || defines.contains(&part) {
-                    sequences.learn_term(&formula);
+                    sequences.learn_term(&formula, page);
                 }
             }
         }
@@ -90,6 +90,9 @@ fn names_in(source: &str, body: Span) -> BTreeSet<Symbol> {
     names.collect()
 }
 
+/// The letters that mostly count something.
+const COUNTING: [&str; 7] = ["i", "j", "k", "l", "m", "n", "N"];
+
 /// What is known of sequences, by their names, each with its index.
 #[derive(Default)]
 struct Sequences(Tree<Symbol, Vec<(Symbol, Sequence)>>);
@@ -126,11 +129,16 @@ impl Sequences {
         known.filter_map(|(index, own)| Some((index, own, symbol.place(index)?.1)))
     }
 
-    fn learn_term(&mut self, formula: &Formula) {
+    fn learn_term(&mut self, formula: &Formula, page: &Page) {
         let Some((Expr::Symbol(symbol), right)) = formula.as_equation() else {
             return;
         };
-        for index in right.free_symbols().iter() {
+        // `V_R = 4 b R` is the potential at the radius R, and `V_0` no element of anything.
+        let counts = |symbol: &Symbol| {
+            let declared = page.domains.get(symbol).is_some_and(|own| own.integer);
+            declared || COUNTING.contains(&symbol.name())
+        };
+        for index in right.free_symbols().iter().filter(|own| counts(own)) {
             if let Some(stem) = family(formula, index) {
                 self.entry(stem, index).whole = true;
             }

@@ -76,6 +76,11 @@ impl Local {
         self.formulas.iter().flat_map(|f| assigned(f)).collect()
     }
 
+    /// Whether it says what something is, and does not bound it.
+    pub fn is_equation(&self) -> bool {
+        self.formulas.iter().all(|own| own.as_equation().is_some())
+    }
+
     /// The symbols and sequences that it speaks of.
     pub fn names(&self) -> Set<Symbol> {
         let formulas = self.formulas.iter();

@@ -161,19 +161,36 @@ pub fn are_tied(
     is_constant: impl Fn(&Symbol) -> bool,
 ) -> bool {
     let speaking = laws.iter().filter_map(|law| {
-        let (left, _) = law.as_equation()?;
+        let (left, right) = law.as_equation()?;
         let names = law.free_symbols();
-        names.contains(variable).then_some((left, names))
+        names.contains(variable).then_some((left, right, names))
     });
-    let speaking: Vec<(&Expr, Set<Symbol>)> = speaking.collect();
+    let speaking: Vec<(&Expr, &Expr, Set<Symbol>)> = speaking.collect();
     let by_itself = |left: &Expr, own: &Symbol| matches!(left, Expr::Symbol(left) if left == own);
-    let is_explicit =
-        |own: &Symbol| speaking.iter().any(|law| by_itself(law.0, own)) && !is_constant(own);
+    // What the links of `z = a = b` are equal to.
+    let mut explicit: Vec<&Expr> = Vec::new();
+    let says: Vec<bool> = speaking
+        .iter()
+        .map(|(left, right, _)| {
+            let says = match left {
+                // `x = a` names a place, and `y(t) = a t` says what depends on what.
+                Expr::Symbol(own) => own == variable || !is_constant(own),
+                left => matches!(left, Expr::Apply(..)) || explicit.contains(left),
+            };
+            if says && !by_itself(left, variable) {
+                explicit.push(right);
+            }
+            says
+        })
+        .collect();
+    let is_explicit = |own: &Symbol| {
+        let mut lefts = speaking.iter().map(|law| law.0);
+        lefts.any(|left| by_itself(left, own)) && !is_constant(own)
+    };
     let moves = |own: &Symbol| own != variable && (moves(own) || is_explicit(own));
-    speaking.iter().any(|(left, names)| {
-        // `x = a` names a place, and `y(t) = a t` says what depends on what.
-        let says = by_itself(left, variable) || matches!(left, Expr::Apply(..));
-        names.contains(symbol) && !says && !names.iter().any(moves)
+    speaking.iter().zip(says).any(|((left, _, names), says)| {
+        let own = by_itself(left, symbol) && !is_constant(symbol);
+        names.contains(symbol) && (own || !says && !names.iter().any(moves))
     })
 }
 
