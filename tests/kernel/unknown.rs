@@ -44,6 +44,7 @@ fn what_the_hypotheses_say_of_them_must_be_so() {
         r"\lim_{t \to \infty} x(t) = 0",
         r"\sqrt{x(t) - 4} = \sqrt{x(t) - 4}",
         r"\frac{1}{x(t) - a} = \frac{1}{x(t) - a}",
+        r"\lim_{t \to 0} \frac{x(t)}{t} = \lim_{t \to 0} \frac{x(t)}{t}",
     ] {
         let judged = refuted(&begins_at(&[premise], "y = B"), at.clone());
         assert!(judged.is_err(), "{premise}");
@@ -64,6 +65,16 @@ fn what_moves_is_tied_to_no_constant_function() {
         let judged = refuted(&claim(&[law], r"\frac{d}{dt}[x(t)] = 1"), at.clone());
         assert!(judged.is_err(), "{law}");
     }
+    // Nor does a declaration make it one.
+    for (law, name) in [("x(t) = t", "t"), ("x(t) = s + r - r", "r")] {
+        let goal = r"\frac{d}{dt}[x(t)] = \frac{dx(r)}{dr} + 1";
+        let declared = ["s", name].into_iter();
+        let declared = declared.fold(claim(&[law], goal), |own, name| {
+            own.domain(name, constant())
+        });
+        let at = with(&[("t", 1), ("s", 1), ("r", 1), ("y", 1)], &[("x(t)", 1)]);
+        assert_eq!(refuted(&declared, at), Err(Reject::NoCourse), "{law}");
+    }
     // Of a constant it can be said.
     let constant = claim(&["x(t) = s"], r"\frac{d}{dt}[x(t)] = 1").domain("s", constant());
     assert_eq!(refuted(&constant, at), Ok(()));
@@ -71,6 +82,10 @@ fn what_moves_is_tied_to_no_constant_function() {
 
 #[test]
 fn elements_are_no_constants() {
+    let at = with(&[("y", 1), ("k", 2)], &[("x(t)", 1)]).list("u", &[1, 1]);
+    let all = claim(&[r"u_1 = \dots = u_k = x(t)"], "y = 2").sequence("u");
+    let all = all.domain("k", constant());
+    assert!(refuted(&all, at).is_err());
     let tied = claim(&["x(t) = u_1", "u_1 + u_2 = 3"], "y = 2").sequence("u");
     let at = with(&[("y", 1)], &[("x(t)", 1)]).list("u", &[1, 2]);
     assert!(refuted(&tied, at).is_err());
