@@ -146,10 +146,11 @@ impl Judge<'_> {
 
     /// Whether the step follows where what is differentiated nowhere does not change, and something is left that does.
     fn holds_still(&self, goal: &Goal, set: &[Assumed], claim: Claim, found: &mut Found) -> bool {
-        let still = search::still_in(claim);
+        let still = search::still_in(claim.clone());
         let mut own = Found::open(found.judged.clone());
         let holds = !still.is_empty()
             && self.holds_under(goal, set.to_vec(), &still, Effort::Full, &mut own)
+            && search::is_possible(&claim, &own.conditions)
             && stated::constants(&own.judged, &own.conditions).is_some();
         if holds {
             *found = own;

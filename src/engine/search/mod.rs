@@ -51,7 +51,7 @@ pub use scaling::{
     Repair, ScalingDecision, decide_scaling, is_plainly_possible, is_scaling, kept_hypotheses,
     prove_scaling,
 };
-pub use still::{are_tied, still_in};
+pub use still::{are_tied, is_possible, still_in};
 
 /// How many choices a search for a point may try, quickly and in earnest.
 const QUICK: usize = 200;

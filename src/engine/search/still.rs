@@ -3,7 +3,10 @@
 
 use super::course::{differentiated, said_to_move};
 use super::refute::Points;
-use super::{Decision, Derived, Effort, QUICK, assuming, first, pose, prove_posed, refuted};
+use super::unfold::definitions_to_unfold;
+use super::{
+    Decision, Derived, Effort, QUICK, assuming, contradiction, first, pose, prove_posed, refuted,
+};
 use crate::algebra::{Atom, Expr, Formula, Symbol, element_parts};
 use crate::kernel::{Claim, Obligation, Problem, Refuted, Standing, definition};
 use crate::sorted::Set;
@@ -21,7 +24,8 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
         prove_posed(&posed, Effort::Light).or_else(|| prove_posed(&posed, Effort::Full))
     };
     if let Some((derived, conditions)) = fewest(still.clone(), proved) {
-        return Some(Decision::Proven {
+        // From what cannot be anything follows.
+        return is_possible(claim, &conditions).then_some(Decision::Proven {
             derived,
             conditions,
         });
@@ -40,6 +44,14 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
     });
     let found = found.or_else(|| refuted_where_constant(obligation));
     found.map(Decision::Refuted)
+}
+
+/// Whether the premises of a claim are not seen to contradict what is held still.
+pub fn is_possible(claim: &Claim, still: &[Formula]) -> bool {
+    let held = assuming(claim, still);
+    let unfold = definitions_to_unfold(&held);
+    let premises = Obligation::of_premises(held, unfold);
+    still.is_empty() || premises.is_ok_and(|own| contradiction(&own).is_none())
 }
 
 /// A counterexample in which what is held still is constant: only then it is known what an integral is worth, or a slope of a slope.
