@@ -11,7 +11,7 @@ use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::sorted::Tree;
 
 use super::Equation;
-use super::equation::{conditions, each_side, formulas};
+use super::equation::{conditions, formulas, map_terms};
 use super::names::undotted;
 use super::page::Page;
 
@@ -58,14 +58,7 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     if !any {
         return;
     }
-    for equation in equations {
-        for statement in equation.statements.iter_mut().flatten() {
-            each_side(statement, &mut |term, _| *term = without(term, &functions));
-        }
-    }
-    for formula in page.locals.iter_mut().flat_map(|local| &mut local.formulas) {
-        *formula = formula.map_terms(|term| without(term, &functions)).into();
-    }
+    map_terms(page, equations, |term| without(term, &functions));
 }
 
 /// What is said in one statement.

@@ -4,7 +4,7 @@ use crate::algebra::{Expr, Formula, Symbol};
 use crate::sorted::Set;
 
 use super::Equation;
-use super::equation::{conditions, each_side, formulas};
+use super::equation::{conditions, formulas, map_terms};
 use super::names::undotted;
 use super::page::Page;
 
@@ -40,18 +40,7 @@ pub(super) fn read_as_slopes(page: &mut Page, equations: &mut [Equation]) {
     if dotted.is_empty() {
         return;
     }
-    for equation in equations {
-        for statement in equation.statements.iter_mut().flatten() {
-            each_side(statement, &mut |term, _| {
-                *term = slopes(term, &dotted, &time)
-            });
-        }
-    }
-    for formula in page.locals.iter_mut().flat_map(|local| &mut local.formulas) {
-        *formula = formula
-            .map_terms(|term| slopes(term, &dotted, &time))
-            .into();
-    }
+    map_terms(page, equations, |term| slopes(term, &dotted, &time));
 }
 
 /// What stands below the dots of a name, and how many they are.

@@ -5,6 +5,7 @@ use crate::document::{Citation, Extent, Span};
 use crate::notation::{Clause, Connective, Statement, SyntaxError};
 
 use super::Premises;
+use super::page::Page;
 use crate::sorted::Set;
 
 /// An equation of a document, with all that its surroundings say about it.
@@ -214,6 +215,22 @@ pub(super) fn of_pages<'a>(
     };
     let own = |equation: &&mut Equation| pages.binary_search(&equation.page).is_ok();
     equations[all].iter_mut().filter(own)
+}
+
+/// Changes each term of a page, in its equations and in what is supposed.
+pub(super) fn map_terms(
+    page: &mut Page,
+    equations: &mut [Equation],
+    change: impl Fn(&Expr) -> Expr,
+) {
+    for equation in equations {
+        for statement in equation.statements.iter_mut().flatten() {
+            each_side(statement, &mut |term, _| *term = change(term));
+        }
+    }
+    for formula in page.locals.iter_mut().flat_map(|local| &mut local.formulas) {
+        *formula = formula.map_terms(&change).into();
+    }
 }
 
 /// Changes each term of a statement, in its other readings too, given where it stands.

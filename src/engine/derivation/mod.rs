@@ -27,9 +27,9 @@ use std::sync::Arc;
 
 use crate::algebra::{BigRational, Formula, Relation, Symbol};
 use crate::document::{Citation, Document, Extent, Premise, Span, in_order};
-use crate::kernel::{Claim, Domain, Hypothesis, Standing, collect_running};
+use crate::kernel::{Claim, Domain, Hypothesis, Standing, running_in};
 use crate::notation::{Spanned, measured, read_formulas};
-use crate::sorted::{Map, Set, Tree};
+use crate::sorted::{Map, Tree};
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
@@ -446,10 +446,8 @@ impl Derivation {
         let statements = others
             .iter()
             .flat_map(|&at| self.equations[at].statements());
-        let mut running = Set::new();
-        for formula in statements.flat_map(formulas) {
-            (formula.terms().into_iter()).for_each(|term| collect_running(term, &mut running));
-        }
+        let said: Vec<Formula> = statements.flat_map(formulas).collect();
+        let running = running_in(said.iter());
         let page = &self.pages[own.page];
         let fixes = |local: &usize| {
             let local = &page.locals[*local];

@@ -111,6 +111,11 @@ fn nought() -> &'static BigRational {
 }
 
 impl Claim {
+    /// Whether a symbol is declared to depend on no variable.
+    pub fn is_constant(&self, symbol: &Symbol) -> bool {
+        (self.domains.get(symbol)).is_some_and(|domain| domain.constant)
+    }
+
     /// Every formula: the hypotheses in order, then the goal.
     pub fn formulas(&self) -> impl Iterator<Item = &Formula> {
         let hypotheses = self.hypotheses.iter().map(|h| &*h.formula);

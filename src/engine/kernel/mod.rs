@@ -71,7 +71,7 @@ pub use scaling::{
     ScalingVerdict, Situations, Size, check_scaling,
 };
 pub(crate) use series::bounded_series;
-pub use unknown::{collect_running, with_constant_functions};
+pub use unknown::{running_in, with_constant_functions};
 pub use verdict::{Checked, Model, Proven, Refuted, Reject};
 
 /// Decides whether a candidate is evidence for or against a claim.

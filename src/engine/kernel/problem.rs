@@ -260,6 +260,12 @@ impl Problem {
         }
     }
 
+    /// The hypotheses and the goal, with what is put in.
+    pub(super) fn statements(&self) -> impl Iterator<Item = &Formula> + Clone {
+        let hypotheses = self.formulas.iter().map(|own| &*own.0);
+        hypotheses.chain([&self.goal_formula])
+    }
+
     /// Reads further terms in the way of this problem, over a copy of its unknowns.
     pub fn lowering_over<'a>(&'a self, atoms: &'a mut Atoms) -> Lowering<'a> {
         Lowering {

@@ -11,7 +11,7 @@
 
 use super::witness::Point;
 use super::{Origin, Reject, Sign, Standing};
-use crate::algebra::{Atom, Expr, Polynomial, Symbol, Var, expr_of_atom};
+use crate::algebra::{Atom, Expr, Formula, Polynomial, Symbol, Var, expr_of_atom};
 use crate::sorted::Set;
 
 /// What runs, and what is inside of what it runs in.
@@ -46,14 +46,10 @@ impl Point<'_> {
     pub(super) fn laws_can_keep_up(&mut self) -> Result<(), Reject> {
         let problem = self.problem;
         let mut running = Running::default();
-        let formulas = problem.formulas.iter().map(|own| &*own.0);
         // A course says itself how derivatives are tied together.
         let derivatives = self.at.course.is_none();
-        for formula in formulas.chain([&problem.goal_formula]) {
-            for term in formula.terms() {
-                running.collect(term, derivatives);
-            }
-        }
+        let terms = problem.statements().flat_map(Formula::terms);
+        terms.for_each(|term| running.collect(term, derivatives));
         if running.variables.is_empty() {
             return Ok(());
         }
@@ -74,8 +70,8 @@ impl Point<'_> {
         }
         let mut moving = running.variables.clone();
         while let Some(at) = laws.iter().position(|law| law.is_behind(&moving)) {
-            let symbol = self.lead(&laws, at, &running, &moving)?;
-            laws[at].lead = self.atoms.find(&Atom::Symbol(symbol.clone()));
+            let (symbol, var) = self.lead(&laws, at, &running, &moving)?;
+            laws[at].lead = Some(var);
             moving.insert(symbol);
         }
         let unsure = |law: &&Law| law.sign != Sign::Zero && law.mentions(&moving);
@@ -96,8 +92,8 @@ impl Point<'_> {
         at: usize,
         running: &Running,
         moving: &Set<Symbol>,
-    ) -> Result<Symbol, Reject> {
-        let mut found: Option<(usize, Symbol)> = None;
+    ) -> Result<(Symbol, Var), Reject> {
+        let mut found: Option<(usize, (Symbol, Var))> = None;
         for symbol in &laws[at].names {
             let var = self.atoms.find(&Atom::Symbol(symbol.clone()));
             let Some(var) = var.filter(|_| {
@@ -113,7 +109,7 @@ impl Point<'_> {
             }
             let others = laws.iter().filter(|law| law.names.contains(symbol)).count();
             if found.as_ref().is_none_or(|(fewest, _)| others < *fewest) {
-                found = Some((others, symbol.clone()));
+                found = Some((others, (symbol.clone(), var)));
             }
         }
         found.map(|own| own.1).ok_or(Reject::NoCourse)

@@ -36,8 +36,16 @@ fn applied(term: &Expr) -> Option<&Symbol> {
     }
 }
 
-/// Adds what runs in a term: what functions are applied to, and what is bound or differentiated by.
-pub fn collect_running(term: &Expr, running: &mut Set<Symbol>) {
+/// What runs in formulas: what functions are applied to, and what is bound or differentiated by.
+pub fn running_in<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Set<Symbol> {
+    let mut running = Set::new();
+    for term in formulas.flat_map(Formula::terms) {
+        collect_running(term, &mut running);
+    }
+    running
+}
+
+fn collect_running(term: &Expr, running: &mut Set<Symbol>) {
     if let Expr::Apply(_, arguments) = term {
         running.extend(arguments.iter().flat_map(Expr::free_symbols));
     }
@@ -49,8 +57,8 @@ impl Point<'_> {
     /// Whether the unknown functions that the point gives may be constant.
     pub(super) fn functions_may_be_constant(&self) -> Result<(), Reject> {
         let problem = self.problem;
-        let given = || self.at.functions.iter();
-        let given = given().filter_map(|(term, value)| Some((applied(term)?, value)));
+        let given = self.at.functions.iter();
+        let given = given.filter_map(|(term, value)| Some((applied(term)?, value)));
         let given: Vec<(&Symbol, &BigRational)> = given.collect();
         if given.is_empty() {
             return Ok(());
@@ -69,23 +77,14 @@ impl Point<'_> {
                 };
                 term.any(&plain)
             };
-            let formulas = problem.formulas.iter().map(|own| &*own.0);
-            let mut terms = formulas
-                .chain([&problem.goal_formula])
-                .flat_map(|own| own.terms());
+            let mut terms = problem.statements().flat_map(Formula::terms);
             if given[..at].iter().any(|own| own.0 == name) || terms.any(is_plain) {
                 return Err(Reject::NoValue);
             }
         }
-        let mut running = Set::new();
-        let formulas = problem.formulas.iter().map(|own| &*own.0);
-        for formula in formulas.chain([&problem.goal_formula]) {
-            (formula.terms().into_iter()).for_each(|term| collect_running(term, &mut running));
-        }
-        let is_constant = |symbol: &Symbol| {
-            let declared = self.claim.domains.get(symbol).is_some_and(|d| d.constant);
-            declared && !running.contains(symbol)
-        };
+        let running = running_in(problem.statements());
+        let is_constant =
+            |symbol: &Symbol| self.claim.is_constant(symbol) && !running.contains(symbol);
         let concerned = |term: &Expr| given.iter().any(|own| term.mentions(own.0));
         for (formula, _) in &problem.formulas {
             let terms = formula.terms();

@@ -127,14 +127,11 @@ pub fn in_motion(
 /// nothing in it that moves, all of it may.
 pub(super) fn said_to_move(claim: &Claim) -> Set<Symbol> {
     let mut found = Set::new();
-    for term in claim.formulas().flat_map(Formula::terms) {
-        term.collect_differentiated(&mut found);
-    }
     let mut bodies = Vec::new();
     for term in claim.formulas().flat_map(Formula::terms) {
+        term.collect_differentiated(&mut found);
         differentiated_terms(term, &mut bodies);
     }
-    let is_constant = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(|own| own.constant);
     let mut moving = Set::new();
     for (body, variable) in bodies {
         let symbols = body.free_symbols();
@@ -142,7 +139,7 @@ pub(super) fn said_to_move(claim: &Claim) -> Set<Symbol> {
             .iter()
             .any(|own| own == variable || found.contains(own))
         {
-            moving.extend(symbols.into_iter().filter(|own| !is_constant(own)));
+            moving.extend(symbols.into_iter().filter(|own| !claim.is_constant(own)));
         }
     }
     found.extend(moving);

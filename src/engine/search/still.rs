@@ -48,10 +48,13 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
 
 /// Whether the premises of a claim are not seen to contradict what is held still.
 pub fn is_possible(claim: &Claim, still: &[Formula]) -> bool {
+    if still.is_empty() {
+        return true;
+    }
     let held = assuming(claim, still);
     let unfold = definitions_to_unfold(&held);
     let premises = Obligation::of_premises(held, unfold);
-    still.is_empty() || premises.is_ok_and(|own| contradiction(&own).is_none())
+    premises.is_ok_and(|own| contradiction(&own).is_none())
 }
 
 /// A counterexample in which what is held still is constant: only then it is known what an integral is worth, or a slope of a slope.
@@ -82,6 +85,8 @@ pub(super) fn held_constant(claim: &Claim, unfold: &[usize]) -> Option<Claim> {
 /// What a claim says of what moves.
 struct Said<'a> {
     claim: &'a Claim,
+    /// What holds throughout.
+    laws: Vec<&'a Formula>,
     /// What is differentiated where the author writes it.
     moving: Set<Symbol>,
     /// The symbols for which hypotheses put in the terms that define them: how these move is said there.
@@ -92,27 +97,23 @@ impl<'a> Said<'a> {
     fn of(claim: &'a Claim, unfold: &[usize]) -> Self {
         let hypotheses = unfold.iter().filter_map(|&at| claim.hypotheses.get(at));
         let defined = hypotheses.filter_map(|own| definition(&own.formula));
+        let laws = claim.hypotheses.iter();
+        let laws = laws.filter(|own| own.standing == Standing::Identity);
         Said {
             claim,
+            laws: laws.map(|own| &*own.formula).collect(),
             moving: said_to_move(claim),
             put_in: defined.map(|(symbol, _)| symbol).collect(),
         }
     }
 
-    fn is_constant(&self, symbol: &Symbol) -> bool {
-        (self.claim.domains.get(symbol)).is_some_and(|own| own.constant)
-    }
-
     /// Whether nothing is said of how a symbol moves with a variable.
     fn nothing_of(&self, symbol: &Symbol, variable: &Symbol) -> bool {
-        let laws = self.claim.hypotheses.iter();
-        let laws = laws.filter(|own| own.standing == Standing::Identity);
-        let laws: Vec<&Formula> = laws.map(|own| &*own.formula).collect();
         let moves = |other: &Symbol| self.moving.contains(other);
-        let constant = |other: &Symbol| self.is_constant(other);
+        let constant = |other: &Symbol| self.claim.is_constant(other);
         !moves(symbol)
             && !self.put_in.contains(symbol)
-            && !are_tied(symbol, variable, &laws, moves, constant)
+            && !are_tied(symbol, variable, &self.laws, moves, constant)
     }
 
     /// What stands in integrands besides the variable, with the variable, and is not said to move.
@@ -121,7 +122,7 @@ impl<'a> Said<'a> {
         for term in self.claim.formulas().flat_map(Formula::terms) {
             in_integrals(term, &mut |symbol, variable| {
                 let own = (symbol.clone(), variable.clone());
-                if !self.is_constant(symbol)
+                if !self.claim.is_constant(symbol)
                     && !found.contains(&own)
                     && self.nothing_of(symbol, variable)
                 {
@@ -208,14 +209,15 @@ pub fn are_tied(
 
 /// The claim with further symbols constant. Most claims have none of these: nothing is copied for them.
 fn with_constants(claim: &Claim, held: Set<Symbol>) -> Option<Claim> {
-    if held.is_empty() {
-        return None;
+    (!held.is_empty()).then(|| held_with(claim.clone(), held))
+}
+
+/// The same where there may be none.
+pub(super) fn held_with(mut claim: Claim, held: impl IntoIterator<Item = Symbol>) -> Claim {
+    for symbol in held {
+        claim.domains.entry(symbol).or_default().constant = true;
     }
-    let mut constant = claim.clone();
-    for symbol in &held {
-        constant.domains.entry(symbol.clone()).or_default().constant = true;
-    }
-    Some(constant)
+    claim
 }
 
 /// A proof with as few of these held still as may be.

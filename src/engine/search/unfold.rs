@@ -39,7 +39,7 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             // A value at one point says nothing of how the symbol moves; a count does not move.
             let positive = || claim.domains.get(&symbol).is_some_and(Domain::is_positive);
             // What is constant has no slope to be found.
-            let constant = claim.domains.get(&symbol).is_some_and(|d| d.constant);
+            let constant = claim.is_constant(&symbol);
             let fits = match found.moving.contains(&symbol) && !constant {
                 true => claim.hypotheses[at].standing == Standing::Identity,
                 false if found.counts.contains(&symbol) => true,

@@ -1,9 +1,10 @@
 //! Counterexamples in which unknown functions are constant: where `x(0) = x_0` is supposed of a function that nothing else is said of.
 
 use super::refute::Points;
+use super::still::held_with;
 use super::{Decision, QUICK, first, pose, refuted};
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
-use crate::kernel::{Claim, Obligation, collect_running, with_constant_functions};
+use crate::kernel::{Claim, Obligation, running_in, with_constant_functions};
 use crate::sorted::{Map, Set};
 
 /// Refutes a claim that speaks of unknown functions, with these constant, and with them all that its hypotheses tie to them.
@@ -45,10 +46,8 @@ fn applications(term: &Expr, found: &mut Map<Symbol, Expr>) {
 /// The claim with all constant that is left in hypotheses about these functions; `None` where that is what something depends on.
 fn held_constant(claim: &Claim, applied: &Map<Symbol, Expr>) -> Option<Claim> {
     let none = BigRational::from_integer(0.into());
-    let values: Map<Expr, BigRational> = applied
-        .iter()
-        .map(|(_, own)| (own.clone(), none.clone()))
-        .collect();
+    let values = applied.iter().map(|own| (own.1.clone(), none.clone()));
+    let values: Map<Expr, BigRational> = values.collect();
     let mut held: Set<Symbol> = Set::new();
     for hypothesis in &claim.hypotheses {
         let terms = hypothesis.formula.terms();
@@ -60,17 +59,9 @@ fn held_constant(claim: &Claim, applied: &Map<Symbol, Expr>) -> Option<Claim> {
             held.extend(left.flat_map(|own| own.free_symbols()));
         }
     }
-    let mut running = Set::new();
-    let terms = claim.formulas().flat_map(Formula::terms);
-    terms.for_each(|term| collect_running(term, &mut running));
-    if held.iter().any(|symbol| running.contains(symbol)) {
-        return None;
-    }
-    let mut constant = claim.clone();
-    for symbol in held {
-        constant.domains.entry(symbol).or_default().constant = true;
-    }
-    Some(constant)
+    let running = running_in(claim.formulas());
+    let runs = held.iter().any(|symbol| running.contains(symbol));
+    (!runs).then(|| held_with(claim.clone(), held))
 }
 
 /// The claim with a constant symbol in place of each unknown function.
@@ -86,8 +77,5 @@ fn as_symbols(claim: &Claim, applied: &Map<Symbol, Expr>) -> Claim {
         hypothesis.formula = hypothesis.formula.map_terms(plain).into();
     }
     own.goal = own.goal.map_terms(plain);
-    for name in applied.keys() {
-        own.domains.entry(name.clone()).or_default().constant = true;
-    }
-    own
+    held_with(own, applied.keys().cloned())
 }

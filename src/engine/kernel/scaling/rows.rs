@@ -264,7 +264,7 @@ impl Clocks {
         for term in formula.terms() {
             outside_of_integrals(term, &mut outside);
         }
-        let fixed = |s: &Symbol| claim.domains.get(s).is_some_and(|d| d.constant);
+        let fixed = |s: &Symbol| claim.is_constant(s);
         outside.iter().any(|s| self.moving.contains(s) && !fixed(s))
     }
 
