@@ -99,7 +99,8 @@
 
 #[doc(inline)]
 pub use cradle_engine::{
-    algebra, audit, derivation, dimension, document, interval, kernel, notation, search, sorted,
+    algebra, audit, derivation, dimension, document, interval, kernel, notation, parallel, search,
+    sorted,
 };
 
 pub mod cli;

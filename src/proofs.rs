@@ -3,6 +3,7 @@
 
 use crate::derivation::{Checker, Derivation};
 use crate::document::Document;
+use crate::parallel::in_order;
 
 /// The pages of a folder, and a handle on each: its file's name, and a line on what it is about.
 macro_rules! pages {
@@ -53,7 +54,7 @@ pub fn report() -> Derivation {
 
 fn derivation(pages: &[(&str, &str)]) -> Derivation {
     let read = |&(path, source): &(&str, &str)| Document::markdown(path, source);
-    Derivation::new(crate::document::in_order(pages, read))
+    Derivation::new(in_order(pages, read))
 }
 
 /// One page's text, by its path.

@@ -7,6 +7,7 @@ const COMMON: &str = "sorted";
 /// Modules, and what else of the crate each may name.
 const MAY_USE: &[(&str, &[&str])] = &[
     (COMMON, &[]),
+    ("parallel", &[]),
     ("algebra", &[]),
     ("kernel", &["algebra"]),
     ("interval", &["algebra"]),
@@ -15,17 +16,28 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("dimension", &["algebra", "kernel"]),
     (
         "derivation",
-        &["algebra", "dimension", "document", "kernel", "notation"],
+        &[
+            "algebra",
+            "dimension",
+            "document",
+            "kernel",
+            "notation",
+            "parallel",
+        ],
     ),
     ("search", &["algebra", "kernel"]),
     ("cradle", &[]),
-    ("figures", &["algebra", "audit", "derivation", "notation"]),
+    (
+        "figures",
+        &["algebra", "audit", "derivation", "notation", "parallel"],
+    ),
     ("config", &["derivation", "document", "notation", "report"]),
 ];
 
 /// The modules that are exact.
 const EXACT: &[&str] = &[
     COMMON,
+    "parallel",
     "algebra",
     "kernel",
     "document",

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use crate::derivation::{Beside, Derivation};
-use crate::document::{Document, Library, decode, in_order};
+use crate::document::{Document, Library, decode};
 
 use super::Failure;
 use super::config::Configs;
+use crate::parallel::in_order;
 use crate::sorted::{self, Tree};
 
 /// What standard input is called where nothing else is said.

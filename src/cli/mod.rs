@@ -59,7 +59,7 @@ impl Failure {
 pub fn main() -> ExitCode {
     let args = args::Args::parse();
     if let Some(jobs) = args.jobs {
-        crate::document::use_threads(jobs.get());
+        crate::parallel::use_threads(jobs.get());
     }
     if let Some(args::Command::Check {
         paths, watch: true, ..

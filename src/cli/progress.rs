@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use crate::audit::Audit;
 use crate::derivation::Derivation;
-use crate::document::threads;
+use crate::parallel::threads;
 
 /// What takes less than this shows nothing.
 const PATIENCE: Duration = Duration::from_millis(1000);

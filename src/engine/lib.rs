@@ -12,5 +12,6 @@ pub mod document;
 pub mod interval;
 pub mod kernel;
 pub mod notation;
+pub mod parallel;
 pub mod search;
 pub mod sorted;

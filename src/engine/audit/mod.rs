@@ -35,9 +35,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::algebra::{Formula, effort};
 use crate::derivation::{Assumed, Derivation, Equation, Kind, Source, goals};
-use crate::document::{Extent, threads};
+use crate::document::Extent;
 use crate::kernel::{Assignment, Standing};
 use crate::notation::{Mark, Statement};
+use crate::parallel::threads;
 use crate::search::Stop;
 use crate::sorted::{Map, Set};
 

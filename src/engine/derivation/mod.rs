@@ -26,9 +26,10 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::algebra::{BigRational, Formula, Relation, Symbol};
-use crate::document::{Citation, Document, Extent, Premise, Span, in_order};
+use crate::document::{Citation, Document, Extent, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing, running_in};
 use crate::notation::{Spanned, measured, read_formulas};
+use crate::parallel::in_order;
 use crate::sorted::{Map, Tree};
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};

@@ -4,10 +4,11 @@
 //! together with it and then taken apart again: the second says `b = c`, and goes on with the first. A row without a number
 //! belongs to the next that has one.
 
-use crate::document::{Item, Layout, Row, Span, in_order, threads};
+use crate::document::{Item, Layout, Row, Span};
 use crate::notation::{
     Clause, Connective, Other, Statement, SyntaxError, Unit, read_display, read_rows,
 };
+use crate::parallel::{in_order, threads};
 
 use super::equation::formulas;
 

@@ -15,7 +15,6 @@ mod citation;
 mod conclusion;
 mod data;
 mod directive;
-mod in_order;
 mod item;
 mod latex;
 mod markdown;
@@ -33,7 +32,6 @@ use std::sync::Arc;
 
 pub use attribute::declaration;
 pub(crate) use citation::above_signs;
-pub use in_order::{in_order, threads, use_threads};
 pub use item::{
     Attribute, Bound, Citation, Directive, Extent, Inline, Item, Layout, Premise, Problem, Prose,
     Row, Supposition, SuppositionKind, Vanishing,

@@ -1,3 +1,5 @@
+//! The same work on several things, by several threads: no result depends on how many.
+
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
