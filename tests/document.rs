@@ -428,6 +428,59 @@ fn suppositions() {
 }
 
 #[test]
+fn what_is_said_to_be_constant() {
+    let mut wrong = Vec::new();
+    for (text, expected) in [
+        ("where $g$ is constant.", "g"),
+        ("where $A$ and $B$ are constants,", "A B"),
+        ("with $a$, $b$ and $c$ positive constants.", "a b c"),
+        ("with $k$ a constant", "k"),
+        ("where $k$ is the spring constant", "k"),
+        ("Since $g$ is constant, we get", "g"),
+        ("Hence, since $g$ is constant,", "g"),
+        ("Assuming $g$ constant, we get", "g"),
+        ("The acceleration $a$ stays constant.", "a"),
+        ("Let a constant force $F$ act on it.", "F"),
+        ("It moves with constant acceleration $a$", "a"),
+        ("for some constants $A$ and $B$.", "A B"),
+        ("with a constant of integration $C$.", "C"),
+        ("and the rate constant $k$, $[A] = A_0$.", "k"),
+        ("treating $T$ as constant gives", "T"),
+        ("where $a, b$ are constants.", "a, b"),
+        // What is concluded, supposed for a while, or said of something else.
+        ("so $q$ is constant and therefore", ""),
+        ("Hence $L$ is constant.", ""),
+        ("This shows that $L$ is constant.", ""),
+        ("If $v$ is constant, then", ""),
+        ("When the force $F$ is constant,", ""),
+        ("Is $v$ constant? Is $v$ a constant?", ""),
+        ("where $g$ is not constant.", ""),
+        ("where $g$ is nearly constant.", ""),
+        ("where $v$ is proportional to a constant", ""),
+        ("The rate of change of $x$ is constant.", ""),
+        ("The ratio of $a$ to $b$ is constant.", ""),
+        ("At constant $T$ the gas", ""),
+        ("At constant temperature $T$ the gas", ""),
+        ("where $E$ is constant along the path", ""),
+        ("where $v$ is constant in space", ""),
+        ("where $F$ is constant for $x < 0$", ""),
+        ("where $y$ is a constant times $x$", ""),
+        ("With $T$ held constant, $p$", ""),
+        ("must be a constant $C$.", ""),
+        ("a constant, and $x$ is not", ""),
+        ("With $x$ the place, a constant is", ""),
+    ] {
+        let document = read(text);
+        let found = prose(&document).into_iter().flat_map(|own| &own.constants);
+        let found: Vec<&str> = found.map(|&body| document.text(body)).collect();
+        if found.join(" ") != expected {
+            wrong.push((text, found.join(" ")));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
 fn of_how_much_a_display_is_said() {
     use Extent::{AsBefore, Circumstances, Condition, Moment, Throughout};
     for (text, expected) in [

@@ -6,9 +6,11 @@ use annotate_snippets::Level;
 use crate::algebra::Symbol;
 use crate::audit::{Entry, Judged};
 use crate::derivation::{About, Clash, Page, Source};
+use crate::kernel::Claim;
 
 use super::Report;
 use super::diagnostic::Finding;
+use super::explain;
 use super::words;
 
 /// The code of a clash.
@@ -60,14 +62,44 @@ impl Report<'_> {
         }
     }
 
-    /// The place in a configuration at which a symbol, or the elements of a sequence, are declared for a step: as
+    /// What a step takes of where symbols lie and of whether they change, each with whoever says so.
+    pub(super) fn domains(
+        &self,
+        entry: &Entry,
+        judged: &Judged,
+        claim: &Claim,
+    ) -> Vec<(String, String)> {
+        // A counterexample may be one of few situations: what moves nowhere in it need not be declared constant.
+        let said = (self.derivation).claim(entry.equation, &judged.assumed, &judged.goal.formula);
+        let told = (self.derivation).said_constant(entry.equation, &judged.assumed);
+        let lines = explain::domains(claim).into_iter();
+        let sourced = lines.map(|(symbol, line)| {
+            let is_held = claim.domains.get(symbol) != said.domains.get(symbol);
+            let place = self.place_of_declaration(entry, judged, symbol);
+            let mut by = Vec::new();
+            match place {
+                _ if is_held => by.push("in this counterexample".to_owned()),
+                Some(Some(place)) => by.push(format!("declared, {place}")),
+                Some(None) => by.push("declared".to_owned()),
+                None if told.contains_key(symbol) => {}
+                None => by.push("declared".to_owned()),
+            }
+            if let Some(&(page, span)) = told.get(symbol).filter(|_| !is_held) {
+                by.push(format!("the text says so, {}", self.place_of(page, span)));
+            }
+            (line, by.join("; "))
+        });
+        sourced.collect()
+    }
+
+    /// Whether a symbol, or the elements of a sequence, are declared for a step, and where if that is in a configuration: as
     /// [`crate::derivation::Derivation::claim`] has it, by the page of the step or else by that of a premise.
-    pub(super) fn declared_beside(
+    fn place_of_declaration(
         &self,
         entry: &Entry,
         judged: &Judged,
         symbol: &Symbol,
-    ) -> Option<String> {
+    ) -> Option<Option<String>> {
         let own = self.equation(entry.equation).page;
         let others = judged.assumed.iter().filter_map(|a| match a.source {
             Source::Equation(premise) => Some(self.equation(premise).page),
@@ -79,7 +111,7 @@ impl Report<'_> {
             let page = &self.derivation.pages[at];
             let name = page.declared_name(symbol)?;
             Some(place_beside(page, name))
-        })?
+        })
     }
 }
 

@@ -168,17 +168,9 @@ impl Report<'_> {
                 paint(DIM, &self.origin(assumed.source))
             );
         }
-        // A counterexample may be one of few situations: what moves nowhere in it need not be declared constant.
-        let said = (self.derivation).claim(entry.equation, &judged.assumed, &judged.goal.formula);
-        for (symbol, line) in claim.map(domains).unwrap_or_default() {
-            let own = claim.and_then(|claim| claim.domains.get(symbol));
-            let held = own != said.domains.get(symbol);
-            let declared = match self.declared_beside(entry, judged, symbol) {
-                _ if held => "in this counterexample".into(),
-                Some(place) => format!("declared, {place}"),
-                None => "declared".into(),
-            };
-            text += &format!("      {line}   {}\n", paint(DIM, &declared));
+        let domains = claim.map(|claim| self.domains(entry, judged, claim));
+        for (line, by) in domains.unwrap_or_default() {
+            text += &format!("      {line}   {}\n", paint(DIM, &by));
         }
         if text.ends_with("From\n") {
             text += "      nothing: it must hold for all values\n";

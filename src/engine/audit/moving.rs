@@ -70,7 +70,12 @@ impl Moving {
     }
 
     /// Whether a symbol is said to change with a variable; of a sequence, one of its elements.
-    fn says(&self, at: usize, name: &Symbol, is_sequence: bool, variable: &Symbol) -> bool {
+    fn says(
+        &self,
+        (at, equation): (usize, &Equation),
+        (name, is_sequence): (&Symbol, bool),
+        variable: &Symbol,
+    ) -> bool {
         let is_meant = |own: &Symbol| {
             let stem = own.name().rsplit_once('_').map(|parts| parts.0);
             own == name || is_sequence && stem == Some(name.name())
@@ -87,7 +92,8 @@ impl Moving {
         let mut laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
         laws.reverse();
         let moves = |own: &Symbol| self.differentiated.contains(own);
-        let constant = |own: &Symbol| self.constants.contains(own);
+        let told = &equation.constants;
+        let constant = |own: &Symbol| self.constants.contains(own) || told.contains_key(own);
         self.differentiated.iter().any(is_meant)
             || are_tied(name, variable, &laws, moves, constant)
             || explicit.any(|(own, named)| {
@@ -99,7 +105,8 @@ impl Moving {
 impl Auditor<'_> {
     /// Whether the page says that something moves of which conditions say that it does not.
     pub(super) fn says_otherwise(&self, at: usize, conditions: &[Formula]) -> bool {
-        let page = self.derivation.equations[at].page;
+        let equation = &self.derivation.equations[at];
+        let page = equation.page;
         let moving = self
             .moving
             .get_or_init(|| Moving::of(self.derivation, page));
@@ -109,7 +116,10 @@ impl Auditor<'_> {
             };
             let (names, sequences) = (condition.names(), condition.sequences());
             let mut held = names.iter().filter(|name| *name != variable);
-            held.any(|name| moving.says(at, name, sequences.contains(name), variable))
+            held.any(|name| {
+                let name = (name, sequences.contains(name));
+                moving.says((at, equation), name, variable)
+            })
         })
     }
 }

@@ -19,6 +19,7 @@ mod page;
 mod reader;
 mod rows;
 mod running;
+mod steady;
 mod supposed;
 
 use std::collections::BTreeSet;
@@ -30,7 +31,7 @@ use crate::document::{Citation, Document, Extent, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing, running_in};
 use crate::notation::{Spanned, measured, read_formulas};
 use crate::parallel::in_order;
-use crate::sorted::{Map, Tree};
+use crate::sorted::{Map, Set, Tree};
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
@@ -135,6 +136,10 @@ impl Derivation {
         }
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);
+        }
+        for (at, page) in pages.iter().enumerate() {
+            let own = equation::of_page(at, equations);
+            steady::leave_out_what_moves(page, &mut equations[own]);
         }
         derivation.constants = constants::tell_apart(pages, equations);
         definition::settle(equations, pages, &derivation.constants);
@@ -520,6 +525,30 @@ impl Derivation {
         self.constants.contains(symbol)
     }
 
+    /// The symbols that the text says are constant where an equation stands, or where what it is taken with does, each with the page and
+    /// the place; another premise may know better.
+    pub fn said_constant(&self, at: usize, assumed: &[Assumed]) -> Map<Symbol, (usize, Span)> {
+        let premises = assumed.iter().filter_map(|own| match own.source {
+            Source::Equation(premise) => Some(premise),
+            _ => None,
+        });
+        let mut found = Map::new();
+        for at in std::iter::once(at).chain(premises) {
+            let own = &self.equations[at];
+            for (symbol, &span) in &own.constants {
+                found.entry(symbol.clone()).or_insert((own.page, span));
+            }
+        }
+        if !found.is_empty() {
+            let mut differentiated = Set::new();
+            for term in assumed.iter().flat_map(|own| own.formula.terms()) {
+                term.collect_differentiated(&mut differentiated);
+            }
+            found.retain(|symbol, _| !differentiated.contains(symbol));
+        }
+        found
+    }
+
     /// The claim that a goal of an equation follows from hypotheses, with the domains of all symbols in it.
     pub fn claim(&self, at: usize, assumed: &[Assumed], goal: &Formula) -> Claim {
         let mut claim = Claim {
@@ -545,6 +574,7 @@ impl Derivation {
         pages.extend(others);
         pages.dedup();
         let mut domains = Map::new();
+        let constants = self.said_constant(at, assumed);
         for symbol in claim.free_symbols() {
             let mut declared = pages
                 .iter()
@@ -559,6 +589,9 @@ impl Derivation {
                     ..Domain::default()
                 };
                 domains.insert(symbol.clone(), domain);
+            }
+            if constants.contains_key(symbol) {
+                domains.entry(symbol.clone()).or_default().constant = true;
             }
         }
         claim.domains = domains;

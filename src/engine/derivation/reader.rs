@@ -14,6 +14,7 @@ use crate::sorted::Set;
 use super::definition::Known;
 use super::page::{Page, Premises};
 use super::rows::{self, Part};
+use super::steady;
 use super::supposed::{said_of_moment, slope_by};
 use super::{Equation, Kind};
 
@@ -67,6 +68,8 @@ pub(super) struct Reader<'p> {
     active: Vec<usize>,
     /// What is told in passing.
     told: Vec<usize>,
+    /// What is said to be constant, where, and below which heading.
+    constants: Vec<(Symbol, Span, u8)>,
     /// The cases whose sentence goes on with the next display.
     running: Vec<usize>,
     between: Between,
@@ -97,6 +100,7 @@ impl<'p> Reader<'p> {
             section: String::new(),
             active: Vec::new(),
             told: Vec::new(),
+            constants: Vec::new(),
             running: Vec::new(),
             between: Between::default(),
             bare: true,
@@ -138,6 +142,7 @@ impl<'p> Reader<'p> {
         self.active
             .retain(|&at| locals[at].level < level && !locals[at].is_momentary());
         self.told.retain(|&at| locals[at].level < level);
+        self.constants.retain(|own| own.2 < level);
     }
 
     fn prose(&mut self, prose: &Prose) {
@@ -147,6 +152,7 @@ impl<'p> Reader<'p> {
             equation.cite(of_last, prose.says_from);
         }
         self.between.hear(prose, own);
+        self.said_constant(&prose.constants);
         let mut mentioned = prose.mentions.clone();
         if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
             let locals = &self.page.locals;
@@ -163,6 +169,19 @@ impl<'p> Reader<'p> {
         }
         self.between.mentioned.extend(mentioned);
         self.between.mentioned.truncate(MOST_MENTIONED);
+    }
+
+    /// Takes up what is said to be constant: in the display that the text goes on from, too.
+    fn said_constant(&mut self, bodies: &[Span]) {
+        for &body in bodies {
+            let named = steady::named(&self.page.document.source, body);
+            for equation in &mut self.equations[self.last.clone()] {
+                let said = named.iter().map(|symbol| (symbol.clone(), body));
+                equation.constants.extend(said);
+            }
+            self.constants
+                .extend(named.into_iter().map(|symbol| (symbol, body, self.level)));
+        }
     }
 
     /// Takes up what prose supposes; what it only names is returned.
@@ -407,6 +426,11 @@ impl<'p> Reader<'p> {
             continues: part.continues,
             locals: self.active.clone(),
             told: (self.told.iter().rev().take(MOST_MENTIONED).copied()).collect(),
+            constants: self
+                .constants
+                .iter()
+                .map(|own| (own.0.clone(), own.1))
+                .collect(),
             mentioned: said.mentioned.clone(),
             unread: said.unread.clone(),
             section: self.section.clone(),

@@ -84,6 +84,8 @@ pub struct Prose {
     pub citations: Vec<Citation>,
     /// What it supposes, in order.
     pub suppositions: Vec<Supposition>,
+    /// The symbols that it says are constant: "where $g$ is constant".
+    pub constants: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.

@@ -13,6 +13,7 @@ mod attribute;
 mod circumstance;
 mod citation;
 mod conclusion;
+mod constancy;
 mod data;
 mod directive;
 mod item;

@@ -3,6 +3,7 @@
 use super::circumstance;
 use super::citation;
 use super::conclusion;
+use super::constancy;
 use super::supposition;
 use super::{Citation, Inline, Prose, Span};
 
@@ -85,6 +86,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         reasons: conclusion::reasons_in_words(source, &tokens),
         citations,
         suppositions,
+        constants: constancy::read(source, &tokens),
         mentions,
         concludes: conclusion::read(&tokens),
         defines: conclusion::defines(&tokens),

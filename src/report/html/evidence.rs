@@ -154,12 +154,12 @@ impl Page<'_> {
                 "<span class=\"wide\">{formula}</span> <span class=\"from\">{from}</span>"
             ));
         }
-        for (symbol, line) in claim.map(explain::domains).unwrap_or_default() {
-            let place = self.report.declared_beside(entry, judged, symbol);
-            let place = place.map_or(String::new(), |place| format!(", {}", escape(&place)));
+        let domains = claim.map(|claim| self.report.domains(entry, judged, claim));
+        for (line, by) in domains.unwrap_or_default() {
             items.push(format!(
-                "{} <span class=\"from\">declared{place}</span>",
-                words::scripted(&line)
+                "{} <span class=\"from\">{}</span>",
+                words::scripted(&line),
+                escape(&by)
             ));
         }
         match items.is_empty() {
