@@ -86,3 +86,17 @@ fn limits_run_too() {
     let at = point(&[("s", 2), ("r", 2), ("f", 1)]);
     assert_eq!(refuted(&image, at), Err(Reject::NoCourse));
 }
+
+#[test]
+fn what_is_constant_is_so_along_the_way_only_if_the_laws_let_it_be() {
+    let slope = |laws: &[&str]| {
+        claim(laws, r"\frac{d}{dh} \left[ v^2 \right] = -1")
+            .domain("v", constant())
+            .domain("c", constant())
+    };
+    let at = || point(&[("v", 1), ("h", 0), ("c", 1)]);
+    assert_eq!(refuted(&slope(&["v^2 = c"]), at()), Ok(()));
+    let tied = slope(&["v^2 + h = c"]);
+    assert_eq!(refuted(&tied, at()), Err(Reject::NoCourse));
+    assert_eq!(refuted(&tied.at_point(0), at()), Ok(()));
+}

@@ -125,12 +125,10 @@ impl Judge<'_> {
             .into_iter()
             .chain(self.auditor.hints().iter().cloned())
             .collect();
-        // What is cited and fails can stand in the way of what does follow.
         let failing = self
             .auditor
             .failing(self.at, &premises.iter().copied().collect());
-        let fails = |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
-        let sound: Vec<Assumed> = assumed.iter().filter(|a| !fails(a)).cloned().collect();
+        let sound = self.sound(assumed, premises);
         let against = self.refuted_from(&failing);
         let tells_against =
             |a: &Assumed| matches!(a.source, Source::Equation(p) if against.contains(&p));
@@ -162,6 +160,14 @@ impl Judge<'_> {
             }
         }
         attempts
+    }
+
+    /// What is cited and does not fail: what does can stand in the way of what follows.
+    pub(super) fn sound(&self, assumed: &[Assumed], premises: &[usize]) -> Vec<Assumed> {
+        let premises = premises.iter().copied().collect();
+        let failing = self.auditor.failing(self.at, &premises);
+        let fails = |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
+        assumed.iter().filter(|a| !fails(a)).cloned().collect()
     }
 
     /// The equations at a common point of which failing ones were found to be false.

@@ -34,18 +34,32 @@ impl Judge<'_> {
         if self.names_its_premises() && self.is_declared() {
             return false;
         }
+        let sound = self.sound(assumed, premises);
+        self.follows_with_others(goal, assumed, premises, found)
+            || sound.len() < assumed.len()
+                && self.follows_with_others(goal, &sound, premises, found)
+    }
+
+    /// The same from some of what it cites, with what stands before and is not cited.
+    fn follows_with_others(
+        &mut self,
+        goal: &Goal,
+        cited: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
         // Of what is not cited nothing need be true at the witness.
-        let Some(all) = self.with_others(assumed, premises) else {
+        let Some(all) = self.with_others(cited, premises) else {
             return false;
         };
-        let others = all[assumed.len()..].to_vec();
+        let others = all[cited.len()..].to_vec();
         if self.under_conditions(goal, all, None, true, found) {
             return true;
         }
         // Whether all of it can be true may be more than can be told. What moves is then told by all of it, not by one.
         others.len() > 1
             && others.into_iter().any(|other| {
-                let set = assumed.iter().cloned().chain([other]).collect();
+                let set = cited.iter().cloned().chain([other]).collect();
                 self.under_conditions(goal, set, None, false, found)
             })
     }

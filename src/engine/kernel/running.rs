@@ -22,13 +22,19 @@ struct Running {
 }
 
 impl Running {
-    fn collect(&mut self, term: &Expr, derivatives: bool) {
+    /// Collects what runs in a term; in derivatives, too, if it is said what may move.
+    fn collect(&mut self, term: &Expr, derivatives: Option<&dyn Fn(&Symbol) -> bool>) {
         match term {
             Expr::Limit { body, variable, .. } | Expr::Integral { body, variable, .. } => {
                 self.add(body, variable);
             }
-            Expr::Derivative { body, variable } if derivatives && body.mentions(variable) => {
-                self.add(body, variable);
+            Expr::Derivative { body, variable } => {
+                // Of constants, too: that their slope is 0 is known only if the laws let them be.
+                let names = body.free_symbols();
+                let explicit = names.contains(variable);
+                if derivatives.is_some_and(|may_move| explicit || !names.iter().any(may_move)) {
+                    self.add(body, variable);
+                }
             }
             _ => {}
         }
@@ -47,7 +53,8 @@ impl Point<'_> {
         let problem = self.problem;
         let mut running = Running::default();
         // A course says itself how derivatives are tied together.
-        let derivatives = self.at.course.is_none();
+        let may_move = |symbol: &Symbol| self.may_move(symbol);
+        let derivatives = self.at.course.is_none().then_some(&may_move as _);
         let terms = problem.statements().flat_map(Formula::terms);
         terms.for_each(|term| running.collect(term, derivatives));
         if running.variables.is_empty() {

@@ -336,24 +336,13 @@ pub fn missing_conditions(
         }
     }
     candidates.truncate(8);
-    let named: Vec<Symbol> = {
-        let all = obligation.claim().formulas();
-        let named = Formula::free_symbols_of(all).into_iter();
-        named.cloned().collect()
-    };
     // That a sum is not 0 may say no more than that a factor beside it is: `m a = m g` follows from anything where `a ≠ g`.
     let is_natural = |conditions: &[Formula]| {
         if conditions.iter().all(|c| c.free_symbols().len() < 2) {
             return true;
         }
-        let zero = |symbol: &Symbol| {
-            let hypotheses = claim.hypotheses.iter();
-            hypotheses.filter_map(|h| h.formula.as_equation()).any(
-                |(left, right)| matches!((left, right), (Expr::Symbol(s), Expr::Number(_)) if s == symbol),
-            )
-        };
-        let others = named.iter().filter(|symbol| !zero(symbol));
-        let others = others.map(|s| Formula::nonzero(Expr::Symbol(s.clone())));
+        let others = nowhere_put(claim).into_iter();
+        let others = others.map(|symbol| Formula::nonzero(Expr::Symbol(symbol)));
         let all: Vec<Formula> = conditions.iter().cloned().chain(others).collect();
         let possible = consistency(&assuming(claim, &all), hints);
         matches!(possible, Consistency::Model(_))
@@ -433,6 +422,18 @@ fn assuming(claim: &Claim, formulas: &[Formula]) -> Claim {
             standing: Standing::Identity,
         }));
     claim
+}
+
+/// The symbols of which a claim speaks and no hypothesis gives a number for a value.
+fn nowhere_put(claim: &Claim) -> Vec<Symbol> {
+    let is_put = |symbol: &Symbol| {
+        let hypotheses = claim.hypotheses.iter();
+        let mut equations = hypotheses.filter_map(|own| own.formula.as_equation());
+        equations
+            .any(|sides| matches!(sides, (Expr::Symbol(own), Expr::Number(_)) if own == symbol))
+    };
+    let named = Formula::free_symbols_of(claim.formulas()).into_iter();
+    named.filter(|symbol| !is_put(symbol)).cloned().collect()
 }
 
 fn refuted(obligation: &Obligation, point: Assignment) -> Option<Refuted> {

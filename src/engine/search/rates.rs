@@ -34,6 +34,9 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
         Some(derived) => (derived, Vec::new()),
         None => still::fewest(still, proved)?,
     };
+    if !still::is_possible(claim, &conditions) {
+        return None;
+    }
     conditions.extend(needs);
     Some(Decision::Proven {
         derived,

@@ -2,13 +2,15 @@
 //! follows so follows under a condition, and a counterexample at which it is so is a counterexample.
 
 use super::course::{differentiated, said_to_move};
+use super::prove::Prover;
 use super::refute::Points;
 use super::unfold::definitions_to_unfold;
 use super::{
-    Decision, Derived, Effort, QUICK, assuming, contradiction, first, pose, prove_posed, refuted,
+    Decision, Derived, Effort, QUICK, assuming, contradiction, first, nowhere_put, pose,
+    prove_posed, rates, refuted,
 };
-use crate::algebra::{Atom, Expr, Formula, Symbol, element_parts};
-use crate::kernel::{Claim, Obligation, Problem, Refuted, Standing, definition};
+use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, element_parts};
+use crate::kernel::{Claim, Fact, Obligation, Problem, Refuted, Sign, Standing, definition};
 use crate::sorted::Set;
 
 /// More quantities than this that might change are not looked at one by one.
@@ -46,15 +48,42 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
     found.map(Decision::Refuted)
 }
 
-/// Whether the premises of a claim are not seen to contradict what is held still.
+/// Whether the premises of a claim are not seen to contradict what is held still, nor to let it be so only where something vanishes:
+/// where `C U` is constant, `U` is so for all `C` only if it is 0.
 pub fn is_possible(claim: &Claim, still: &[Formula]) -> bool {
     if still.is_empty() {
         return true;
     }
     let held = assuming(claim, still);
     let unfold = definitions_to_unfold(&held);
-    let premises = Obligation::of_premises(held, unfold);
-    premises.is_ok_and(|own| contradiction(&own).is_none())
+    let premises = Obligation::of_premises(held.clone(), unfold);
+    premises.is_ok_and(|own| contradiction(&own).is_none()) && !makes_vanish(held)
+}
+
+/// Whether it follows from the premises of a claim, and from how they change, that something of all that they speak of is 0, and none of
+/// them says so.
+fn makes_vanish(claim: Claim) -> bool {
+    let named = nowhere_put(&claim);
+    let Ok(posed) = pose(claim) else {
+        return false;
+    };
+    let with_rates = rates::with_rates(&posed).map(|found| found.0);
+    let problem = with_rates.as_ref().unwrap_or(posed.problem());
+    let square = |symbol| {
+        let var = problem.atoms.find(&Atom::Symbol(symbol))?;
+        let own = Polynomial::var(var);
+        own.times(&own).ok()
+    };
+    let mut squares = named.into_iter().filter_map(square);
+    let one = Polynomial::constant(Rational::one());
+    let product = squares.try_fold(one, |all, own| all.times(&own).ok());
+    let (Some(polynomial), Ok(mut prover)) = (product, Prover::new(problem)) else {
+        return false;
+    };
+    let sign = Sign::Zero;
+    prover
+        .prove(&Fact { polynomial, sign }, Effort::Light)
+        .is_some()
 }
 
 /// A counterexample in which what is held still is constant: only then it is known what an integral is worth, or a slope of a slope.
