@@ -427,57 +427,151 @@ fn suppositions() {
     }
 }
 
+/// What prose says of symbols by adjectives: `g: Constant`.
+fn said(source: &str) -> String {
+    let document = read(source);
+    let told = prose(&document).into_iter().flat_map(|own| &own.qualities);
+    let shown = told.map(|own| {
+        let attributes: Vec<&str> = own.attributes.iter().map(named_attribute).collect();
+        format!("{} {}", document.text(own.body), attributes.join(" "))
+    });
+    shown.collect::<Vec<_>>().join("; ")
+}
+
+fn named_attribute(attribute: &Attribute) -> &'static str {
+    match attribute {
+        Attribute::Constant => "constant",
+        Attribute::Positive => "positive",
+        Attribute::Integer => "integer",
+        Attribute::Interval { lower: None, .. } => "negative",
+        _ => "other",
+    }
+}
+
 #[test]
-fn what_is_said_to_be_constant() {
+fn what_adjectives_say() {
     let mut wrong = Vec::new();
     for (text, expected) in [
-        ("where $g$ is constant.", "g"),
-        ("where $A$ and $B$ are constants,", "A B"),
-        ("with $a$, $b$ and $c$ positive constants.", "a b c"),
-        ("with $k$ a constant", "k"),
-        ("where $k$ is the spring constant", "k"),
-        ("Since $g$ is constant, we get", "g"),
-        ("Hence, since $g$ is constant,", "g"),
-        ("Assuming $g$ constant, we get", "g"),
-        ("The acceleration $a$ stays constant.", "a"),
-        ("Let a constant force $F$ act on it.", "F"),
-        ("It moves with constant acceleration $a$", "a"),
-        ("for some constants $A$ and $B$.", "A B"),
-        ("with a constant of integration $C$.", "C"),
-        ("and the rate constant $k$, $[A] = A_0$.", "k"),
-        ("treating $T$ as constant gives", "T"),
-        ("where $a, b$ are constants.", "a, b"),
-        // What is concluded, supposed for a while, or said of something else.
+        ("where $g$ is constant.", "g constant"),
+        ("where $A$ and $B$ are constants,", "A constant; B constant"),
+        (
+            "with $a$, $b$ and $c$ constant.",
+            "a constant; b constant; c constant",
+        ),
+        ("with $k$ a constant", "k constant"),
+        ("where $k$ is the spring constant", "k constant"),
+        ("Since $g$ is constant, we get", "g constant"),
+        ("Hence, since $g$ is constant,", "g constant"),
+        ("Assuming $g$ constant, we get", "g constant"),
+        ("The acceleration $a$ stays constant.", "a constant"),
+        ("Let a constant force $F$ act on it.", "F constant"),
+        ("It moves with constant acceleration $a$.", "a constant"),
+        ("for some constants $A$ and $B$.", "A constant; B constant"),
+        ("with a constant of integration $C$.", "C constant"),
+        ("with the rate constant $k$, $[A] = A_0$.", "k constant"),
+        ("where $a, b$ are constants.", "a, b constant"),
+        ("where $a$ and $b$ are positive.", "a positive; b positive"),
+        ("where $n$ is a positive integer.", "n positive integer"),
+        ("where $k$ is a positive constant.", "k positive constant"),
+        ("with positive $a$, we have", "a positive"),
+        (
+            "The masses $m$ and $M$ are positive.",
+            "m positive; M positive",
+        ),
+        ("where $x$ is negative, and", "x negative"),
+        // What is concluded or a condition.
         ("so $q$ is constant and therefore", ""),
         ("Hence $L$ is constant.", ""),
         ("This shows that $L$ is constant.", ""),
         ("If $v$ is constant, then", ""),
         ("When the force $F$ is constant,", ""),
         ("Is $v$ constant? Is $v$ a constant?", ""),
+        ("must be a constant $C$.", ""),
+        ("For positive $x$, it grows.", ""),
+        // Denials, and what is constant in a way or for a while.
         ("where $g$ is not constant.", ""),
+        ("with non-constant acceleration $a$.", ""),
         ("where $g$ is nearly constant.", ""),
-        ("where $v$ is proportional to a constant", ""),
-        ("The rate of change of $x$ is constant.", ""),
-        ("The ratio of $a$ to $b$ is constant.", ""),
-        ("At constant $T$ the gas", ""),
-        ("At constant temperature $T$ the gas", ""),
+        ("where $a$ is hardly constant.", ""),
+        ("where $a$ is initially constant.", ""),
+        ("with constant acceleration $a$ at first.", ""),
         ("where $E$ is constant along the path", ""),
         ("where $v$ is constant in space", ""),
+        ("where $v$ is constant (in space).", ""),
+        ("where $v$ is constant, in space.", ""),
         ("where $F$ is constant for $x < 0$", ""),
-        ("where $y$ is a constant times $x$", ""),
+        ("where $a$ is constant with height.", ""),
+        ("where $a$ is constant, but only in the mean.", ""),
+        ("where $a$ is constant. This is false.", ""),
+        ("where $a$ is constant. In time it grows.", ""),
         ("With $T$ held constant, $p$", ""),
-        ("must be a constant $C$.", ""),
+        ("At constant $T$ the gas", ""),
+        ("At constant temperature $T$ the gas", ""),
+        ("In the first phase, with constant acceleration $a$, it", ""),
+        // What is said of something else.
+        ("The rate of change of $x$ is constant.", ""),
+        ("The ratio of $a$ to $b$ is constant.", ""),
+        ("where $v$ is proportional to a constant", ""),
+        ("where $y$ is a constant times $x$", ""),
+        ("where $y$ is a constant fraction of $v$.", ""),
+        ("with constant mean $a$.", ""),
+        ("with constant $k$ and $a$ growing.", ""),
+        ("with constant $k$ and $a$ as a function of time.", ""),
         ("a constant, and $x$ is not", ""),
         ("With $x$ the place, a constant is", ""),
+        // Other cases, and what others say.
+        (
+            "In contrast to the case with constant acceleration $a$,",
+            "",
+        ),
+        (
+            "This differs from motion with constant acceleration $a$.",
+            "",
+        ),
+        ("without constant acceleration $a$.", ""),
+        ("Another body moves with constant acceleration $a$.", ""),
+        ("Euler thought that $a$ is constant.", ""),
+        ("In the case of constant $a$ this is easy.", ""),
+        ("Compare this with constant voltage $U$.", ""),
+        // What changes after all.
+        ("The spring constant $k$, which depends on time, is", ""),
+        ("The constant $a$ varies.", ""),
+        (
+            "Variation of constants: the constant $a$ becomes a function.",
+            "",
+        ),
+        (
+            "We begin with constant voltage $U$ and then let it vary.",
+            "",
+        ),
+        ("with the slowly varying spring constant $k$.", ""),
     ] {
-        let document = read(text);
-        let found = prose(&document).into_iter().flat_map(|own| &own.constants);
-        let found: Vec<&str> = found.map(|&body| document.text(body)).collect();
-        if found.join(" ") != expected {
-            wrong.push((text, found.join(" ")));
+        if said(text) != expected {
+            wrong.push((text, said(text)));
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn what_is_said_to_change() {
+    let changing = |text: &str| {
+        let document = read(text);
+        let own = prose(&document).into_iter().flat_map(|own| &own.changing);
+        let bodies: Vec<&str> = own.map(|&body| document.text(body)).collect();
+        bodies.join(" ")
+    };
+    assert_eq!(changing("For a rocket, $m$ is not constant."), "m");
+    assert_eq!(
+        changing("where $p$, $V$ and $T$ change with time."),
+        "p V T"
+    );
+    assert_eq!(
+        changing("The spring heats up, and $k$ depends on $t$."),
+        "k t"
+    );
+    assert_eq!(changing("where $k$ does not depend on $x$."), "");
+    assert_eq!(changing("where $k$ is constant."), "");
 }
 
 #[test]

@@ -84,3 +84,26 @@ fn a_law_with_the_wrong_sign_fails_where_it_is_used() {
         );
     }
 }
+
+#[test]
+fn laws_come_after_laws() {
+    let verdicts = |text: &str| -> Vec<&'static str> {
+        let audit = Audit::of(&Derivation::from_markdown("page.md", text));
+        let entries = audit.entries.iter();
+        entries.map(|entry| entry.verdict.word()).collect()
+    };
+    let momentum = "Momentum is conserved,\n\n$$ m_1 u = m_1 v_1 + m_2 v_2 \\tag{1} $$\n\n";
+    let energy = "\n\n$$ m_1 u^2 = m_1 v_1^2 + m_2 v_2^2 \\tag{2} $$\n";
+    let said = |words: &str| verdicts(&format!("{momentum}{words}{energy}"));
+    assert_eq!(said("and so is kinetic energy,"), ["given", "given"]);
+    assert_eq!(said("and so kinetic energy is"), ["given", "fails"]);
+    let wheel = "The acceleration is\n\n$$ a = \\frac{g}{1 + \\frac{I}{m R^2}} \\tag{1} $$\n\n";
+    let inertia =
+        "\n\n$$ I = \\frac12 m R^2 \\tag{2} $$\n\nand so\n\n$$ a = \\frac23 g \\tag{3} $$\n";
+    let said = |words: &str| verdicts(&format!("{wheel}{words}{inertia}"));
+    assert_eq!(
+        said("For a solid cylinder the moment of inertia is"),
+        ["given", "given", "holds"]
+    );
+    assert_eq!(said("Hence the moment of inertia is")[1], "fails");
+}

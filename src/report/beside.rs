@@ -6,6 +6,7 @@ use annotate_snippets::Level;
 use crate::algebra::Symbol;
 use crate::audit::{Entry, Judged};
 use crate::derivation::{About, Clash, Page, Source};
+use crate::document::Span;
 use crate::kernel::Claim;
 
 use super::Report;
@@ -71,7 +72,7 @@ impl Report<'_> {
     ) -> Vec<(String, String)> {
         // A counterexample may be one of few situations: what moves nowhere in it need not be declared constant.
         let said = (self.derivation).claim(entry.equation, &judged.assumed, &judged.goal.formula);
-        let told = (self.derivation).said_constant(entry.equation, &judged.assumed);
+        let told = self.derivation.said(entry.equation, &judged.assumed);
         let lines = explain::domains(claim).into_iter();
         let sourced = lines.map(|(symbol, line)| {
             let is_held = claim.domains.get(symbol) != said.domains.get(symbol);
@@ -84,8 +85,13 @@ impl Report<'_> {
                 None if told.contains_key(symbol) => {}
                 None => by.push("declared".to_owned()),
             }
-            if let Some(&(page, span)) = told.get(symbol).filter(|_| !is_held) {
-                by.push(format!("the text says so, {}", self.place_of(page, span)));
+            if let Some((page, said)) = told.get(symbol).filter(|_| !is_held) {
+                let places = said.attributes.iter().map(|own| own.span);
+                let mut places: Vec<Span> = places.collect();
+                places.dedup();
+                for span in places {
+                    by.push(format!("the text says so, {}", self.place_of(*page, span)));
+                }
             }
             (line, by.join("; "))
         });

@@ -70,6 +70,62 @@ impl Judge<'_> {
         found
     }
 
+    /// A step that brings in a constant of integration, `v = v_0 + a t` from `dv/dt = a`: there is one if `v - a t` does not change. Where
+    /// the text says what it is, `v(0) = v_0`, the step must say so too.
+    pub(super) fn integrated(&mut self, goal: &Goal, premises: &[usize]) -> Option<Found> {
+        let equation = &self.derivation.equations[self.at];
+        let (left, right) = goal.formula.as_equation()?;
+        let assumed = self.usable.assumed.clone();
+        let mut moving = Set::new();
+        for term in assumed.iter().flat_map(|own| own.formula.terms()) {
+            term.collect_differentiated(&mut moving);
+        }
+        let is_law = matches!(left, Expr::Symbol(own) if moving.contains(own));
+        if !is_law || goal.questioned || !goal.suppositions.is_empty() {
+            return None;
+        }
+        // Nothing speaks of it but what says the value of something at a place.
+        let speaks = |own: &&Assumed| own.formula.terms().into_iter().all(|term| !applies(term));
+        let assumed: Vec<Assumed> = assumed.iter().filter(speaks).cloned().collect();
+        let is_known = |symbol: &Symbol| {
+            let mut terms = assumed.iter().flat_map(|own| own.formula.terms());
+            terms.any(|term| term.mentions(symbol))
+        };
+        let (Expr::Sum(parts) | Expr::Product(parts)) = right else {
+            return None;
+        };
+        let mut fresh = parts.iter().filter_map(|part| match part {
+            Expr::Symbol(own) if !is_known(own) => Some(own),
+            _ => None,
+        });
+        let constant = fresh.next().filter(|_| fresh.next().is_none())?.clone();
+        let is_new = equation.introduces.contains(&constant);
+        if !is_new && self.derivation.values_said(self.at, &constant)?.is_empty() {
+            return None;
+        }
+        let (what, rest) = isolated(left, right, &constant)?;
+        let variable = self.variable()?;
+        // What is isolated has the value that the text says it begins with.
+        let begins = self.derivation.values_said(self.at, &constant);
+        let keeps = |(place, said): &(Expr, Symbol)| {
+            let there = right.substitute(&variable, place);
+            let formula = Formula::equal(there, Expr::Symbol(constant.clone()));
+            let claim = self.derivation.claim(self.at, &[], &formula);
+            matches!(left, Expr::Symbol(own) if own == said)
+                && search::prove_unconditionally(claim, search::Effort::Light).is_some()
+        };
+        if !begins?.iter().all(keeps) || rest.mentions(&constant) {
+            return None;
+        }
+        let own = Goal {
+            formula: Formula::equal(what, Expr::Symbol(constant.clone())),
+            ..goal.clone()
+        };
+        let mut found = self.is_constant(&own, &constant, assumed, premises);
+        found.judged.goal = goal.clone();
+        found.judged.outcome.is_proven().then_some(found)
+    }
+
     /// The constant in terms of others.
     fn is_one_of(
         &mut self,
@@ -194,6 +250,34 @@ impl Judge<'_> {
             _ => None,
         }
     }
+}
+
+/// What a constant is by an equation in which it is a summand or a factor of the right side, and what else is there.
+fn isolated(left: &Expr, right: &Expr, constant: &Symbol) -> Option<(Expr, Expr)> {
+    let is_own = |part: &Expr| matches!(part, Expr::Symbol(own) if own == constant);
+    let without = |parts: &[Expr]| -> Option<Vec<Expr>> {
+        let at = parts.iter().position(is_own)?;
+        let mut others = parts.to_vec();
+        others.remove(at);
+        Some(others)
+    };
+    match right {
+        Expr::Sum(parts) => {
+            let rest = Expr::Sum(without(parts)?);
+            let what = Expr::Sum(vec![left.clone(), Expr::Negate(rest.clone().into())]);
+            Some((what, rest))
+        }
+        Expr::Product(parts) => {
+            let rest = Expr::Product(without(parts)?);
+            let what = Expr::Quotient(left.clone().into(), rest.clone().into());
+            Some((what, rest))
+        }
+        _ => None,
+    }
+}
+
+fn applies(term: &Expr) -> bool {
+    term.any(&|part| matches!(part, Expr::Apply(..)))
 }
 
 fn differentiated_by(term: &Expr, variables: &mut Set<Symbol>) {

@@ -70,7 +70,37 @@ impl Judge<'_> {
             }
             _ => None,
         };
-        instead.unwrap_or(found)
+        let mut found = instead.unwrap_or(found);
+        if !found.judged.outcome.is_proven()
+            && found.contradictory.is_empty()
+            && let Some(own) = self.integrated(goal, premises)
+        {
+            return own;
+        }
+        if found.judged.outcome.is_refuted() && self.is_disputed(&found.judged) {
+            let reason =
+                "the text says that something in it is constant, and the page lets that change";
+            found = Found::open(Judged {
+                outcome: Outcome::Open(Stop {
+                    reason: reason.into(),
+                    ..Stop::default()
+                }),
+                ..found.judged
+            });
+        }
+        found
+    }
+
+    /// Whether a step takes slopes or integrals, and it cannot be told whether something in it changes.
+    fn is_disputed(&self, judged: &Judged) -> bool {
+        let disputed = &self.derivation.equations[self.at].disputed;
+        let runs = |part: &Expr| matches!(part, Expr::Derivative { .. } | Expr::Integral { .. });
+        let formulas = judged.assumed.iter().map(|own| &*own.formula);
+        let mut all = formulas.chain([&judged.goal.formula]);
+        let goal = judged.goal.formula.terms();
+        !disputed.is_empty()
+            && goal.into_iter().any(|term| term.any(&runs))
+            && all.any(|formula| !formula.names().is_disjoint(disputed))
     }
 
     /// The goal judged from some premises.

@@ -1,7 +1,7 @@
 //! What a page says of what changes with what: something of which it says so is not taken as constant, cited or not.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Derivation, Equation, formulas};
+use crate::derivation::{Derivation, Equation, Said, formulas};
 
 use super::Auditor;
 use crate::search::are_tied;
@@ -27,6 +27,9 @@ impl Moving {
         let own_page = &derivation.pages[page];
         let constants = own_page.domains.iter().filter(|own| own.1.constant);
         found.constants = constants.map(|own| own.0.clone()).collect();
+        found
+            .differentiated
+            .extend(own_page.changing.iter().cloned());
         let locals = &own_page.locals;
         // What is so at one moment says nothing of others.
         let at_moment = |own: &Equation| {
@@ -92,8 +95,8 @@ impl Moving {
         let mut laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
         laws.reverse();
         let moves = |own: &Symbol| self.differentiated.contains(own);
-        let told = &equation.constants;
-        let constant = |own: &Symbol| self.constants.contains(own) || told.contains_key(own);
+        let told = |own: &Symbol| equation.said.get(own).is_some_and(Said::is_constant);
+        let constant = |own: &Symbol| self.constants.contains(own) || told(own);
         self.differentiated.iter().any(is_meant)
             || are_tied(name, variable, &laws, moves, constant)
             || explicit.any(|(own, named)| {

@@ -86,9 +86,11 @@ impl Judge<'_> {
         // could have said that it is one; a value of something known is none, if no reason is given that is no equation.
         let silent = self.derivation.pages[equation.page].declared.is_empty();
         let is_law = || equation.reasons || silent && !matches!(left, Expr::Symbol(_));
+        // "For a solid cylinder the moment of inertia is": of what nobody has said anything else.
+        let is_case = silent && equation.extent == Extent::Circumstances && !self.is_explicit(left);
         let is_value = matches!(left, Expr::Symbol(symbol) if !is_new(symbol));
         let brings = !is_value && symbols.iter().any(is_new);
-        let may_be_law = || equation.meant || !symbols.is_empty() || is_law() || put;
+        let may_be_law = || equation.meant || !symbols.is_empty() || is_law() || is_case || put;
         if !(brings || equation.bare && may_be_law()) {
             return None;
         }

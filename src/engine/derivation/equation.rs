@@ -6,6 +6,7 @@ use crate::notation::{Clause, Connective, Statement, SyntaxError};
 
 use super::Premises;
 use super::page::Page;
+use super::qualities::Said;
 use crate::sorted::{Map, Set};
 
 /// An equation of a document, with all that its surroundings say about it.
@@ -68,8 +69,10 @@ pub struct Equation {
     /// What the text before it tells in passing, the nearest first, as positions there: premises only of what does not follow
     /// without them.
     pub told: Vec<usize>,
-    /// The symbols that the text says are constant, each with where.
-    pub constants: Map<Symbol, Span>,
+    /// What the text says of symbols by adjectives.
+    pub said: Map<Symbol, Said>,
+    /// What it says is constant, and the page lets change all the same.
+    pub disputed: Set<Symbol>,
     /// Values that the text around it names and does not plainly suppose, unread.
     pub mentioned: Vec<Span>,
     /// What the text before it supposes and could not be read.

@@ -16,18 +16,18 @@ mod equation;
 mod euler;
 mod names;
 mod page;
+mod qualities;
 mod reader;
 mod rows;
 mod running;
-mod steady;
 mod supposed;
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::algebra::{BigRational, Formula, Relation, Symbol};
-use crate::document::{Citation, Document, Extent, Premise, Span};
+use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
+use crate::document::{Citation, Document, Extent, Item, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing, running_in};
 use crate::notation::{Spanned, measured, read_formulas};
 use crate::parallel::in_order;
@@ -37,6 +37,7 @@ pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
 pub use page::{Datum, Page, Premises};
+pub use qualities::Said;
 pub use running::Running;
 use supposed::said_of_moment;
 pub use supposed::{Local, is_put};
@@ -99,6 +100,9 @@ pub struct Unknown {
     pub span: Span,
 }
 
+/// No more inline mathematics than this is looked through for what says where something begins.
+const MOST_SAID: usize = 500;
+
 impl Derivation {
     /// Reads documents as one derivation, in the given order.
     pub fn new(documents: Vec<Document>) -> Self {
@@ -137,9 +141,9 @@ impl Derivation {
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);
         }
-        for (at, page) in pages.iter().enumerate() {
+        for (at, page) in pages.iter_mut().enumerate() {
             let own = equation::of_page(at, equations);
-            steady::leave_out_what_moves(page, &mut equations[own]);
+            qualities::leave_out_what_moves(page, &mut equations[own]);
         }
         derivation.constants = constants::tell_apart(pages, equations);
         definition::settle(equations, pages, &derivation.constants);
@@ -506,6 +510,46 @@ impl Derivation {
         read.flatten().collect()
     }
 
+    /// What the text near an equation says that a symbol is the value of: `v(0) = v_0`, each with the place and the function. `None` where it says
+    /// something of the symbol that is no such thing, or too much to look through.
+    pub fn values_said(&self, at: usize, symbol: &Symbol) -> Option<Vec<(Expr, Symbol)>> {
+        let equation = &self.equations[at];
+        let page = &self.pages[equation.page];
+        let prose = page.document.items.iter().filter_map(|item| match item {
+            Item::Prose(prose) => Some(&prose.math),
+            _ => None,
+        });
+        if prose.clone().map(Vec::len).sum::<usize>() > MOST_SAID {
+            return None;
+        }
+        let mut found = Vec::new();
+        for math in prose {
+            for math in math {
+                let Ok(statements) = read_formulas(&page.document.source, math.body) else {
+                    continue;
+                };
+                for formula in statements.iter().flat_map(formulas) {
+                    if !formula.names().contains(symbol) {
+                        continue;
+                    }
+                    let value = match formula.as_equation() {
+                        Some((Expr::Apply(name, arguments), Expr::Symbol(own)))
+                            if own == symbol =>
+                        {
+                            match arguments.as_slice() {
+                                [place @ Expr::Number(_)] => Some((place.clone(), name.clone())),
+                                _ => None,
+                            }
+                        }
+                        _ => None,
+                    };
+                    found.push(value?);
+                }
+            }
+        }
+        Some(found)
+    }
+
     /// What says a local hypothesis: the display, where one says it of a moment.
     fn source_of(&self, page: usize, local: usize) -> Source {
         let moment = self.pages[page].locals[local].moment.as_ref();
@@ -525,18 +569,19 @@ impl Derivation {
         self.constants.contains(symbol)
     }
 
-    /// The symbols that the text says are constant where an equation stands, or where what it is taken with does, each with the page and
-    /// the place; another premise may know better.
-    pub fn said_constant(&self, at: usize, assumed: &[Assumed]) -> Map<Symbol, (usize, Span)> {
+    /// What the text says of symbols where an equation stands, or where what it is taken with does, each with the page; another premise may
+    /// know better what changes.
+    pub fn said(&self, at: usize, assumed: &[Assumed]) -> Map<Symbol, (usize, Said)> {
         let premises = assumed.iter().filter_map(|own| match own.source {
             Source::Equation(premise) => Some(premise),
             _ => None,
         });
-        let mut found = Map::new();
+        let mut found: Map<Symbol, (usize, Said)> = Map::new();
         for at in std::iter::once(at).chain(premises) {
             let own = &self.equations[at];
-            for (symbol, &span) in &own.constants {
-                found.entry(symbol.clone()).or_insert((own.page, span));
+            for (symbol, said) in &own.said {
+                let told = found.entry(symbol.clone());
+                told.or_insert((own.page, said.clone()));
             }
         }
         if !found.is_empty() {
@@ -544,7 +589,7 @@ impl Derivation {
             for term in assumed.iter().flat_map(|own| own.formula.terms()) {
                 term.collect_differentiated(&mut differentiated);
             }
-            found.retain(|symbol, _| !differentiated.contains(symbol));
+            found.retain(|symbol, own| !own.1.is_constant() || !differentiated.contains(symbol));
         }
         found
     }
@@ -574,7 +619,7 @@ impl Derivation {
         pages.extend(others);
         pages.dedup();
         let mut domains = Map::new();
-        let constants = self.said_constant(at, assumed);
+        let said = self.said(at, assumed);
         for symbol in claim.free_symbols() {
             let mut declared = pages
                 .iter()
@@ -590,8 +635,9 @@ impl Derivation {
                 };
                 domains.insert(symbol.clone(), domain);
             }
-            if constants.contains_key(symbol) {
-                domains.entry(symbol.clone()).or_default().constant = true;
+            if let Some((_, said)) = said.get(symbol) {
+                let narrowed = said.narrowed(domains.get(symbol).cloned());
+                domains.insert(symbol.clone(), narrowed);
             }
         }
         claim.domains = domains;

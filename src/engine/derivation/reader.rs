@@ -1,20 +1,21 @@
 //! A document read from top to bottom: what headings, text and directives between two displays say of the next one.
 
 use std::ops::Range;
+use std::sync::Arc;
 use std::vec;
 
 use crate::algebra::{BigRational, Formula, Symbol};
 use crate::document::{
-    Citation, Directive, Extent, Item, Layout, Premise, Prose, Span, Supposition, SuppositionKind,
-    Vanishing, above_signs,
+    Citation, Directive, Extent, Item, Layout, Premise, Prose, Qualities, Span, Supposition,
+    SuppositionKind, Vanishing, above_signs,
 };
 use crate::notation::{Spanned, SyntaxError, read_formulas};
 use crate::sorted::Set;
 
 use super::definition::Known;
 use super::page::{Page, Premises};
+use super::qualities::{self, Said, Sayings};
 use super::rows::{self, Part};
-use super::steady;
 use super::supposed::{said_of_moment, slope_by};
 use super::{Equation, Kind};
 
@@ -68,8 +69,8 @@ pub(super) struct Reader<'p> {
     active: Vec<usize>,
     /// What is told in passing.
     told: Vec<usize>,
-    /// What is said to be constant, where, and below which heading.
-    constants: Vec<(Symbol, Span, u8)>,
+    /// What is said of symbols by adjectives.
+    sayings: Sayings,
     /// The cases whose sentence goes on with the next display.
     running: Vec<usize>,
     between: Between,
@@ -100,7 +101,7 @@ impl<'p> Reader<'p> {
             section: String::new(),
             active: Vec::new(),
             told: Vec::new(),
-            constants: Vec::new(),
+            sayings: Sayings::default(),
             running: Vec::new(),
             between: Between::default(),
             bare: true,
@@ -142,7 +143,7 @@ impl<'p> Reader<'p> {
         self.active
             .retain(|&at| locals[at].level < level && !locals[at].is_momentary());
         self.told.retain(|&at| locals[at].level < level);
-        self.constants.retain(|own| own.2 < level);
+        self.sayings.below(level);
     }
 
     fn prose(&mut self, prose: &Prose) {
@@ -152,7 +153,7 @@ impl<'p> Reader<'p> {
             equation.cite(of_last, prose.says_from);
         }
         self.between.hear(prose, own);
-        self.said_constant(&prose.constants);
+        self.qualities(prose);
         let mut mentioned = prose.mentions.clone();
         if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
             let locals = &self.page.locals;
@@ -171,16 +172,54 @@ impl<'p> Reader<'p> {
         self.between.mentioned.truncate(MOST_MENTIONED);
     }
 
-    /// Takes up what is said to be constant: in the display that the text goes on from, too.
-    fn said_constant(&mut self, bodies: &[Span]) {
-        for &body in bodies {
-            let named = steady::named(&self.page.document.source, body);
-            for equation in &mut self.equations[self.last.clone()] {
-                let said = named.iter().map(|symbol| (symbol.clone(), body));
-                equation.constants.extend(said);
+    /// Takes up what is said by adjectives: in the display that the sentence is of, too.
+    fn qualities(&mut self, prose: &Prose) {
+        let leaves = |own: &Supposition| {
+            matches!(
+                own.kind,
+                SuppositionKind::General | SuppositionKind::Elsewhere
+            )
+        };
+        let left = prose
+            .suppositions
+            .iter()
+            .rfind(|own| leaves(own))
+            .map(|own| own.body);
+        if left.is_some() {
+            self.sayings.forget();
+        }
+        if prose.qualities.iter().any(|own| own.of_case) {
+            self.sayings.leave_case();
+        }
+        let source = Arc::clone(&self.page.document.source);
+        let here = |own: &&Qualities| left.is_none_or(|left| left.start < own.body.start);
+        for quality in prose.qualities.iter().filter(here) {
+            for symbol in qualities::named(&source, quality.body) {
+                for value in &quality.attributes {
+                    let value = value.clone();
+                    let attribute = Spanned {
+                        value,
+                        span: quality.body,
+                    };
+                    if quality.goes_on {
+                        for equation in &mut self.equations[self.last.clone()] {
+                            let said = equation.said.entry(symbol.clone());
+                            let said = said.or_insert(Said {
+                                attributes: Vec::new(),
+                            });
+                            said.attributes.push(attribute.clone());
+                        }
+                    }
+                    let level = self.level;
+                    self.sayings
+                        .take(&symbol, attribute, level, quality.of_case);
+                }
             }
-            self.constants
-                .extend(named.into_iter().map(|symbol| (symbol, body, self.level)));
+        }
+        for &body in &prose.changing {
+            let changing = qualities::spoken_of(&source, body);
+            self.sayings.forget_these(&changing);
+            self.page.changing.extend(changing);
         }
     }
 
@@ -426,11 +465,8 @@ impl<'p> Reader<'p> {
             continues: part.continues,
             locals: self.active.clone(),
             told: (self.told.iter().rev().take(MOST_MENTIONED).copied()).collect(),
-            constants: self
-                .constants
-                .iter()
-                .map(|own| (own.0.clone(), own.1))
-                .collect(),
+            said: self.sayings.here(),
+            disputed: Set::new(),
             mentioned: said.mentioned.clone(),
             unread: said.unread.clone(),
             section: self.section.clone(),

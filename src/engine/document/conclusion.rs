@@ -149,6 +149,44 @@ const LAWS: [&str; 14] = [
 ];
 /// After these comes a reason.
 const BECAUSE: [&str; 2] = ["since", "because"];
+/// Between a reason in words and what follows from it: "No heat is lost, so".
+const THEREFORE: [&str; 5] = ["so", "hence", "thus", "therefore", "whence"];
+/// A reason that speaks of these is worked out of equations: "The masses cancel, so".
+const OF_ALGEBRA: [&str; 31] = [
+    "cancel",
+    "cancels",
+    "drop",
+    "drops",
+    "vanish",
+    "vanishes",
+    "term",
+    "terms",
+    "side",
+    "sides",
+    "factor",
+    "factors",
+    "denominator",
+    "denominators",
+    "numerator",
+    "numerators",
+    "root",
+    "roots",
+    "square",
+    "squares",
+    "product",
+    "products",
+    "equation",
+    "equations",
+    "expression",
+    "expressions",
+    "derivative",
+    "integral",
+    "coefficients",
+    "discriminant",
+    "exponents",
+];
+/// A reason has no fewer words.
+const LEAST_REASON: usize = 3;
 /// With these a sentence whose end stands after a display says what that comes from.
 const FROM: [&str; 12] = [
     "by",
@@ -213,7 +251,39 @@ pub(super) fn reasons_in_words(source: &str, tokens: &[Placed<'_>]) -> bool {
     let since = last.iter().position(among(&BECAUSE));
     let reason = since.map(|since| &last[since + 1..]);
     let is_said = |words: &[Placed<'_>]| !words.is_empty() && !words.iter().any(is_equation);
-    reason.is_some_and(is_said) || last.iter().any(among(&LAWS)) && is_said(last)
+    reason.is_some_and(is_said)
+        || last.iter().any(among(&LAWS)) && is_said(last)
+        || is_said(last) && concludes_from_words(last)
+}
+
+/// "No heat is lost, so": a sentence that draws one conclusion, from words that say how things are.
+fn concludes_from_words(sentence: &[Placed<'_>]) -> bool {
+    let Some(so) = sentence
+        .iter()
+        .position(|(token, _)| token.is_among(&THEREFORE))
+    else {
+        return false;
+    };
+    let works = |(token, _): &Placed<'_>| match token {
+        Token::Word(word) => {
+            let word = word.to_lowercase();
+            let worked = draws(&word) || WORKED.contains(&word.as_str());
+            worked || OF_ALGEBRA.contains(&word.as_str())
+        }
+        _ => false,
+    };
+    let reason = &sentence[..so];
+    let ends = matches!(
+        reason.last(),
+        Some((Token::Mark(',' | ';') | Token::Dash, _))
+    ) || reason
+        .last()
+        .is_some_and(|(token, _)| token.is_among(&["and"]));
+    let words = reason
+        .iter()
+        .filter(|own| matches!(own.0, Token::Word(_)))
+        .count();
+    ends && words >= LEAST_REASON && !reason.iter().any(works)
 }
 
 /// The end of a sentence that a display stands in, if the text goes on with it: up to the full stop.
@@ -251,6 +321,10 @@ pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
             ))
         );
         let word = word.to_lowercase();
-        draws(&word) && !(word == "then" && tells_when) || WORKED.contains(&word.as_str())
+        // "Momentum is conserved, and so is the energy"
+        let next = last.get(at + 1).map(|(token, _)| *token);
+        let adds =
+            word == "so" && next.is_some_and(|next| next.is_among(&["is", "are", "does", "do"]));
+        draws(&word) && !adds && !(word == "then" && tells_when) || WORKED.contains(&word.as_str())
     }))
 }

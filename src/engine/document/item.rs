@@ -84,8 +84,10 @@ pub struct Prose {
     pub citations: Vec<Citation>,
     /// What it supposes, in order.
     pub suppositions: Vec<Supposition>,
-    /// The symbols that it says are constant: "where $g$ is constant".
-    pub constants: Vec<Span>,
+    /// What it says of symbols by adjectives, in order.
+    pub qualities: Vec<Qualities>,
+    /// The mathematics of sentences that say that something changes.
+    pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
@@ -106,6 +108,19 @@ pub struct Prose {
     pub says_what_is_meant: bool,
     /// Of how much the display after it is said; `None` where it says nothing.
     pub extent: Option<Extent>,
+}
+
+/// What prose says of symbols by adjectives: "where $a$ and $b$ are positive constants".
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Qualities {
+    /// The mathematics: a symbol or several.
+    pub body: Span,
+    /// What is said of it.
+    pub attributes: Vec<Attribute>,
+    /// It is said of circumstances: "with constant force $F$".
+    pub of_case: bool,
+    /// The sentence is that of the display before it.
+    pub goes_on: bool,
 }
 
 /// Of how much a display is said.

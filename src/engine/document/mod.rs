@@ -13,7 +13,6 @@ mod attribute;
 mod circumstance;
 mod citation;
 mod conclusion;
-mod constancy;
 mod data;
 mod directive;
 mod item;
@@ -25,6 +24,7 @@ mod number;
 mod origin;
 mod outline;
 mod prose;
+mod qualities;
 mod source;
 mod span;
 mod supposition;
@@ -35,7 +35,7 @@ pub use attribute::declaration;
 pub(crate) use citation::above_signs;
 pub use item::{
     Attribute, Bound, Citation, Directive, Extent, Inline, Item, Layout, Premise, Problem, Prose,
-    Row, Supposition, SuppositionKind, Vanishing,
+    Qualities, Row, Supposition, SuppositionKind, Vanishing,
 };
 pub use latex::Library;
 pub use nearest::nearest;

@@ -3,7 +3,7 @@
 use super::circumstance;
 use super::citation;
 use super::conclusion;
-use super::constancy;
+use super::qualities;
 use super::supposition;
 use super::{Citation, Inline, Prose, Span};
 
@@ -69,6 +69,7 @@ const LONGEST_TAG: usize = 48;
 pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span]) -> Prose {
     let tokens = tokens(source, span, inline, hidden);
     let (suppositions, mentions) = supposition::read(source, &tokens);
+    let (qualities, changing) = qualities::read(source, &tokens);
     let citations = citation::read(&tokens);
     let last = conclusion::last_sentence(&tokens).and_then(|last| last.first());
     let tail = conclusion::tail(source, &tokens);
@@ -86,7 +87,8 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         reasons: conclusion::reasons_in_words(source, &tokens),
         citations,
         suppositions,
-        constants: constancy::read(source, &tokens),
+        qualities,
+        changing,
         mentions,
         concludes: conclusion::read(&tokens),
         defines: conclusion::defines(&tokens),

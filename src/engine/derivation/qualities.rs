@@ -1,0 +1,246 @@
+//! What the text says of symbols by adjectives, "where $g$ is constant", as far as nothing on the page speaks against it.
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::document::{Attribute, Item, Span};
+use crate::kernel::{Domain, running_in};
+use crate::notation::{Spanned, read_expr, read_formulas, read_symbol};
+use crate::sorted::{Map, Set};
+
+use super::Equation;
+use super::equation::formulas;
+use super::names::undotted;
+use super::page::{Page, is_empty, narrow};
+
+/// What the text says of a symbol, and where.
+#[derive(Clone, Debug)]
+pub struct Said {
+    /// What it says.
+    pub attributes: Vec<Spanned<Attribute>>,
+}
+
+impl Said {
+    /// Whether it says that the symbol does not change.
+    pub fn is_constant(&self) -> bool {
+        self.attributes
+            .iter()
+            .any(|own| own.value == Attribute::Constant)
+    }
+
+    /// A domain with that besides; as it was where nothing would be left of it.
+    pub(super) fn narrowed(&self, domain: Option<Domain>) -> Domain {
+        let before = domain.unwrap_or_default();
+        let mut narrowed = before.clone();
+        narrow(&mut narrowed, &self.attributes);
+        match is_empty(&narrowed) {
+            true => before,
+            false => narrowed,
+        }
+    }
+}
+
+/// Whether an attribute says where a symbol lies: of two that do, the later counts.
+pub(super) fn is_sign(attribute: &Attribute) -> bool {
+    matches!(
+        attribute,
+        Attribute::Positive | Attribute::Nonnegative | Attribute::Interval { .. }
+    )
+}
+
+/// The symbols of a list; none where it is no list of symbols.
+pub(super) fn named(source: &str, body: Span) -> Vec<Symbol> {
+    let text = source.get(body.range()).unwrap_or_default();
+    let read = |text: &str| read_symbol(text).map(|symbol| vec![symbol]);
+    let list = |_| text.split(',').map(read_symbol).collect();
+    let said: Result<Vec<Symbol>, _> = read(text).or_else(list);
+    said.unwrap_or_default()
+}
+
+/// All symbols and functions in a piece of inline mathematics.
+pub(super) fn spoken_of(source: &str, body: Span) -> Set<Symbol> {
+    let mut found: Set<Symbol> = named(source, body).into_iter().collect();
+    for term in terms(source, body) {
+        found.extend(term.free_symbols());
+        applied(&term, &mut found);
+    }
+    found
+}
+
+fn terms(source: &str, body: Span) -> Vec<Expr> {
+    match read_formulas(source, body) {
+        Ok(statements) => {
+            let said = statements.iter().flat_map(formulas);
+            said.flat_map(|formula| formula.terms().into_iter().cloned().collect::<Vec<_>>())
+                .collect()
+        }
+        Err(_) => read_expr(source, body).into_iter().collect(),
+    }
+}
+
+/// Leaves out of what is said to be constant what the page lets change all the same: of that it is not known which is meant.
+pub(super) fn leave_out_what_moves(page: &mut Page, equations: &mut [Equation]) {
+    let constant = |own: &Equation| own.said.values().any(Said::is_constant);
+    if !equations.iter().any(constant) && page.changing.is_empty() {
+        return;
+    }
+    let moving = moving(page, equations);
+    for equation in equations {
+        let mut disputed = Set::new();
+        for (symbol, said) in equation.said.iter_mut() {
+            if said.is_constant() && moving.contains(symbol) {
+                disputed.insert(symbol.clone());
+                said.attributes
+                    .retain(|own| own.value != Attribute::Constant);
+            }
+        }
+        equation.said.retain(|_, said| !said.attributes.is_empty());
+        equation.disputed = disputed;
+    }
+}
+
+/// What something runs through, what is differentiated or a function, and what is given by a term in these; also in the text.
+fn moving(page: &Page, equations: &[Equation]) -> Set<Symbol> {
+    let stated = equations.iter().flat_map(Equation::statements);
+    let mut said: Vec<Formula> = stated.flat_map(formulas).collect();
+    let locals = page.locals.iter().flat_map(|local| &local.formulas);
+    said.extend(locals.map(|formula| (**formula).clone()));
+    let mut moving = running_in(said.iter());
+    moving.extend(page.changing.iter().cloned());
+    for term in said.iter().flat_map(Formula::terms) {
+        term.collect_differentiated(&mut moving);
+        applied(term, &mut moving);
+    }
+    let dotted: Vec<Symbol> = said
+        .iter()
+        .flat_map(|own| own.names())
+        .filter_map(|own| undotted(&own))
+        .collect();
+    moving.extend(dotted);
+    let mut given = Set::new();
+    for (left, right) in said.iter().filter_map(Formula::as_equation) {
+        for (side, other) in [(left, right), (right, left)] {
+            if let Expr::Symbol(symbol) = side
+                && speaks_of(other, &moving)
+            {
+                given.insert(symbol.clone());
+            }
+        }
+    }
+    moving.extend(given);
+    moving
+}
+
+/// What the mathematics in the text lets change: `m(t)` is a function, and `\frac{dh}{dt}` the slope of one.
+pub(super) fn changing_in_text(source: &str, items: &[Item]) -> Set<Symbol> {
+    let mut found = Set::new();
+    for item in items {
+        let Item::Prose(prose) = item else {
+            continue;
+        };
+        for math in &prose.math {
+            let text = source.get(math.body.range()).unwrap_or_default();
+            if !text.contains("\\frac{d") && !text.contains("\\dot") && !text.contains('(') {
+                continue;
+            }
+            for term in terms(source, math.body) {
+                term.collect_differentiated(&mut found);
+                functions(&term, &mut found);
+                found.extend(term.free_symbols().iter().filter_map(undotted));
+            }
+        }
+    }
+    found
+}
+
+/// Names that are applied to something that may run: `m` of `m(t)`, and not of `m(0)`.
+fn functions(term: &Expr, found: &mut Set<Symbol>) {
+    if let Expr::Apply(name, arguments) = term
+        && matches!(arguments.as_slice(), [Expr::Symbol(_)])
+    {
+        found.insert(name.clone());
+    }
+    term.children().for_each(|part| functions(part, found));
+}
+
+fn applied(term: &Expr, found: &mut Set<Symbol>) {
+    if let Expr::Apply(name, _) = term {
+        found.insert(name.clone());
+    }
+    term.children().for_each(|part| applied(part, found));
+}
+
+/// Whether a term speaks of one of these but in slopes: `F = m \frac{dv}{dt}` gives no force by the time.
+fn speaks_of(term: &Expr, symbols: &Set<Symbol>) -> bool {
+    match term {
+        Expr::Derivative { .. } => false,
+        Expr::Symbol(symbol) => symbols.contains(symbol),
+        term => term.children().any(|part| speaks_of(part, symbols)),
+    }
+}
+
+/// What is said of symbols at one place of a page.
+#[derive(Default)]
+pub(super) struct Sayings(Vec<Saying>);
+
+struct Saying {
+    symbol: Symbol,
+    attribute: Spanned<Attribute>,
+    /// The level of the heading below which it is said.
+    level: u8,
+    /// It is said of circumstances: "with constant force $F$".
+    of_case: bool,
+}
+
+impl Sayings {
+    /// A heading ends what is said below another of its level.
+    pub fn below(&mut self, level: u8) {
+        self.0.retain(|own| own.level < level);
+    }
+
+    /// Nothing is said any more.
+    pub fn forget(&mut self) {
+        self.0.clear();
+    }
+
+    /// Symbols of which the text says that they change.
+    pub fn forget_these(&mut self, symbols: &Set<Symbol>) {
+        self.0.retain(|own| !symbols.contains(&own.symbol));
+    }
+
+    /// Other circumstances are told of.
+    pub fn leave_case(&mut self) {
+        self.0.retain(|own| !own.of_case);
+    }
+
+    /// Takes up what is said of a symbol.
+    pub fn take(
+        &mut self,
+        symbol: &Symbol,
+        attribute: Spanned<Attribute>,
+        level: u8,
+        of_case: bool,
+    ) {
+        if is_sign(&attribute.value) {
+            self.0
+                .retain(|own| own.symbol != *symbol || !is_sign(&own.attribute.value));
+        }
+        self.0.push(Saying {
+            symbol: symbol.clone(),
+            attribute,
+            level,
+            of_case,
+        });
+    }
+
+    /// All that is said here.
+    pub fn here(&self) -> Map<Symbol, Said> {
+        let mut all: Map<Symbol, Said> = Map::new();
+        for own in &self.0 {
+            let said = all.entry(own.symbol.clone());
+            let said = said.or_insert(Said {
+                attributes: Vec::new(),
+            });
+            said.attributes.push(own.attribute.clone());
+        }
+        all
+    }
+}
