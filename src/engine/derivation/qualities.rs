@@ -11,6 +11,9 @@ use super::equation::formulas;
 use super::names::undotted;
 use super::page::{Page, is_empty, narrow};
 
+/// No more than this is kept in mind of what is said, the latest: each display after it is told of all.
+const MOST_SAYINGS: usize = 64;
+
 /// What the text says of a symbol, and where.
 #[derive(Clone, Debug)]
 pub struct Said {
@@ -222,6 +225,12 @@ impl Sayings {
         if is_sign(&attribute.value) {
             self.0
                 .retain(|own| own.symbol != *symbol || !is_sign(&own.attribute.value));
+        }
+        // Once, and of two places the later.
+        self.0
+            .retain(|own| own.symbol != *symbol || own.attribute.value != attribute.value);
+        if self.0.len() == MOST_SAYINGS {
+            self.0.remove(0);
         }
         self.0.push(Saying {
             symbol: symbol.clone(),

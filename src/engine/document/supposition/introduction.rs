@@ -9,6 +9,8 @@ use super::{Reach, follows};
 
 /// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
 const PATIENCE: usize = 6;
+/// Words and commas between "if" and what it supposes: "If the bob is released from the horizontal, $u = 0$, then".
+const MOST_DESCRIBED: usize = 12;
 /// How many words may stand between "for" and what it supposes.
 pub(super) const MOST_DESCRIBING: usize = 3;
 
@@ -146,7 +148,7 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
         }
         token => *token == Token::Mark(','),
     };
-    let words = on.iter().take(PATIENCE + 1).take_while(describes).count();
+    let words = on.iter().take(MOST_DESCRIBED).take_while(describes).count();
     let states = matches!(on.get(words), Some((Token::Math(body), _))
         if source.get(body.range()).is_some_and(relates));
     begins && states && !on.iter().any(|(token, _)| *token == Token::Stop)
