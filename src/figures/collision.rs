@@ -11,6 +11,7 @@ use super::scene::{Anchor, Ink, Scene, Stroke};
 use super::words::exact;
 use crate::algebra::{BigInt, BigRational};
 use crate::derivation::{Checker, Point};
+use crate::parallel::in_order;
 
 /// The largest mass ratio that is drawn.
 const LAST: i64 = 5;
@@ -44,14 +45,15 @@ pub fn collision(checker: &Checker) -> Result<Figure, FigureError> {
         Ok(row)
     };
     let mut numbers = Numbers::new(&["mu", "v1/v0", "v2/v0", "eta"]);
-    for step in 0..=LAST * FINE {
+    let rows = in_order(0..=LAST * FINE, |step| {
         // A mass ratio is positive: in the place of 0 stands a small one.
         let mu = match step {
             0 => BigRational::new(BigInt::from(1), BigInt::from(1000)),
             step => BigRational::new(BigInt::from(step), BigInt::from(FINE)),
         };
-        numbers.rows.push(row(&mu)?);
-    }
+        row(&mu)
+    });
+    numbers.rows = rows.into_iter().collect::<Result<_, _>>()?;
     let equal = row(&BigRational::from_integer(BigInt::from(1)))?;
     let sources: Vec<Source> = laws.iter().map(Source::from).collect();
     let scene = draw(&numbers, &equal, &sources);

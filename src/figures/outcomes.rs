@@ -12,6 +12,7 @@ use super::scene::{Anchor, Ink, Item, Scene, Shape, Stroke};
 use super::words::{exact, list};
 use crate::algebra::{BigInt, BigRational, Symbol};
 use crate::derivation::{Checker, Point, goals};
+use crate::parallel::in_order;
 use crate::sorted::{self, Tree};
 
 /// Points on the circle.
@@ -35,14 +36,15 @@ type Outcome = [BigRational; 3];
 pub fn outcomes(checker: &Checker) -> Result<Figure, FigureError> {
     let swap = outcome([0, 0, 1], 1);
     let other_end = outcome([-1, 2, 2], 3);
-    let mut around = Vec::new();
-    for step in 0..FINE {
-        around.push(on_circle(&swap, step));
-    }
+    let found = in_order(0..FINE, |step| {
+        let own = on_circle(&swap, step);
+        conserved(checker, &own).map(|()| own)
+    });
+    let mut around = found.into_iter().collect::<Result<Vec<Outcome>, _>>()?;
     // Where the arc of the ordered outcomes begins and ends.
-    around.extend([swap.clone(), other_end]);
-    for outcome in &around {
-        conserved(checker, outcome)?;
+    for end in [swap, other_end] {
+        conserved(checker, &end)?;
+        around.push(end);
     }
     sorted::sort_by(&mut around, |a, b| angle(a).total_cmp(&angle(b)));
     around.dedup();
