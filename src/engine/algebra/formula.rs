@@ -185,6 +185,15 @@ impl Formula {
         free
     }
 
+    /// The symbols that are differentiated in formulas, once or more often.
+    pub fn differentiated_in<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Set<Symbol> {
+        let mut found = Set::new();
+        for term in formulas.flat_map(Formula::terms) {
+            term.collect_differentiated(&mut found);
+        }
+        found
+    }
+
     /// The symbols that have a value of their own, and the sequences.
     pub fn names(&self) -> Set<Symbol> {
         let mut names = self.free_symbols();

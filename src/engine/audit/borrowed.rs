@@ -125,10 +125,8 @@ impl Judge<'_> {
             .into_iter()
             .chain(self.auditor.hints().iter().cloned())
             .collect();
-        let failing = self
-            .auditor
-            .failing(self.at, &premises.iter().copied().collect());
-        let sound = self.sound(assumed, premises);
+        let failing = self.failing(premises);
+        let sound = self.sound(assumed, &failing);
         let against = self.refuted_from(&failing);
         let tells_against =
             |a: &Assumed| matches!(a.source, Source::Equation(p) if against.contains(&p));
@@ -163,11 +161,15 @@ impl Judge<'_> {
     }
 
     /// What is cited and does not fail: what does can stand in the way of what follows.
-    pub(super) fn sound(&self, assumed: &[Assumed], premises: &[usize]) -> Vec<Assumed> {
-        let premises = premises.iter().copied().collect();
-        let failing = self.auditor.failing(self.at, &premises);
+    pub(super) fn sound(&self, assumed: &[Assumed], failing: &[usize]) -> Vec<Assumed> {
         let fails = |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
         assumed.iter().filter(|a| !fails(a)).cloned().collect()
+    }
+
+    /// The failing equations that what is cited rests on.
+    pub(super) fn failing(&self, premises: &[usize]) -> Vec<usize> {
+        let premises = premises.iter().copied().collect();
+        self.auditor.failing(self.at, &premises)
     }
 
     /// The equations at a common point of which failing ones were found to be false.

@@ -7,7 +7,7 @@
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::{Claim, Standing};
-use crate::search::{self, Decision, Stop};
+use crate::search::{self, Decision, Effort, Stop};
 
 use super::judge::{Found, Judge, sources, step};
 use super::{Judged, Outcome, stated};
@@ -74,47 +74,37 @@ impl Judge<'_> {
     /// the text says what it is, `v(0) = v_0`, the step must say so too.
     pub(super) fn integrated(&mut self, goal: &Goal, premises: &[usize]) -> Option<Found> {
         let equation = &self.derivation.equations[self.at];
-        let (left, right) = goal.formula.as_equation()?;
-        let assumed = self.usable.assumed.clone();
-        let mut moving = Set::new();
-        for term in assumed.iter().flat_map(|own| own.formula.terms()) {
-            term.collect_differentiated(&mut moving);
-        }
-        let is_law = matches!(left, Expr::Symbol(own) if moving.contains(own));
+        let (left @ Expr::Symbol(given), right) = goal.formula.as_equation()? else {
+            return None;
+        };
+        let cited = self.usable.assumed.iter().map(|own| &*own.formula);
+        let is_law = Formula::differentiated_in(cited).contains(given);
         if !is_law || goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
         // Nothing speaks of it but what says the value of something at a place.
-        let speaks = |own: &&Assumed| own.formula.terms().into_iter().all(|term| !applies(term));
-        let assumed: Vec<Assumed> = assumed.iter().filter(speaks).cloned().collect();
+        let applies = |term: &Expr| term.any(&|part| matches!(part, Expr::Apply(..)));
+        let speaks = |own: &&Assumed| !own.formula.terms().into_iter().any(applies);
+        let assumed = self.usable.assumed.iter().filter(speaks);
+        let assumed: Vec<Assumed> = assumed.cloned().collect();
         let is_known = |symbol: &Symbol| {
             let mut terms = assumed.iter().flat_map(|own| own.formula.terms());
             terms.any(|term| term.mentions(symbol))
         };
-        let (Expr::Sum(parts) | Expr::Product(parts)) = right else {
-            return None;
-        };
-        let mut fresh = parts.iter().filter_map(|part| match part {
-            Expr::Symbol(own) if !is_known(own) => Some(own),
-            _ => None,
-        });
-        let constant = fresh.next().filter(|_| fresh.next().is_none())?.clone();
-        let is_new = equation.introduces.contains(&constant);
-        if !is_new && self.derivation.values_said(self.at, &constant)?.is_empty() {
+        let (constant, what) = isolated(left, right, is_known)?;
+        let begins = self.derivation.values_said(equation.page, &constant)?;
+        if begins.is_empty() && !equation.introduces.contains(&constant) {
             return None;
         }
-        let (what, rest) = isolated(left, right, &constant)?;
         let variable = self.variable()?;
         // What is isolated has the value that the text says it begins with.
-        let begins = self.derivation.values_said(self.at, &constant);
         let keeps = |(place, said): &(Expr, Symbol)| {
             let there = right.substitute(&variable, place);
             let formula = Formula::equal(there, Expr::Symbol(constant.clone()));
             let claim = self.derivation.claim(self.at, &[], &formula);
-            matches!(left, Expr::Symbol(own) if own == said)
-                && search::prove_unconditionally(claim, search::Effort::Light).is_some()
+            said == given && search::prove_unconditionally(claim, Effort::Light).is_some()
         };
-        if !begins?.iter().all(keeps) || rest.mentions(&constant) {
+        if !begins.iter().all(keeps) {
             return None;
         }
         let own = Goal {
@@ -252,32 +242,30 @@ impl Judge<'_> {
     }
 }
 
-/// What a constant is by an equation in which it is a summand or a factor of the right side, and what else is there.
-fn isolated(left: &Expr, right: &Expr, constant: &Symbol) -> Option<(Expr, Expr)> {
-    let is_own = |part: &Expr| matches!(part, Expr::Symbol(own) if own == constant);
-    let without = |parts: &[Expr]| -> Option<Vec<Expr>> {
-        let at = parts.iter().position(is_own)?;
-        let mut others = parts.to_vec();
-        others.remove(at);
-        Some(others)
+/// The one summand or factor of the right side of an equation that is a symbol of which nothing is known, and what that is by the equation.
+fn isolated(
+    left: &Expr,
+    right: &Expr,
+    is_known: impl Fn(&Symbol) -> bool,
+) -> Option<(Symbol, Expr)> {
+    let (Expr::Sum(parts) | Expr::Product(parts)) = right else {
+        return None;
     };
-    match right {
-        Expr::Sum(parts) => {
-            let rest = Expr::Sum(without(parts)?);
-            let what = Expr::Sum(vec![left.clone(), Expr::Negate(rest.clone().into())]);
-            Some((what, rest))
-        }
-        Expr::Product(parts) => {
-            let rest = Expr::Product(without(parts)?);
-            let what = Expr::Quotient(left.clone().into(), rest.clone().into());
-            Some((what, rest))
-        }
-        _ => None,
+    let is_fresh = |part: &&Expr| matches!(part, Expr::Symbol(own) if !is_known(own));
+    let (fresh, others): (Vec<&Expr>, Vec<&Expr>) = parts.iter().partition(is_fresh);
+    let [Expr::Symbol(constant)] = fresh.as_slice() else {
+        return None;
+    };
+    if others.iter().any(|part| part.mentions(constant)) {
+        return None;
     }
-}
-
-fn applies(term: &Expr) -> bool {
-    term.any(&|part| matches!(part, Expr::Apply(..)))
+    let others = others.into_iter().cloned().collect();
+    let left = left.clone();
+    let what = match right {
+        Expr::Sum(_) => Expr::Sum(vec![left, Expr::Negate(Expr::Sum(others).into())]),
+        _ => Expr::Quotient(left.into(), Expr::Product(others).into()),
+    };
+    Some((constant.clone(), what))
 }
 
 fn differentiated_by(term: &Expr, variables: &mut Set<Symbol>) {

@@ -27,9 +27,7 @@ impl Moving {
         let own_page = &derivation.pages[page];
         let constants = own_page.domains.iter().filter(|own| own.1.constant);
         found.constants = constants.map(|own| own.0.clone()).collect();
-        found
-            .differentiated
-            .extend(own_page.changing.iter().cloned());
+        found.differentiated = own_page.changing();
         let locals = &own_page.locals;
         // What is so at one moment says nothing of others.
         let at_moment = |own: &Equation| {

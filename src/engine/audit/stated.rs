@@ -211,9 +211,7 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
         .chain([&judged.goal.formula])
         .collect();
     let mut moving = variables;
-    for term in said.iter().flat_map(|f| f.terms()) {
-        term.collect_differentiated(&mut moving);
-    }
+    moving.extend(Formula::differentiated_in(said.iter().copied()));
     // At one moment something may have a value and move all the same.
     let at_moment = |a: &Assumed| a.standing == Standing::AtPoint && a.source != Source::Step;
     let is_law = |formula: &&&Formula| {

@@ -34,7 +34,7 @@ impl Judge<'_> {
         if self.names_its_premises() && self.is_declared() {
             return false;
         }
-        let sound = self.sound(assumed, premises);
+        let sound = self.sound(assumed, &self.failing(premises));
         self.follows_with_others(goal, assumed, premises, found)
             || sound.len() < assumed.len()
                 && self.follows_with_others(goal, &sound, premises, found)

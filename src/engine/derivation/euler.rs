@@ -7,7 +7,7 @@
 use num_traits::{One, Signed};
 
 use crate::algebra::{Expr, Formula, Function, Symbol};
-use crate::document::{Item, Prose};
+use crate::document::Prose;
 use crate::notation::{read_expr, read_formulas};
 
 use super::Equation;
@@ -88,10 +88,8 @@ fn is_the_number(own: &[usize], pages: &[Page], equations: &[Equation]) -> bool 
     if found.number && !found.other {
         for &at in own {
             let page = &pages[at];
-            for item in &page.document.items {
-                if let Item::Prose(prose) = item {
-                    found.see_prose(prose, page);
-                }
+            for prose in page.document.prose() {
+                found.see_prose(prose, page);
             }
         }
     }

@@ -27,11 +27,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
-use crate::document::{Citation, Document, Extent, Item, Premise, Span};
+use crate::document::{Citation, Document, Extent, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing, running_in};
 use crate::notation::{Spanned, measured, read_formulas};
 use crate::parallel::in_order;
-use crate::sorted::{Map, Set, Tree};
+use crate::sorted::{Map, Tree};
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
@@ -141,7 +141,7 @@ impl Derivation {
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);
         }
-        for (at, page) in pages.iter_mut().enumerate() {
+        for (at, page) in pages.iter().enumerate() {
             let own = equation::of_page(at, equations);
             qualities::leave_out_what_moves(page, &mut equations[own]);
         }
@@ -510,44 +510,27 @@ impl Derivation {
         read.flatten().collect()
     }
 
-    /// What the text near an equation says that a symbol is the value of: `v(0) = v_0`, each with the place and the function. `None` where it says
+    /// What the text of a page says that a symbol is the value of: `v(0) = v_0`, each with the place and the function. `None` where it says
     /// something of the symbol that is no such thing, or too much to look through.
-    pub fn values_said(&self, at: usize, symbol: &Symbol) -> Option<Vec<(Expr, Symbol)>> {
-        let equation = &self.equations[at];
-        let page = &self.pages[equation.page];
-        let prose = page.document.items.iter().filter_map(|item| match item {
-            Item::Prose(prose) => Some(&prose.math),
-            _ => None,
-        });
-        if prose.clone().map(Vec::len).sum::<usize>() > MOST_SAID {
+    pub fn values_said(&self, page: usize, symbol: &Symbol) -> Option<Vec<(Expr, Symbol)>> {
+        let document = &self.pages[page].document;
+        if document.inline().count() > MOST_SAID {
             return None;
         }
-        let mut found = Vec::new();
-        for math in prose {
-            for math in math {
-                let Ok(statements) = read_formulas(&page.document.source, math.body) else {
-                    continue;
+        let read = document.inline();
+        let read = read.filter_map(|math| read_formulas(&document.source, math.body).ok());
+        let said: Vec<Formula> = read.flatten().flat_map(|own| formulas(&own)).collect();
+        let speaks = |formula: &&Formula| formula.names().contains(symbol);
+        let value = |formula: &Formula| match formula.as_equation()? {
+            (Expr::Apply(name, arguments), Expr::Symbol(own)) if own == symbol => {
+                let [place @ Expr::Number(_)] = arguments.as_slice() else {
+                    return None;
                 };
-                for formula in statements.iter().flat_map(formulas) {
-                    if !formula.names().contains(symbol) {
-                        continue;
-                    }
-                    let value = match formula.as_equation() {
-                        Some((Expr::Apply(name, arguments), Expr::Symbol(own)))
-                            if own == symbol =>
-                        {
-                            match arguments.as_slice() {
-                                [place @ Expr::Number(_)] => Some((place.clone(), name.clone())),
-                                _ => None,
-                            }
-                        }
-                        _ => None,
-                    };
-                    found.push(value?);
-                }
+                Some((place.clone(), name.clone()))
             }
-        }
-        Some(found)
+            _ => None,
+        };
+        said.iter().filter(speaks).map(value).collect()
     }
 
     /// What says a local hypothesis: the display, where one says it of a moment.
@@ -585,10 +568,8 @@ impl Derivation {
             }
         }
         if !found.is_empty() {
-            let mut differentiated = Set::new();
-            for term in assumed.iter().flat_map(|own| own.formula.terms()) {
-                term.collect_differentiated(&mut differentiated);
-            }
+            let premises = assumed.iter().map(|own| &*own.formula);
+            let differentiated = Formula::differentiated_in(premises);
             found.retain(|symbol, own| !own.1.is_constant() || !differentiated.contains(symbol));
         }
         found

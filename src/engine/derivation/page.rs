@@ -10,7 +10,7 @@ use crate::document::{
 };
 use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
-use crate::sorted::{self, Set, Tree};
+use crate::sorted::{self, Tree};
 
 use super::beside::{Beside, Clash, Place};
 use super::equation::each_side;
@@ -39,8 +39,6 @@ pub struct Page {
     pub problems: Vec<Problem>,
     /// Where each declared symbol is declared, what stands beside the document first.
     pub declared: Tree<Symbol, Vec<Place>>,
-    /// What the text says changes, or lets change.
-    pub changing: Set<Symbol>,
     /// What stands beside the document and holds in it too.
     pub beside: Option<Arc<Beside>>,
     /// Which of what that names as given was found here, by position.
@@ -87,7 +85,6 @@ pub(super) fn read_page(
         locals: Vec::new(),
         problems: document.problems.clone(),
         declared: Tree::new(),
-        changing: Set::new(),
         given: BTreeSet::new(),
         clashes: Vec::new(),
         document,
@@ -108,7 +105,6 @@ pub(super) fn read_page(
     page.document.inherited = inherited;
     page.declarations(&items);
     page.figures(&items);
-    page.changing = super::qualities::changing_in_text(&page.document.source, &items);
     let mut reader = Reader::new(&mut page, number, &items);
     items.iter().for_each(|item| reader.item(item));
     let (mut equations, derived) = reader.finish();

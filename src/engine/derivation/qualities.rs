@@ -1,7 +1,7 @@
 //! What the text says of symbols by adjectives, "where $g$ is constant", as far as nothing on the page speaks against it.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::document::{Attribute, Item, Span};
+use crate::document::{Attribute, Span};
 use crate::kernel::{Domain, running_in};
 use crate::notation::{Spanned, read_expr, read_formulas, read_symbol};
 use crate::sorted::{Map, Set};
@@ -15,7 +15,7 @@ use super::page::{Page, is_empty, narrow};
 const MOST_SAYINGS: usize = 64;
 
 /// What the text says of a symbol, and where.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Said {
     /// What it says.
     pub attributes: Vec<Spanned<Attribute>>,
@@ -42,7 +42,7 @@ impl Said {
 }
 
 /// Whether an attribute says where a symbol lies: of two that do, the later counts.
-pub(super) fn is_sign(attribute: &Attribute) -> bool {
+fn is_sign(attribute: &Attribute) -> bool {
     matches!(
         attribute,
         Attribute::Positive | Attribute::Nonnegative | Attribute::Interval { .. }
@@ -63,7 +63,7 @@ pub(super) fn spoken_of(source: &str, body: Span) -> Set<Symbol> {
     let mut found: Set<Symbol> = named(source, body).into_iter().collect();
     for term in terms(source, body) {
         found.extend(term.free_symbols());
-        applied(&term, &mut found);
+        applied(&term, |_| true, &mut found);
     }
     found
 }
@@ -80,9 +80,9 @@ fn terms(source: &str, body: Span) -> Vec<Expr> {
 }
 
 /// Leaves out of what is said to be constant what the page lets change all the same: of that it is not known which is meant.
-pub(super) fn leave_out_what_moves(page: &mut Page, equations: &mut [Equation]) {
+pub(super) fn leave_out_what_moves(page: &Page, equations: &mut [Equation]) {
     let constant = |own: &Equation| own.said.values().any(Said::is_constant);
-    if !equations.iter().any(constant) && page.changing.is_empty() {
+    if !equations.iter().any(constant) {
         return;
     }
     let moving = moving(page, equations);
@@ -107,17 +107,13 @@ fn moving(page: &Page, equations: &[Equation]) -> Set<Symbol> {
     let locals = page.locals.iter().flat_map(|local| &local.formulas);
     said.extend(locals.map(|formula| (**formula).clone()));
     let mut moving = running_in(said.iter());
-    moving.extend(page.changing.iter().cloned());
+    moving.extend(page.changing());
+    moving.extend(Formula::differentiated_in(said.iter()));
     for term in said.iter().flat_map(Formula::terms) {
-        term.collect_differentiated(&mut moving);
-        applied(term, &mut moving);
+        applied(term, |_| true, &mut moving);
     }
-    let dotted: Vec<Symbol> = said
-        .iter()
-        .flat_map(|own| own.names())
-        .filter_map(|own| undotted(&own))
-        .collect();
-    moving.extend(dotted);
+    let named = said.iter().flat_map(Formula::names);
+    moving.extend(named.filter_map(|own| undotted(&own)));
     let mut given = Set::new();
     for (left, right) in said.iter().filter_map(Formula::as_equation) {
         for (side, other) in [(left, right), (right, left)] {
@@ -132,43 +128,37 @@ fn moving(page: &Page, equations: &[Equation]) -> Set<Symbol> {
     moving
 }
 
-/// What the mathematics in the text lets change: `m(t)` is a function, and `\frac{dh}{dt}` the slope of one.
-pub(super) fn changing_in_text(source: &str, items: &[Item]) -> Set<Symbol> {
-    let mut found = Set::new();
-    for item in items {
-        let Item::Prose(prose) = item else {
-            continue;
-        };
-        for math in &prose.math {
-            let text = source.get(math.body.range()).unwrap_or_default();
+impl Page {
+    /// What the text says changes, "the mass $m$ grows", or lets change: `m(t)` is a function, and `\frac{dh}{dt}` the slope of one.
+    pub fn changing(&self) -> Set<Symbol> {
+        let source = &self.document.source;
+        let said = self.document.prose().flat_map(|prose| &prose.changing);
+        let mut found: Set<Symbol> = said.flat_map(|&body| spoken_of(source, body)).collect();
+        for math in self.document.inline() {
+            let text = self.document.text(math.body);
             if !text.contains("\\frac{d") && !text.contains("\\dot") && !text.contains('(') {
                 continue;
             }
             for term in terms(source, math.body) {
                 term.collect_differentiated(&mut found);
-                functions(&term, &mut found);
+                // Of `m(t)`, and not of `m(0)`.
+                let runs = |arguments: &[Expr]| matches!(arguments, [Expr::Symbol(_)]);
+                applied(&term, runs, &mut found);
                 found.extend(term.free_symbols().iter().filter_map(undotted));
             }
         }
+        found
     }
-    found
 }
 
-/// Names that are applied to something that may run: `m` of `m(t)`, and not of `m(0)`.
-fn functions(term: &Expr, found: &mut Set<Symbol>) {
+/// The names in a term that are applied to such arguments.
+fn applied(term: &Expr, such: fn(&[Expr]) -> bool, found: &mut Set<Symbol>) {
     if let Expr::Apply(name, arguments) = term
-        && matches!(arguments.as_slice(), [Expr::Symbol(_)])
+        && such(arguments)
     {
         found.insert(name.clone());
     }
-    term.children().for_each(|part| functions(part, found));
-}
-
-fn applied(term: &Expr, found: &mut Set<Symbol>) {
-    if let Expr::Apply(name, _) = term {
-        found.insert(name.clone());
-    }
-    term.children().for_each(|part| applied(part, found));
+    term.children().for_each(|part| applied(part, such, found));
 }
 
 /// Whether a term speaks of one of these but in slopes: `F = m \frac{dv}{dt}` gives no force by the time.
@@ -222,13 +212,11 @@ impl Sayings {
         level: u8,
         of_case: bool,
     ) {
-        if is_sign(&attribute.value) {
-            self.0
-                .retain(|own| own.symbol != *symbol || !is_sign(&own.attribute.value));
-        }
         // Once, and of two places the later.
+        let replaces =
+            |own: &Attribute| *own == attribute.value || is_sign(own) && is_sign(&attribute.value);
         self.0
-            .retain(|own| own.symbol != *symbol || own.attribute.value != attribute.value);
+            .retain(|own| own.symbol != *symbol || !replaces(&own.attribute.value));
         if self.0.len() == MOST_SAYINGS {
             self.0.remove(0);
         }
@@ -244,10 +232,7 @@ impl Sayings {
     pub fn here(&self) -> Map<Symbol, Said> {
         let mut all: Map<Symbol, Said> = Map::new();
         for own in &self.0 {
-            let said = all.entry(own.symbol.clone());
-            let said = said.or_insert(Said {
-                attributes: Vec::new(),
-            });
+            let said = all.entry(own.symbol.clone()).or_default();
             said.attributes.push(own.attribute.clone());
         }
         all

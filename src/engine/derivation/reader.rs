@@ -1,20 +1,19 @@
 //! A document read from top to bottom: what headings, text and directives between two displays say of the next one.
 
 use std::ops::Range;
-use std::sync::Arc;
 use std::vec;
 
 use crate::algebra::{BigRational, Formula, Symbol};
 use crate::document::{
-    Citation, Directive, Extent, Item, Layout, Premise, Prose, Qualities, Span, Supposition,
-    SuppositionKind, Vanishing, above_signs,
+    Attribute, Citation, Directive, Extent, Item, Layout, Premise, Prose, Qualities, Span,
+    Supposition, SuppositionKind, Vanishing, above_signs,
 };
 use crate::notation::{Spanned, SyntaxError, read_formulas};
 use crate::sorted::Set;
 
 use super::definition::Known;
 use super::page::{Page, Premises};
-use super::qualities::{self, Said, Sayings};
+use super::qualities::{self, Sayings};
 use super::rows::{self, Part};
 use super::supposed::{said_of_moment, slope_by};
 use super::{Equation, Kind};
@@ -174,52 +173,44 @@ impl<'p> Reader<'p> {
 
     /// Takes up what is said by adjectives: in the display that the sentence is of, too.
     fn qualities(&mut self, prose: &Prose) {
-        let leaves = |own: &Supposition| {
-            matches!(
-                own.kind,
-                SuppositionKind::General | SuppositionKind::Elsewhere
-            )
-        };
-        let left = prose
-            .suppositions
-            .iter()
-            .rfind(|own| leaves(own))
-            .map(|own| own.body);
+        let mut all = prose.suppositions.iter();
+        let left = all.rfind(|own| own.kind.leaves_cases());
         if left.is_some() {
             self.sayings.forget();
         }
         if prose.qualities.iter().any(|own| own.of_case) {
             self.sayings.leave_case();
         }
-        let source = Arc::clone(&self.page.document.source);
-        let here = |own: &&Qualities| left.is_none_or(|left| left.start < own.body.start);
+        let here = |own: &&Qualities| left.is_none_or(|left| left.body.start < own.body.start);
         for quality in prose.qualities.iter().filter(here) {
-            for symbol in qualities::named(&source, quality.body) {
-                for value in &quality.attributes {
-                    let value = value.clone();
-                    let attribute = Spanned {
-                        value,
-                        span: quality.body,
-                    };
-                    if quality.goes_on {
-                        for equation in &mut self.equations[self.last.clone()] {
-                            let said = equation.said.entry(symbol.clone());
-                            let said = said.or_insert(Said {
-                                attributes: Vec::new(),
-                            });
-                            said.attributes.push(attribute.clone());
-                        }
-                    }
-                    let level = self.level;
-                    self.sayings
-                        .take(&symbol, attribute, level, quality.of_case);
-                }
-            }
+            self.quality(quality);
         }
         for &body in &prose.changing {
-            let changing = qualities::spoken_of(&source, body);
+            let changing = qualities::spoken_of(&self.page.document.source, body);
             self.sayings.forget_these(&changing);
-            self.page.changing.extend(changing);
+        }
+    }
+
+    fn quality(&mut self, quality: &Qualities) {
+        let named = qualities::named(&self.page.document.source, quality.body);
+        let attributes = quality.attributes.iter().cloned();
+        let attributes: Vec<Spanned<Attribute>> = attributes
+            .map(|value| Spanned {
+                value,
+                span: quality.body,
+            })
+            .collect();
+        for symbol in &named {
+            for attribute in &attributes {
+                let (level, of_case) = (self.level, quality.of_case);
+                self.sayings.take(symbol, attribute.clone(), level, of_case);
+            }
+            if quality.goes_on {
+                for equation in &mut self.equations[self.last.clone()] {
+                    let said = equation.said.entry(symbol.clone()).or_default();
+                    said.attributes.extend(attributes.iter().cloned());
+                }
+            }
         }
     }
 

@@ -4,7 +4,7 @@
 //! The words that begin the sentence tell, and the one that it ends with; in doubt it is said throughout.
 
 use super::Extent;
-use super::prose::{Placed, Token};
+use super::prose::{Placed, Token, ends_sentence};
 
 /// These begin a sentence about one moment.
 const MOMENTS: &[&str] = &["initially", "originally", "when", "once"];
@@ -86,10 +86,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Extent> {
         matches!(token, Token::Word(_) | Token::Math(_) | Token::Number(_))
     };
     let last = tokens.iter().rposition(says)?;
-    let ended = tokens[last..].iter().any(|(token, span)| {
-        *token == Token::Stop && matches!(source.get(span.range()), Some("." | "?" | "!"))
-    });
-    if ended {
+    let ends = |token: &Placed<'_>| ends_sentence(source, token);
+    if tokens[last..].iter().any(ends) {
         return Some(Extent::Throughout);
     }
     let start = tokens[..last]

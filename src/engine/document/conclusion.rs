@@ -1,6 +1,6 @@
 //! Whether prose says that what is displayed next follows: "Hence", "Substituting (3) into (4) gives".
 
-use super::prose::{Placed, Token};
+use super::prose::{Placed, Token, ends_sentence};
 use super::supposition::relates;
 
 /// What comes after these is drawn from what was said before. With one of them a sentence no longer supposes anything, either.
@@ -288,9 +288,7 @@ fn concludes_from_words(sentence: &[Placed<'_>]) -> bool {
 
 /// The end of a sentence that a display stands in, if the text goes on with it: up to the full stop.
 pub(super) fn tail<'t, 'a>(source: &str, tokens: &'t [Placed<'a>]) -> &'t [Placed<'a>] {
-    let ends = |&(token, span): &Placed<'_>| {
-        token == Token::Stop && matches!(source.get(span.range()), Some("." | "!" | "?"))
-    };
+    let ends = |token: &Placed<'_>| ends_sentence(source, token);
     let goes_on = |word: &str| word.starts_with(char::is_lowercase);
     match (tokens.first(), tokens.iter().position(ends)) {
         (Some((Token::Word(word), _)), Some(end)) if goes_on(word) => &tokens[..end],

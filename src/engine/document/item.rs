@@ -222,11 +222,13 @@ pub enum Vanishing {
 impl SuppositionKind {
     /// Whether what was told of another special case is no longer meant.
     pub fn begins_a_case(self) -> bool {
-        use SuppositionKind::{Case, Elsewhere, Fact, General};
-        matches!(
-            self,
-            Case { .. } | Fact { of_case: true, .. } | General | Elsewhere
-        )
+        use SuppositionKind::{Case, Fact};
+        matches!(self, Case { .. } | Fact { of_case: true, .. }) || self.leaves_cases()
+    }
+
+    /// Whether special cases are left behind.
+    pub fn leaves_cases(self) -> bool {
+        matches!(self, SuppositionKind::General | SuppositionKind::Elsewhere)
     }
 }
 

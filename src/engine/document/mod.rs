@@ -67,6 +67,19 @@ pub struct Document {
 }
 
 impl Document {
+    /// The text between headings, displays and directives, in source order.
+    pub fn prose(&self) -> impl Iterator<Item = &Prose> {
+        self.items.iter().filter_map(|item| match item {
+            Item::Prose(prose) => Some(prose),
+            _ => None,
+        })
+    }
+
+    /// The mathematics in the text, in source order.
+    pub fn inline(&self) -> impl Iterator<Item = &Inline> {
+        self.prose().flat_map(|prose| &prose.math)
+    }
+
     /// Reads a Markdown document. Never fails: what is amiss is in [`Document::problems`].
     pub fn markdown(path: impl Into<String>, source: impl Into<Arc<str>>) -> Document {
         let source = source.into();

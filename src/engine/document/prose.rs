@@ -44,6 +44,11 @@ impl Token<'_> {
 /// A token and where it stands.
 pub(super) type Placed<'a> = (Token<'a>, Span);
 
+/// Whether a token ends a sentence, and not only a paragraph.
+pub(super) fn ends_sentence(source: &str, (token, span): &Placed<'_>) -> bool {
+    *token == Token::Stop && matches!(source.get(span.range()), Some("." | "?" | "!"))
+}
+
 /// Words that end in a full stop which ends no sentence.
 const ABBREVIATED: [&str; 14] = [
     "eq", "eqs", "eqn", "eqns", "fig", "figs", "sec", "ref", "refs", "cf", "resp", "vs", "no",

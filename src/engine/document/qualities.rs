@@ -5,7 +5,7 @@
 //! no condition, no denial, no comparison, no other case and nothing that changes.
 
 use super::conclusion;
-use super::prose::{Placed, Token};
+use super::prose::{Placed, Token, ends_sentence};
 use super::{Attribute, Bound, Qualities, Span};
 use crate::algebra::BigRational;
 
@@ -273,28 +273,21 @@ const REFERRING: [&str; 6] = ["it", "this", "that", "they", "these", "in"];
 /// What prose says of symbols, in order, and which it says change.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Qualities>, Vec<Span>) {
     let (mut found, mut changing) = (Vec::new(), Vec::new());
-    let ends = |(token, span): &Placed<'_>| {
-        *token == Token::Stop && matches!(source.get(span.range()), Some("." | "?" | "!"))
-    };
-    let mut rest = tokens;
-    while !rest.is_empty() {
-        let end = rest.iter().position(ends).map_or(rest.len(), |end| end + 1);
-        let (sentence, others) = rest.split_at(end);
-        rest = others;
+    let sentences = tokens.split_inclusive(|token| ends_sentence(source, token));
+    let mut following = sentences.clone().skip(1);
+    for sentence in sentences {
+        let next = following.next().unwrap_or_default();
         let has = |words: &[&str]| sentence.iter().any(|token| token.0.is_among(words));
-        let denies = has(&DENYING);
-        if has(&CHANGING) != denies && (has(&CHANGING) || has(&["constant", "constants"])) {
+        let changes = has(&CHANGING);
+        if (changes || has(&["constant", "constants"])) && changes != has(&DENYING) {
             changing.extend(sentence.iter().filter_map(|token| match token.0 {
                 Token::Math(body) => Some(body),
                 _ => None,
             }));
         }
-        let next = others
-            .iter()
-            .position(ends)
-            .map_or(others, |end| &others[..end]);
-        if !is_doubtful(source, sentence) && !takes_back(next) {
-            of_sentence(sentence, &mut found);
+        let told = of_sentence(sentence);
+        if !told.is_empty() && !is_doubtful(source, sentence) && !takes_back(next) {
+            found.extend(told);
         }
     }
     (found, changing)
@@ -319,7 +312,9 @@ fn takes_back(next: &[Placed<'_>]) -> bool {
     refers && next.iter().any(denies)
 }
 
-fn of_sentence(sentence: &[Placed<'_>], found: &mut Vec<Qualities>) {
+/// What a sentence says of symbols, if it tells a fact.
+fn of_sentence(sentence: &[Placed<'_>]) -> Vec<Qualities> {
+    let mut found = Vec::new();
     for (at, &(token, _)) in sentence.iter().enumerate() {
         let Some(own) = attributes(token) else {
             continue;
@@ -339,6 +334,7 @@ fn of_sentence(sentence: &[Placed<'_>], found: &mut Vec<Qualities>) {
             }));
         }
     }
+    found
 }
 
 /// Whether a sentence is one that the display before it is in: "…, where $g$ is constant."

@@ -20,7 +20,7 @@ use self::words::{
 };
 use super::circumstance;
 use super::conclusion;
-use super::prose::{Placed, Token};
+use super::prose::{Placed, Token, ends_sentence};
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
 
@@ -47,9 +47,9 @@ enum Reach {
 /// The suppositions in prose, in order, and the values that it names besides.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Vec<Span>) {
     // A paragraph that no full stop ends goes on with the display after it.
-    let stops = |&(token, span): &Placed<'_>| match token {
-        Token::Stop => matches!(source.get(span.range()), Some("." | "?" | "!")),
-        token => token != Token::Hidden,
+    let stops = |token: &Placed<'_>| match token.0 {
+        Token::Stop => ends_sentence(source, token),
+        other => other != Token::Hidden,
     };
     let end = tokens.iter().rposition(stops).map_or(0, |last| last + 1);
     let mut reader = Reader {
@@ -308,12 +308,7 @@ impl Reader<'_> {
 
     /// Takes back what the sentence has supposed: it only names it.
     fn withdraw(&mut self) {
-        let own = self.found.extract_if(self.sentence.start.., |s| {
-            !matches!(
-                s.kind,
-                SuppositionKind::General | SuppositionKind::Elsewhere
-            )
-        });
+        let own = (self.found).extract_if(self.sentence.start.., |s| !s.kind.leaves_cases());
         self.mentions.extend(own.map(|s| s.body));
     }
 
