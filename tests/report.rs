@@ -7,6 +7,7 @@ mod convincing;
 mod families;
 mod induction;
 mod numeric;
+mod partial;
 mod shifted;
 
 use cradle_verify::proofs;

@@ -6,6 +6,7 @@ use super::run::Done;
 use super::{Failure, halves};
 use crate::derivation::{Checker, Derivation};
 use crate::figures::{self, Figure, FigureError, Material};
+use crate::parallel::in_order;
 use crate::report::Report;
 use crate::report::html::{Picture, Pictures};
 
@@ -37,20 +38,28 @@ pub(super) fn report(
     Ok((Content::Bytes(page.into_bytes()), found))
 }
 
+/// What draws one of the figures.
+type Drawing<'a> = dyn Fn(&Checker) -> Result<Figure, FigureError> + Sync + 'a;
+
 /// The figures and the table that are drawn from the report's own equations.
 fn pictures(checker: &Checker) -> Result<Pictures, FigureError> {
     let materials = Material::of_the_report();
-    let picture = |figure: Figure| Picture {
-        title: figure.scene.title.clone(),
-        svg: figures::svg(&figure.scene),
-    };
+    let energy = |checker: &Checker| figures::energy(checker, &materials);
+    let all: [&Drawing; 4] = [
+        &figures::collision,
+        &energy,
+        &figures::outcomes,
+        &figures::lithotripsy,
+    ];
+    let drawn = in_order(all, |figure| {
+        let scene = figure(checker)?.scene;
+        Ok(Picture {
+            svg: figures::svg(&scene),
+            title: scene.title,
+        })
+    });
     Ok(Pictures {
-        figures: vec![
-            picture(figures::collision(checker)?),
-            picture(figures::energy(checker, &materials)?),
-            picture(figures::outcomes(checker)?),
-            picture(figures::lithotripsy(checker)?),
-        ],
+        figures: drawn.into_iter().collect::<Result<_, FigureError>>()?,
         tables: vec![halves::on_a_page(checker, &materials)?],
     })
 }

@@ -2,7 +2,7 @@ use num_traits::ToPrimitive;
 
 use super::FigureError;
 use super::figure::{Figure, Source, caption, verdicts};
-use super::law::Law;
+use super::law::{Audited, Law};
 use super::legend::{self, Key};
 use super::numbers::Numbers;
 use super::panel::{self, LARGE, Marker, Panel, Range};
@@ -31,13 +31,15 @@ const DOTTED: &[f64] = &[10.0, 3.0, 2.0, 3.0];
 /// # Errors
 /// The derivation has not these equations.
 pub fn collision(checker: &Checker) -> Result<Figure, FigureError> {
+    let audited = Audited::of(checker, &["59", "60", "64"])?;
     let laws = [
-        Law::of(checker, "59", "v'_1")?,
-        Law::of(checker, "60", "v'_2")?,
-        Law::of(checker, "64", r"\eta")?,
+        Law::of(&audited, "59", "v'_1")?,
+        Law::of(&audited, "60", "v'_2")?,
+        Law::of(&audited, "64", r"\eta")?,
     ];
+    let before = Point::new().with("v_0", 1);
     let row = |mu: &BigRational| -> Result<Vec<BigRational>, FigureError> {
-        let at = Point::new().with_ratio(r"\mu", mu.clone()).with("v_0", 1);
+        let at = before.clone().with_ratio(r"\mu", mu.clone());
         let mut row = vec![mu.clone()];
         for law in &laws {
             row.push(law.value(&at)?);

@@ -5,7 +5,7 @@ use num_traits::{One, Pow, Signed};
 
 use super::FigureError;
 use super::halving::first_half;
-use super::law::{Law, Standing};
+use super::law::{Audited, Law, Standing};
 use super::material::Material;
 use crate::algebra::{BigInt, BigRational};
 use crate::derivation::{Checker, Point};
@@ -27,10 +27,12 @@ impl Decay {
     /// # Errors
     /// The derivation has not these equations.
     pub fn of(checker: &Checker) -> Result<Self, FigureError> {
+        let (printed, claim) = ("41", "claim energy-decay");
+        let audited = Audited::of(checker, &[printed, claim])?;
         Ok(Decay {
-            printed: Law::of(checker, "41", r"E_{\text{after}}")?,
-            corrected: Law::instead_of(checker, "41")?,
-            claim: Standing::of(checker, "claim energy-decay")?,
+            printed: Law::of(&audited, printed, r"E_{\text{after}}")?,
+            corrected: Law::instead_of(&audited, printed)?,
+            claim: Standing::of(&audited, claim)?,
         })
     }
 

@@ -1,11 +1,40 @@
 //! What audited pages say of a quantity, and what the audit says of that.
 
+use std::borrow::Cow;
+
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
-use crate::audit::{Entry, Verdict};
+use crate::audit::{Audit, Entry, Verdict};
 use crate::derivation::{Checker, Point, goals};
 use crate::notation::{latex_formula, plain_formula, read_symbol};
 
 use super::FigureError;
+
+/// A derivation, some of whose equations are judged: those that a figure rests on.
+#[derive(Debug)]
+pub struct Audited<'a> {
+    checker: &'a Checker,
+    audit: Cow<'a, Audit>,
+}
+
+impl<'a> Audited<'a> {
+    /// Judges the equations of these labels, and nothing that they do not depend on.
+    ///
+    /// # Errors
+    /// There is no such equation.
+    pub fn of(checker: &'a Checker, labels: &[&str]) -> Result<Self, FigureError> {
+        let at = labels.iter().map(|label| position(checker, label));
+        let wanted = at.collect::<Result<Vec<usize>, _>>()?;
+        Ok(Audited {
+            checker,
+            audit: checker.audit_of(&wanted),
+        })
+    }
+
+    /// What was judged: at least the equations asked for.
+    pub fn entries(&self) -> &[Entry] {
+        &self.audit.entries
+    }
+}
 
 /// What the audit found of an equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,9 +52,10 @@ impl Standing {
     ///
     /// # Errors
     /// There is no such equation.
-    pub fn of(checker: &Checker, label: &str) -> Result<Self, FigureError> {
+    pub fn of(audited: &Audited<'_>, label: &str) -> Result<Self, FigureError> {
+        let Audited { checker, audit } = audited;
         let at = position(checker, label)?;
-        let entries = checker.audit().of_equation(at);
+        let entries = audit.of_equation(at);
         let worst = |entry: &Entry| match entry.verdict {
             Verdict::Given => 0,
             Verdict::Holds => 1,
@@ -76,7 +106,8 @@ impl Law {
     ///
     /// # Errors
     /// There is no such equation, or it has the symbol nowhere alone on one side.
-    pub fn of(checker: &Checker, label: &str, symbol: &str) -> Result<Self, FigureError> {
+    pub fn of(audited: &Audited<'_>, label: &str, symbol: &str) -> Result<Self, FigureError> {
+        let checker = audited.checker;
         let equation = &checker.derivation().equations[position(checker, label)?];
         let stated = equation.statements().iter().flat_map(goals);
         let asserted = stated.filter(|goal| !goal.questioned && goal.suppositions.is_empty());
@@ -91,7 +122,7 @@ impl Law {
             });
         };
         Ok(Law {
-            standing: Standing::of(checker, label)?,
+            standing: Standing::of(audited, label)?,
             formula,
             term,
         })
@@ -101,9 +132,10 @@ impl Law {
     ///
     /// # Errors
     /// There is no such equation.
-    pub fn instead_of(checker: &Checker, label: &str) -> Result<Option<Self>, FigureError> {
+    pub fn instead_of(audited: &Audited<'_>, label: &str) -> Result<Option<Self>, FigureError> {
+        let Audited { checker, audit } = audited;
         let at = position(checker, label)?;
-        let entries = checker.audit().of_equation(at).iter();
+        let entries = audit.of_equation(at).iter();
         let implied = entries.filter_map(|entry| entry.implied.as_deref()).next();
         Ok(implied.and_then(|implied| {
             let formula = implied.proven.claim().goal.clone();
@@ -156,11 +188,7 @@ fn term_for(formula: &Formula, symbol: &Symbol) -> Option<Expr> {
 
 fn position(checker: &Checker, label: &str) -> Result<usize, FigureError> {
     let missing = || FigureError::NoEquation(label.to_owned());
-    let found = checker.equation(label).ok_or_else(missing)?;
-    let all = &checker.derivation().equations;
-    all.iter()
-        .position(|equation| std::ptr::eq(equation, found))
-        .ok_or_else(missing)
+    checker.position(label).ok_or_else(missing)
 }
 
 /// `(41)`, `claim energy-decay`.

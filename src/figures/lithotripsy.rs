@@ -1,7 +1,7 @@
 use super::FigureError;
 use super::collision::{float, points};
 use super::figure::{Figure, Source, caption, verdicts};
-use super::law::{Law, Standing};
+use super::law::{Audited, Law, Standing};
 use super::numbers::Numbers;
 use super::panel::{LARGE, Marker, Panel, Range, shares};
 use super::rich::Rich;
@@ -30,7 +30,14 @@ const FINE: i32 = 40;
 /// # Errors
 /// The derivation has not these equations.
 pub fn lithotripsy(checker: &Checker) -> Result<Figure, FigureError> {
-    let law = Law::of(checker, "64", r"\eta")?;
+    let efficiency = "64";
+    let claims =
+        ["maximum", "maximum-only-at-one", "heavy-target"].map(|name| format!("claim {name}"));
+    let labels: Vec<&str> = std::iter::once(efficiency)
+        .chain(claims.iter().map(String::as_str))
+        .collect();
+    let audited = Audited::of(checker, &labels)?;
+    let law = Law::of(&audited, efficiency, r"\eta")?;
     let eta = |mu: &BigRational| law.value(&Point::new().with_ratio(r"\mu", mu.clone()));
     let mut numbers = Numbers::new(&["mu", "eta"]);
     for step in -DECADES * FINE..=DECADES * FINE {
@@ -51,8 +58,8 @@ pub fn lithotripsy(checker: &Checker) -> Result<Figure, FigureError> {
     }
     let at_zero = eta(&whole(0))?;
     let mut sources = vec![Source::from(&law)];
-    for claim in ["maximum", "maximum-only-at-one", "heavy-target"] {
-        sources.push(Standing::of(checker, &format!("claim {claim}"))?.into());
+    for claim in &claims {
+        sources.push(Standing::of(&audited, claim)?.into());
     }
     let scene = draw(&numbers, &marks, &at_zero, &sources);
     Ok(Figure {

@@ -52,7 +52,7 @@ pub use energy::energy;
 pub use error::FigureError;
 pub use figure::{Figure, Source};
 pub use halving::first_half;
-pub use law::{Law, Standing};
+pub use law::{Audited, Law, Standing};
 pub use lithotripsy::lithotripsy;
 pub use material::{Material, MaterialError};
 pub use numbers::Numbers;

@@ -3,15 +3,15 @@ use num_traits::Zero;
 use super::FigureError;
 use super::collision::float;
 use super::figure::{Figure, Source, caption, verdicts};
-use super::law::{Standing, cited};
+use super::law::{Audited, Standing, cited};
 use super::legend::{self, Key};
 use super::numbers::Numbers;
 use super::panel::{LARGE, Marker, circle};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Item, Scene, Shape, Stroke};
 use super::words::{exact, list};
-use crate::algebra::{BigInt, BigRational, Symbol};
-use crate::derivation::{Checker, Point, goals};
+use crate::algebra::{BigInt, BigRational, Formula, Symbol};
+use crate::derivation::{Checker, Equation, Point, goals};
 use crate::parallel::in_order;
 use crate::sorted::{self, Tree};
 
@@ -34,24 +34,26 @@ type Outcome = [BigRational; 3];
 /// # Errors
 /// The derivation has not these equations, or they are not what is drawn.
 pub fn outcomes(checker: &Checker) -> Result<Figure, FigureError> {
-    let swap = outcome([0, 0, 1], 1);
-    let other_end = outcome([-1, 2, 2], 3);
-    let found = in_order(0..FINE, |step| {
-        let own = on_circle(&swap, step);
-        conserved(checker, &own).map(|()| own)
-    });
+    let conserved = Conserved::of(checker)?;
+    let found = in_order(0..FINE, |step| conserved.checked(on_circle(step)));
     let mut around = found.into_iter().collect::<Result<Vec<Outcome>, _>>()?;
     // Where the arc of the ordered outcomes begins and ends.
-    for end in [swap, other_end] {
-        conserved(checker, &end)?;
-        around.push(end);
+    for end in [swap(), outcome([-1, 2, 2], 3)] {
+        around.push(conserved.checked(end)?);
     }
     sorted::sort_by(&mut around, |a, b| angle(a).total_cmp(&angle(b)));
     around.dedup();
-    let witnesses = witnesses(checker)?;
+    // The counterexamples are those of all the page, which begins with the two laws.
+    let of_page = checker.derivation().equations.iter();
+    let of_page = of_page.filter(|equation| equation.page == conserved.page);
+    let of_page: Vec<String> = of_page.map(Equation::reference).collect();
+    let shown = ["17", "18", "22", "23", "24", "claim n-in-n-out"];
+    let labels: Vec<&str> = of_page.iter().map(String::as_str).chain(shown).collect();
+    let audited = Audited::of(checker, &labels)?;
+    let witnesses = witnesses(checker, &audited, &conserved);
     let mut sources = Vec::new();
-    for label in ["17", "18", "22", "23", "24", "claim n-in-n-out"] {
-        sources.push(Source::from(Standing::of(checker, label)?));
+    for label in shown {
+        sources.push(Source::from(Standing::of(&audited, label)?));
     }
     let mut numbers = Numbers::new(&["v1", "v2", "v3"]);
     numbers.rows = around.iter().map(|outcome| outcome.to_vec()).collect();
@@ -67,59 +69,84 @@ fn outcome(above: [i64; 3], below: i64) -> Outcome {
     above.map(|above| BigRational::new(BigInt::from(above), BigInt::from(below)))
 }
 
-/// Where a line of sight at an angle leaves the circle: floating point chooses the direction, the point is exact.
-fn on_circle(known: &Outcome, step: i32) -> Outcome {
+/// The first ball's velocity goes to the last.
+fn swap() -> Outcome {
+    outcome([0, 0, 1], 1)
+}
+
+/// Where a line of sight from the swap at an angle leaves the circle: floating point chooses the direction, the point is exact.
+fn on_circle(step: i32) -> Outcome {
     let angle = f64::from(step) / f64::from(FINE) * std::f64::consts::PI;
     let (sine, cosine) = angle.sin_cos();
     let (x, y) = (cosine, sine / 3.0_f64.sqrt());
-    let part =
-        |value: f64| BigRational::from_integer(BigInt::from((value * ROUNDED).round() as i64));
+    let part = |value: f64| (value * ROUNDED).round() as i64;
     // The velocities change by what leaves their sum alone.
     let (first, second) = (part(-x - y), part(x - y));
-    let third = -(&first + &second);
-    let way = [first, second, third];
-    let dot =
-        |a: &Outcome, b: &Outcome| -> BigRational { a.iter().zip(b).map(|(a, b)| a * b).sum() };
-    let length = dot(&way, &way);
-    if length.is_zero() {
-        return known.clone();
+    let third = -(first + second);
+    let length = first * first + second * second + third * third;
+    if length == 0 {
+        return swap();
     }
-    let far = -(dot(known, &way) * BigInt::from(2)) / length;
-    let mut found = known.clone();
-    for (velocity, way) in found.iter_mut().zip(&way) {
-        *velocity += way * &far;
-    }
-    found
+    // From (0, 0, 1) as far again as to where the way is at a right angle to the radius.
+    let far = -2 * third;
+    outcome([first * far, second * far, third * far + length], length)
 }
 
-/// That an outcome keeps both laws, as the page states them.
-fn conserved(checker: &Checker, outcome: &Outcome) -> Result<(), FigureError> {
-    let at = Point::new()
-        .with("n", 1)
-        .with("k", 3)
-        .with("v_0", 1)
-        .with_list("u", outcome.iter().cloned());
-    for label in ["17", "18"] {
-        let equation = checker.equation(label);
-        let equation = equation.ok_or_else(|| FigureError::NoEquation(label.to_owned()))?;
-        for goal in equation.statements().iter().flat_map(goals) {
-            let holds = at.holds(&goal.formula);
-            let holds = holds.map_err(|error| FigureError::Evaluate {
-                label: equation.reference(),
-                error,
-            })?;
-            if !holds {
-                return Err(FigureError::NotConserved(equation.reference()));
+/// The two laws that every outcome drawn keeps, as the page states them.
+struct Conserved<'a> {
+    /// The page that states them.
+    page: usize,
+    /// How each is cited, and what it says.
+    laws: Vec<(&'a Equation, Vec<Formula>)>,
+    /// What there is besides the outcome: one of three balls comes in, with velocity 1.
+    before: Point,
+}
+
+impl<'a> Conserved<'a> {
+    fn of(checker: &'a Checker) -> Result<Self, FigureError> {
+        let law = |label: &str| {
+            let equation = checker.equation(label);
+            let equation = equation.ok_or_else(|| FigureError::NoEquation(label.to_owned()))?;
+            let said = equation.statements().iter().flat_map(goals);
+            Ok((equation, said.map(|goal| goal.formula).collect()))
+        };
+        let laws = ["17", "18"].map(law).into_iter();
+        let laws: Vec<(&Equation, Vec<Formula>)> = laws.collect::<Result<_, FigureError>>()?;
+        Ok(Conserved {
+            page: laws[0].0.page,
+            laws,
+            before: Point::new().with("n", 1).with("k", 3).with("v_0", 1),
+        })
+    }
+
+    /// The outcome, if it keeps both laws.
+    fn checked(&self, outcome: Outcome) -> Result<Outcome, FigureError> {
+        let at = self.before.clone();
+        let at = at.with_list("u", outcome.iter().cloned());
+        for (equation, said) in &self.laws {
+            for formula in said {
+                let holds = at.holds(formula);
+                let holds = holds.map_err(|error| FigureError::Evaluate {
+                    label: equation.reference(),
+                    error,
+                })?;
+                if !holds {
+                    return Err(FigureError::NotConserved(equation.reference()));
+                }
             }
         }
+        Ok(outcome)
     }
-    Ok(())
 }
 
 /// The audit's counterexamples in which one of three balls comes in, with the equations that each of them refutes.
-fn witnesses(checker: &Checker) -> Result<Vec<(Outcome, Vec<String>)>, FigureError> {
+fn witnesses(
+    checker: &Checker,
+    audited: &Audited<'_>,
+    conserved: &Conserved<'_>,
+) -> Vec<(Outcome, Vec<String>)> {
     let mut found: Tree<Outcome, Vec<String>> = Tree::new();
-    for entry in &checker.audit().entries {
+    for entry in audited.entries() {
         for judged in &entry.judged {
             let crate::audit::Outcome::Refuted(refuted) = &judged.outcome else {
                 continue;
@@ -140,9 +167,9 @@ fn witnesses(checker: &Checker) -> Result<Vec<(Outcome, Vec<String>)>, FigureErr
                 continue;
             }
             let outcome = [0, 1, 2].map(|at| &all[at] / speed);
-            if conserved(checker, &outcome).is_err() {
+            let Ok(outcome) = conserved.checked(outcome) else {
                 continue;
-            }
+            };
             let labels = found.entry(outcome).or_default();
             let label = cited(checker, entry.equation);
             if !labels.contains(&label) {
@@ -150,7 +177,7 @@ fn witnesses(checker: &Checker) -> Result<Vec<(Outcome, Vec<String>)>, FigureErr
             }
         }
     }
-    Ok(found.into_entries().collect())
+    found.into_entries().collect()
 }
 
 /// The plane in which momentum is what it was, seen at a right angle; the third velocity grows upwards.
@@ -210,7 +237,6 @@ fn draw(around: &[Outcome], witnesses: &[(Outcome, Vec<String>)], sources: &[Sou
     let arc: Vec<(f64, f64)> = around.iter().filter(|o| ordered(o)).map(place).collect();
     scene.line(&arc, Stroke::solid(Ink::Series(0), 4.5));
     let before = outcome([1, 0, 0], 1);
-    let swap = outcome([0, 0, 1], 1);
     let mut keys = vec![
         Key {
             stroke: Some(Stroke::solid(Ink::Faint, 1.4)),
@@ -233,7 +259,7 @@ fn draw(around: &[Outcome], witnesses: &[(Outcome, Vec<String>)], sources: &[Sou
             "as the balls came in".to_owned(),
         ),
         (
-            swap,
+            swap(),
             Marker::Circle,
             Ink::Series(2),
             false,

@@ -205,15 +205,19 @@ impl Rich {
     /// Broken at spaces into lines no wider than so many ems, as far as there are spaces.
     pub(super) fn lines(&self, width: f64) -> Vec<Rich> {
         let mut lines = vec![Rich::default()];
+        // Of the line that is being filled.
+        let mut filled = 0.0;
         for word in self.split() {
             let line = lines.last_mut().expect("there is a line");
-            let together = line.width() + word.width();
+            let more = word.width();
             let ended = word.0.last().is_some_and(|run| run.text.ends_with(' '));
             let space = if ended { font::width(" ", false) } else { 0.0 };
-            if !line.0.is_empty() && together - space > width {
+            if !line.0.is_empty() && filled + more - space > width {
                 lines.push(word);
+                filled = more;
             } else {
                 *line = std::mem::take(line).join(word);
+                filled += more;
             }
         }
         lines

@@ -84,9 +84,25 @@ impl Audit {
 
     /// The same by at most so many threads; the number of equations that are done can be read meanwhile.
     pub fn by(derivation: &Derivation, threads: usize, progress: &AtomicUsize) -> Audit {
+        Audit::with(derivation, |_| true, threads, progress)
+    }
+
+    /// Judges some equations, by their positions, with all that their verdicts depend on: as the whole audit would, only that
+    /// others may be missing. Where many steps miss what they cite by the same number, it is not said.
+    pub fn of_these(derivation: &Derivation, wanted: &[usize]) -> Audit {
+        let is_wanted = |at: usize| wanted.contains(&at);
+        Audit::with(derivation, is_wanted, threads(), &AtomicUsize::new(0))
+    }
+
+    fn with(
+        derivation: &Derivation,
+        is_wanted: impl Fn(usize) -> bool,
+        threads: usize,
+        progress: &AtomicUsize,
+    ) -> Audit {
         let shared = Shared {
             derivation,
-            schedule: Schedule::new(derivation),
+            schedule: Schedule::new(derivation, is_wanted),
             dimensions: OnceLock::new(),
             givens: derivation.pages.iter().map(|_| OnceLock::new()).collect(),
             duplicates: derivation.duplicates().into_iter().collect(),

@@ -12,9 +12,8 @@ const WINDOW: usize = 64;
 
 /// The parts of a derivation, each taken by one worker.
 ///
-/// A part waits for what it needs of earlier ones. Whoever takes a part that is not the first of those left
-/// must be ready to take these too when it has to wait ([`Schedule::take_until`]): then whoever waits does so
-/// for somebody at work further up, and somebody always is.
+/// A part waits for what it needs of earlier ones. Whoever takes a part must be ready to take earlier ones that are left when it
+/// has to wait ([`Schedule::take_until`]): then whoever waits does so for somebody at work further up, and somebody always is.
 pub(super) struct Schedule {
     parts: Vec<Part>,
     left: Mutex<Left>,
@@ -24,6 +23,8 @@ struct Part {
     equations: Range<usize>,
     /// The equations elsewhere that it cites.
     cites: Vec<usize>,
+    /// Otherwise it is judged only if another turns out to need it.
+    wanted: bool,
 }
 
 struct Left {
@@ -33,22 +34,36 @@ struct Left {
 }
 
 impl Schedule {
-    pub fn new(derivation: &Derivation) -> Self {
-        let ranges = (0..derivation.pages.len()).flat_map(|page| {
+    /// Wanted are some equations, and all that these cite.
+    pub fn new(derivation: &Derivation, is_wanted: impl Fn(usize) -> bool) -> Self {
+        let all = 0..derivation.equations.len();
+        let cites: Vec<Vec<usize>> = all.clone().map(|at| derivation.premises(at).0).collect();
+        let mut wanted: Vec<bool> = all.clone().map(is_wanted).collect();
+        // What is cited stands before, or does not count.
+        for at in all.rev() {
+            let cites = cites[at].iter().filter(|_| wanted[at]);
+            let before: Vec<usize> = cites.copied().filter(|&premise| premise < at).collect();
+            for premise in before {
+                wanted[premise] = true;
+            }
+        }
+        let mut parts: Vec<Part> = Vec::new();
+        for page in 0..derivation.pages.len() {
             let own = derivation.equations_of(page);
-            let starts = own.clone().step_by(MOST_AT_A_TIME);
-            starts.map(move |start| start..own.end.min(start + MOST_AT_A_TIME))
-        });
-        let parts: Vec<Part> = ranges
-            .map(|equations| {
-                let cited = equations.clone().flat_map(|at| derivation.premises(at).0);
-                let before = cited.filter(|&premise| premise < equations.start);
-                Part {
-                    cites: before.collect(),
+            let mut start = own.start;
+            while start < own.end {
+                let most = start..own.end.min(start + MOST_AT_A_TIME);
+                let end = most.clone().find(|&at| wanted[at] != wanted[start]);
+                let equations = start..end.unwrap_or(most.end);
+                start = equations.end;
+                let cited = cites[equations.clone()].iter().flatten().copied();
+                parts.push(Part {
+                    cites: cited.filter(|&premise| premise < equations.start).collect(),
+                    wanted: wanted[equations.start],
                     equations,
-                }
-            })
-            .collect();
+                });
+            }
+        }
         let left = Left {
             taken: vec![false; parts.len()],
             first: 0,
@@ -71,25 +86,35 @@ impl Schedule {
         }
     }
 
+    /// How many parts are wanted.
     pub fn len(&self) -> usize {
-        self.parts.len()
+        self.parts.iter().filter(|part| part.wanted).count()
     }
 
-    /// The first part left whose citations are all done; if there is none, the first part left.
+    /// The first wanted part left whose citations are all done; if there is none, the first one left.
     pub fn take(&self, is_done: impl Fn(usize) -> bool) -> Option<Range<usize>> {
         self.choose(|left| {
-            let end = self.parts.len().min(left.first + WINDOW);
-            let ready = |&at: &usize| {
-                !left.taken[at] && self.parts[at].cites.iter().all(|&cited| is_done(cited))
-            };
-            (left.first..end).find(ready).unwrap_or(left.first)
+            let own = |&at: &usize| self.parts[at].wanted && !left.taken[at];
+            let mut open = (left.first..self.parts.len()).filter(own).take(WINDOW);
+            let ready = |&at: &usize| self.parts[at].cites.iter().all(|&cited| is_done(cited));
+            let first = open.clone().next();
+            open.find(ready).or(first).unwrap_or(self.parts.len())
         })
     }
 
-    /// The first part left, if it begins no later than with an equation that is waited for.
+    /// The first wanted part left, if it begins no later than with an equation that is waited for; otherwise the part that holds
+    /// the equation, if that is left.
     pub fn take_until(&self, equation: usize) -> Option<Range<usize>> {
-        let part = |at: usize| self.parts.get(at).filter(|p| p.equations.start <= equation);
-        self.choose(|left| part(left.first).map_or(self.parts.len(), |_| left.first))
+        self.choose(|left| {
+            let mut before = (left.first..self.parts.len())
+                .take_while(|&at| self.parts[at].equations.start <= equation)
+                .filter(|&at| !left.taken[at]);
+            let holds = |&at: &usize| self.parts[at].equations.contains(&equation);
+            let wanted = before.clone().find(|&at| self.parts[at].wanted);
+            wanted
+                .or_else(|| before.find(holds))
+                .unwrap_or(self.parts.len())
+        })
     }
 
     fn choose(&self, choice: impl Fn(&Left) -> usize) -> Option<Range<usize>> {

@@ -23,6 +23,7 @@ mod words;
 use super::graph::Graph;
 use super::{Report, uncoloured};
 use crate::notation::escape;
+use crate::parallel::in_order;
 use anchors::Anchors;
 
 pub use pictures::{Picture, Pictures, Table};
@@ -64,9 +65,8 @@ impl Report<'_> {
         text += "<main>\n";
         text += &page.findings();
         text += "<section id=\"documents\" aria-labelledby=\"documents-title\">\n<h2 id=\"documents-title\">Documents</h2>\n";
-        for at in 0..self.derivation.pages.len() {
-            text += &page.document(at);
-        }
+        let documents = in_order(0..self.derivation.pages.len(), |at| page.document(at));
+        text.extend(documents);
         text += "</section>\n";
         text += &page.graph();
         text += &pictures.markup();

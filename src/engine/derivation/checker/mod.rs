@@ -2,6 +2,7 @@
 
 mod point;
 
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use crate::algebra::{EvaluateError, Formula, Sides};
@@ -119,13 +120,23 @@ impl Checker {
         })
     }
 
+    /// The audit where only some equations count, by their positions in the derivation: the whole one if that is done, otherwise
+    /// one of these and of what their verdicts depend on.
+    pub fn audit_of(&self, wanted: &[usize]) -> Cow<'_, Audit> {
+        match self.audit.get() {
+            Some(audit) => Cow::Borrowed(audit),
+            None => Cow::Owned(Audit::of_these(&self.derivation, wanted)),
+        }
+    }
+
     /// The equation of a number, `54` or `(54)`, or of a name: one of this page before one of another.
     pub fn equation(&self, label: &str) -> Option<&Equation> {
         self.position(label)
             .map(|at| &self.derivation.equations[at])
     }
 
-    fn position(&self, label: &str) -> Option<usize> {
+    /// Where the equation of such a number or name stands in the derivation.
+    pub fn position(&self, label: &str) -> Option<usize> {
         let label = label.trim();
         let label = label.strip_prefix("claim ").unwrap_or(label).trim();
         let tag = label.trim_start_matches('(').trim_end_matches(')');
