@@ -5,8 +5,8 @@ use std::fmt;
 /// A claim that the kernel has seen proved. Only [`check`](super::check) builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::Proven;
-/// fn forge(claim: cradle_engine::kernel::Claim, certificate: cradle_engine::kernel::Certificate) -> Proven {
+/// use cradle_exact::kernel::Proven;
+/// fn forge(claim: cradle_exact::kernel::Claim, certificate: cradle_exact::kernel::Certificate) -> Proven {
 ///     Proven { claim, certificate }
 /// }
 /// ```
@@ -19,8 +19,8 @@ pub struct Proven {
 /// A claim that the kernel has seen refuted. Only [`check`](super::check) builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::Refuted;
-/// fn forge(claim: cradle_engine::kernel::Claim, witness: cradle_engine::kernel::Assignment) -> Refuted {
+/// use cradle_exact::kernel::Refuted;
+/// fn forge(claim: cradle_exact::kernel::Claim, witness: cradle_exact::kernel::Assignment) -> Refuted {
 ///     Refuted { claim, witness }
 /// }
 /// ```
@@ -34,8 +34,8 @@ pub struct Refuted {
 /// Only [`check_model`](super::check_model) builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::Model;
-/// fn forge(point: cradle_engine::kernel::Assignment) -> Model {
+/// use cradle_exact::kernel::Model;
+/// fn forge(point: cradle_exact::kernel::Assignment) -> Model {
 ///     Model { point }
 /// }
 /// ```

@@ -604,7 +604,7 @@ fn away_from(fact: Fact, away: &Set<Polynomial>) -> Result<Option<Fact>, Reject>
 }
 
 /// `symbol = term`, the term not mentioning the symbol.
-pub(crate) fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
+pub fn definition(formula: &Formula) -> Option<(Symbol, Expr)> {
     let (left, right) = formula.as_equation()?;
     let solved = |a: &Expr, b: &Expr| match a {
         Expr::Symbol(symbol) if !b.mentions(symbol) => Some((symbol.clone(), b.clone())),

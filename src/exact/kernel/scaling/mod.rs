@@ -80,7 +80,7 @@ pub enum ScalingCandidate {
 /// A scaling relation that the kernel has seen proved. Only [`check_scaling`] builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::{Claim, ScalingProof, Scales};
+/// use cradle_exact::kernel::{Claim, ScalingProof, Scales};
 /// fn forge(claim: Claim, proof: ScalingProof) -> Scales {
 ///     Scales { claim, proof }
 /// }
@@ -94,7 +94,7 @@ pub struct Scales {
 /// A scaling relation that the kernel has seen refuted. Only [`check_scaling`] builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::{Claim, Situations, ScalesNot};
+/// use cradle_exact::kernel::{Claim, Situations, ScalesNot};
 /// fn forge(claim: Claim, situations: Situations) -> ScalesNot {
 ///     ScalesNot { claim, situations }
 /// }

@@ -67,7 +67,7 @@ pub struct Disagreement {
 /// A formula whose dimensions do not agree. Only [`check_disagreement`] builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::dimension::{Disagreement, IllDimensioned};
+/// use cradle_exact::kernel::dimension::{Disagreement, IllDimensioned};
 /// fn forge(evidence: Disagreement) -> IllDimensioned {
 ///     IllDimensioned { evidence, comparison: todo!() }
 /// }
@@ -81,7 +81,7 @@ pub struct IllDimensioned {
 /// A formula whose dimensions all agree. Only [`check_agreement`] builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::dimension::WellDimensioned;
+/// use cradle_exact::kernel::dimension::WellDimensioned;
 /// fn forge() -> WellDimensioned {
 ///     WellDimensioned { sides: Vec::new() }
 /// }

@@ -65,7 +65,7 @@ pub enum FamilyPart {
 /// A family of counterexamples to a claim, each part of it proved. Only [`check_family`] builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::{Claim, FailsThroughout, Family, Refuted};
+/// use cradle_exact::kernel::{Claim, FailsThroughout, Family, Refuted};
 /// fn forge(claim: Claim, family: Family, first: Refuted) -> FailsThroughout {
 ///     FailsThroughout { claim, family, parts: Vec::new(), first }
 /// }

@@ -79,7 +79,7 @@ pub enum Reasoning {
 /// A claim about every index that the kernel has seen proved. Only [`check_for_every`] builds one.
 ///
 /// ```compile_fail
-/// use cradle_engine::kernel::{ForEvery, HoldsForEvery};
+/// use cradle_exact::kernel::{ForEvery, HoldsForEvery};
 /// fn forge(claim: ForEvery) -> HoldsForEvery {
 ///     HoldsForEvery { claim, bases: Vec::new(), last: todo!() }
 /// }

@@ -46,5 +46,5 @@ pub use power::Powers;
 pub use rational::Rational;
 pub use series::mentions_symbol;
 pub use symbol::Symbol;
-pub(crate) use symbol::split_subscript;
+pub use symbol::split_subscript;
 pub use univariate::{Univariate, sum_of_signs};

@@ -63,8 +63,8 @@ pub use induction::{
 };
 pub use knowledge::Knowledge;
 pub use obligation::Obligation;
-pub use problem::{Origin, Problem};
-pub(crate) use problem::{applied_definition, definition};
+pub(crate) use problem::applied_definition;
+pub use problem::{Origin, Problem, definition};
 pub use rates::Rate;
 pub use scaling::{
     Alike, Combination, Product, Row, Rows, Scales, ScalesNot, ScalingCandidate, ScalingProof,

@@ -68,7 +68,7 @@ impl fmt::Debug for Symbol {
 }
 
 /// Takes the subscript off a canonical name: `v'_1` is `v'` and `1`.
-pub(crate) fn split_subscript(name: &str) -> Option<(&str, &str)> {
+pub fn split_subscript(name: &str) -> Option<(&str, &str)> {
     let mut depth = 0usize;
     for (at, c) in name.char_indices() {
         match c {
