@@ -85,13 +85,101 @@ fn a_law_with_the_wrong_sign_fails_where_it_is_used() {
     }
 }
 
+/// The verdict on each statement.
+fn verdicts(text: &str) -> Vec<&'static str> {
+    let audit = Audit::of(&Derivation::from_markdown("page.md", text));
+    let entries = audit.entries.iter();
+    entries.map(|entry| entry.verdict.word()).collect()
+}
+
+#[test]
+fn a_page_does_not_begin_with_what_is_no_law() {
+    let begins = |words: &str, formula: &str| verdicts(&format!("{words}\n\n$$ {formula} $$\n"))[0];
+    let cases = [
+        // It speaks of nothing that could be otherwise.
+        ("", r"\int_0^1 x^3 \, dx = \frac13", "fails"),
+        ("", r"\int_0^1 x^3 \, dx = \frac14", "holds"),
+        // Something is worked out.
+        ("", r"\frac{d}{dx} \sin(x^2) = \cos(x^2)", "fails"),
+        ("", r"\frac{d}{dx} \sin(x^2) = 2 x \cos(x^2)", "holds"),
+        ("", r"\int_0^a x^2 \, dx = \frac{a^3}{2}", "fails"),
+        ("", r"(a + b)^2 = a^2 + b^2", "fails"),
+        ("", r"(a + b)(a - b) = a^2 + b^2", "fails"),
+        // What is supposed says all that it speaks of.
+        ("Let $f(x) = x^3$. Then", r"\frac{df}{dx} = 2 x^2", "fails"),
+        ("Let $f(x) = x^3$. Then", r"\frac{df}{dx} = 3 x^2", "holds"),
+        ("Suppose $a = b$ and $b = 2 c$. Then", r"a = 3 c", "fails"),
+        // These may be laws, models, equations to be solved.
+        ("", r"x^2 = 3 x - 2", "given"),
+        ("", r"\frac{dv}{dt} = -k v", "given"),
+        (
+            "",
+            r"\frac{d}{dr} \left( r^2 \frac{dT}{dr} \right) = T r^2",
+            "given",
+        ),
+        ("", r"\sum_{i=1}^{n} m_i = n m", "given"),
+        ("", r"\int_0^a F \, dx = F b", "given"),
+        ("Let $x = v t$. Then", r"y = w t", "given"),
+        ("", r"1\,\text{km} = 1000\,\text{m}", "holds"),
+    ];
+    for (words, formula, verdict) in cases {
+        assert_eq!(begins(words, formula), verdict, "{words} {formula}");
+    }
+}
+
+#[test]
+fn an_identity_does_not_drown_in_what_fails_before_it() {
+    let text = r"
+$$ \int_0^1 x^3 \, dx = \frac13 $$
+
+$$ \frac{d}{dx} x^3 = 2 x^2 $$
+
+$$ \frac{d}{dx} x^4 = 4 x^3 $$
+";
+    assert_eq!(verdicts(text), ["fails", "fails", "holds"]);
+}
+
+#[test]
+fn who_takes_the_slope_of_a_product_lets_all_factors_change() {
+    let conditional = |words: &str| {
+        let text =
+            format!("Let $y = u v$. {words}\n\n$$ \\frac{{dy}}{{dx}} = u \\frac{{dv}}{{dx}} $$\n");
+        let audit = Audit::of(&Derivation::from_markdown("page.md", &text));
+        let conditional = |note: &Note| matches!(note, Note::UnstatedCondition(_));
+        audit.entries[0].notes.iter().any(conditional)
+    };
+    assert!(conditional("By the product rule,"));
+    assert!(conditional("With Leibniz' rule we find"));
+    assert!(!conditional("Hence"));
+}
+
+#[test]
+fn what_is_told_in_passing_is_said_of_all_that_it_speaks_of() {
+    let before = "$$ a = b \\tag{1} $$\n\n";
+    let after =
+        |words: &str, formula: &str| verdicts(&format!("{before}{words}\n\n$$ {formula} $$\n"))[1];
+    // It can be differentiated, and solved for what it is not about.
+    let momentum = "The momentum is $p = m v$. Thus";
+    let slope = r"\frac{dp}{dt} = m \frac{dv}{dt} + v \frac{dm}{dt}";
+    assert_eq!(after(momentum, slope), "holds");
+    assert_eq!(after(momentum, &slope.replace('+', "-")), "fails");
+    assert_eq!(
+        after("The speed is $v = s/t$. Therefore", "s = v t"),
+        "holds"
+    );
+    assert_eq!(
+        after("The speed is $v = s/t$. Therefore", "s = v t^2"),
+        "fails"
+    );
+    // A new symbol may still be given a meaning.
+    assert_eq!(
+        after("The speed is $v = s/t$. The way is", "s = w u"),
+        "given"
+    );
+}
+
 #[test]
 fn laws_come_after_laws() {
-    let verdicts = |text: &str| -> Vec<&'static str> {
-        let audit = Audit::of(&Derivation::from_markdown("page.md", text));
-        let entries = audit.entries.iter();
-        entries.map(|entry| entry.verdict.word()).collect()
-    };
     let momentum = "Momentum is conserved,\n\n$$ m_1 u = m_1 v_1 + m_2 v_2 \\tag{1} $$\n\n";
     let energy = "\n\n$$ m_1 u^2 = m_1 v_1^2 + m_2 v_2^2 \\tag{2} $$\n";
     let said = |words: &str| verdicts(&format!("{momentum}{words}{energy}"));

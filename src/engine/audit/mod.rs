@@ -363,6 +363,24 @@ impl Auditor<'_> {
                     plain.filter(simply_holds).unwrap_or_else(|| from(&usable))
                 }
             });
+            // What stands just before and is false says nothing of an identity, or of what follows without it.
+            if equation.numeric.is_none()
+                && !says_so
+                && entry.verdict == Verdict::Undecided
+                && premises
+                    .iter()
+                    .any(|&p| self.entries_of(p).any(Entry::is_wrong))
+            {
+                let offer = |premise| self.offer(at, premise);
+                let alone = premise::usable(self.derivation, offer, at, &[]);
+                let alone = effort::within(MOST_WORK, || {
+                    self.statement(at, statement, &alone, &[], says_so, defines)
+                });
+                let told = self.derivation.told(at);
+                if simply_holds(&alone) || stated::is_identity(&alone, &told) {
+                    entry = alone;
+                }
+            }
             if equation.numeric.is_none() {
                 let how = readings::Circumstances {
                     at,
@@ -417,7 +435,8 @@ impl Auditor<'_> {
             }
         }
         // A page must begin somewhere: what nothing precedes is given.
-        let law = |e: &Entry| e.verdict != Verdict::Holds && !stated::is_identity(e);
+        let told = self.derivation.told(at);
+        let law = |e: &Entry| e.verdict != Verdict::Holds && !stated::is_identity(e, &told);
         if equation.opens && entries.iter().all(law) {
             if !entries
                 .iter()

@@ -118,6 +118,10 @@ impl Auditor<'_> {
             let (names, sequences) = (condition.names(), condition.sequences());
             let mut held = names.iter().filter(|name| *name != variable);
             held.any(|name| {
+                let told = |name| equation.said.get(name).is_some_and(Said::is_constant);
+                if equation.all_vary && !told(name) {
+                    return true;
+                }
                 let name = (name, sequences.contains(name));
                 moving.says((at, equation), name, variable)
             })

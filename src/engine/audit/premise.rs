@@ -229,6 +229,7 @@ pub fn usable<'a>(
         }
         // An assumption is carried along by what was concluded under it.
         let mut standing = derivation.standing_among(premise, &together);
+        let mut carried = Vec::new();
         for &(page, local) in &offer.under {
             for formula in &derivation.local(page, local).formulas {
                 let own =
@@ -241,14 +242,11 @@ pub fn usable<'a>(
                 if derivation.local(page, local).is_momentary() {
                     continue;
                 }
-                let assumed = Assumed {
+                carried.push(Assumed {
                     formula: formula.clone(),
                     standing: own,
                     source: Source::Local(page, local),
-                };
-                if !usable.assumed.contains(&assumed) {
-                    usable.assumed.push(assumed);
-                }
+                });
             }
         }
         let case = |(conditions, formula)| {
@@ -260,12 +258,13 @@ pub fn usable<'a>(
             (conditions, assumed)
         };
         usable.cases.extend(offer.cases.into_iter().map(case));
-        for formula in offer.formulas {
-            let assumed = Assumed {
-                formula,
-                standing,
-                source: Source::Equation(premise),
-            };
+        let stated = offer.formulas.into_iter().map(|formula| Assumed {
+            formula,
+            standing,
+            source: Source::Equation(premise),
+        });
+        // What was concluded says more of the same symbol than what it was concluded from.
+        for assumed in stated.chain(carried) {
             if !usable.assumed.contains(&assumed) {
                 usable.assumed.push(assumed);
             }

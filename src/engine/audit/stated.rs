@@ -9,7 +9,7 @@
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Kind, Source, is_put};
 use crate::document::Extent;
-use crate::kernel::Standing;
+use crate::kernel::{Standing, definition};
 use crate::notation::measured;
 use crate::search::{self, Effort};
 
@@ -252,9 +252,10 @@ fn is_slip(entry: &Entry) -> bool {
     mended.is_some_and(|mended| mended.under.is_empty())
 }
 
-/// Whether a refuted statement is no law but an identity that the pen slipped on: both sides of what fails speak of the same, and
-/// either one edit makes it true, or that is whole numbers alone.
-pub(super) fn is_identity(entry: &Entry) -> bool {
+/// Whether a refuted statement is no law: what is supposed says all that it speaks of, it speaks of nothing, or it is an identity that
+/// the pen slipped on. Both sides of an identity speak of the same; and either one edit makes it true, or that is whole numbers alone,
+/// or something is worked out.
+pub(super) fn is_identity(entry: &Entry, told: &[Assumed]) -> bool {
     entry.refuted().is_some_and(|(judged, refuted)| {
         let Formula::Relation { left, right, .. } = &judged.goal.formula else {
             return false;
@@ -264,8 +265,80 @@ pub(super) fn is_identity(entry: &Entry) -> bool {
             let domain = refuted.claim().domains.get(symbol);
             domain.is_some_and(|domain| domain.integer)
         };
-        !named.is_empty() && named == others && (is_slip(entry) || named.iter().all(counted))
+        let same = !named.is_empty() && named == others;
+        let works = is_slip(entry) || named.iter().all(counted) || is_worked_out(left, right);
+        same && works || is_closed(left) && is_closed(right) || is_settled(judged, told)
     })
+}
+
+/// Whether a term has one value and no other.
+fn is_closed(term: &Expr) -> bool {
+    let open = |part: &Expr| matches!(part, Expr::Apply(..) | Expr::Element { .. });
+    term.free_symbols().is_empty() && !term.any(&open)
+}
+
+/// Whether one of two terms is what the other comes to: a slope, an integral or a sum of what is written out, or a product that is
+/// multiplied out.
+fn is_worked_out(left: &Expr, right: &Expr) -> bool {
+    let sides = [(left, right), (right, left)];
+    sides.into_iter().any(|(from, to)| {
+        is_task(from) && !to.any(&is_task) || is_product_of_sums(from) && is_multiplied_out(to)
+    })
+}
+
+/// What has to be carried out, and is written out: in the term is what it varies with, and no function or sequence that is not known.
+fn is_task(term: &Expr) -> bool {
+    let (body, variable) = match term {
+        Expr::Derivative { body, variable } | Expr::Integral { body, variable, .. } => {
+            (body, variable)
+        }
+        Expr::Series { body, index, .. } => (body, index),
+        Expr::Negate(inner) => return is_task(inner),
+        _ => return false,
+    };
+    let unknown = |part: &Expr| {
+        matches!(
+            part,
+            Expr::Apply(..) | Expr::Element { .. } | Expr::Derivative { .. }
+        )
+    };
+    body.mentions(variable) && !body.any(&unknown)
+}
+
+/// `(a + b)^2`, `(a + b)(a - b)`.
+fn is_product_of_sums(term: &Expr) -> bool {
+    match term {
+        Expr::Power(base, exponent) => {
+            matches!((&**base, &**exponent), (Expr::Sum(_), Expr::Number(n)) if n.is_integer())
+        }
+        Expr::Product(factors) => factors.iter().all(|own| matches!(own, Expr::Sum(_))),
+        _ => false,
+    }
+}
+
+/// A sum in which no sum is multiplied, of several quantities.
+fn is_multiplied_out(term: &Expr) -> bool {
+    let inner = |part: &Expr| matches!(part, Expr::Sum(_) | Expr::Quotient(..));
+    match term {
+        Expr::Sum(terms) => {
+            term.free_symbols().len() > 1 && !terms.iter().any(|own| own.any(&inner))
+        }
+        _ => false,
+    }
+}
+
+/// Whether what is supposed or told in passing defines something that a statement speaks of, and speaks of all that it does: after
+/// "Let $y = x^2$" nothing more is to be said of $y$ and $x$.
+fn is_settled(judged: &Judged, told: &[Assumed]) -> bool {
+    let supposed = judged.assumed.iter().chain(told);
+    let supposed = supposed.filter(|own| matches!(own.source, Source::Local(..)));
+    let (mut defined, mut named) = (Set::new(), Set::new());
+    for own in supposed {
+        defined.extend(definition(&own.formula).map(|(symbol, _)| symbol));
+        named.extend(own.formula.free_symbols());
+    }
+    let own = judged.goal.formula.free_symbols();
+    own.iter().any(|symbol| defined.contains(symbol)) && own.iter().all(|own| named.contains(own))
 }
 
 /// Whether what a page begins with goes on with something false: a link whose sides speak of the same (`A = \pi r^2 = 2 \pi r`), what

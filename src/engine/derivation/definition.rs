@@ -36,7 +36,8 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
             let defined = defined
                 .filter(|symbol| !sequences.know(symbol, &seen) && !constants.contains(symbol));
             // "The magnification $M = -s'/s$ is": the display says what comes of it.
-            let told = (defined.as_ref()).is_some_and(|symbol| is_told(symbol, equation, page));
+            let told =
+                (defined.as_ref()).is_some_and(|symbol| is_told(symbol, statement, equation, page));
             explains |= told;
             let defined = defined.filter(|_| !told);
             if defined.is_none() {
@@ -64,13 +65,18 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
     }
 }
 
-/// Whether the text has told in passing what a symbol is.
-fn is_told(symbol: &Symbol, equation: &Equation, page: &Page) -> bool {
+/// Whether the text has told in passing what a symbol is, or something of all that a statement about it speaks of.
+fn is_told(symbol: &Symbol, statement: &Statement, equation: &Equation, page: &Page) -> bool {
     let told = equation.told.iter().map(|&local| &page.locals[local]);
-    let mut formulas = told.flat_map(|local| &local.formulas);
-    formulas.any(|formula| match formula.as_equation() {
-        Some((Expr::Symbol(own), _)) => own == symbol,
-        _ => false,
+    let mut told = told.flat_map(|local| &local.formulas);
+    let said: Set<Symbol> = formulas(statement)
+        .iter()
+        .flat_map(Formula::names)
+        .collect();
+    told.any(|formula| match formula.as_equation() {
+        Some((Expr::Symbol(own), _)) if own == symbol => true,
+        Some(_) => said.is_subset(&formula.names()),
+        None => false,
     })
 }
 

@@ -46,6 +46,8 @@ pub struct Equation {
     pub uncited: bool,
     /// Whether the reason that words give for it is no equation: a law by its name, "since the string does not slip".
     pub reasons: bool,
+    /// Whether words say that all factors of what is differentiated change: "by the product rule".
+    pub all_vary: bool,
     /// Whether a mere "where" or "with" introduces it.
     pub meant: bool,
     /// Of how much words say that it is said, where none say that it follows.

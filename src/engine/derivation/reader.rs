@@ -45,6 +45,8 @@ struct Between {
     relative: bool,
     /// Whether they give a reason that is no equation.
     reasons: bool,
+    /// Whether they say that all factors change.
+    all_vary: bool,
     /// Whether they are a mere "where" or "with".
     meant: bool,
     /// Of how much the display is said.
@@ -230,7 +232,9 @@ impl<'p> Reader<'p> {
                 page.leave_other_values(new, active);
             }
             SuppositionKind::Fact { runs_on, .. } => {
+                self.spoken_of.learn(&self.equations, &page.locals);
                 page.suppose(body, kind, self.level, &mut self.told, false);
+                page.restrict(new.clone(), &self.spoken_of);
                 page.date_with(new, active);
                 self.told
                     .retain(|&at| runs_on || page.locals[at].set.is_empty());
@@ -442,6 +446,7 @@ impl<'p> Reader<'p> {
             bare: self.bare && is_derived && part.continues == 0,
             uncited: said.is_uncited() && is_derived && part.continues == 0,
             reasons: said.reasons,
+            all_vary: said.all_vary,
             meant: said.meant,
             extent: self.extent,
             at_moment: self.told_extent == Extent::Moment,
@@ -472,6 +477,7 @@ impl Between {
         self.relative |= prose.is_relative && self.concludes.is_none();
         self.concludes = prose.concludes.or(self.concludes);
         self.reasons |= prose.reasons;
+        self.all_vary |= prose.all_vary;
         self.meant |= prose.says_what_is_meant;
         self.extent = prose.extent.or(self.extent);
         self.cites |= prose.cites;

@@ -191,13 +191,13 @@ impl Page {
             local.is_special = values.any(|symbol| known.speaks_of(&symbol));
             // "Let $u = 1/N$": of a mere name or number it may be told where something begins.
             let is_term = |formula: &Arc<Formula>| match formula.as_equation() {
-                Some((Expr::Symbol(_), value)) => {
+                Some((Expr::Symbol(_) | Expr::Apply(..), value)) => {
                     !matches!(value, Expr::Symbol(_) | Expr::Number(_))
                 }
                 _ => false,
             };
-            let is_put = local.is_let && !local.of_case && !local.is_special;
-            local.means = is_put && local.formulas.iter().all(is_term);
+            let lasts = local.moment.is_none() && !local.is_special;
+            local.means = lasts && local.formulas.iter().all(is_term);
         }
     }
 

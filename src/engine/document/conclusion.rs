@@ -130,6 +130,8 @@ const DEFINING: [&str; 18] = [
     "notation",
 ];
 
+/// Rules for slopes that nobody needs for a factor that is constant.
+const OF_FACTORS: [&str; 3] = ["product", "quotient", "leibniz"];
 /// What physics brings along, and no equation before need have said.
 const LAWS: [&str; 14] = [
     "law",
@@ -236,6 +238,15 @@ pub(super) fn last_sentence<'t, 'a>(tokens: &'t [Placed<'a>]) -> Option<&'t [Pla
     let says = |(token, _): &Placed<'_>| matches!(token, Token::Word(_));
     let mut sentences = tokens.split(|(token, _)| *token == Token::Stop);
     sentences.rfind(|sentence| sentence.iter().any(says))
+}
+
+/// Whether the last sentence names the rule for the slope of a product, of which every factor changes.
+pub(super) fn names_rule_of_factors(tokens: &[Placed<'_>]) -> bool {
+    let last = last_sentence(tokens).unwrap_or_default();
+    let is_rule = |(token, _): &Placed<'_>| token.is_among(&["rule", "rules"]);
+    // "Leibniz' rule", "the product and chain rules".
+    let mut from = (0..last.len()).filter(|&at| last[at].0.is_among(&OF_FACTORS));
+    from.any(|at| last[at + 1..].iter().take(3).any(is_rule))
 }
 
 /// Whether the last sentence gives a reason that is no equation: a law by its name, or words after "since".

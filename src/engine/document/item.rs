@@ -100,6 +100,8 @@ pub struct Prose {
     pub says_from: bool,
     /// Whether the reason for what comes next is no equation: a law by its name, "since the string does not slip".
     pub reasons: bool,
+    /// Whether its last sentence names the rule by which several factors change together: "by the product rule".
+    pub all_vary: bool,
     /// Whether its last sentence says what is meant by what comes next: "we define".
     pub defines: bool,
     /// Its first sentence is about the display before it: "which by (2) is".

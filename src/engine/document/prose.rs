@@ -90,6 +90,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         tail: citations.iter().take_while(in_tail).count(),
         says_from: conclusion::says_from(tail),
         reasons: conclusion::reasons_in_words(source, &tokens),
+        all_vary: conclusion::names_rule_of_factors(&tokens),
         citations,
         suppositions,
         qualities,
