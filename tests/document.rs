@@ -419,12 +419,74 @@ fn suppositions() {
         ),
     ] {
         let found = supposed(text);
+        // What a new symbol would mean, if it is new, is looked at below.
         let found: Vec<_> = found
             .iter()
+            .filter(|(kind, _)| *kind != SuppositionKind::Meaning)
             .map(|(kind, body)| (*kind, body.as_str()))
             .collect();
         assert_eq!(found, expected, "{text}");
     }
+}
+
+#[test]
+fn what_a_new_symbol_may_mean() {
+    use SuppositionKind::{Fact, Let, Meaning};
+    let kinds = |text: &str| -> Vec<SuppositionKind> {
+        supposed(text).iter().map(|(kind, _)| *kind).collect()
+    };
+    for text in [
+        "Hence, writing $r = p^2/m$,",
+        "so in terms of $r = p^2/m$,",
+        "Thus, introducing the ratio $r = p^2/m$,",
+    ] {
+        assert_eq!(kinds(text), [Meaning], "{text}");
+    }
+    assert_eq!(kinds("Let $\\mu = a b$ be the reduced mass."), [Let]);
+    assert_eq!(kinds("Let $r = 2 a$ denote the radius."), [Let]);
+    let of_moment = |of_case| Fact {
+        runs_on: false,
+        of_case,
+    };
+    assert_eq!(kinds("The height is $h = L/2$."), [of_moment(false)]);
+    for text in [
+        "The ball starts from the height $h = L/2$.",
+        "Initially the height is $h = L/2$.",
+        "At the top the height is $h = L/2$.",
+        "The maximum height is $h = L/2$.",
+    ] {
+        assert_eq!(kinds(text), [of_moment(true)], "{text}");
+    }
+    // Denied, somebody else's, still to be shown, near the truth, said of something else, or taken back.
+    for text in [
+        "The power isn't $P = m v^2$. Hence",
+        "Nobody believes that the power is $P = m v^2$. Hence",
+        "It is a myth that the power is $P = m v^2$. Hence",
+        "The range differs from $R = v^2/g$. Thus",
+        "They rejected $R = v^2/g$. Thus",
+        "The momentum is $p = m v^3$. This is wrong. So",
+        "The momentum is $p = m v^3$. It fails. So",
+        "Leibniz called $E = m v^2$ the living force. Today",
+        "Students often write $E = m v^2$.",
+        "A naive estimate is $D = k v$.",
+        "A first approximation is $y = A x$.",
+        "**Theorem.** The area is $a = b^2$.",
+        "We claim that the energy is $E = m v^2$. Indeed",
+        "Show that the energy is $E = m v^2$. Hence",
+        "The aim is $E = m v^2$. Hence",
+        "Perhaps the energy is $E = m v^2$. Hence",
+        "For points off the line $y = 2 x$ we find",
+        "With a curve other than $y = x^3$ we find",
+        "Suppose the point lies above the line $y = 2 x$. Then",
+        "Suppose $a = b + c$. This is absurd. So",
+    ] {
+        assert_eq!(kinds(text), [], "{text}");
+    }
+    // Where something is positive is said of it whatever else is.
+    assert_eq!(
+        kinds("A stone of mass $m > 0$ is dropped from above."),
+        [of_moment(false)]
+    );
 }
 
 /// What prose says of symbols by adjectives: `g: Constant`.

@@ -103,14 +103,29 @@ fn a_page_does_not_begin_with_what_is_no_law() {
         ("", r"\frac{d}{dx} \sin(x^2) = \cos(x^2)", "fails"),
         ("", r"\frac{d}{dx} \sin(x^2) = 2 x \cos(x^2)", "holds"),
         ("", r"\int_0^a x^2 \, dx = \frac{a^3}{2}", "fails"),
-        ("", r"(a + b)^2 = a^2 + b^2", "fails"),
-        ("", r"(a + b)(a - b) = a^2 + b^2", "fails"),
+        ("Hence", r"(a + b)^2 = a^2 + b^2", "fails"),
+        (
+            "Multiplying out gives",
+            r"(a + b)(a - b) = a^2 + b^2",
+            "fails",
+        ),
         // What is supposed says all that it speaks of.
         ("Let $f(x) = x^3$. Then", r"\frac{df}{dx} = 2 x^2", "fails"),
         ("Let $f(x) = x^3$. Then", r"\frac{df}{dx} = 3 x^2", "holds"),
         ("Suppose $a = b$ and $b = 2 c$. Then", r"a = 3 c", "fails"),
         // These may be laws, models, equations to be solved.
         ("", r"x^2 = 3 x - 2", "given"),
+        ("The lemniscate is", r"(x^2 + y^2)^2 = x^2 - y^2", "given"),
+        (
+            "The differential equation",
+            r"\frac{d}{dx} (x y) = x + y",
+            "given",
+        ),
+        (
+            "Let $s = v t$ and $S = V T$. They meet when",
+            "s = S",
+            "given",
+        ),
         ("", r"\frac{dv}{dt} = -k v", "given"),
         (
             "",
@@ -151,6 +166,48 @@ fn who_takes_the_slope_of_a_product_lets_all_factors_change() {
     assert!(conditional("By the product rule,"));
     assert!(conditional("With Leibniz' rule we find"));
     assert!(!conditional("Hence"));
+}
+
+#[test]
+fn where_is_said_of_all_displays_of_its_sentence() {
+    let two =
+        "$$ K = m v^2 \\tag{1} $$\n\nand\n\n$$ V = m x \\tag{2} $$\n\nwhere $m = 2 a$. Hence\n\n";
+    let after = |formula: &str| verdicts(&format!("{two}$$ {formula} $$\n"))[2];
+    assert_eq!(after("K = 2 a v^2"), "holds");
+    assert_eq!(after("V = 2 a x"), "holds");
+    assert_eq!(after("K = 3 a v^2"), "fails");
+    // And it is differentiated.
+    let area = r"The area is
+
+$$ A = \pi r^2 \tag{1} $$
+
+where $r = v t$. Hence
+
+";
+    let slope = |formula: &str| verdicts(&format!("{area}$$ {formula} $$\n"))[1];
+    assert_eq!(slope(r"\frac{dA}{dt} = 2 \pi v^2 t"), "holds");
+    assert_eq!(slope(r"\frac{dA}{dt} = \pi v^2 t"), "fails");
+}
+
+#[test]
+fn a_solution_goes_through_what_it_begins_with() {
+    let solved = |words: &str, formula: &str| {
+        let law = "Kirchhoff says\n\n$$ R \\frac{dq}{dt} + \\frac{q}{C} = 0 \\tag{1} $$\n\n";
+        verdicts(&format!("{law}{words}\n\n$$ {formula} $$\n"))[1]
+    };
+    for words in [
+        "Its solution is",
+        "Its solution with $q(0) = q_0$ is",
+        "Its solution with $q = q_0$ at $t = 0$ is",
+        "At $t = 0$ the charge is $q = q_0$. The solution of (1) is",
+        "Separating the variables and integrating,",
+    ] {
+        assert_eq!(solved(words, "q = q_0 e^{-t/(R C)}"), "holds", "{words}");
+        assert_ne!(solved(words, "q = q_0 e^{-2 t/(R C)}"), "holds", "{words}");
+    }
+    // It begins with something else.
+    let late = "Its solution with $q = q_0$ at $t = 1$ is";
+    assert_ne!(solved(late, "q = q_0 e^{-t/(R C)}"), "holds");
 }
 
 #[test]

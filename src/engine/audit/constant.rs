@@ -5,7 +5,7 @@
 //! variable by which the page differentiates. What holds at one point only shows neither.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal, Source};
+use crate::derivation::{Assumed, Goal, Source, ValueSaid};
 use crate::kernel::{Claim, Standing};
 use crate::search::{self, Decision, Effort, Stop};
 
@@ -98,11 +98,18 @@ impl Judge<'_> {
         }
         let variable = self.variable()?;
         // What is isolated has the value that the text says it begins with.
-        let keeps = |(place, said): &(Expr, Symbol)| {
-            let there = right.substitute(&variable, place);
+        let keeps = |said: &ValueSaid| {
+            let there = right.substitute(&variable, &said.place);
             let formula = Formula::equal(there, Expr::Symbol(constant.clone()));
             let claim = self.derivation.claim(self.at, &[], &formula);
-            said == given && search::prove_unconditionally(claim, Effort::Light).is_some()
+            // What the step divides by anywhere is not 0 there either.
+            let is_so = || {
+                search::prove_unconditionally(claim.clone(), Effort::Light).is_some()
+                    || search::missing_conditions(&claim, None, &[]).is_some()
+            };
+            said.of == *given
+                && said.variable.as_ref().is_none_or(|own| *own == variable)
+                && is_so()
         };
         if !begins.iter().all(keeps) {
             return None;
@@ -185,43 +192,50 @@ impl Judge<'_> {
             return false;
         };
         let decision = search::decide_within(&posed, &self.auditor.hints(), self.points());
-        let Decision::Proven {
-            derived,
-            conditions,
-        } = decision
-        else {
-            return false;
-        };
         let own = Goal {
             formula: claim.goal,
             ..goal.clone()
         };
+        let mut shown = Found::open(Judged {
+            goal: own.clone(),
+            ..found.judged.clone()
+        });
+        match decision {
+            Decision::Proven {
+                derived,
+                conditions,
+            } => {
+                let (kept, proven) = match conditions.is_empty() {
+                    true => self.least(assumed, &own, &posed, derived),
+                    false => (assumed, derived.proven),
+                };
+                shown.judged.assumed = kept;
+                shown.judged.assumed.extend(conditions.iter().map(step));
+                shown.judged.outcome = Outcome::Proven(proven.into());
+                shown.conditions = conditions;
+            }
+            // Where nobody says where a symbol lies: what is divided by is not 0.
+            _ if self.under_conditions(&own, assumed, None, true, &mut shown) => {}
+            _ => return false,
+        }
         let slopes = |formula: &Formula| {
             let mut terms = formula.terms().into_iter();
             terms.any(|term| matches!(term, Expr::Derivative { .. }))
         };
         // That all of it stands still shows nothing.
-        let judged = Judged {
-            goal: own.clone(),
-            assumed: assumed.clone(),
-            outcome: Outcome::Proven(derived.proven.clone().into()),
-        };
+        let held = shown.conditions.iter().filter(|own| slopes(own));
+        let held: Vec<Formula> = held.cloned().collect();
         let symbols = goal.formula.free_symbols().into_iter();
         let mut moves = symbols.filter(|symbol| symbol != constant);
-        let stands_still = conditions.iter().any(slopes)
-            && stated::constants(&judged, &conditions)
+        let stands_still = !held.is_empty()
+            && stated::constants(&shown.judged, &held)
                 .is_none_or(|taken| moves.all(|symbol| taken.contains(&symbol)));
         if stands_still || self.contradicts_itself(&posed) {
             return false;
         }
-        let (kept, proven) = match conditions.is_empty() {
-            true => self.least(assumed, &own, &posed, derived),
-            false => (assumed, derived.proven),
-        };
-        found.judged.assumed = kept;
-        found.judged.assumed.extend(conditions.iter().map(step));
-        found.conditions = conditions;
-        found.judged.outcome = Outcome::Proven(proven.into());
+        found.judged.assumed = shown.judged.assumed;
+        found.judged.outcome = shown.judged.outcome;
+        found.conditions = shown.conditions;
         true
     }
 

@@ -377,7 +377,7 @@ impl Auditor<'_> {
                     self.statement(at, statement, &alone, &[], says_so, defines)
                 });
                 let told = self.derivation.told(at);
-                if simply_holds(&alone) || stated::is_identity(&alone, &told) {
+                if simply_holds(&alone) || stated::is_identity(&alone, &told, true) {
                     entry = alone;
                 }
             }
@@ -436,7 +436,9 @@ impl Auditor<'_> {
         }
         // A page must begin somewhere: what nothing precedes is given.
         let told = self.derivation.told(at);
-        let law = |e: &Entry| e.verdict != Verdict::Holds && !stated::is_identity(e, &told);
+        let law = |e: &Entry| {
+            e.verdict != Verdict::Holds && !stated::is_identity(e, &told, equation.drawn)
+        };
         if equation.opens && entries.iter().all(law) {
             if !entries
                 .iter()

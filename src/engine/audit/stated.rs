@@ -252,10 +252,10 @@ fn is_slip(entry: &Entry) -> bool {
     mended.is_some_and(|mended| mended.under.is_empty())
 }
 
-/// Whether a refuted statement is no law: what is supposed says all that it speaks of, it speaks of nothing, or it is an identity that
-/// the pen slipped on. Both sides of an identity speak of the same; and either one edit makes it true, or that is whole numbers alone,
-/// or something is worked out.
-pub(super) fn is_identity(entry: &Entry, told: &[Assumed]) -> bool {
+/// Whether a refuted statement is no law: it speaks of nothing, or it is an identity that the pen slipped on, or, where words say that
+/// it follows (`drawn`) or its chain does, what is supposed says all that it speaks of. Both sides of an identity speak of the same; and
+/// either one edit makes it true, or that is whole numbers alone, or something is worked out.
+pub(super) fn is_identity(entry: &Entry, told: &[Assumed], drawn: bool) -> bool {
     entry.refuted().is_some_and(|(judged, refuted)| {
         let Formula::Relation { left, right, .. } = &judged.goal.formula else {
             return false;
@@ -266,8 +266,12 @@ pub(super) fn is_identity(entry: &Entry, told: &[Assumed]) -> bool {
             domain.is_some_and(|domain| domain.integer)
         };
         let same = !named.is_empty() && named == others;
-        let works = is_slip(entry) || named.iter().all(counted) || is_worked_out(left, right);
-        same && works || is_closed(left) && is_closed(right) || is_settled(judged, told)
+        let goes_on = (entry.judged.first()).is_none_or(|first| !std::ptr::eq(first, judged));
+        let works =
+            is_slip(entry) || named.iter().all(counted) || is_worked_out(left, right, drawn);
+        same && works
+            || is_closed(left) && is_closed(right)
+            || (drawn || goes_on) && is_settled(judged, told)
     })
 }
 
@@ -279,10 +283,13 @@ fn is_closed(term: &Expr) -> bool {
 
 /// Whether one of two terms is what the other comes to: a slope, an integral or a sum of what is written out, or a product that is
 /// multiplied out.
-fn is_worked_out(left: &Expr, right: &Expr) -> bool {
+fn is_worked_out(left: &Expr, right: &Expr, drawn: bool) -> bool {
     let sides = [(left, right), (right, left)];
     sides.into_iter().any(|(from, to)| {
-        is_task(from) && !to.any(&is_task) || is_product_of_sums(from) && is_multiplied_out(to)
+        // `\frac{d}{dx} (x y) = y` may say what `y` is.
+        let alone = !matches!(from, Expr::Derivative { .. }) || from.free_symbols().len() == 1;
+        let carried_out = (drawn || alone) && is_task(from) && !to.any(&is_task);
+        carried_out || drawn && is_product_of_sums(from) && is_multiplied_out(to)
     })
 }
 

@@ -133,7 +133,7 @@ impl Judge<'_> {
     }
 
     /// Whether the step follows from a set where something is not 0, or is positive; or `still`, where something does not change.
-    fn under_conditions(
+    pub(super) fn under_conditions(
         &self,
         goal: &Goal,
         set: Vec<Assumed>,

@@ -21,12 +21,13 @@ mod reader;
 mod rows;
 mod running;
 mod supposed;
+mod values;
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
+use crate::algebra::{BigRational, Formula, Relation, Symbol};
 use crate::document::{Citation, Document, Extent, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing, running_in};
 use crate::notation::{Spanned, measured, read_formulas};
@@ -41,6 +42,7 @@ pub use qualities::Said;
 pub use running::Running;
 use supposed::said_of_moment;
 pub use supposed::{Local, is_put};
+pub use values::ValueSaid;
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
 const LONGEST_RANGE: usize = 1000;
@@ -99,9 +101,6 @@ pub struct Unknown {
     /// Where.
     pub span: Span,
 }
-
-/// No more inline mathematics than this is looked through for what says where something begins.
-const MOST_SAID: usize = 500;
 
 impl Derivation {
     /// Reads documents as one derivation, in the given order.
@@ -508,29 +507,6 @@ impl Derivation {
             Some(said.map(move |formula| (body, formula)))
         });
         read.flatten().collect()
-    }
-
-    /// What the text of a page says that a symbol is the value of: `v(0) = v_0`, each with the place and the function. `None` where it says
-    /// something of the symbol that is no such thing, or too much to look through.
-    pub fn values_said(&self, page: usize, symbol: &Symbol) -> Option<Vec<(Expr, Symbol)>> {
-        let document = &self.pages[page].document;
-        if document.inline().count() > MOST_SAID {
-            return None;
-        }
-        let read = document.inline();
-        let read = read.filter_map(|math| read_formulas(&document.source, math.body).ok());
-        let said: Vec<Formula> = read.flatten().flat_map(|own| formulas(&own)).collect();
-        let speaks = |formula: &&Formula| formula.names().contains(symbol);
-        let value = |formula: &Formula| match formula.as_equation()? {
-            (Expr::Apply(name, arguments), Expr::Symbol(own)) if own == symbol => {
-                let [place @ Expr::Number(_)] = arguments.as_slice() else {
-                    return None;
-                };
-                Some((place.clone(), name.clone()))
-            }
-            _ => None,
-        };
-        said.iter().filter(speaks).map(value).collect()
     }
 
     /// What says a local hypothesis: the display, where one says it of a moment.

@@ -234,10 +234,18 @@ impl<'p> Reader<'p> {
             SuppositionKind::Fact { runs_on, .. } => {
                 self.spoken_of.learn(&self.equations, &page.locals);
                 page.suppose(body, kind, self.level, &mut self.told, false);
-                page.restrict(new.clone(), &self.spoken_of);
+                page.restrict(new.clone(), kind, &self.spoken_of);
                 page.date_with(new, active);
                 self.told
                     .retain(|&at| runs_on || page.locals[at].set.is_empty());
+            }
+            SuppositionKind::Meaning => {
+                self.spoken_of.learn(&self.equations, &page.locals);
+                let known = &self.spoken_of;
+                if page.explains(body, |symbol| !known.speaks_of(symbol)) {
+                    page.suppose(body, kind, self.level, &mut self.told, false);
+                    page.restrict(new, kind, known);
+                }
             }
             SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
             SuppositionKind::Vanishes(what) => match page.vanishing(what, body, &self.equations) {
@@ -251,7 +259,21 @@ impl<'p> Reader<'p> {
                 None if what == Vanishing::Slope => self.between.slope = Some(body),
                 None => {}
             },
-            SuppositionKind::Define if !self.says_what_is_meant(body) => return Some(body),
+            // "…, where $m = 2 a$" of what more than that display speaks of: told in passing.
+            SuppositionKind::Define if !self.says_what_is_meant(body) => {
+                if !self.page.explains(body, |_| true) {
+                    return Some(body);
+                }
+                let page = &mut *self.page;
+                page.suppose(
+                    body,
+                    SuppositionKind::Meaning,
+                    self.level,
+                    &mut self.told,
+                    false,
+                );
+                page.restrict(new, kind, &self.spoken_of);
+            }
             _ => self.suppose(kind, body),
         }
         None
@@ -268,7 +290,7 @@ impl<'p> Reader<'p> {
         self.spoken_of.learn(&self.equations, &self.page.locals);
         self.page
             .suppose(body, kind, self.level, &mut self.active, false);
-        self.page.restrict(before.., &self.spoken_of);
+        self.page.restrict(before.., kind, &self.spoken_of);
         let new = before..self.page.locals.len();
         if new.is_empty() && read_formulas(&self.page.document.source, body).is_err() {
             self.between.unread.push(body);

@@ -110,7 +110,10 @@ impl Page {
         strict: bool,
     ) {
         let is_case = matches!(kind, SuppositionKind::Case { .. });
-        let in_passing = matches!(kind, SuppositionKind::Fact { .. });
+        let in_passing = matches!(
+            kind,
+            SuppositionKind::Fact { .. } | SuppositionKind::Meaning
+        );
         let is_fact = in_passing || kind == SuppositionKind::Known;
         let is_let = is_case || kind == SuppositionKind::Let;
         let said = match self.supposed(body) {
@@ -184,20 +187,33 @@ impl Page {
         }
     }
 
+    /// Whether a text says by terms what symbols are, such as these.
+    pub(super) fn explains(&self, body: Span, such: impl Fn(&Symbol) -> bool) -> bool {
+        let said = self.supposed(body).unwrap_or_default();
+        let mut said = said.iter().flat_map(|own| &own.0);
+        let explains = |formula: &Formula| match formula.as_equation() {
+            Some((Expr::Symbol(symbol), value)) => {
+                is_term(value) && such(symbol) && !value.mentions(symbol)
+            }
+            _ => false,
+        };
+        said.clone().next().is_some() && said.all(explains)
+    }
+
     /// What gives a value to what was spoken of before is a special case; what gives a new symbol its meaning is none.
-    pub(super) fn restrict(&mut self, new: RangeFrom<usize>, known: &Known) {
+    pub(super) fn restrict(&mut self, new: RangeFrom<usize>, kind: SuppositionKind, known: &Known) {
+        // "…, where $k = m \omega^2$" says what is meant in what stands before.
+        let explains = kind == SuppositionKind::Define;
         for local in &mut self.locals[new] {
             let mut values = local.values().into_iter();
-            local.is_special = values.any(|symbol| known.speaks_of(&symbol));
-            // "Let $u = 1/N$": of a mere name or number it may be told where something begins.
-            let is_term = |formula: &Arc<Formula>| match formula.as_equation() {
-                Some((Expr::Symbol(_) | Expr::Apply(..), value)) => {
-                    !matches!(value, Expr::Symbol(_) | Expr::Number(_))
-                }
+            local.is_special = !explains && values.any(|symbol| known.speaks_of(&symbol));
+            let is_meaning = |formula: &Arc<Formula>| match formula.as_equation() {
+                Some((Expr::Symbol(_) | Expr::Apply(..), value)) => is_term(value),
                 _ => false,
             };
-            let lasts = local.moment.is_none() && !local.is_special;
-            local.means = lasts && local.formulas.iter().all(is_term);
+            let of_case = local.is_told && local.of_case;
+            let lasts = local.moment.is_none() && !local.is_special && !of_case;
+            local.means = lasts && local.formulas.iter().all(is_meaning);
         }
     }
 
@@ -604,4 +620,9 @@ fn assigned(formula: &Formula) -> Set<Symbol> {
         Formula::AllEqual { sequence, .. } => Set::from([sequence.clone()]),
         Formula::Relation { .. } => Set::new(),
     }
+}
+
+/// Whether a term says what a symbol means, "Let $u = 1/N$": of a mere name or number it may be told where something begins.
+fn is_term(value: &Expr) -> bool {
+    !matches!(value, Expr::Symbol(_) | Expr::Number(_))
 }

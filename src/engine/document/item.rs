@@ -192,6 +192,8 @@ pub enum SuppositionKind {
         /// It is told of a special case: "For a horizontal pipe, $h_1 = h_2$, (1) becomes".
         of_case: bool,
     },
+    /// "Hence, writing $r = p^2/m$,": told in passing, if it says what a new symbol means; otherwise it is concluded, or who knows what.
+    Meaning,
     /// "At the turning points $v = 0$, so": a value at one moment.
     Moment,
     /// "It is known that $v = 3$", "The mass was measured to be $m = 2$": told, and not in passing, so that numbers are told for good, too.

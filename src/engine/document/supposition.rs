@@ -13,14 +13,15 @@ mod words;
 
 use self::introduction::{MOST_DESCRIBING, introduced, is_condition};
 pub(super) use self::mathematics::relates;
-use self::mathematics::{differs, is_bound, is_number, is_value};
+use self::mathematics::{differs, equals_a_name, is_bound, is_number, is_value};
 use self::words::{
-    CONCLUDING, DENYING, DOUBTFUL, HAVING, KNOWN, NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING,
-    OF_CASES, REASONS, UNDECIDED,
+    BESIDE, CONCLUDING, DENYING, DISPUTING, DOUBTFUL, HAVING, HEADING, KNOWN, MOMENTARY,
+    NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, OF_CASES, REASONS, UNDECIDED,
 };
 use super::circumstance;
 use super::conclusion;
 use super::prose::{Placed, Token, ends_sentence};
+use super::qualities::takes_back;
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
 
@@ -68,10 +69,66 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
             token => reader.mark(token),
         }
     }
-    let (mut found, mentions) = reader.finish();
+    let (mut found, mut mentions) = reader.finish();
+    take_back(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));
     sorted::sort_by_key(&mut found, |supposition| supposition.body);
     (found, mentions)
+}
+
+/// So many words before a relation may say that it is not so there.
+const MOST_BESIDE: usize = 3;
+
+/// Takes back what a sentence tells that disputes it, or that the next one does, or the heading before it; and what is supposed, where
+/// the next sentence takes it back. What is told is then only named.
+fn take_back(
+    source: &str,
+    tokens: &[Placed<'_>],
+    found: &mut Vec<Supposition>,
+    mentions: &mut Vec<Span>,
+) {
+    let sentences = tokens.split_inclusive(|token| ends_sentence(source, token));
+    let mut next = sentences.clone().skip(1);
+    let mut heads = false;
+    // In the order of the text.
+    let mut said = std::mem::take(found).into_iter().peekable();
+    for sentence in sentences {
+        let words = sentence
+            .iter()
+            .filter(|(token, _)| matches!(token, Token::Word(_)));
+        let has = |among: &[&str]| sentence.iter().any(|(token, _)| token.is_among(among));
+        let denied = next.next().is_some_and(takes_back);
+        let disputed = denied || heads || has(DISPUTING);
+        heads = words.count() <= 2 && has(HEADING);
+        let Some((_, last)) = sentence.last() else {
+            continue;
+        };
+        // "Points above the line $y = 2 x$".
+        let beside = |body: Span| {
+            let before = sentence.partition_point(|(_, span)| span.end <= body.start);
+            let near = &sentence[before.saturating_sub(MOST_BESIDE)..before];
+            near.iter().any(|(token, _)| token.is_among(BESIDE))
+        };
+        let is_taken_back = |own: &Supposition| {
+            let supposes = {
+                use SuppositionKind::{Assume, Case, Let};
+                matches!(own.kind, Case { .. } | Let | Assume)
+            };
+            // A length is positive whatever is said of it.
+            let bounds = source.get(own.body.range()).is_some_and(is_bound);
+            let taken = is_fact(own.kind) && disputed || supposes && denied;
+            !bounds && (taken || (supposes || is_fact(own.kind)) && beside(own.body))
+        };
+        while let Some(own) = said.next_if(|own| own.body.start < last.end) {
+            match is_taken_back(&own) {
+                false => found.push(own),
+                true if own.kind == SuppositionKind::Meaning => {}
+                true => mentions.push(own.body),
+            }
+        }
+    }
+    found.extend(said);
+    sorted::sort(mentions);
 }
 
 /// Reads prose token by token.
@@ -197,6 +254,7 @@ impl Reader<'_> {
         self.sentence.begun = true;
         let text = self.text(body);
         let (states, is_zero) = (relates(text), text.trim_end().ends_with("= 0"));
+        let says_number = is_number(text);
         let active = self.sentence.active;
         if let Some((kind, reach)) = active {
             let may_begin = kind != SuppositionKind::Define || is_zero;
@@ -218,13 +276,29 @@ impl Reader<'_> {
         } else if states && self.tells(index, body) {
             let kind = SuppositionKind::Fact {
                 runs_on: false,
-                of_case: self.sentence.special,
+                of_case: self.sentence.special || self.is_of_moment(index),
             };
             self.found.push(Supposition { kind, body });
         } else if states {
+            let own = &self.sentence;
+            let is_told = own.factual && !own.doubtful && !self.is_of_moment(index);
+            if own.active.is_none() && is_told && !says_number {
+                let kind = SuppositionKind::Meaning;
+                self.found.push(Supposition { kind, body });
+            }
             // "For $N = 3$ the values are $a = b$."
             self.sentence.concluded = true;
         }
+    }
+
+    /// Whether what the sentence says before the token at `index` is said of one moment or place.
+    fn is_of_moment(&self, index: usize) -> bool {
+        let before = self
+            .tokens
+            .get(self.sentence.first..index)
+            .unwrap_or_default();
+        let mut named = before.iter().map(|(token, _)| token.is_among(MOMENTARY));
+        named.any(|is| is) || circumstance::of_sentence(before) == Extent::Moment
     }
 
     /// Whether the sentence tells what number something is at one moment: "At the turning points $v = 0$, so".
@@ -309,12 +383,14 @@ impl Reader<'_> {
     /// Takes back what the sentence has supposed: it only names it.
     fn withdraw(&mut self) {
         let own = (self.found).extract_if(self.sentence.start.., |s| !s.kind.leaves_cases());
-        self.mentions.extend(own.map(|s| s.body));
+        self.mentions
+            .extend(own.filter(is_no_meaning).map(|s| s.body));
     }
 
     fn withdraw_facts(&mut self) {
         let told = (self.found).extract_if(self.sentence.start.., |s| is_fact(s.kind));
-        self.mentions.extend(told.map(|s| s.body));
+        self.mentions
+            .extend(told.filter(is_no_meaning).map(|s| s.body));
     }
 
     fn finish(mut self) -> (Vec<Supposition>, Vec<Span>) {
@@ -329,8 +405,14 @@ impl Reader<'_> {
     }
 }
 
+/// Whether it is told whatever its symbols are. What may be concluded is no value that somebody might have meant to suppose.
+fn is_no_meaning(supposition: &Supposition) -> bool {
+    supposition.kind != SuppositionKind::Meaning
+}
+
 fn is_fact(kind: SuppositionKind) -> bool {
-    matches!(kind, SuppositionKind::Fact { .. } | SuppositionKind::Known)
+    use SuppositionKind::{Fact, Known, Meaning};
+    matches!(kind, Fact { .. } | Known | Meaning)
 }
 
 /// Whether one of these words, in lower case, stands before what is at `index`.
@@ -375,8 +457,9 @@ fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> b
     let starts = || reach == Reach::Sentence && follows(index, tokens, NAMED_BEFORE);
     let after = tokens.get(index + 1).map(|(token, _)| *token);
     let placed = matches!(after, Some(Token::Word("at" | "when"))) && !is_number(math);
-    // "Let $v > 0$ be the speed" names it and says its sign.
-    is_named(index, tokens) && !placed && !is_bound(math) || starts()
+    // "Let $v > 0$ be the speed" names it and says its sign, "Let $\mu = a b$ be the reduced mass" what it is.
+    let named = || is_named(index, tokens) && !placed && !is_bound(math);
+    named() && (is_number(math) || equals_a_name(math)) || starts()
 }
 
 /// Whether what comes after the mathematics at `index` makes it a name.

@@ -1,5 +1,9 @@
 //! What inline mathematics states, as far as its signs tell.
 
+use crate::algebra::Expr;
+use crate::document::Span;
+use crate::notation::read_expr;
+
 /// Whether inline math says that something is a number: `x = 0`.
 pub(super) fn is_number(math: &str) -> bool {
     let value = math.rsplit('=').next().unwrap_or(math);
@@ -7,6 +11,13 @@ pub(super) fn is_number(math: &str) -> bool {
         .iter()
         .fold(value.to_owned(), |v, f| v.replace(f, ""));
     !value.contains(char::is_alphabetic)
+}
+
+/// Whether inline math says that something is something else that has a name: `x = a`.
+pub(super) fn equals_a_name(math: &str) -> bool {
+    let start = math.rfind('=').map_or(0, |at| at + 1);
+    let value = read_expr(math, Span::new(start, math.len()));
+    matches!(value, Ok(Expr::Symbol(_)))
 }
 
 /// Whether inline math is one equation. "For $x > 0$, … For $x < 0$, …" goes through cases: neither holds from there on.
