@@ -190,6 +190,44 @@ where $r = v t$. Hence
 }
 
 #[test]
+fn primes_on_functions_are_slopes() {
+    let after = |words: &str, formula: &str| verdicts(&format!("{words}\n\n$$ {formula} $$\n"))[0];
+    let cases = [
+        ("Let $f(x) = x^3$. Then", "f'(x) = 3 x^2", "holds"),
+        ("Let $f(x) = x^3$. Then", "f'(x) = 3 x^3", "fails"),
+        ("Let $f(x) = x^3$. Then", "f''(x) = 6 x", "holds"),
+        ("Let $f(x) = x^3$. Hence", "f' = 3 x^2", "holds"),
+        (
+            "Let $f(x) = x^3 e^{2 x}$. Then",
+            "f'(x) = 3 x^2 e^{2 x} + x^3 e^{2 x}",
+            "undecided",
+        ),
+        (
+            "The profit is $P(q) = a q - b q^2$, hence",
+            "P'(q) = a - 2 b q",
+            "holds",
+        ),
+        (
+            "The profit is $P(q) = a q - b q^2$, hence",
+            "P'(q) = a - b q",
+            "fails",
+        ),
+        // A prime on what is given in the time is another quantity, in another frame or afterwards.
+        (
+            "With $x(t) = v t$ and $x'(t) = x(t) - u t$ we have",
+            "x'(t) = (v - u) t",
+            "holds",
+        ),
+        ("The velocity is $v(t) = a t$. Then", "v'(t) = a", "given"),
+        // It is declared or given as a name of its own.
+        ("Consider $y = x^3$. Then", "y' = 3 x^2", "given"),
+    ];
+    for (words, formula, verdict) in cases {
+        assert_eq!(after(words, formula), verdict, "{words} {formula}");
+    }
+}
+
+#[test]
 fn a_solution_goes_through_what_it_begins_with() {
     let solved = |words: &str, formula: &str| {
         let law = "Kirchhoff says\n\n$$ R \\frac{dq}{dt} + \\frac{q}{C} = 0 \\tag{1} $$\n\n";

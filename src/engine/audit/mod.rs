@@ -437,7 +437,9 @@ impl Auditor<'_> {
         // A page must begin somewhere: what nothing precedes is given.
         let told = self.derivation.told(at);
         let law = |e: &Entry| {
-            e.verdict != Verdict::Holds && !stated::is_identity(e, &told, equation.drawn)
+            let step = stated::is_identity(e, &told, equation.drawn)
+                || stated::is_open_step(e, &told, equation.drawn);
+            e.verdict != Verdict::Holds && !step
         };
         if equation.opens && entries.iter().all(law) {
             if !entries

@@ -9,7 +9,7 @@
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Kind, Source, is_put};
 use crate::document::Extent;
-use crate::kernel::{Standing, definition};
+use crate::kernel::Standing;
 use crate::notation::measured;
 use crate::search::{self, Effort};
 
@@ -341,11 +341,34 @@ fn is_settled(judged: &Judged, told: &[Assumed]) -> bool {
     let supposed = supposed.filter(|own| matches!(own.source, Source::Local(..)));
     let (mut defined, mut named) = (Set::new(), Set::new());
     for own in supposed {
-        defined.extend(definition(&own.formula).map(|(symbol, _)| symbol));
-        named.extend(own.formula.free_symbols());
+        if let Some((Expr::Symbol(name) | Expr::Apply(name, _), _)) = own.formula.as_equation() {
+            defined.insert(name.clone());
+        }
+        named.append(&mut spoken_of(&own.formula));
     }
-    let own = judged.goal.formula.free_symbols();
+    let own = spoken_of(&judged.goal.formula);
     own.iter().any(|symbol| defined.contains(symbol)) && own.iter().all(|own| named.contains(own))
+}
+
+/// The symbols, sequences and functions of a formula.
+fn spoken_of(formula: &Formula) -> Set<Symbol> {
+    fn functions(term: &Expr, found: &mut Set<Symbol>) {
+        if let Expr::Apply(name, _) = term {
+            found.insert(name.clone());
+        }
+        term.children().for_each(|part| functions(part, found));
+    }
+    let mut found = formula.names();
+    let terms = formula.terms().into_iter();
+    terms.for_each(|term| functions(term, &mut found));
+    found
+}
+
+/// Whether a statement that is left open is said to follow, and what is supposed says all that it speaks of: it is no law either.
+pub(super) fn is_open_step(entry: &Entry, told: &[Assumed], drawn: bool) -> bool {
+    let is_open = |judged: &&Judged| matches!(judged.outcome, Outcome::Open(_));
+    let mut open = entry.judged.iter().filter(is_open);
+    drawn && open.any(|judged| is_settled(judged, told))
 }
 
 /// Whether what a page begins with goes on with something false: a link whose sides speak of the same (`A = \pi r^2 = 2 \pi r`), what

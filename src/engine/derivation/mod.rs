@@ -11,7 +11,7 @@ mod checker;
 mod constants;
 mod counts;
 mod definition;
-mod dots;
+
 mod equation;
 mod euler;
 mod names;
@@ -20,6 +20,7 @@ mod qualities;
 mod reader;
 mod rows;
 mod running;
+mod slopes;
 mod supposed;
 mod values;
 
@@ -134,7 +135,7 @@ impl Derivation {
         for (at, page) in pages.iter_mut().enumerate() {
             let own = equation::of_page(at, equations);
             let own = &mut equations[own];
-            dots::read_as_slopes(page, own);
+            slopes::read_marks(page, own);
             arguments::leave_out(page, own);
         }
         for own in page::of_documents(pages) {

@@ -1,0 +1,155 @@
+//! Marks that stand for slopes: `\dot x` and `\ddot x` where a page says how `x` goes with the time, `x = A \cos(\omega t)`, and `f'` where
+//! it says what a function is, `f(x) = x^3`. Elsewhere they are names like any other.
+
+use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
+use crate::sorted::{Map, Set};
+
+use super::Equation;
+use super::equation::{conditions, formulas, map_terms};
+use super::names::undotted;
+use super::page::Page;
+
+/// What a dot stands for a slope by. A prime stands for another thing there: what comes after, or another frame.
+const TIME: &str = "t";
+
+/// What a marked name stands for.
+struct Slope {
+    /// The name without marks.
+    name: Symbol,
+    order: usize,
+    /// What it is differentiated by.
+    by: Symbol,
+}
+
+/// What a page gives by terms.
+#[derive(Default)]
+struct Given {
+    /// By a term in the time.
+    moving: Set<Symbol>,
+    /// Functions, each with what it is a function of; `None` where that is not the same everywhere.
+    functions: Map<Symbol, Option<Symbol>>,
+    /// All names with marks.
+    marked: Set<Symbol>,
+}
+
+/// Reads dots over what is given by a term in `t` as derivatives by it, and primes on functions, unless they are declared.
+pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
+    let time = Symbol::new(TIME);
+    let mut given = Given::default();
+    for statement in equations.iter().flat_map(Equation::statements) {
+        let said = formulas(statement);
+        let all = said
+            .iter()
+            .chain(&conditions(statement))
+            .cloned()
+            .collect::<Vec<_>>();
+        all.iter().for_each(|formula| given.see(formula, &time));
+    }
+    for formula in page.locals.iter().flat_map(|local| &local.formulas) {
+        given.see(formula, &time);
+    }
+    let marked = std::mem::take(&mut given.marked).into_iter();
+    let meant = marked.filter(|name| !page.is_declared(name));
+    let slopes: Map<Symbol, Slope> = meant
+        .filter_map(|name| Some((name.clone(), given.meaning(&name, &time)?)))
+        .collect();
+    if !slopes.is_empty() {
+        map_terms(page, equations, |term| written_out(term, &slopes));
+    }
+}
+
+impl Given {
+    fn see(&mut self, formula: &Formula, time: &Symbol) {
+        if let Some((left @ (Expr::Symbol(name) | Expr::Apply(name, _)), value)) =
+            formula.as_equation()
+            && !value.mentions(name)
+        {
+            if value.mentions(time) {
+                self.moving.insert(name.clone());
+            }
+            if let Expr::Apply(_, arguments) = left
+                && let [Expr::Symbol(argument)] = arguments.as_slice()
+                && value.mentions(argument)
+            {
+                let known = self.functions.entry(name.clone());
+                let known = known.or_insert_with(|| Some(argument.clone()));
+                if known.as_ref() != Some(argument) {
+                    *known = None;
+                }
+            }
+        }
+        for term in formula.terms() {
+            names(term, &mut self.marked);
+        }
+    }
+
+    /// What a name stands for, if that is a slope of something that is given.
+    fn meaning(&self, name: &Symbol, time: &Symbol) -> Option<Slope> {
+        let (name, order, is_dot) = base(name)?;
+        let by = match is_dot {
+            true => self.moving.contains(&name).then(|| time.clone()),
+            false => self.functions.get(&name)?.clone().filter(|by| by != time),
+        };
+        by.map(|by| Slope { name, order, by })
+    }
+}
+
+/// What stands below the dots of a name, or before its primes, how many they are, and whether they are dots.
+fn base(name: &Symbol) -> Option<(Symbol, usize, bool)> {
+    if let Some(own) = undotted(name) {
+        return Some((own, 1, true));
+    }
+    if let Some(inside) = name.name().strip_prefix("\\ddot{") {
+        return Some((Symbol::new(inside.strip_suffix('}')?), 2, true));
+    }
+    let stem = name.name().trim_end_matches('\'');
+    let order = name.name().len() - stem.len();
+    (order > 0 && !stem.is_empty()).then(|| (Symbol::new(stem), order, false))
+}
+
+/// The names with marks in a term.
+fn names(term: &Expr, found: &mut Set<Symbol>) {
+    if let Expr::Symbol(name) | Expr::Apply(name, _) = term
+        && base(name).is_some()
+    {
+        found.insert(name.clone());
+    }
+    term.children().for_each(|part| names(part, found));
+}
+
+impl Slope {
+    fn of(&self, body: Expr) -> Expr {
+        (0..self.order).fold(body, |body, _| Expr::Derivative {
+            body: body.into(),
+            variable: self.by.clone(),
+        })
+    }
+
+    /// With what is written in parentheses.
+    fn at(&self, arguments: &[Expr]) -> Option<Expr> {
+        let by = Expr::Symbol(self.by.clone());
+        let slope = || self.of(Expr::Apply(self.name.clone(), vec![by.clone()]));
+        match arguments {
+            [argument] if *argument == by => Some(slope()),
+            // Of a dotted name the value at a number is read later.
+            [place @ Expr::Number(_)] if self.by.name() != TIME => Some(Expr::Limit {
+                body: slope().into(),
+                variable: self.by.clone(),
+                point: LimitPoint::Finite(place.clone().into()),
+            }),
+            _ => None,
+        }
+    }
+}
+
+fn written_out(term: &Expr, slopes: &Map<Symbol, Slope>) -> Expr {
+    let own = match term {
+        Expr::Symbol(name) => {
+            let slope = slopes.get(name);
+            slope.map(|own| own.of(Expr::Symbol(own.name.clone())))
+        }
+        Expr::Apply(name, arguments) => slopes.get(name).and_then(|own| own.at(arguments)),
+        _ => None,
+    };
+    own.unwrap_or_else(|| term.map_children(|part| written_out(part, slopes)))
+}
