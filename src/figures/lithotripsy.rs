@@ -9,6 +9,7 @@ use super::scene::{Anchor, Ink, Scene, Stroke};
 use super::words::exact;
 use crate::algebra::{BigInt, BigRational};
 use crate::derivation::{Checker, Point};
+use crate::parallel::in_order;
 
 /// So many powers of ten to either side of equal masses.
 const DECADES: i32 = 3;
@@ -40,15 +41,16 @@ pub fn lithotripsy(checker: &Checker) -> Result<Figure, FigureError> {
     let law = Law::of(&audited, efficiency, r"\eta")?;
     let eta = |mu: &BigRational| law.value(&Point::new().with_ratio(r"\mu", mu.clone()));
     let mut numbers = Numbers::new(&["mu", "eta"]);
-    for step in -DECADES * FINE..=DECADES * FINE {
+    let rows = in_order(-DECADES * FINE..=DECADES * FINE, |step| {
         // The exponent only chooses a rational number; a ratio and its reciprocal are both there.
         let size = 10_f64.powf(f64::from(step.abs()) / f64::from(FINE));
         let ten_thousandths = (size * 10_000.0).round() as i64;
         let above = BigRational::new(BigInt::from(ten_thousandths), BigInt::from(10_000));
         let mu = if step < 0 { above.recip() } else { above };
         let share = eta(&mu)?;
-        numbers.rows.push(vec![mu, share]);
-    }
+        Ok(vec![mu, share])
+    });
+    numbers.rows = rows.into_iter().collect::<Result<_, FigureError>>()?;
     let mut marks = Vec::new();
     let whole = |mu: i64| BigRational::from_integer(BigInt::from(mu));
     for mu in std::iter::once(1).chain(STONES) {
