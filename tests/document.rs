@@ -482,6 +482,18 @@ fn what_a_new_symbol_may_mean() {
     ] {
         assert_eq!(kinds(text), [], "{text}");
     }
+    // What goes on takes nothing back.
+    for text in [
+        "The speed is $v = s/t$. In this case",
+        "The speed is $v = s/t$. It does not depend on the mass. Hence",
+        "The speed is $v = s/t$. This is only the case when",
+    ] {
+        assert_eq!(kinds(text), [of_moment(false)], "{text}");
+    }
+    assert_eq!(
+        kinds("Let $a = 2 b$. In this case only one root is left. Hence"),
+        [Let]
+    );
     // Where something is positive is said of it whatever else is.
     assert_eq!(
         kinds("A stone of mass $m > 0$ is dropped from above."),

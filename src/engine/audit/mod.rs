@@ -11,6 +11,7 @@ mod dimensions;
 mod entry;
 mod family;
 mod given;
+mod identity;
 mod induction;
 mod judge;
 mod least;
@@ -377,7 +378,7 @@ impl Auditor<'_> {
                     self.statement(at, statement, &alone, &[], says_so, defines)
                 });
                 let told = self.derivation.told(at);
-                if simply_holds(&alone) || stated::is_identity(&alone, &told, true) {
+                if simply_holds(&alone) || identity::is_identity(&alone, &told, true) {
                     entry = alone;
                 }
             }
@@ -437,8 +438,8 @@ impl Auditor<'_> {
         // A page must begin somewhere: what nothing precedes is given.
         let told = self.derivation.told(at);
         let law = |e: &Entry| {
-            let step = stated::is_identity(e, &told, equation.drawn)
-                || stated::is_open_step(e, &told, equation.drawn);
+            let step = identity::is_identity(e, &told, equation.drawn)
+                || identity::is_open_step(e, &told, equation.drawn);
             e.verdict != Verdict::Holds && !step
         };
         if equation.opens && entries.iter().all(law) {

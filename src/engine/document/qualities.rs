@@ -301,15 +301,13 @@ fn is_doubtful(source: &str, sentence: &[Placed<'_>]) -> bool {
 }
 
 /// "It is not.", "This leads nowhere."
-pub(super) fn takes_back(next: &[Placed<'_>]) -> bool {
+fn takes_back(next: &[Placed<'_>]) -> bool {
     let first = next.iter().find(|token| matches!(token.0, Token::Word(_)));
     let refers = first.is_some_and(|token| token.0.is_among(&REFERRING));
     let denies = |token: &Placed<'_>| {
         token.0.is_among(&DOUBTFUL)
             || token.0.is_among(&CHANGING)
-            || token
-                .0
-                .is_among(&["false", "wrong", "absurd", "rejected", "rejects", "fails"])
+            || token.0.is_among(&["false", "wrong"])
     };
     refers && next.iter().any(denies)
 }

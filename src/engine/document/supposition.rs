@@ -16,12 +16,12 @@ pub(super) use self::mathematics::relates;
 use self::mathematics::{differs, equals_a_name, is_bound, is_number, is_value};
 use self::words::{
     BESIDE, CONCLUDING, DENYING, DISPUTING, DOUBTFUL, HAVING, HEADING, KNOWN, MOMENTARY,
-    NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, OF_CASES, REASONS, UNDECIDED,
+    NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, OF_CASES, REASONS, REFERRING, RETRACTING,
+    UNDECIDED,
 };
 use super::circumstance;
 use super::conclusion;
 use super::prose::{Placed, Token, ends_sentence};
-use super::qualities::takes_back;
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
 
@@ -97,7 +97,7 @@ fn take_back(
             .iter()
             .filter(|(token, _)| matches!(token, Token::Word(_)));
         let has = |among: &[&str]| sentence.iter().any(|(token, _)| token.is_among(among));
-        let denied = next.next().is_some_and(takes_back);
+        let denied = next.next().is_some_and(retracts);
         let disputed = denied || heads || has(DISPUTING);
         heads = words.count() <= 2 && has(HEADING);
         let Some((_, last)) = sentence.last() else {
@@ -129,6 +129,15 @@ fn take_back(
     }
     found.extend(said);
     sorted::sort(mentions);
+}
+
+/// "This is wrong."
+fn retracts(sentence: &[Placed<'_>]) -> bool {
+    let first = sentence
+        .iter()
+        .find(|(token, _)| matches!(token, Token::Word(_)));
+    let refers = first.is_some_and(|(token, _)| token.is_among(REFERRING));
+    refers && sentence.iter().any(|(token, _)| token.is_among(RETRACTING))
 }
 
 /// Reads prose token by token.

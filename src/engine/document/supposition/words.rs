@@ -192,6 +192,28 @@ pub(super) const DISPUTING: &[&str] = &[
     "wrong",
     "false",
 ];
+/// A sentence that begins with one of these is about the one before.
+pub(super) const REFERRING: &[&str] = &["it", "this", "that", "they", "these", "the"];
+/// In such a sentence these take back what that one says.
+pub(super) const RETRACTING: &[&str] = &[
+    "wrong",
+    "false",
+    "untrue",
+    "incorrect",
+    "mistaken",
+    "nonsense",
+    "absurd",
+    "impossible",
+    "contradiction",
+    "contradicts",
+    "fails",
+    "failed",
+    "nowhere",
+    "rejected",
+    "rejects",
+    "refuted",
+    "refutes",
+];
 /// Just before a relation these say that it is not so there.
 pub(super) const BESIDE: &[&str] = &[
     "exception",
