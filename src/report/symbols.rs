@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Expr, Formula, Symbol, element_parts};
+use crate::algebra::{Formula, Symbol, element_parts};
 use crate::audit::Dimensions;
 use crate::derivation::{Derivation, conditions, goals};
 use crate::dimension::occur;
 use crate::document::Span;
 use crate::kernel::dimension::Form;
 use crate::notation::{measured, read_symbol};
-use crate::sorted::{self, Set};
+use crate::sorted;
 
 /// A symbol of a page, or the elements of a sequence.
 pub(super) struct Found {
@@ -106,7 +106,7 @@ pub(super) fn symbols(derivation: &Derivation, dimensions: &Dimensions, page: us
 fn names(formula: &Formula) -> Vec<(Symbol, bool)> {
     let mut free = formula.free_symbols();
     for term in formula.terms() {
-        functions(term, &mut free);
+        term.collect_applied(&|_| true, &mut free);
     }
     let mut names = Vec::new();
     occur::symbols(formula, &mut |symbol| {
@@ -118,13 +118,4 @@ fn names(formula: &Formula) -> Vec<(Symbol, bool)> {
         names.push((sequence.clone(), true));
     });
     names
-}
-
-fn functions(term: &Expr, found: &mut Set<Symbol>) {
-    if let Expr::Apply(name, _) = term {
-        found.insert(name.clone());
-    }
-    for child in term.children() {
-        functions(child, found);
-    }
 }

@@ -7,6 +7,14 @@ use crate::sorted::Set;
 use super::stated::{is_slip, quantities};
 use super::{Entry, Judged, Outcome};
 
+/// Whether a statement that is not proved is no law: it is an identity, or what is left open is said to follow, and what is supposed says
+/// all that it speaks of.
+pub(super) fn is_step(entry: &Entry, told: &[Assumed], drawn: bool) -> bool {
+    let open =
+        |judged: &Judged| matches!(judged.outcome, Outcome::Open(_)) && is_settled(judged, told);
+    is_identity(entry, told, drawn) || drawn && entry.judged.iter().any(open)
+}
+
 /// Whether a refuted statement is no law: it speaks of nothing, or it is an identity that the pen slipped on, or, where words say that
 /// it follows (`drawn`) or its chain does, what is supposed says all that it speaks of. Both sides of an identity speak of the same; and
 /// either one edit makes it true, or that is whole numbers alone, or something is worked out.
@@ -107,21 +115,9 @@ fn is_settled(judged: &Judged, told: &[Assumed]) -> bool {
 
 /// The symbols, sequences and functions of a formula.
 fn spoken_of(formula: &Formula) -> Set<Symbol> {
-    fn functions(term: &Expr, found: &mut Set<Symbol>) {
-        if let Expr::Apply(name, _) = term {
-            found.insert(name.clone());
-        }
-        term.children().for_each(|part| functions(part, found));
-    }
     let mut found = formula.names();
-    let terms = formula.terms().into_iter();
-    terms.for_each(|term| functions(term, &mut found));
+    for term in formula.terms() {
+        term.collect_applied(&|_| true, &mut found);
+    }
     found
-}
-
-/// Whether a statement that is left open is said to follow, and what is supposed says all that it speaks of: it is no law either.
-pub(super) fn is_open_step(entry: &Entry, told: &[Assumed], drawn: bool) -> bool {
-    let is_open = |judged: &&Judged| matches!(judged.outcome, Outcome::Open(_));
-    let mut open = entry.judged.iter().filter(is_open);
-    drawn && open.any(|judged| is_settled(judged, told))
 }

@@ -436,13 +436,7 @@ impl Auditor<'_> {
             }
         }
         // A page must begin somewhere: what nothing precedes is given.
-        let told = self.derivation.told(at);
-        let law = |e: &Entry| {
-            let step = identity::is_identity(e, &told, equation.drawn)
-                || identity::is_open_step(e, &told, equation.drawn);
-            e.verdict != Verdict::Holds && !step
-        };
-        if equation.opens && entries.iter().all(law) {
+        if equation.opens && self.are_laws(at, &entries) {
             if !entries
                 .iter()
                 .any(|e| stated::slips(e, &equation.introduces, equation.continues))
@@ -456,6 +450,18 @@ impl Auditor<'_> {
             }
         }
         entries
+    }
+
+    /// Whether what a page begins with is taken as it stands.
+    fn are_laws(&self, at: usize, entries: &[Entry]) -> bool {
+        let (told, drawn) = (
+            self.derivation.told(at),
+            self.derivation.equations[at].drawn,
+        );
+        let is_law = |entry: &Entry| {
+            entry.verdict != Verdict::Holds && !identity::is_step(entry, &told, drawn)
+        };
+        entries.iter().all(is_law)
     }
 
     /// What a step may use without what is so at the moment that the text speaks of: that is no premise of what follows from what is

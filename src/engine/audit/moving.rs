@@ -1,7 +1,7 @@
 //! What a page says of what changes with what: something of which it says so is not taken as constant, cited or not.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Derivation, Equation, Said, formulas};
+use crate::derivation::{Derivation, Equation, formulas};
 
 use super::Auditor;
 use crate::search::are_tied;
@@ -93,8 +93,8 @@ impl Moving {
         let mut laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
         laws.reverse();
         let moves = |own: &Symbol| self.differentiated.contains(own);
-        let told = |own: &Symbol| equation.said.get(own).is_some_and(Said::is_constant);
-        let constant = |own: &Symbol| self.constants.contains(own) || told(own);
+        let constant =
+            |own: &Symbol| self.constants.contains(own) || equation.is_told_constant(own);
         self.differentiated.iter().any(is_meant)
             || are_tied(name, variable, &laws, moves, constant)
             || explicit.any(|(own, named)| {
@@ -118,8 +118,7 @@ impl Auditor<'_> {
             let (names, sequences) = (condition.names(), condition.sequences());
             let mut held = names.iter().filter(|name| *name != variable);
             held.any(|name| {
-                let told = |name| equation.said.get(name).is_some_and(Said::is_constant);
-                if equation.all_vary && !told(name) {
+                if equation.all_vary && !equation.is_told_constant(name) {
                     return true;
                 }
                 let name = (name, sequences.contains(name));

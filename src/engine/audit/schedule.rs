@@ -39,12 +39,11 @@ impl Schedule {
         let all = 0..derivation.equations.len();
         let cites: Vec<Vec<usize>> = all.clone().map(|at| derivation.premises(at).0).collect();
         let mut wanted: Vec<bool> = all.clone().map(is_wanted).collect();
-        // What is cited stands before, or does not count.
         for at in all.rev() {
-            let cites = cites[at].iter().filter(|_| wanted[at]);
-            let before: Vec<usize> = cites.copied().filter(|&premise| premise < at).collect();
-            for premise in before {
-                wanted[premise] = true;
+            if wanted[at] {
+                // What is cited stands before, or does not count.
+                let before = cites[at].iter().filter(|&&premise| premise < at);
+                before.for_each(|&premise| wanted[premise] = true);
             }
         }
         let mut parts: Vec<Part> = Vec::new();

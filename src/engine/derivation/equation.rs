@@ -322,6 +322,11 @@ impl Equation {
         page == self.page && (self.locals.contains(&local) || self.told.contains(&local))
     }
 
+    /// Whether the text has said by an adjective that a symbol does not change.
+    pub fn is_told_constant(&self, symbol: &Symbol) -> bool {
+        self.said.get(symbol).is_some_and(Said::is_constant)
+    }
+
     /// The symbols and sequences that it speaks of.
     pub fn symbols(&self) -> Set<Symbol> {
         let formulas = self.statements().iter().flat_map(formulas);

@@ -11,7 +11,6 @@ mod checker;
 mod constants;
 mod counts;
 mod definition;
-
 mod equation;
 mod euler;
 mod names;

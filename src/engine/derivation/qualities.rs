@@ -63,7 +63,7 @@ pub(super) fn spoken_of(source: &str, body: Span) -> Set<Symbol> {
     let mut found: Set<Symbol> = named(source, body).into_iter().collect();
     for term in terms(source, body) {
         found.extend(term.free_symbols());
-        applied(&term, |_| true, &mut found);
+        term.collect_applied(&|_| true, &mut found);
     }
     found
 }
@@ -110,7 +110,7 @@ fn moving(page: &Page, equations: &[Equation]) -> Set<Symbol> {
     moving.extend(page.changing());
     moving.extend(Formula::differentiated_in(said.iter()));
     for term in said.iter().flat_map(Formula::terms) {
-        applied(term, |_| true, &mut moving);
+        term.collect_applied(&|_| true, &mut moving);
     }
     let named = said.iter().flat_map(Formula::names);
     moving.extend(named.filter_map(|own| undotted(&own)));
@@ -143,22 +143,12 @@ impl Page {
                 term.collect_differentiated(&mut found);
                 // Of `m(t)`, and not of `m(0)`.
                 let runs = |arguments: &[Expr]| matches!(arguments, [Expr::Symbol(_)]);
-                applied(&term, runs, &mut found);
+                term.collect_applied(&runs, &mut found);
                 found.extend(term.free_symbols().iter().filter_map(undotted));
             }
         }
         found
     }
-}
-
-/// The names in a term that are applied to such arguments.
-fn applied(term: &Expr, such: fn(&[Expr]) -> bool, found: &mut Set<Symbol>) {
-    if let Expr::Apply(name, arguments) = term
-        && such(arguments)
-    {
-        found.insert(name.clone());
-    }
-    term.children().for_each(|part| applied(part, such, found));
 }
 
 /// Whether a term speaks of one of these but in slopes: `F = m \frac{dv}{dt}` gives no force by the time.

@@ -232,10 +232,9 @@ impl<'p> Reader<'p> {
                 page.leave_other_values(new, active);
             }
             SuppositionKind::Fact { runs_on, .. } => {
-                self.spoken_of.learn(&self.equations, &page.locals);
-                page.suppose(body, kind, self.level, &mut self.told, false);
-                page.restrict(new.clone(), kind, &self.spoken_of);
-                page.date_with(new, active);
+                self.take_up(kind, body);
+                let page = &mut *self.page;
+                page.date_with(new, &self.active);
                 self.told
                     .retain(|&at| runs_on || page.locals[at].set.is_empty());
             }
@@ -243,8 +242,7 @@ impl<'p> Reader<'p> {
                 self.spoken_of.learn(&self.equations, &page.locals);
                 let known = &self.spoken_of;
                 if page.explains(body, |symbol| !known.speaks_of(symbol)) {
-                    page.suppose(body, kind, self.level, &mut self.told, false);
-                    page.restrict(new, kind, known);
+                    self.take_up(kind, body);
                 }
             }
             SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
@@ -264,15 +262,7 @@ impl<'p> Reader<'p> {
                 if !self.page.explains(body, |_| true) {
                     return Some(body);
                 }
-                let page = &mut *self.page;
-                page.suppose(
-                    body,
-                    SuppositionKind::Meaning,
-                    self.level,
-                    &mut self.told,
-                    false,
-                );
-                page.restrict(new, kind, &self.spoken_of);
+                self.take_up(SuppositionKind::Meaning, body);
             }
             _ => self.suppose(kind, body),
         }
@@ -285,13 +275,21 @@ impl<'p> Reader<'p> {
             .says_what_is_meant(body, self.page, &self.equations, last)
     }
 
-    fn suppose(&mut self, kind: SuppositionKind, body: Span) {
+    /// Takes up what is told in passing, or supposed, and returns where it stands.
+    fn take_up(&mut self, kind: SuppositionKind, body: Span) -> Range<usize> {
         let before = self.page.locals.len();
         self.spoken_of.learn(&self.equations, &self.page.locals);
-        self.page
-            .suppose(body, kind, self.level, &mut self.active, false);
+        let among = match kind {
+            SuppositionKind::Fact { .. } | SuppositionKind::Meaning => &mut self.told,
+            _ => &mut self.active,
+        };
+        self.page.suppose(body, kind, self.level, among, false);
         self.page.restrict(before.., kind, &self.spoken_of);
-        let new = before..self.page.locals.len();
+        before..self.page.locals.len()
+    }
+
+    fn suppose(&mut self, kind: SuppositionKind, body: Span) {
+        let new = self.take_up(kind, body);
         if new.is_empty() && read_formulas(&self.page.document.source, body).is_err() {
             self.between.unread.push(body);
         }

@@ -37,13 +37,9 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
     let time = Symbol::new(TIME);
     let mut given = Given::default();
     for statement in equations.iter().flat_map(Equation::statements) {
-        let said = formulas(statement);
-        let all = said
-            .iter()
-            .chain(&conditions(statement))
-            .cloned()
-            .collect::<Vec<_>>();
-        all.iter().for_each(|formula| given.see(formula, &time));
+        for formula in formulas(statement).iter().chain(&conditions(statement)) {
+            given.see(formula, &time);
+        }
     }
     for formula in page.locals.iter().flat_map(|local| &local.formulas) {
         given.see(formula, &time);

@@ -49,6 +49,13 @@ pub(super) fn ends_sentence(source: &str, (token, span): &Placed<'_>) -> bool {
     *token == Token::Stop && matches!(source.get(span.range()), Some("." | "?" | "!"))
 }
 
+/// Whether the first word of a sentence is one of these.
+pub(super) fn begins_with(sentence: &[Placed<'_>], words: &[&str]) -> bool {
+    let mut tokens = sentence.iter().map(|(token, _)| token);
+    let first = tokens.find(|token| matches!(token, Token::Word(_)));
+    first.is_some_and(|token| token.is_among(words))
+}
+
 /// Words that end in a full stop which ends no sentence.
 const ABBREVIATED: [&str; 14] = [
     "eq", "eqs", "eqn", "eqns", "fig", "figs", "sec", "ref", "refs", "cf", "resp", "vs", "no",

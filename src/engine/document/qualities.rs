@@ -5,7 +5,7 @@
 //! no condition, no denial, no comparison, no other case and nothing that changes.
 
 use super::conclusion;
-use super::prose::{Placed, Token, ends_sentence};
+use super::prose::{Placed, Token, begins_with, ends_sentence};
 use super::{Attribute, Bound, Qualities, Span};
 use crate::algebra::BigRational;
 
@@ -302,14 +302,12 @@ fn is_doubtful(source: &str, sentence: &[Placed<'_>]) -> bool {
 
 /// "It is not.", "This leads nowhere."
 fn takes_back(next: &[Placed<'_>]) -> bool {
-    let first = next.iter().find(|token| matches!(token.0, Token::Word(_)));
-    let refers = first.is_some_and(|token| token.0.is_among(&REFERRING));
     let denies = |token: &Placed<'_>| {
         token.0.is_among(&DOUBTFUL)
             || token.0.is_among(&CHANGING)
             || token.0.is_among(&["false", "wrong"])
     };
-    refers && next.iter().any(denies)
+    begins_with(next, &REFERRING) && next.iter().any(denies)
 }
 
 /// What a sentence says of symbols, if it tells a fact.

@@ -21,7 +21,7 @@ use self::words::{
 };
 use super::circumstance;
 use super::conclusion;
-use super::prose::{Placed, Token, ends_sentence};
+use super::prose::{Placed, Token, begins_with, ends_sentence};
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
 
@@ -76,6 +76,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     (found, mentions)
 }
 
+/// In a sentence with more words and formulas nothing is told.
+const LONGEST_SENTENCE: usize = 200;
 /// So many words before a relation may say that it is not so there.
 const MOST_BESIDE: usize = 3;
 
@@ -133,11 +135,8 @@ fn take_back(
 
 /// "This is wrong."
 fn retracts(sentence: &[Placed<'_>]) -> bool {
-    let first = sentence
-        .iter()
-        .find(|(token, _)| matches!(token, Token::Word(_)));
-    let refers = first.is_some_and(|(token, _)| token.is_among(REFERRING));
-    refers && sentence.iter().any(|(token, _)| token.is_among(RETRACTING))
+    let mut tokens = sentence.iter().map(|(token, _)| token);
+    begins_with(sentence, REFERRING) && tokens.any(|token| token.is_among(RETRACTING))
 }
 
 /// Reads prose token by token.
@@ -300,12 +299,15 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether what the sentence says before the token at `index` is said of one moment or place.
+    /// Whether what the sentence says before the token at `index` is said of one moment or place; in doubt it is.
     fn is_of_moment(&self, index: usize) -> bool {
         let before = self
             .tokens
             .get(self.sentence.first..index)
             .unwrap_or_default();
+        if before.len() > LONGEST_SENTENCE {
+            return true;
+        }
         let mut named = before.iter().map(|(token, _)| token.is_among(MOMENTARY));
         named.any(|is| is) || circumstance::of_sentence(before) == Extent::Moment
     }

@@ -188,6 +188,17 @@ impl Expr {
             .for_each(|child| child.collect_differentiated(found));
     }
 
+    /// Adds the names in it that are applied to such arguments: `f` of `f(x)`.
+    pub fn collect_applied(&self, such: &impl Fn(&[Expr]) -> bool, found: &mut Set<Symbol>) {
+        if let Expr::Apply(name, arguments) = self
+            && such(arguments)
+        {
+            found.insert(name.clone());
+        }
+        self.children()
+            .for_each(|child| child.collect_applied(such, found));
+    }
+
     /// The same term with each term directly below it replaced.
     pub fn map_children(&self, mut change: impl FnMut(&Expr) -> Expr) -> Expr {
         self.map_each_child(&mut change)
