@@ -285,3 +285,101 @@ fn laws_come_after_laws() {
     );
     assert_eq!(said("Hence the moment of inertia is")[1], "fails");
 }
+
+#[test]
+fn an_integrand_is_what_an_equation_says_of_it() {
+    let force = "A spring pulls with\n\n$$ F = k x \\tag{1} $$\n\n";
+    let work =
+        "The work done in stretching it to $L$ is\n\n$$ W = \\int_0^L F \\, dx \\tag{2} $$\n\n";
+    let after = |words: &str, value: &str| {
+        let page = format!("{force}{work}{words}\n\n$$ W = {value} \\tag{{3}} $$\n");
+        verdicts(&page)[2]
+    };
+    let at_once = |value: &str| {
+        let page = format!("{force}By (1),\n\n$$ W = \\int_0^L F \\, dx = {value} \\tag{{2}} $$\n");
+        verdicts(&page)[1]
+    };
+    for words in ["so", "By (1) and (2),"] {
+        assert_eq!(after(words, r"\frac{k L^2}{2}"), "holds", "{words}");
+        assert_ne!(after(words, r"\frac{k L^3}{3}"), "holds", "{words}");
+    }
+    assert_eq!(at_once(r"\frac{k L^2}{2}"), "holds");
+    assert_eq!(at_once(r"k L^2"), "fails");
+}
+
+#[test]
+fn what_would_follow_with_what_is_left_open_is_left_open() {
+    let growth = "The population grows by\n\n$$ \\frac{dN}{dt} = r N \\left(1 - \\frac{N}{K}\\right) \\tag{1} $$\n\n\
+        with constant $r > 0$ and $K > 0$. To solve it, let $u = 1/N$. Then\n\n\
+        $$ \\frac{du}{dt} = -\\frac{1}{N^2} \\frac{dN}{dt} \\tag{2} $$\n\n\
+        and inserting (1) we find a linear equation,\n\n$$ \\frac{du}{dt} = -r u + \\frac{r}{K} \\tag{3} $$\n\n\
+        Its general solution is\n\n$$ u(t) = \\frac{1}{K} + c e^{-r t} \\tag{4} $$\n\n\
+        where $c$ is a constant. Hence\n\n$$ N(t) = \\frac{K}{1 + c K e^{-r t}} \\tag{5} $$\n\n";
+    let rate = "The growth rate $G = r N (1 - N/K)$ is largest when\n\n\
+        $$ \\frac{dG}{dN} = r - \\frac{2 r N}{K} = 0 \\tag{6} $$\n";
+    let found = verdicts(&format!("{growth}{rate}"));
+    assert!(found[..5].contains(&"undecided"), "{found:?}");
+    assert_eq!(found[5], "undecided");
+}
+
+#[test]
+fn a_step_may_divide_by_what_nobody_says_is_not_zero() {
+    let laws = "$$ m_1 (u - v_1) = m_2 v_2 \\tag{1} $$\n\nand\n\n$$ m_1 (u^2 - v_1^2) = m_2 v_2^2 \\tag{2} $$\n\n";
+    let step = |words: &str, sum: &str| {
+        verdicts(&format!("{laws}{words}\n\n$$ {sum} = v_2 \\tag{{3}} $$\n"))[2]
+    };
+    for words in [
+        "Dividing (2) by (1), which is allowed because $v_2 \\neq 0$, we get",
+        "Dividing (2) by (1) with $v_2 \\neq 0$ we get",
+    ] {
+        assert_eq!(step(words, "u + v_1"), "holds", "{words}");
+        assert_eq!(step(words, "u - v_1"), "fails", "{words}");
+    }
+    let lens =
+        "$$ \\frac1f = (n - 1) \\left(\\frac{1}{R_1} - \\frac{1}{R_2}\\right) \\tag{1} $$\n\n";
+    let words = "For a symmetric lens, $R_1 = R$ and $R_2 = -R$, so";
+    let focus = |value: &str| verdicts(&format!("{lens}{words}\n\n$$ f = {value} $$\n"))[1];
+    assert_eq!(focus(r"\frac{R}{2 (n - 1)}"), "holds");
+    assert_eq!(focus(r"\frac{R}{n - 1}"), "fails");
+}
+
+#[test]
+fn what_is_said_of_one_case_is_said_of_no_other() {
+    let page = |words: &str, formula: &str| verdicts(&format!("{words}\n\n$$ {formula} $$\n"))[0];
+    let cases = [
+        // Two meanings, of which nobody can tell which is meant.
+        (
+            "Let $y = x^3$ in the first case and $y = x^2$ in the second. In the second,",
+            r"\frac{dy}{dx} = 2 x",
+            "given",
+        ),
+        // Places.
+        (
+            "Inside, $E = k Q r/R^3$. Outside $E = k Q/r^2$. At the surface both give",
+            r"E = \frac{k Q}{R^2}",
+            "given",
+        ),
+        // What a word means is a condition, what "this" means is a conclusion.
+        (
+            "Let $R = p q$ and $C = F + c q$. Break-even means",
+            "R = C",
+            "given",
+        ),
+        (
+            "Let $R = p q$ and $C = F + c q$. This means",
+            "R = C",
+            "fails",
+        ),
+        // A special case that the text leaves.
+        (
+            "For $x = 2 a$ the force vanishes. In general",
+            "x^2 = 4 a^2",
+            "given",
+        ),
+    ];
+    for (words, formula, verdict) in cases {
+        assert_eq!(page(words, formula), verdict, "{words}");
+    }
+    let rod = "$$ q = m g \\tag{1} $$\n\nFor $L = 2 a$ the rod touches the wall. In general, by (1),\n\n$$ q L = 2 m g a \\tag{2} $$\n";
+    assert_eq!(verdicts(rod), ["given", "fails"]);
+}

@@ -198,10 +198,12 @@ impl Report<'_> {
             }
             Note::Uncited(sources) => {
                 let sources = self.sources(sources);
-                format!(
-                    "{} cites nothing; it follows from {sources}",
-                    self.subject(entry)
-                )
+                let (_, cites, _) = self.derivation.premises(entry.equation);
+                let subject = self.subject(entry);
+                match cites {
+                    true => format!("{subject} follows from {sources}, not all of which it cites"),
+                    false => format!("{subject} cites nothing; it follows from {sources}"),
+                }
             }
             Note::OtherReading(other) => {
                 let verdict = other.verdict.word();

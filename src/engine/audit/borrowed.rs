@@ -3,7 +3,7 @@
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation, Reject};
-use crate::search::{self, Effort, InChain};
+use crate::search::{self, Effort, InChain, Stop};
 
 use super::judge::{Found, Judge, NEARBY, sources};
 use super::premise::usable;
@@ -92,6 +92,18 @@ impl Judge<'_> {
         self.attempts_with(goal, assumed, premises, witness, &others)
     }
 
+    /// What stands before on the page and is not cited, with what is left open or holds under conditions; empty, where nothing is.
+    fn open_on_this_page(&self, premises: &[usize]) -> Vec<usize> {
+        let [_, all, mut open] = self.before(premises);
+        // Other pages may mean other things by the same letters.
+        let page = |at: usize| self.derivation.equations[at].page;
+        open.retain(|&other| page(other) == page(self.at));
+        match open.iter().all(|other| all.contains(other)) {
+            true => Vec::new(),
+            false => open,
+        }
+    }
+
     /// Tries a step that is not proved from what is itself left open, or holds under conditions.
     pub(super) fn rescue_from_open(
         &mut self,
@@ -100,16 +112,79 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        let [_, all, mut open] = self.before(premises);
-        // Other pages may mean other things by the same letters.
-        let page = |at: usize| self.derivation.equations[at].page;
-        open.retain(|&other| page(other) == page(self.at));
-        if open.iter().all(|other| all.contains(other)) {
+        let open = self.open_on_this_page(premises);
+        if open.is_empty() {
             return false;
         }
         let open = [self.gathered(&open)];
         let attempts = self.attempts_with(goal, assumed, premises, None, &open);
         self.rescue(goal, &attempts, &NEARBY, found)
+    }
+
+    /// The same, where symbols that could be anything are not 0.
+    pub(super) fn follows_from_open(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        // From what fails anything may follow, if only hard enough is tried.
+        if !self.failing(premises).is_empty() {
+            return false;
+        }
+        let open = self.open_on_this_page(premises);
+        if open.is_empty() {
+            return false;
+        }
+        let near = self.gathered(&open).into_iter().take(NEARBY[1].0);
+        let all = assumed.iter().cloned().chain(near).collect();
+        self.under_conditions(goal, all, None, (true, Effort::Light), found)
+    }
+
+    /// Leaves open a step that was refuted from less than what stands before, where all of it with what is itself left open does not
+    /// refute it: it may follow from that. Nothing is left open of which a slip of the pen is found, or where the author says what it
+    /// follows from.
+    pub(super) fn heed_what_is_open(
+        &mut self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        if self.names_its_premises() || found.mended.is_some() {
+            return;
+        }
+        let mut open = self.open_on_this_page(premises);
+        let is_undecided = |entry: &Entry| entry.verdict == Verdict::Undecided;
+        open.retain(|&other| self.auditor.entries_of(other).any(is_undecided));
+        let names = goal.formula.free_symbols();
+        let concerns = |own: &Assumed| {
+            let stated = matches!(own.source, Source::Equation(_));
+            stated && !own.formula.free_symbols().is_disjoint(&names)
+        };
+        let open: Vec<Assumed> = (self.gathered(&open).into_iter())
+            .filter(concerns)
+            .collect();
+        let [sound, _] = self.others(premises);
+        if open.is_empty() {
+            return;
+        }
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).chain(open).collect();
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        match search::refute_in_context(&claim, larger) {
+            Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
+            None => {
+                let reason = "it may follow from what stands before and is left open itself";
+                found.judged.outcome = Outcome::Open(Stop {
+                    reason: reason.into(),
+                    ..Stop::default()
+                });
+                (found.implied, found.missing) = (None, Vec::new());
+                found.conditions.clear();
+            }
+        }
     }
 
     fn attempts_with(

@@ -105,7 +105,7 @@ impl Judge<'_> {
             // What the step divides by anywhere is not 0 there either.
             let is_so = || {
                 search::prove_unconditionally(claim.clone(), Effort::Light).is_some()
-                    || search::missing_conditions(&claim, None, &[]).is_some()
+                    || search::missing_conditions(&claim, None, Effort::Light, &[]).is_some()
             };
             said.of == *given
                 && said.variable.as_ref().is_none_or(|own| *own == variable)
@@ -215,7 +215,7 @@ impl Judge<'_> {
                 shown.conditions = conditions;
             }
             // Where nobody says where a symbol lies: what is divided by is not 0.
-            _ if self.under_conditions(&own, assumed, None, true, &mut shown) => {}
+            _ if self.under_conditions(&own, assumed, None, (true, Effort::Light), &mut shown) => {}
             _ => return false,
         }
         let slopes = |formula: &Formula| {

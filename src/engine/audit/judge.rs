@@ -5,7 +5,7 @@ use crate::search::{self, Consistency, Decision, Effort, Implied, InChain, Mende
 use crate::sorted;
 
 use super::premise::Usable;
-use super::{Auditor, Judged, Outcome};
+use super::{Auditor, Judged, Outcome, stated};
 
 /// How many uncited hypotheses are added, and how hard is tried: most stale citations mean an equation a few
 /// lines up.
@@ -219,9 +219,12 @@ impl Judge<'_> {
                             strong = self.strengthen(goal, &assumed, premises, &mut found);
                             !strong
                                 && (self.rescue(goal, &attempts, &FARTHER, &mut found)
-                                    || self.cites_loosely()
-                                        && self
-                                            .rescue_from_open(goal, &assumed, premises, &mut found))
+                                    || self.cites_loosely() && {
+                                        let found = &mut found;
+                                        self.rescue_from_open(goal, &assumed, premises, found)
+                                            || self
+                                                .follows_from_open(goal, &assumed, premises, found)
+                                    })
                         }
                 };
                 if !settled && !strong && self.is_told_before(goal, &assumed, premises) {
@@ -233,6 +236,7 @@ impl Judge<'_> {
                     });
                 } else if !settled {
                     self.instead(goal, &assumed, premises, &mut found);
+                    self.heed_what_is_open(goal, &assumed, premises, &mut found);
                 }
             }
             Decision::Open(stop) => {
@@ -244,6 +248,7 @@ impl Judge<'_> {
                         || self.rescue(goal, &attempts, &FARTHER, &mut found)
                         || self.rescue_from_open(goal, &assumed, premises, &mut found)
                         || self.unstated(goal, &assumed, premises, &mut found)
+                        || self.follows_from_open(goal, &assumed, premises, &mut found)
                 };
                 found.may_follow = rescued;
                 if !rescued && obligation.is_ok_and(|posed| self.contradicts_itself(&posed)) {
@@ -305,8 +310,12 @@ impl Judge<'_> {
             found.mended = mended.map(Box::new);
         }
         if !found.has_conditions
-            && let Some(unless) =
-                search::missing_conditions(&claim, Some(refuted.witness()), &self.auditor.hints())
+            && let Some(unless) = search::missing_conditions(
+                &claim,
+                Some(refuted.witness()),
+                Effort::Light,
+                &self.auditor.hints(),
+            )
         {
             found.conditions = unless.conditions();
         }
@@ -416,6 +425,18 @@ pub(super) fn step(formula: &Formula) -> Assumed {
         formula: formula.clone().into(),
         standing: Standing::AtPoint,
         source: Source::Step,
+    }
+}
+
+/// A condition under which a step is tried: that something does not change is meant throughout.
+pub(super) fn condition(formula: &Formula) -> Assumed {
+    let standing = match stated::stands_still(formula) {
+        true => Standing::Identity,
+        false => Standing::AtPoint,
+    };
+    Assumed {
+        standing,
+        ..step(formula)
     }
 }
 

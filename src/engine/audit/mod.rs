@@ -437,10 +437,7 @@ impl Auditor<'_> {
         }
         // A page must begin somewhere: what nothing precedes is given.
         if equation.opens && self.are_laws(at, &entries) {
-            if !entries
-                .iter()
-                .any(|e| stated::slips(e, &equation.introduces, equation.continues))
-            {
+            if !entries.iter().any(|e| stated::slips(e, equation)) {
                 return (0..parts)
                     .map(|part| blank(at, part, parts, Kind::Given, Verdict::Given))
                     .collect();

@@ -7,7 +7,7 @@
 //! follows, still fails.
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Kind, Source, is_put};
+use crate::derivation::{Assumed, Equation, Kind, Source, is_put};
 use crate::document::Extent;
 use crate::kernel::Standing;
 use crate::notation::measured;
@@ -253,9 +253,11 @@ pub(super) fn is_slip(entry: &Entry) -> bool {
 }
 
 /// Whether what a page begins with goes on with something false: a link whose sides speak of the same (`A = \pi r^2 = 2 \pi r`), what
-/// is implied, or another value of a symbol that is not `new`. A law may go on with another, `p V = n R T = N k T`. Of a row that goes on
-/// with others, which are `before`, the first link is no beginning.
-pub(super) fn slips(entry: &Entry, new: &Set<Symbol>, before: usize) -> bool {
+/// is implied, or another value of a symbol that is not new, unless that is a condition. A law may go on with another,
+/// `p V = n R T = N k T`. Of a row that goes on with others the first link is no beginning.
+pub(super) fn slips(entry: &Entry, equation: &Equation) -> bool {
+    let (new, before) = (&equation.introduces, equation.continues);
+    let is_condition = equation.extent == Extent::Condition;
     let first = entry.judged.first().map(|judged| judged.goal.clause);
     let mut refuted = (entry.judged.iter().enumerate()).filter(|(_, j)| j.outcome.is_refuted());
     refuted.any(|(link, judged)| {
@@ -265,7 +267,7 @@ pub(super) fn slips(entry: &Entry, new: &Set<Symbol>, before: usize) -> bool {
         let (named, others) = (quantities(left), quantities(right));
         let again = matches!(left, Expr::Symbol(symbol) if !new.contains(symbol));
         match link + before {
-            0 => again && !others.is_empty(),
+            0 => again && !others.is_empty() && !is_condition,
             _ => first != Some(judged.goal.clause) || !named.is_empty() && named == others,
         }
     })

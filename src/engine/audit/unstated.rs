@@ -4,12 +4,12 @@
 //! What follows under such conditions holds, and the conditions are told, as a denominator is that must not vanish.
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Goal, values_at};
+use crate::derivation::{Assumed, Goal, Source, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort, InChain};
 use crate::sorted;
 
-use super::judge::{Found, Judge, sources, step};
+use super::judge::{Found, Judge, NEARBY, condition, sources, step};
 use super::{Outcome, stated};
 
 impl Judge<'_> {
@@ -27,7 +27,14 @@ impl Judge<'_> {
             Outcome::Open(_) => None,
             _ => return false,
         };
-        if self.under_conditions(goal, assumed.to_vec(), witness.as_ref(), true, found) {
+        let light = Effort::Light;
+        if self.under_conditions(
+            goal,
+            assumed.to_vec(),
+            witness.as_ref(),
+            (true, light),
+            found,
+        ) {
             found.instead.clear();
             return true;
         }
@@ -35,9 +42,15 @@ impl Judge<'_> {
             return false;
         }
         let sound = self.sound(assumed, &self.failing(premises));
-        self.follows_with_others(goal, assumed, premises, found)
+        // From what fails anything may follow, if only hard enough is tried.
+        self.follows_with_others(goal, assumed, premises, light, found)
             || sound.len() < assumed.len()
-                && self.follows_with_others(goal, &sound, premises, found)
+                && self.follows_with_others(goal, &sound, premises, light, found)
+            || {
+                let earnest = (true, Effort::Full);
+                self.under_conditions(goal, sound.clone(), witness.as_ref(), earnest, found)
+            }
+            || self.follows_with_others(goal, &sound, premises, Effort::Full, found)
     }
 
     /// The same from some of what it cites, with what stands before and is not cited.
@@ -46,6 +59,7 @@ impl Judge<'_> {
         goal: &Goal,
         cited: &[Assumed],
         premises: &[usize],
+        effort: Effort,
         found: &mut Found,
     ) -> bool {
         // Of what is not cited nothing need be true at the witness.
@@ -53,14 +67,23 @@ impl Judge<'_> {
             return false;
         };
         let others = all[cited.len()..].to_vec();
-        if self.under_conditions(goal, all, None, true, found) {
-            return true;
+        // The nearest first: with more a proof may use what it need not.
+        let told = others
+            .iter()
+            .take_while(|own| matches!(own.source, Source::Local(..)));
+        let mut sets = vec![told.count(), NEARBY[0].0.min(others.len()), others.len()];
+        sets.dedup();
+        for many in sets.into_iter().filter(|&many| many > 0) {
+            let set = all[..cited.len() + many].to_vec();
+            if self.under_conditions(goal, set, None, (true, effort), found) {
+                return true;
+            }
         }
         // Whether all of it can be true may be more than can be told. What moves is then told by all of it, not by one.
         others.len() > 1
             && others.into_iter().any(|other| {
                 let set = cited.iter().cloned().chain([other]).collect();
-                self.under_conditions(goal, set, None, false, found)
+                self.under_conditions(goal, set, None, (false, effort), found)
             })
     }
 
@@ -138,7 +161,7 @@ impl Judge<'_> {
         goal: &Goal,
         set: Vec<Assumed>,
         witness: Option<&Assignment>,
-        still: bool,
+        (still, effort): (bool, Effort),
         found: &mut Found,
     ) -> bool {
         let claim = self.derivation.claim(self.at, &set, &goal.formula);
@@ -146,8 +169,8 @@ impl Judge<'_> {
         if unbounded.is_empty() {
             return false;
         }
-        if let Some(conditions) = self.nonzero(&claim, &unbounded, witness, found) {
-            return self.holds_under(goal, set, &conditions, Effort::Light, found);
+        if let Some(conditions) = self.nonzero(&claim, &unbounded, witness, effort, found) {
+            return self.holds_under(goal, set, &conditions, effort, found);
         }
         if still && self.holds_still(goal, &set, claim, found) {
             return true;
@@ -178,9 +201,10 @@ impl Judge<'_> {
         claim: &Claim,
         unbounded: &[Symbol],
         witness: Option<&Assignment>,
+        effort: Effort,
         found: &mut Found,
     ) -> Option<Vec<Formula>> {
-        let unless = search::missing_conditions(claim, witness, &self.auditor.hints());
+        let unless = search::missing_conditions(claim, witness, effort, &self.auditor.hints());
         found.has_conditions |= witness.is_some();
         let unless = unless?;
         let may_be_meant = |condition: &Formula| {
@@ -239,7 +263,7 @@ impl Judge<'_> {
         found: &mut Found,
     ) -> bool {
         let with = |conditions: &[Formula]| -> Vec<Assumed> {
-            let conditions = conditions.iter().map(step);
+            let conditions = conditions.iter().map(condition);
             set.iter().cloned().chain(conditions).collect()
         };
         let proved = |conditions: &[Formula]| {
@@ -261,7 +285,7 @@ impl Judge<'_> {
         };
         let with = with(&conditions);
         let (kept, least) = self.least(with, goal, &posed, derived);
-        let is_kept = |condition: &&Formula| kept.contains(&step(condition));
+        let is_kept = |own: &&Formula| kept.contains(&condition(own));
         found.conditions = conditions.iter().filter(is_kept).cloned().collect();
         found.instead = sources(&kept);
         found.judged.assumed = kept;

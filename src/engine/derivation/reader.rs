@@ -224,6 +224,7 @@ impl<'p> Reader<'p> {
             SuppositionKind::General | SuppositionKind::Elsewhere => {
                 let all = kind == SuppositionKind::General;
                 active.retain(|&at| !page.locals[at].is_left_by(all));
+                self.told.retain(|&at| !page.locals[at].of_case);
             }
             SuppositionKind::Moment => {
                 page.begin_moment(passage, false, &[], active);

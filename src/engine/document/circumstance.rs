@@ -4,6 +4,7 @@
 //! The words that begin the sentence tell, and the one that it ends with; in doubt it is said throughout.
 
 use super::Extent;
+use super::conclusion;
 use super::prose::{Placed, Token, ends_sentence};
 
 /// These begin a sentence about one moment.
@@ -110,7 +111,7 @@ pub(super) fn of_sentence(sentence: &[Placed<'_>]) -> Extent {
     if (0..sentence.len()).all(|at| among(at, &["and", "also", "as", "well"])) {
         return Extent::AsBefore;
     }
-    if ends_in_a_clause(sentence) || has(CONDITIONS) {
+    if ends_in_a_clause(sentence) || says_what_it_means(sentence) || has(CONDITIONS) {
         return Extent::Condition;
     }
     let first = word(0);
@@ -135,6 +136,17 @@ pub(super) fn of_sentence(sentence: &[Placed<'_>]) -> Extent {
         _ if has(EXTREMA) => Extent::Condition,
         _ => begins,
     }
+}
+
+/// Whether a word's meaning is a condition: "Break-even means".
+fn says_what_it_means(sentence: &[Placed<'_>]) -> bool {
+    let means = sentence
+        .iter()
+        .rposition(|(token, _)| token.is_among(&["means"]));
+    means.is_some_and(|at| {
+        let rest = sentence[at + 1..].iter();
+        at > 0 && !conclusion::refers(&sentence[..at]) && rest.count() <= 1
+    })
 }
 
 /// Whether the display is in a clause that says where or when: "The minimum is where", "is reached when". After a comma a "where" says

@@ -210,6 +210,12 @@ pub(super) fn draws(word: &str) -> bool {
     DRAWN.contains(&word)
 }
 
+/// Whether what is before a verb points back: "this means" draws a conclusion, "break-even means" says what is meant.
+pub(super) fn refers(before: &[Placed<'_>]) -> bool {
+    let last = before.last();
+    last.is_some_and(|(token, _)| token.is_among(&["this", "that", "which", "it"]))
+}
+
 /// Whether the first sentence is about the display before it: "which by (2) is".
 pub(super) fn is_relative(tokens: &[Placed<'_>]) -> bool {
     let first = tokens
@@ -334,6 +340,8 @@ pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
         let next = last.get(at + 1).map(|(token, _)| *token);
         let adds =
             word == "so" && next.is_some_and(|next| next.is_among(&["is", "are", "does", "do"]));
-        draws(&word) && !adds && !(word == "then" && tells_when) || WORKED.contains(&word.as_str())
+        let defines = word == "means" && !refers(&last[..at]);
+        let otherwise = adds || defines || word == "then" && tells_when;
+        draws(&word) && !otherwise || WORKED.contains(&word.as_str())
     }))
 }

@@ -8,6 +8,7 @@
 
 mod introduction;
 mod mathematics;
+mod retraction;
 mod vanishing;
 mod words;
 
@@ -15,13 +16,12 @@ use self::introduction::{MOST_DESCRIBING, introduced, is_condition};
 pub(super) use self::mathematics::relates;
 use self::mathematics::{differs, equals_a_name, is_bound, is_number, is_value};
 use self::words::{
-    BESIDE, CONCLUDING, DENYING, DISPUTING, DOUBTFUL, HAVING, HEADING, KNOWN, MOMENTARY,
-    NAMED_AFTER, NAMED_BEFORE, NAMING, NEGATING, OF_CASES, REASONS, REFERRING, RETRACTING,
-    UNDECIDED,
+    CONCLUDING, DENYING, DOUBTFUL, HAVING, KNOWN, MOMENTARY, NAMED_AFTER, NAMED_BEFORE, NAMING,
+    NEGATING, OF_CASES, REASONS, REGIMES, UNDECIDED,
 };
 use super::circumstance;
 use super::conclusion;
-use super::prose::{Placed, Token, begins_with, ends_sentence};
+use super::prose::{Placed, Token, ends_sentence};
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
 
@@ -70,7 +70,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         }
     }
     let (mut found, mut mentions) = reader.finish();
-    take_back(source, &tokens[..end], &mut found, &mut mentions);
+    retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));
     sorted::sort_by_key(&mut found, |supposition| supposition.body);
     (found, mentions)
@@ -78,67 +78,6 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
 
 /// In a sentence with more words and formulas nothing is told.
 const LONGEST_SENTENCE: usize = 200;
-/// So many words before a relation may say that it is not so there.
-const MOST_BESIDE: usize = 3;
-
-/// Takes back what a sentence tells that disputes it, or that the next one does, or the heading before it; and what is supposed, where
-/// the next sentence takes it back. What is told is then only named.
-fn take_back(
-    source: &str,
-    tokens: &[Placed<'_>],
-    found: &mut Vec<Supposition>,
-    mentions: &mut Vec<Span>,
-) {
-    let sentences = tokens.split_inclusive(|token| ends_sentence(source, token));
-    let mut next = sentences.clone().skip(1);
-    let mut heads = false;
-    // In the order of the text.
-    let mut said = std::mem::take(found).into_iter().peekable();
-    for sentence in sentences {
-        let words = sentence
-            .iter()
-            .filter(|(token, _)| matches!(token, Token::Word(_)));
-        let has = |among: &[&str]| sentence.iter().any(|(token, _)| token.is_among(among));
-        let denied = next.next().is_some_and(retracts);
-        let disputed = denied || heads || has(DISPUTING);
-        heads = words.count() <= 2 && has(HEADING);
-        let Some((_, last)) = sentence.last() else {
-            continue;
-        };
-        // "Points above the line $y = 2 x$".
-        let beside = |body: Span| {
-            let before = sentence.partition_point(|(_, span)| span.end <= body.start);
-            let near = &sentence[before.saturating_sub(MOST_BESIDE)..before];
-            near.iter().any(|(token, _)| token.is_among(BESIDE))
-        };
-        let is_taken_back = |own: &Supposition| {
-            let supposes = {
-                use SuppositionKind::{Assume, Case, Let};
-                matches!(own.kind, Case { .. } | Let | Assume)
-            };
-            // A length is positive whatever is said of it.
-            let bounds = source.get(own.body.range()).is_some_and(is_bound);
-            let taken = is_fact(own.kind) && disputed || supposes && denied;
-            !bounds && (taken || (supposes || is_fact(own.kind)) && beside(own.body))
-        };
-        while let Some(own) = said.next_if(|own| own.body.start < last.end) {
-            match is_taken_back(&own) {
-                false => found.push(own),
-                true if own.kind == SuppositionKind::Meaning => {}
-                true => mentions.push(own.body),
-            }
-        }
-    }
-    found.extend(said);
-    sorted::sort(mentions);
-}
-
-/// "This is wrong."
-fn retracts(sentence: &[Placed<'_>]) -> bool {
-    let mut tokens = sentence.iter().map(|(token, _)| token);
-    begins_with(sentence, REFERRING) && tokens.any(|token| token.is_among(RETRACTING))
-}
-
 /// Reads prose token by token.
 struct Reader<'a> {
     source: &'a str,
@@ -355,7 +294,8 @@ impl Reader<'_> {
         }
         // "At $\mu = 1$, $\eta = 1$" says what follows there.
         let mut others = self.found[own.start..].iter();
-        let follows_here = own.concluded || others.any(|s| !is_fact(s.kind));
+        let follows_here =
+            own.concluded || others.any(|s| !is_fact(s.kind) && !s.kind.leaves_cases());
         if follows_here && !follows(index, self.tokens, REASONS) {
             return false;
         }
@@ -513,6 +453,7 @@ fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<Suppos
         "later" | "otherwise" | "else" | "elsewhere" | "meanwhile" => {
             is(last.is_empty(), Elsewhere)
         }
+        word if REGIMES.contains(&word) => is(last.is_empty(), Elsewhere),
         _ => None,
     }
 }

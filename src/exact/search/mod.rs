@@ -37,7 +37,7 @@ use crate::kernel::{
     Assignment, Candidate, Certificate, Checked, Claim, Fact, Hypothesis, Knowledge, Model,
     Obligation, Origin, Problem, Proof, Proven, Refuted, Reject, Sign, Standing, check,
 };
-use crate::sorted::Set;
+use crate::sorted::{self, Set};
 pub use algebraic::without_rational_points;
 pub use family::family;
 pub use implied::{Implied, implied, value_in_constants};
@@ -59,6 +59,8 @@ const EARNEST: usize = 1_500;
 const IN_CONTEXT: usize = 600;
 /// How often conditions may show what else must be so.
 const MOST_ROUNDS: usize = 3;
+/// So many divisors that might vanish are tried.
+const MOST_DIVISORS: usize = 8;
 
 /// What is known of a claim after the search.
 #[derive(Clone, Debug)]
@@ -302,6 +304,7 @@ impl Unless {
 pub fn missing_conditions(
     claim: &Claim,
     witness: Option<&Assignment>,
+    effort: Effort,
     hints: &[Assignment],
 ) -> Option<Unless> {
     let obligation = pose(claim.clone()).ok()?;
@@ -335,7 +338,9 @@ pub fn missing_conditions(
             }
         }
     }
-    candidates.truncate(8);
+    // What speaks of one symbol is likelier meant than what ties several.
+    sorted::sort_by_key(&mut candidates, |term| term.free_symbols().len());
+    candidates.truncate(MOST_DIVISORS);
     // That a sum is not 0 may say no more than that a factor beside it is: `m a = m g` follows from anything where `a ≠ g`.
     let is_natural = |conditions: &[Formula]| {
         if conditions.iter().all(|c| c.free_symbols().len() < 2) {
@@ -347,10 +352,10 @@ pub fn missing_conditions(
         let possible = consistency(&assuming(claim, &all), hints);
         matches!(possible, Consistency::Model(_))
     };
-    let with = |terms: &[Expr]| {
+    let tried = |terms: &[Expr], effort| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
         let obligation = pose(assuming(claim, &formulas)).ok()?;
-        let (_, own) = prove(&obligation, Effort::Light).ok()??;
+        let (_, own) = prove(&obligation, effort).ok()??;
         let conditions: Vec<Formula> = formulas.iter().chain(&own).cloned().collect();
         // What the premises rule out would prove anything.
         let possible = consistency(&assuming(claim, &conditions), hints);
@@ -361,13 +366,14 @@ pub fn missing_conditions(
         })
     };
     if witness.is_none()
-        && let Some(found) = with(&[])
+        && let Some(found) = tried(&[], effort)
     {
         return Some(found);
     }
     if candidates.is_empty() {
         return None;
     }
+    let with = |terms: &[Expr]| tried(terms, effort);
     if let Some(found) = candidates
         .iter()
         .find_map(|c| with(std::slice::from_ref(c)))

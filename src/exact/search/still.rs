@@ -11,7 +11,7 @@ use super::{
 };
 use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, element_parts};
 use crate::kernel::{Claim, Fact, Obligation, Problem, Refuted, Sign, Standing, definition};
-use crate::sorted::Set;
+use crate::sorted::{Map, Set};
 
 /// More quantities than this that might change are not looked at one by one.
 const MOST_STILL: usize = 8;
@@ -119,7 +119,7 @@ struct Said<'a> {
     /// What is differentiated where the author writes it.
     moving: Set<Symbol>,
     /// The symbols for which hypotheses put in the terms that define them: how these move is said there.
-    put_in: Set<Symbol>,
+    put_in: Map<Symbol, Expr>,
 }
 
 impl<'a> Said<'a> {
@@ -132,7 +132,7 @@ impl<'a> Said<'a> {
             claim,
             laws: laws.map(|own| &*own.formula).collect(),
             moving: said_to_move(claim),
-            put_in: defined.map(|(symbol, _)| symbol).collect(),
+            put_in: defined.collect(),
         }
     }
 
@@ -141,23 +141,35 @@ impl<'a> Said<'a> {
         let moves = |other: &Symbol| self.moving.contains(other);
         let constant = |other: &Symbol| self.claim.is_constant(other);
         !moves(symbol)
-            && !self.put_in.contains(symbol)
+            && !self.put_in.contains_key(symbol)
             && !are_tied(symbol, variable, &self.laws, moves, constant)
     }
 
-    /// What stands in integrands besides the variable, with the variable, and is not said to move.
+    /// What stands in integrands besides the variable, with the variable, and is not said to move; of what terms are put in for, what
+    /// stands in these.
     fn nothing_of_all_integrands(&self) -> Vec<(Symbol, Symbol)> {
-        let mut found = Vec::new();
+        let mut all = Vec::new();
         for term in self.claim.formulas().flat_map(Formula::terms) {
             in_integrals(term, &mut |symbol, variable| {
-                let own = (symbol.clone(), variable.clone());
-                if !self.claim.is_constant(symbol)
-                    && !found.contains(&own)
-                    && self.nothing_of(symbol, variable)
-                {
-                    found.push(own);
-                }
+                all.push((symbol.clone(), variable.clone()));
             });
+        }
+        let (mut seen, mut found) = (Set::new(), Vec::new());
+        let mut next = 0;
+        while let Some((symbol, variable)) = all.get(next).cloned() {
+            next += 1;
+            let own = (symbol, variable);
+            if !seen.insert(own.clone()) {
+                continue;
+            }
+            let (symbol, variable) = &own;
+            if let Some(term) = self.put_in.get(symbol) {
+                let inside = term.free_symbols().into_iter();
+                let inside = inside.filter(|symbol| symbol != variable);
+                all.extend(inside.map(|symbol| (symbol, variable.clone())));
+            } else if !self.claim.is_constant(symbol) && self.nothing_of(symbol, variable) {
+                found.push(own);
+            }
         }
         found
     }
