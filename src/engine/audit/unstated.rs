@@ -80,7 +80,8 @@ impl Judge<'_> {
             }
         }
         // Whether all of it can be true may be more than can be told. What moves is then told by all of it, not by one.
-        others.len() > 1
+        effort == Effort::Light
+            && others.len() > 1
             && others.into_iter().any(|other| {
                 let set = cited.iter().cloned().chain([other]).collect();
                 self.under_conditions(goal, set, None, (false, effort), found)

@@ -374,6 +374,12 @@ pub fn missing_conditions(
         return None;
     }
     let with = |terms: &[Expr]| tried(terms, effort);
+    // In earnest one by one only where all of them would do.
+    if effort == Effort::Full {
+        let all = candidates.iter().cloned().map(Formula::nonzero);
+        let all = pose(assuming(claim, &all.collect::<Vec<_>>())).ok()?;
+        prove(&all, effort).ok()??;
+    }
     if let Some(found) = candidates
         .iter()
         .find_map(|c| with(std::slice::from_ref(c)))
