@@ -3,7 +3,7 @@
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation, Reject};
-use crate::search::{self, Effort, InChain, Stop};
+use crate::search::{self, Effort, InChain};
 
 use super::judge::{Found, Judge, NEARBY, sources};
 use super::premise::usable;
@@ -17,6 +17,17 @@ const MOST_BORROWED: usize = 40;
 /// How many formulas that are given only later are tried with what does not follow.
 const MOST_LATER: usize = 4;
 
+/// The equations that stand before a step and that it does not cite.
+#[derive(Default)]
+pub(super) struct Before {
+    /// What rests on nothing false or open.
+    sound: Vec<usize>,
+    /// What rests on no more than what is cited does.
+    all: Vec<usize>,
+    /// This, and what is left open itself or holds under conditions.
+    open: Vec<usize>,
+}
+
 /// What a step that does not follow from what it cites may be tried with.
 pub(super) struct Attempt {
     cited: Vec<Assumed>,
@@ -29,12 +40,12 @@ pub(super) struct Attempt {
 impl Judge<'_> {
     /// Hypotheses with the nearest of what stands before and is not cited, if there is anything.
     pub(super) fn with_others(
-        &mut self,
+        &self,
         assumed: &[Assumed],
         premises: &[usize],
     ) -> Option<Vec<Assumed>> {
         let [others, _] = self.others(premises);
-        let near = others.into_iter().take(NEARBY[1].0);
+        let near = others.iter().take(NEARBY[1].0).cloned();
         let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
         (all.len() > assumed.len()).then_some(all)
     }
@@ -52,7 +63,7 @@ impl Judge<'_> {
 
     /// The slip of the pen in a step that needs what stands before and is not cited.
     pub(super) fn mended_from_all(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
@@ -82,31 +93,32 @@ impl Judge<'_> {
     /// What a step that does not follow may be tried with: what is cited, and what is not but stands before.
     /// The witness against it may stand against all of these too.
     pub(super) fn attempts(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
         witness: Option<Assignment>,
     ) -> Vec<Attempt> {
         let others = self.others(premises);
-        self.attempts_with(goal, assumed, premises, witness, &others)
+        self.attempts_with(goal, assumed, premises, witness, others)
     }
 
     /// What stands before on the page and is not cited, with what is left open or holds under conditions; empty, where nothing is.
     fn open_on_this_page(&self, premises: &[usize]) -> Vec<usize> {
-        let [_, all, mut open] = self.before(premises);
+        let Before { all, open, .. } = self.before(premises);
         // Other pages may mean other things by the same letters.
         let page = |at: usize| self.derivation.equations[at].page;
-        open.retain(|&other| page(other) == page(self.at));
-        match open.iter().all(|other| all.contains(other)) {
+        let mut here = open.clone();
+        here.retain(|&other| page(other) == page(self.at));
+        match here.iter().all(|other| all.contains(other)) {
             true => Vec::new(),
-            false => open,
+            false => here,
         }
     }
 
     /// Tries a step that is not proved from what is itself left open, or holds under conditions.
     pub(super) fn rescue_from_open(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
@@ -123,7 +135,7 @@ impl Judge<'_> {
 
     /// The same, where symbols that could be anything are not 0.
     pub(super) fn follows_from_open(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
@@ -146,7 +158,7 @@ impl Judge<'_> {
     /// refute it: it may follow from that. Nothing is left open of which a slip of the pen is found, or where the author says what it
     /// follows from.
     pub(super) fn heed_what_is_open(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
@@ -166,21 +178,19 @@ impl Judge<'_> {
         let open: Vec<Assumed> = (self.gathered(&open).into_iter())
             .filter(concerns)
             .collect();
-        let [sound, _] = self.others(premises);
         if open.is_empty() {
             return;
         }
-        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).chain(open).collect();
+        let [sound, _] = self.others(premises);
+        let sound = sound.iter().chain(&open).cloned();
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
         match search::refute_in_context(&claim, larger) {
             Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
             None => {
                 let reason = "it may follow from what stands before and is left open itself";
-                found.judged.outcome = Outcome::Open(Stop {
-                    reason: reason.into(),
-                    ..Stop::default()
-                });
+                found.judged.outcome = Outcome::open(reason);
                 (found.implied, found.missing) = (None, Vec::new());
                 found.conditions.clear();
             }
@@ -261,7 +271,7 @@ impl Judge<'_> {
 
     /// Tries again with what stands before, cited or not.
     pub(super) fn rescue(
-        &mut self,
+        &self,
         goal: &Goal,
         attempts: &[Attempt],
         stages: &[(usize, Effort)],
@@ -303,28 +313,27 @@ impl Judge<'_> {
 
     /// What stands before and is not cited: what is sound, and the same with what rests on no more than what is cited does. Empty, where
     /// that is no more.
-    pub(super) fn others(&mut self, premises: &[usize]) -> [Vec<Assumed>; 2] {
-        if let Some(others) = &self.others {
-            return others.clone();
-        }
-        let [sound, all, _] = self.before(premises);
-        let others = match sound.len() == all.len() {
-            true => [self.gathered(&sound), Vec::new()],
-            false => [self.gathered(&sound), self.gathered(&all)],
-        };
-        self.others = Some(others.clone());
-        others
+    pub(super) fn others(&self, premises: &[usize]) -> &[Vec<Assumed>; 2] {
+        self.others.get_or_init(|| {
+            let Before { sound, all, .. } = self.before(premises);
+            match sound.len() == all.len() {
+                true => [self.gathered(sound), Vec::new()],
+                false => [self.gathered(sound), self.gathered(all)],
+            }
+        })
     }
 
-    /// The equations that stand before and are not cited: those that are sound, those that rest on no more than what is cited does, and
-    /// with these what is left open or holds under conditions.
-    fn before(&self, premises: &[usize]) -> [Vec<usize>; 3] {
+    fn before(&self, premises: &[usize]) -> &Before {
+        self.before.get_or_init(|| self.look_before(premises))
+    }
+
+    fn look_before(&self, premises: &[usize]) -> Before {
         let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
         // What is cited may rest on something false already, or not proved; then so may what is found instead.
         let own_premises: Set<usize> = premises.iter().copied().collect();
         let failing = self.auditor.failing(self.at, &own_premises);
         let unproved = self.auditor.unproved(self.at, &own_premises);
-        let (mut sound, mut all, mut open) = (Vec::new(), Vec::new(), Vec::new());
+        let mut before = Before::default();
         // Of a wrong citation, or one of what is not there, is told whatever is found.
         let (_, _, unknown) = self.derivation.premises(self.at);
         let cites = !premises.is_empty() || !unknown.is_empty();
@@ -345,16 +354,16 @@ impl Judge<'_> {
             let on: Vec<usize> = notes.flat_map(on).collect();
             let mut rests_on = entries.iter().flat_map(|e| &e.rests_on).peekable();
             if rests_on.peek().is_none() && on.is_empty() && !is_open {
-                sound.push(other);
+                before.sound.push(other);
             }
             if rests_on.all(|r| failing.contains(r)) {
-                open.push(other);
+                before.open.push(other);
                 if on.iter().all(|u| unproved.contains(u)) && !is_open {
-                    all.push(other);
+                    before.all.push(other);
                 }
             }
         }
-        [sound, all, open]
+        before
     }
 
     /// What the text tells here, and what equations that are not cited offer.
@@ -398,7 +407,7 @@ impl Judge<'_> {
     /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that
     /// stands before can then be what the step follows from.
     pub(super) fn strengthen(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
@@ -411,12 +420,12 @@ impl Judge<'_> {
             Source::Local(other, _) => other == page,
             Source::Step => true,
         };
-        let [mut sound, _] = self.others(premises);
-        sound.retain(near);
-        if sound.is_empty() {
+        let [sound, _] = self.others(premises);
+        let sound = sound.iter().filter(|own| near(own)).cloned();
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
+        if all.len() == assumed.len() {
             return false;
         }
-        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
         if let Some(refuted) = search::refute_in_context(&claim, larger) {
@@ -429,7 +438,7 @@ impl Judge<'_> {
     /// Whether what is cited is silent on a symbol of a goal that an equation before gives as an integral: a counterexample that
     /// gives that symbol any value is none to what the author says.
     pub(super) fn is_told_before(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],

@@ -5,7 +5,7 @@
 
 use crate::algebra::Formula;
 use crate::derivation::{Assumed, Goal, Source};
-use crate::search::{self, Effort, Stop};
+use crate::search::{self, Effort};
 
 use super::Outcome;
 use super::judge::{Found, Judge, step};
@@ -52,12 +52,9 @@ impl Judge<'_> {
         if found.judged.outcome.is_refuted() {
             let premise = self.derivation.equations[premise].reference();
             found = Found::open(found.judged);
-            found.judged.outcome = Outcome::Open(Stop {
-                reason: format!(
-                    "{premise} is said by cases, and which of them it is here is not known: suppose one, or go through them"
-                ),
-                ..Stop::default()
-            });
+            found.judged.outcome = Outcome::open(format!(
+                "{premise} is said by cases, and which of them it is here is not known: suppose one, or go through them"
+            ));
         }
         found
     }

@@ -30,7 +30,7 @@ impl Judge<'_> {
 
     /// Whether there is such a constant. That there is none is not said of anything.
     pub(super) fn is_constant(
-        &mut self,
+        &self,
         goal: &Goal,
         constant: &Symbol,
         assumed: Vec<Assumed>,
@@ -49,13 +49,10 @@ impl Judge<'_> {
         let Some((left, right)) = goal.formula.as_equation() else {
             return found;
         };
-        let throughout = |assumed: Vec<Assumed>| -> Vec<Assumed> {
-            let all = assumed.into_iter();
-            all.filter(|a| a.standing == Standing::Identity).collect()
-        };
-        let cited = throughout(assumed);
+        let throughout = |own: &&Assumed| own.standing == Standing::Identity;
         let [others, _] = self.others(premises);
-        let near = throughout(others).into_iter();
+        let near = others.iter().filter(throughout).cloned();
+        let cited: Vec<Assumed> = assumed.iter().filter(throughout).cloned().collect();
         let with: Vec<Assumed> = cited.iter().cloned().chain(near).collect();
         for (at, all) in [cited, with].into_iter().enumerate() {
             let shown = self.is_one_of(goal, constant, &all, &mut found)
@@ -72,7 +69,7 @@ impl Judge<'_> {
 
     /// A step that brings in a constant of integration, `v = v_0 + a t` from `dv/dt = a`: there is one if `v - a t` does not change. Where
     /// the text says what it is, `v(0) = v_0`, the step must say so too.
-    pub(super) fn integrated(&mut self, goal: &Goal, premises: &[usize]) -> Option<Found> {
+    pub(super) fn integrated(&self, goal: &Goal, premises: &[usize]) -> Option<Found> {
         let equation = &self.derivation.equations[self.at];
         let (left @ Expr::Symbol(given), right) = goal.formula.as_equation()? else {
             return None;
@@ -125,7 +122,7 @@ impl Judge<'_> {
 
     /// The constant in terms of others.
     fn is_one_of(
-        &mut self,
+        &self,
         goal: &Goal,
         constant: &Symbol,
         assumed: &[Assumed],
@@ -152,7 +149,7 @@ impl Judge<'_> {
 
     /// The same rate on both sides.
     fn stands_still(
-        &mut self,
+        &self,
         goal: &Goal,
         (left, right): (&Expr, &Expr),
         constant: &Symbol,
@@ -182,7 +179,7 @@ impl Judge<'_> {
     }
 
     fn decided(
-        &mut self,
+        &self,
         claim: Claim,
         (goal, constant): (&Goal, &Symbol),
         assumed: Vec<Assumed>,

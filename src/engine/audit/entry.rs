@@ -110,6 +110,14 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// Neither proved nor refuted, for a reason in words.
+    pub(super) fn open(reason: impl Into<String>) -> Outcome {
+        Outcome::Open(Stop {
+            reason: reason.into(),
+            ..Stop::default()
+        })
+    }
+
     /// Whether the kernel has seen it proved.
     pub fn is_proven(&self) -> bool {
         matches!(

@@ -3,7 +3,7 @@
 use crate::algebra::{Expr, Formula, Place, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::kernel::{ForEvery, HoldsForEvery};
-use crate::search::{self, Stop};
+use crate::search;
 
 use super::Outcome;
 use super::judge::{Found, Judge, NEARBY, sources};
@@ -15,7 +15,7 @@ impl Judge<'_> {
     /// open. Values at one index alone would refute what is true of sequences. `false` where no index runs, or where the
     /// goal follows on some `condition` and no better proof is found.
     pub fn for_every(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
@@ -68,11 +68,9 @@ impl Judge<'_> {
                 }
             }
             None => {
-                found.judged.outcome = Outcome::Open(Stop {
-                    reason: "neither a proof by induction nor first elements against it were found"
-                        .into(),
-                    ..Stop::default()
-                });
+                found.judged.outcome = Outcome::open(
+                    "neither a proof by induction nor first elements against it were found",
+                );
             }
         }
         true

@@ -1,15 +1,21 @@
+use std::cell::OnceCell;
+
 use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, values_at};
 use crate::kernel::{Obligation, Standing};
 use crate::search::{self, Consistency, Decision, Effort, Implied, InChain, Mended, Stop};
 use crate::sorted;
 
+use super::borrowed::Before;
 use super::premise::Usable;
 use super::{Auditor, Judged, Outcome, stated};
 
 /// How many uncited hypotheses are added, and how hard is tried: most stale citations mean an equation a few
 /// lines up.
 pub(super) const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
+/// Why nothing is proved from premises that cannot all be true.
+pub(super) const CONTRADICTORY: &str =
+    "the premises contradict one another, so anything would follow";
 const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
 
 /// Judges the goals of one statement.
@@ -18,9 +24,24 @@ pub(super) struct Judge<'a> {
     pub at: usize,
     pub usable: &'a Usable,
     pub auditor: &'a Auditor<'a>,
-    /// Premises that are not cited: first those that rest on nothing false, then those that rest on nothing
-    /// but what the cited ones rest on already.
-    pub others: Option<[Vec<Assumed>; 2]>,
+    /// What stands before and is not cited, once it is asked for.
+    pub before: OnceCell<Before>,
+    /// What the text tells and what of this is sound offers; and the same with what rests on no more than what is cited does.
+    pub others: OnceCell<[Vec<Assumed>; 2]>,
+}
+
+impl<'a> Judge<'a> {
+    /// Judges by what an equation may use. Its goals are judged from the same premises.
+    pub fn new(auditor: &'a Auditor<'a>, at: usize, usable: &'a Usable) -> Judge<'a> {
+        Judge {
+            derivation: auditor.derivation,
+            at,
+            usable,
+            auditor,
+            before: OnceCell::new(),
+            others: OnceCell::new(),
+        }
+    }
 }
 
 /// What was found of one goal.
@@ -62,7 +83,7 @@ impl Found {
 }
 
 impl Judge<'_> {
-    pub fn goal(&mut self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
+    pub fn goal(&self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
         let found = self.judged_from(goal, steps, premises);
         let instead = match &found.judged.outcome {
             Outcome::Open(stop) if !stop.hopeless && found.contradictory.is_empty() => {
@@ -81,10 +102,7 @@ impl Judge<'_> {
             let reason =
                 "the text says that something in it is constant, and the page lets that change";
             found = Found::open(Judged {
-                outcome: Outcome::Open(Stop {
-                    reason: reason.into(),
-                    ..Stop::default()
-                }),
+                outcome: Outcome::open(reason),
                 ..found.judged
             });
         }
@@ -105,7 +123,7 @@ impl Judge<'_> {
 
     /// The goal judged from some premises.
     pub(super) fn judged_from(
-        &mut self,
+        &self,
         goal: &Goal,
         steps: &[(usize, Formula)],
         premises: &[usize],
@@ -127,7 +145,7 @@ impl Judge<'_> {
         }
     }
 
-    fn judged(&mut self, goal: &Goal, assumed: Vec<Assumed>, premises: &[usize]) -> Found {
+    fn judged(&self, goal: &Goal, assumed: Vec<Assumed>, premises: &[usize]) -> Found {
         let mut found = Found::open(Judged {
             goal: goal.clone(),
             assumed: assumed.clone(),
@@ -173,11 +191,7 @@ impl Judge<'_> {
                 let (kept, least) = self.least(assumed.clone(), goal, posed, derived);
                 if kept.iter().any(|a| a.source != Source::Step) && self.contradicts_itself(posed) {
                     found.contradictory = sources(&assumed);
-                    found.judged.outcome = Outcome::Open(Stop {
-                        reason: "the premises contradict one another, so anything would follow"
-                            .into(),
-                        ..Stop::default()
-                    });
+                    found.judged.outcome = Outcome::open(CONTRADICTORY);
                     return found;
                 }
                 found.judged.assumed = kept;
@@ -230,10 +244,7 @@ impl Judge<'_> {
                 if !settled && !strong && self.is_told_before(goal, &assumed, premises) {
                     let reason = "of some symbol in it only what stands before and is not cited speaks, and nothing \
                                   decides it with that";
-                    found.judged.outcome = Outcome::Open(Stop {
-                        reason: reason.into(),
-                        ..Stop::default()
-                    });
+                    found.judged.outcome = Outcome::open(reason);
                 } else if !settled {
                     self.instead(goal, &assumed, premises, &mut found);
                     self.heed_what_is_open(goal, &assumed, premises, &mut found);
@@ -267,7 +278,7 @@ impl Judge<'_> {
 
     /// Looks for what holds in the place of what was refuted: a consequence, a mended formula, or what was not said.
     pub(super) fn instead(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],

@@ -40,7 +40,6 @@ use crate::document::Extent;
 use crate::kernel::{Assignment, Standing};
 use crate::notation::{Mark, Statement};
 use crate::parallel::threads;
-use crate::search::Stop;
 use crate::sorted::{Map, Set};
 
 pub use dimensions::Dimensions;
@@ -489,13 +488,7 @@ impl Auditor<'_> {
     ) -> Entry {
         let equation = &self.derivation.equations[at];
         let mut entry = blank(at, 0, 1, equation.kind, Verdict::Holds);
-        let mut judge = judge::Judge {
-            derivation: self.derivation,
-            at,
-            usable,
-            others: None,
-            auditor: self,
-        };
+        let judge = judge::Judge::new(self, at, usable);
         let mut steps: Vec<(usize, Formula)> = Vec::new();
         let mut instead: Set<Source> = Set::new();
         let mut may_follow = false;
@@ -633,13 +626,10 @@ impl Auditor<'_> {
         let unread: Vec<String> = unread.map(|own| format!("`{}`", own.trim())).collect();
         for judged in &mut entry.judged {
             if matches!(judged.outcome, Outcome::Refuted(_)) {
-                judged.outcome = Outcome::Open(Stop {
-                    reason: format!(
-                        "what is supposed before it could not be read: {}",
-                        unread.join(", ")
-                    ),
-                    ..Stop::default()
-                });
+                judged.outcome = Outcome::open(format!(
+                    "what is supposed before it could not be read: {}",
+                    unread.join(", ")
+                ));
             }
         }
         (entry.implied, entry.mended) = (None, None);

@@ -7,10 +7,10 @@ use std::sync::atomic::AtomicUsize;
 
 use crate::algebra::{Formula, effort};
 use crate::derivation::{Assumed, Derivation, Goal, Source, goals};
-use crate::kernel::{Assignment, Standing};
+use crate::kernel::Assignment;
 use crate::search::{self, Effort, Stop};
 
-use super::judge::{Found, Judge, sources};
+use super::judge::{Found, Judge, sources, step};
 use super::premise::{Offer, Usable, usable};
 use super::schedule::Schedule;
 use super::{
@@ -181,22 +181,14 @@ impl<'a> Review<'a> {
         goal: &Goal,
         steps: &[(usize, Formula)],
     ) -> Option<Vec<Source>> {
-        let step = |formula: &Formula| Assumed {
-            formula: formula.clone().into(),
-            standing: Standing::AtPoint,
-            source: Source::Step,
-        };
         let mut assumed = own.assumed.clone();
         assumed.extend(goal.suppositions.iter().map(step));
         if goal.suppositions.is_empty() {
             assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
         }
-        let mut judge = Judge {
-            derivation: self.shared.derivation,
-            at,
-            usable: own,
-            others: Some([others.to_vec(), Vec::new()]),
-            auditor,
+        let judge = Judge {
+            others: [others.to_vec(), Vec::new()].into(),
+            ..Judge::new(auditor, at, own)
         };
         let mut found = Found::open(Judged {
             goal: goal.clone(),

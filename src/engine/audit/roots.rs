@@ -22,13 +22,7 @@ impl Judge<'_> {
         let roots = self.roots(premises)?;
         let offer = |premise| self.auditor.offer(self.at, premise);
         let usable: Usable = usable(self.derivation, offer, self.at, &roots);
-        let mut judge = Judge {
-            derivation: self.derivation,
-            at: self.at,
-            usable: &usable,
-            auditor: self.auditor,
-            others: None,
-        };
+        let judge = Judge::new(self.auditor, self.at, &usable);
         let found = judge.judged_from(goal, steps, &roots);
         found.judged.outcome.is_refuted().then_some(found)
     }

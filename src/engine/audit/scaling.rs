@@ -1,9 +1,9 @@
 use crate::derivation::{Assumed, Goal};
 use crate::kernel::{Claim, Scales};
-use crate::search::{self, ScalingDecision, Stop};
+use crate::search::{self, ScalingDecision};
 
 use super::Outcome;
-use super::judge::{Found, Judge, sources};
+use super::judge::{CONTRADICTORY, Found, Judge, sources};
 
 /// How many uncited hypotheses are added to those that are cited.
 const NEARBY: usize = 8;
@@ -11,7 +11,7 @@ const NEARBY: usize = 8;
 impl Judge<'_> {
     /// Judges a scaling relation from its premises, and from what stands before where it does not follow.
     pub(super) fn scaling(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
@@ -26,11 +26,7 @@ impl Judge<'_> {
                     && self.is_contradictory(assumed, goal)
                 {
                     found.contradictory = sources(assumed);
-                    found.judged.outcome = Outcome::Open(Stop {
-                        reason: "the premises contradict one another, so anything would follow"
-                            .into(),
-                        ..Stop::default()
-                    });
+                    found.judged.outcome = Outcome::open(CONTRADICTORY);
                     return;
                 }
                 found.judged.assumed = kept;
@@ -51,15 +47,15 @@ impl Judge<'_> {
     }
 
     fn scaling_from_elsewhere(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
         found: &mut Found,
     ) {
         for others in self.others(premises) {
-            let near = others.into_iter().take(NEARBY);
-            let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
+            let near = others.iter().take(NEARBY);
+            let all: Vec<Assumed> = assumed.iter().chain(near).cloned().collect();
             if all.len() == assumed.len() {
                 continue;
             }

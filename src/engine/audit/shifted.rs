@@ -4,10 +4,9 @@ use std::cmp::Reverse;
 use std::sync::OnceLock;
 
 use crate::derivation::{Assumed, Source, goals};
-use crate::kernel::Standing;
 use crate::search::{self, Effort};
 
-use super::judge::Judge;
+use super::judge::{Judge, step};
 use super::premise::usable;
 use super::{Auditor, Entry, Note, Shared, given};
 use crate::sorted::{self, Map, Set};
@@ -247,23 +246,12 @@ fn follows(shared: &Shared<'_>, entry: &Entry, premises: &[usize]) -> bool {
         at,
         premises,
     );
-    let judge = Judge {
-        derivation,
-        at,
-        usable: &own,
-        others: None,
-        auditor: &auditor,
-    };
+    let judge = Judge::new(&auditor, at, &own);
     let Some(statement) = derivation.equations[at].statements().get(entry.part) else {
         return false;
     };
     let mut steps: Vec<Assumed> = Vec::new();
     goals(statement).into_iter().all(|goal| {
-        let step = |formula: &crate::algebra::Formula| Assumed {
-            formula: formula.clone().into(),
-            standing: Standing::AtPoint,
-            source: Source::Step,
-        };
         let mut assumed = own.assumed.clone();
         match goal.suppositions.is_empty() {
             true => assumed.extend(steps.iter().cloned()),

@@ -19,7 +19,7 @@ use crate::sorted::Set;
 
 impl Judge<'_> {
     /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.
-    pub(super) fn stated(&mut self, entry: &Entry) -> Option<Vec<Symbol>> {
+    pub(super) fn stated(&self, entry: &Entry) -> Option<Vec<Symbol>> {
         let equation = &self.derivation.equations[self.at];
         // `E = T + V = \text{const}` defines and says of what it defines that it does not change.
         let defines = |judged: &&Judged| matches!(judged.outcome, Outcome::Defined);
@@ -112,7 +112,7 @@ impl Judge<'_> {
         };
         let own = self.usable.assumed.iter().filter(right);
         let mut all: Vec<Assumed> = own.cloned().collect();
-        all.extend(sound);
+        all.extend(sound.iter().cloned());
         all.push(step(&goal.formula));
         let named = symbols.into_iter();
         let named = named.filter(|symbol| !self.derivation.is_some_constant(symbol));
@@ -158,9 +158,9 @@ impl Judge<'_> {
     }
 
     /// Whether an equation that stands before says what a term is.
-    fn is_explicit(&mut self, term: &Expr) -> bool {
+    fn is_explicit(&self, term: &Expr) -> bool {
         let [sound, _] = self.others(&[]);
-        let mut known = self.usable.assumed.iter().chain(&sound);
+        let mut known = self.usable.assumed.iter().chain(sound);
         known.any(|assumed| {
             let sides = assumed.formula.as_equation();
             sides.is_some_and(|(left, right)| left == term && !matches!(right, Expr::Number(_)))

@@ -16,7 +16,7 @@ impl Judge<'_> {
     /// Whether a step that was not proved follows, from what it cites or from what stands before, where symbols that could be anything
     /// are not 0; of a root, where they are positive.
     pub(super) fn unstated(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
@@ -27,14 +27,9 @@ impl Judge<'_> {
             Outcome::Open(_) => None,
             _ => return false,
         };
-        let light = Effort::Light;
-        if self.under_conditions(
-            goal,
-            assumed.to_vec(),
-            witness.as_ref(),
-            (true, light),
-            found,
-        ) {
+        let witness = witness.as_ref();
+        let (light, earnest) = ((true, Effort::Light), (true, Effort::Full));
+        if self.under_conditions(goal, assumed.to_vec(), witness, light, found) {
             found.instead.clear();
             return true;
         }
@@ -43,19 +38,16 @@ impl Judge<'_> {
         }
         let sound = self.sound(assumed, &self.failing(premises));
         // From what fails anything may follow, if only hard enough is tried.
-        self.follows_with_others(goal, assumed, premises, light, found)
+        self.follows_with_others(goal, assumed, premises, Effort::Light, found)
             || sound.len() < assumed.len()
-                && self.follows_with_others(goal, &sound, premises, light, found)
-            || {
-                let earnest = (true, Effort::Full);
-                self.under_conditions(goal, sound.clone(), witness.as_ref(), earnest, found)
-            }
+                && self.follows_with_others(goal, &sound, premises, Effort::Light, found)
+            || self.under_conditions(goal, sound.clone(), witness, earnest, found)
             || self.follows_with_others(goal, &sound, premises, Effort::Full, found)
     }
 
     /// The same from some of what it cites, with what stands before and is not cited.
     fn follows_with_others(
-        &mut self,
+        &self,
         goal: &Goal,
         cited: &[Assumed],
         premises: &[usize],
@@ -84,14 +76,14 @@ impl Judge<'_> {
             && others.len() > 1
             && others.into_iter().any(|other| {
                 let set = cited.iter().cloned().chain([other]).collect();
-                self.under_conditions(goal, set, None, (false, effort), found)
+                self.under_conditions(goal, set, None, (false, Effort::Light), found)
             })
     }
 
     /// The slip of the pen in a step that would follow, without it, where symbols that could be anything are not 0: with a counterexample at
     /// which none of them is.
     pub(super) fn mended_under_conditions(
-        &mut self,
+        &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],

@@ -67,16 +67,20 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
 
 /// Whether the text has told in passing what a symbol is, or something of all that a statement about it speaks of.
 fn is_told(symbol: &Symbol, statement: &Statement, equation: &Equation, page: &Page) -> bool {
+    // What is gathered here costs something for each equation.
+    if equation.told.is_empty() {
+        return false;
+    }
     let told = equation.told.iter().map(|&local| &page.locals[local]);
-    let told: Vec<_> = told.flat_map(|local| &local.formulas).collect();
-    let defines = |own: &Expr| matches!(own, Expr::Symbol(own) if own == symbol);
-    let speaks_of_all = |named: &Set<Symbol>| {
-        let said = formulas(statement);
-        said.iter().all(|own| own.names().is_subset(named))
-    };
-    told.into_iter().any(|formula| {
-        let equation = formula.as_equation();
-        equation.is_some_and(|(left, _)| defines(left) || speaks_of_all(&formula.names()))
+    let mut told = told.flat_map(|local| &local.formulas);
+    let said: Set<Symbol> = formulas(statement)
+        .iter()
+        .flat_map(Formula::names)
+        .collect();
+    told.any(|formula| match formula.as_equation() {
+        Some((Expr::Symbol(own), _)) if own == symbol => true,
+        Some(_) => said.is_subset(&formula.names()),
+        None => false,
     })
 }
 

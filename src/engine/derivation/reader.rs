@@ -157,8 +157,7 @@ impl<'p> Reader<'p> {
         self.qualities(prose);
         let mut mentioned = prose.mentions.clone();
         if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
-            let locals = &self.page.locals;
-            self.told.retain(|&at| !locals[at].of_case);
+            self.forget_cases();
         }
         for supposition in &prose.suppositions {
             mentioned.extend(self.supposition(supposition));
@@ -216,6 +215,12 @@ impl<'p> Reader<'p> {
         }
     }
 
+    /// What was told of a special case is told no more.
+    fn forget_cases(&mut self) {
+        let locals = &self.page.locals;
+        self.told.retain(|&at| !locals[at].of_case);
+    }
+
     /// Takes up what prose supposes; what it only names is returned.
     fn supposition(&mut self, &Supposition { kind, body }: &Supposition) -> Option<Span> {
         let (new, passage) = (self.page.locals.len().., self.equations.len());
@@ -224,7 +229,7 @@ impl<'p> Reader<'p> {
             SuppositionKind::General | SuppositionKind::Elsewhere => {
                 let all = kind == SuppositionKind::General;
                 active.retain(|&at| !page.locals[at].is_left_by(all));
-                self.told.retain(|&at| !page.locals[at].of_case);
+                self.forget_cases();
             }
             SuppositionKind::Moment => {
                 page.begin_moment(passage, false, &[], active);

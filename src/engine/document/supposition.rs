@@ -152,7 +152,8 @@ impl Reader<'_> {
         if !self.sentence.begun {
             self.sentence.first = index;
         }
-        self.sentence.special |= !self.sentence.begun && among(OF_CASES);
+        let of_a_case = among(OF_CASES) || among(REGIMES);
+        self.sentence.special |= !self.sentence.begun && of_a_case;
         if self.is_silent()
             && let Some(kind) = generalizes(word, index, self.tokens)
         {

@@ -352,10 +352,11 @@ pub fn missing_conditions(
         let possible = consistency(&assuming(claim, &all), hints);
         matches!(possible, Consistency::Model(_))
     };
-    let tried = |terms: &[Expr], effort| {
+    let proved =
+        |formulas: &[Formula]| prove(&pose(assuming(claim, formulas)).ok()?, effort).ok()?;
+    let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();
-        let obligation = pose(assuming(claim, &formulas)).ok()?;
-        let (_, own) = prove(&obligation, effort).ok()??;
+        let (_, own) = proved(&formulas)?;
         let conditions: Vec<Formula> = formulas.iter().chain(&own).cloned().collect();
         // What the premises rule out would prove anything.
         let possible = consistency(&assuming(claim, &conditions), hints);
@@ -366,19 +367,17 @@ pub fn missing_conditions(
         })
     };
     if witness.is_none()
-        && let Some(found) = tried(&[], effort)
+        && let Some(found) = with(&[])
     {
         return Some(found);
     }
     if candidates.is_empty() {
         return None;
     }
-    let with = |terms: &[Expr]| tried(terms, effort);
     // In earnest one by one only where all of them would do.
     if effort == Effort::Full {
         let all = candidates.iter().cloned().map(Formula::nonzero);
-        let all = pose(assuming(claim, &all.collect::<Vec<_>>())).ok()?;
-        prove(&all, effort).ok()??;
+        proved(&all.collect::<Vec<_>>())?;
     }
     if let Some(found) = candidates
         .iter()

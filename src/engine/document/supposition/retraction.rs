@@ -2,9 +2,9 @@
 
 use super::super::prose::{Placed, Token, begins_with, ends_sentence};
 use super::super::{Span, Supposition, SuppositionKind};
-use super::is_fact;
 use super::mathematics::is_bound;
 use super::words::{BESIDE, DISPUTING, HEADING, REFERRING, RETRACTING};
+use super::{is_fact, is_no_meaning};
 use crate::sorted::{self, Map, Set};
 
 /// So many words before a relation may say that it is not so there.
@@ -58,8 +58,8 @@ pub(super) fn take_back(
         for own in own {
             match is_taken_back(&own) || is_ambiguous(&own) {
                 false => found.push(own),
-                true if own.kind == SuppositionKind::Meaning => {}
-                true => mentions.push(own.body),
+                true if is_no_meaning(&own) => mentions.push(own.body),
+                true => {}
             }
         }
     }

@@ -308,10 +308,8 @@ pub(super) const REASONS: &[&str] = &[
 ];
 /// After these it is where something begins: "Suppose the motion starts at $t = 0$".
 pub(super) const NAMED_BEFORE: &[&str] = &["from", "at", "until", "after", "before"];
-/// A sentence that begins with one of these is about a special case.
-pub(super) const OF_CASES: &[&str] = &[
-    "for", "when", "if", "at", "inside", "outside", "within", "above", "below", "beyond",
-];
+/// A sentence that begins with one of these, or of [`REGIMES`], is about a special case.
+pub(super) const OF_CASES: &[&str] = &["for", "when", "if", "at"];
 /// A sentence that begins with one of these is about another place than what was told before.
 pub(super) const REGIMES: &[&str] = &["inside", "outside", "within", "above", "below", "beyond"];
 /// After "we" these give a name: "We set $a = 2 c$".
