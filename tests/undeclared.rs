@@ -383,3 +383,122 @@ fn what_is_said_of_one_case_is_said_of_no_other() {
     let rod = "$$ q = m g \\tag{1} $$\n\nFor $L = 2 a$ the rod touches the wall. In general, by (1),\n\n$$ q L = 2 m g a \\tag{2} $$\n";
     assert_eq!(verdicts(rod), ["given", "fails"]);
 }
+
+#[test]
+fn what_holds_at_all_times_says_more_than_at_one() {
+    let law = "$$ m \\ddot x = -k x $$\n\nWe try\n\n$$ x = A \\cos(\\omega t) $$\n\nSubstituting gives\n\n";
+    let step = |formula: &str| verdicts(&format!("{law}$$ {formula} $$\n"))[2];
+    assert_eq!(step(r"\omega^2 = \frac{k}{m}"), "holds");
+    assert_ne!(step(r"\omega^2 = \frac{m}{k}"), "holds");
+    let damped = "$$ m \\frac{d^2 x}{dt^2} + b \\frac{dx}{dt} + k x = 0 $$\n\nWe try\n\n$$ x = A e^{r t} $$\n\nThis gives\n\n";
+    let step = |formula: &str| verdicts(&format!("{damped}$$ {formula} $$\n"))[2];
+    assert_eq!(step("m r^2 + b r + k = 0"), "holds");
+    assert_ne!(step("m r^2 - b r + k = 0"), "holds");
+    let forced = "$$ m \\ddot x + k x = F \\cos(\\omega t) $$\n\nWe try\n\n$$ x = A \\cos(\\omega t) $$\n\nSubstituting,\n\n$$ (k - m \\omega^2) A \\cos(\\omega t) = F \\cos(\\omega t) $$\n\nComparing coefficients,\n\n";
+    let step = |formula: &str| verdicts(&format!("{forced}$$ {formula} $$\n"))[3];
+    assert_eq!(step(r"A = \frac{F}{k - m \omega^2}"), "holds");
+    assert_eq!(step(r"A = \frac{F}{k + m \omega^2}"), "fails");
+}
+
+#[test]
+fn two_factors_may_be_divided_out() {
+    for (balance, right, wrong) in [
+        ("a b x = a b y", "x = y", "x = 2 y"),
+        ("m g h = m g s", "h = s", "h = -s"),
+        (
+            "m c (T - T_1) + m c (T - T_2) = 0",
+            r"T = \frac{T_1 + T_2}{2}",
+            "T = T_1 + T_2",
+        ),
+    ] {
+        let step =
+            |formula: &str| verdicts(&format!("$$ {balance} $$\n\nHence\n\n$$ {formula} $$\n"))[1];
+        assert_eq!(step(right), "holds", "{right}");
+        assert_eq!(step(wrong), "fails", "{wrong}");
+    }
+}
+
+#[test]
+fn what_announces_a_display_is_no_premise_of_it() {
+    let energy = r"E = \frac12 m v^2 \tag{1}";
+    for words in [
+        "By (1) the energy is $E = m v^2$:",
+        "According to (1), the energy is $E = m v^2$; therefore",
+        "The energy is $E = m v^2$. Hence",
+    ] {
+        for formula in ["E = m v^2", "2 E = 2 m v^2"] {
+            let page = format!("$$ {energy} $$\n\n{words}\n\n$$ {formula} $$\n");
+            assert_eq!(verdicts(&page), ["given", "fails"], "{words} {formula}");
+        }
+    }
+    // What no display has said of a symbol is told.
+    let told = "$$ p = m v $$\n\nThe second cart is heavier, $m = 3 M$, so\n\n$$ p = 3 M v $$\n";
+    assert_eq!(verdicts(told), ["given", "holds"]);
+}
+
+#[test]
+fn what_fails_proves_nothing_with_what_it_was_refuted_from() {
+    let page = "$$ F = m a \\tag{1} $$\n\nHence\n\n$$ F = 2 m a \\tag{2} $$\n\nHence\n\n$$ F = 9 m a^2 \\tag{3} $$\n";
+    assert_eq!(verdicts(page), ["given", "fails", "fails"]);
+}
+
+#[test]
+fn nothing_is_decided_of_complex_numbers() {
+    let wave =
+        "The wave function is\n\n$$ \\psi = A e^{i k x} $$\n\nThe probability density is\n\n";
+    for density in ["A^2 e^{2 i k x}", "A^2"] {
+        let page = format!("{wave}$$ |\\psi|^2 = {density} $$\n");
+        assert_eq!(verdicts(&page), ["given", "undecided"], "{density}");
+    }
+    let circuit = "The impedance is\n\n$$ Z = R + i X $$\n\nHence\n\n$$ |Z|^2 = R^2 + X^2 $$\n";
+    assert_eq!(verdicts(circuit), ["given", "undecided"]);
+    // A letter that counts, and a current.
+    let sum = "This is complex.\n\n$$ s = \\sum_{i=1}^n i $$\n\nHence\n\n$$ s = \\frac{n (n + 1)}{2} $$\n";
+    assert_eq!(verdicts(sum)[0], "given");
+    let current = "$$ u = R i $$\n\nHence\n\n$$ u^2 = R^2 i^2 $$\n";
+    assert_eq!(verdicts(current), ["given", "holds"]);
+}
+
+#[test]
+fn what_could_not_be_otherwise_is_no_law() {
+    let collision = "$$ v = \\frac{m - M}{m + M} u \\tag{1} $$\n\nFor a wall of infinite mass\n\n";
+    let limit = |value: &str| {
+        let page = format!(
+            "{collision}$$ \\lim_{{M \\to \\infty}} \\frac{{m - M}}{{m + M}} u = {value} $$\n"
+        );
+        verdicts(&page)[1]
+    };
+    assert_eq!(limit("-u"), "holds");
+    assert_eq!(limit("u"), "fails");
+    let mass = |kilograms: &str| {
+        verdicts(&format!(
+            "The mass is\n\n$$ m = 1.2\\,\\mathrm{{t}} = {kilograms}\\,\\mathrm{{kg}} $$\n"
+        ))[0]
+    };
+    assert_eq!(mass("120"), "fails");
+    assert_ne!(mass("1200"), "fails");
+    let equivalent = |square: &str| verdicts(&format!("$$ x = 1 \\iff {square} $$\n"))[0];
+    assert_eq!(equivalent("x^2 = 1"), "fails");
+    assert_eq!(equivalent("2 x = 2"), "holds");
+}
+
+#[test]
+fn the_law_that_a_conclusion_is_called_is_no_reason() {
+    let page = |words: &str, law: &str| {
+        verdicts(&format!(
+            "$$ g h = \\frac12 v^2 $$\n\n{words}\n\n$$ {law} $$\n"
+        ))[1]
+    };
+    assert_eq!(page("This gives Torricelli's law", r"v^2 = 2 g h"), "holds");
+    assert_eq!(page("This gives Torricelli's law", r"v^2 = g h"), "fails");
+    assert_eq!(page("Newton's second law gives", r"m a = F"), "given");
+}
+
+#[test]
+fn what_is_only_asked_says_nothing() {
+    let page = "$$ a = 2 $$\n\n$$ a^2 \\stackrel{?}{=} 5 \\quad ✗ $$\n\n$$ a^2 \\stackrel{?}{=} 4 \\quad ✓ $$\n";
+    assert_eq!(verdicts(page), ["given", "fails", "holds"]);
+    // Which case of it applies at a number is not known.
+    let cases = "$$ f(x) = \\begin{cases} x^2 & x \\geq 0 \\\\ -x & x < 0 \\end{cases} \\tag{1} $$\n\nBy (1)\n\n$$ f(2) = 4 $$\n";
+    assert_eq!(verdicts(cases)[2], "undecided");
+}

@@ -79,7 +79,10 @@ impl Report<'_> {
             let place = self.place_of_declaration(entry, judged, symbol);
             let mut by = Vec::new();
             match place {
-                _ if is_held => by.push("in this counterexample".to_owned()),
+                _ if is_held && judged.outcome.is_refuted() => {
+                    by.push("in this counterexample".to_owned());
+                }
+                _ if is_held => by.push("taken as constant".to_owned()),
                 Some(Some(place)) => by.push(format!("declared, {place}")),
                 Some(None) => by.push("declared".to_owned()),
                 None if told.contains_key(symbol) => {}

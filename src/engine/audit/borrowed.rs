@@ -45,7 +45,14 @@ impl Judge<'_> {
         premises: &[usize],
     ) -> Option<Vec<Assumed>> {
         let [others, _] = self.others(premises);
-        let near = others.iter().take(NEARBY[1].0).cloned();
+        let failing = self.failing(premises);
+        // With what it was refuted from, what fails would prove nearly anything.
+        let against = match self.sound(assumed, &failing).len() < assumed.len() {
+            true => self.refuted_from(&failing),
+            false => Set::new(),
+        };
+        let near = others.iter().filter(|own| !is_of(own, &against));
+        let near = near.take(NEARBY[1].0).cloned();
         let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
         (all.len() > assumed.len()).then_some(all)
     }
@@ -213,15 +220,13 @@ impl Judge<'_> {
         let failing = self.failing(premises);
         let sound = self.sound(assumed, &failing);
         let against = self.refuted_from(&failing);
-        let tells_against =
-            |a: &Assumed| matches!(a.source, Source::Equation(p) if against.contains(&p));
         for others in others {
             if others.is_empty() || !speaks_of_all(assumed.iter().chain(others), &goal.formula) {
                 continue;
             }
             // Together with what it was refuted from, what fails would prove nearly anything.
             let mut harmless = others.clone();
-            harmless.retain(|a| !tells_against(a));
+            harmless.retain(|own| !is_of(own, &against));
             let mut choices = Vec::new();
             if sound.len() < assumed.len() {
                 choices.push((sound.clone(), others.clone()));
@@ -455,6 +460,11 @@ impl Judge<'_> {
             wanted && term.any(&integral) && !speaks_of_all(assumed.iter(), &one)
         })
     }
+}
+
+/// Whether a hypothesis is what one of some equations says.
+fn is_of(assumed: &Assumed, equations: &Set<usize>) -> bool {
+    matches!(assumed.source, Source::Equation(at) if equations.contains(&at))
 }
 
 /// Whether hypotheses say something of each symbol of a goal: one of which nothing at all is said can have any value.

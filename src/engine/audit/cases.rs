@@ -8,6 +8,7 @@ use crate::derivation::{Assumed, Goal, Source};
 use crate::search::{self, Effort};
 
 use super::Outcome;
+use super::identity::spoken_of;
 use super::judge::{Found, Judge, step};
 
 impl Judge<'_> {
@@ -34,11 +35,11 @@ impl Judge<'_> {
             }
         }
         // What speaks of other symbols altogether is no matter.
-        let mut spoken = goal.formula.free_symbols();
-        spoken.extend(assumed.iter().flat_map(|own| own.formula.free_symbols()));
+        let mut spoken = spoken_of(&goal.formula);
+        spoken.extend(assumed.iter().flat_map(|own| spoken_of(&own.formula)));
         let linked = left_out.iter().find(|(conditions, case)| {
             let formulas = conditions.iter().chain([&*case.formula]);
-            let mut symbols = formulas.flat_map(Formula::free_symbols);
+            let mut symbols = formulas.flat_map(spoken_of);
             symbols.any(|symbol| spoken.contains(&symbol))
         });
         match linked?.1.source {

@@ -34,14 +34,32 @@ pub(super) fn is_identity(entry: &Entry, told: &[Assumed], drawn: bool) -> bool 
             is_slip(entry) || named.iter().all(counted) || is_worked_out(left, right, drawn);
         same && works
             || is_closed(left) && is_closed(right)
+            || is_equivalence(judged)
             || (drawn || goes_on) && is_settled(judged, told)
     })
+}
+
+/// Whether it is a side of an equivalence whose other side speaks of all that it does.
+fn is_equivalence(judged: &Judged) -> bool {
+    let supposed = judged.goal.suppositions.iter();
+    let supposed: Set<Symbol> = supposed.flat_map(spoken_of).collect();
+    !supposed.is_empty() && spoken_of(&judged.goal.formula).is_subset(&supposed)
 }
 
 /// Whether a term has one value and no other.
 fn is_closed(term: &Expr) -> bool {
     let open = |part: &Expr| matches!(part, Expr::Apply(..) | Expr::Element { .. });
-    term.free_symbols().is_empty() && !term.any(&open)
+    term.free_symbols().iter().all(Symbol::is_unit) && !term.any(&open)
+}
+
+/// Whether one of two terms is what the other comes to, and speaks of nothing else.
+pub(super) fn is_carried_out(left: &Expr, right: &Expr, drawn: bool) -> bool {
+    let (named, others) = (quantities(left), quantities(right));
+    let within = match is_task(left) {
+        true => others.is_subset(&named),
+        false => named.is_subset(&others),
+    };
+    within && is_worked_out(left, right, drawn)
 }
 
 /// Whether one of two terms is what the other comes to: a slope, an integral or a sum of what is written out, or a product that is
@@ -63,6 +81,7 @@ fn is_task(term: &Expr) -> bool {
             (body, variable)
         }
         Expr::Series { body, index, .. } => (body, index),
+        Expr::Limit { body, variable, .. } => (body, variable),
         Expr::Negate(inner) => return is_task(inner),
         _ => return false,
     };
@@ -114,7 +133,7 @@ fn is_settled(judged: &Judged, told: &[Assumed]) -> bool {
 }
 
 /// The symbols, sequences and functions of a formula.
-fn spoken_of(formula: &Formula) -> Set<Symbol> {
+pub(super) fn spoken_of(formula: &Formula) -> Set<Symbol> {
     let mut found = formula.names();
     for term in formula.terms() {
         term.collect_applied(&|_| true, &mut found);

@@ -1,6 +1,6 @@
 use std::cell::OnceCell;
 
-use crate::algebra::{Expr, Formula};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, values_at};
 use crate::kernel::{Obligation, Standing};
 use crate::search::{self, Consistency, Decision, Effort, Implied, InChain, Mended, Stop};
@@ -13,6 +13,9 @@ use super::{Auditor, Judged, Outcome, stated};
 /// How many uncited hypotheses are added, and how hard is tried: most stale citations mean an equation a few
 /// lines up.
 pub(super) const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
+/// Why nothing is said of what may be complex.
+pub(super) const COMPLEX: &str =
+    "it speaks of complex numbers, as far as can be told, and only real ones are decided";
 /// Why nothing is proved from premises that cannot all be true.
 pub(super) const CONTRADICTORY: &str =
     "the premises contradict one another, so anything would follow";
@@ -53,6 +56,8 @@ pub(super) struct Found {
     pub may_follow: bool,
     /// What must hold besides.
     pub conditions: Vec<Formula>,
+    /// What is taken as constant besides, and may be.
+    pub constant: Vec<Symbol>,
     /// The premises that cannot all be true.
     pub contradictory: Vec<Source>,
     /// What follows in the place of what fails.
@@ -73,6 +78,7 @@ impl Found {
             instead: Vec::new(),
             may_follow: false,
             conditions: Vec::new(),
+            constant: Vec::new(),
             contradictory: Vec::new(),
             implied: None,
             mended: None,
@@ -84,6 +90,13 @@ impl Found {
 
 impl Judge<'_> {
     pub fn goal(&self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
+        if self.is_complex(goal) {
+            return Found::open(Judged {
+                goal: goal.clone(),
+                assumed: Vec::new(),
+                outcome: Outcome::open(COMPLEX),
+            });
+        }
         let found = self.judged_from(goal, steps, premises);
         let instead = match &found.judged.outcome {
             Outcome::Open(stop) if !stop.hopeless && found.contradictory.is_empty() => {
@@ -107,6 +120,12 @@ impl Judge<'_> {
             });
         }
         found
+    }
+
+    /// Whether a goal speaks of what may be complex.
+    pub(super) fn is_complex(&self, goal: &Goal) -> bool {
+        let page = self.derivation.equations[self.at].page;
+        self.derivation.pages[page].is_complex(&goal.formula)
     }
 
     /// Whether a step takes slopes or integrals, and it cannot be told whether something in it changes.
@@ -247,6 +266,7 @@ impl Judge<'_> {
                     found.judged.outcome = Outcome::open(reason);
                 } else if !settled {
                     self.instead(goal, &assumed, premises, &mut found);
+                    self.heed_what_varies(goal, &assumed, &mut found);
                     self.heed_what_is_open(goal, &assumed, premises, &mut found);
                 }
             }

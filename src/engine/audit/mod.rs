@@ -25,6 +25,7 @@ mod scaling;
 mod schedule;
 mod shifted;
 mod stated;
+mod throughout;
 mod unstated;
 mod without;
 
@@ -162,6 +163,18 @@ impl Audit {
     pub fn findings(&self) -> impl Iterator<Item = &Entry> {
         self.entries.iter().filter(|e| e.is_finding())
     }
+}
+
+/// Leaves open what was refuted without something that it may follow from.
+fn leave_open(entry: &mut Entry, reason: &str) {
+    for judged in &mut entry.judged {
+        if matches!(judged.outcome, Outcome::Refuted(_)) {
+            judged.outcome = Outcome::open(reason);
+        }
+    }
+    (entry.implied, entry.mended) = (None, None);
+    entry.missing.clear();
+    entry.verdict = Verdict::Undecided;
 }
 
 /// The last ones, in order.
@@ -511,6 +524,9 @@ impl Auditor<'_> {
                 // The next clause of an implication is judged as if this one were true.
                 steps.push((goal.clause, goal.formula.clone()));
             }
+            if !found.constant.is_empty() {
+                entry.takes_as_constant(found.constant);
+            }
             let (still, mut conditions): (Vec<Formula>, _) =
                 found.conditions.into_iter().partition(stated::stands_still);
             match stated::constants(&found.judged, &still) {
@@ -586,7 +602,10 @@ impl Auditor<'_> {
             entry.verdict = Verdict::Undecided;
         }
         if entry.verdict == Verdict::Fails && !equation.unread.is_empty() {
-            self.leave_open(equation, &mut entry);
+            leave_open(&mut entry, &self.unread(equation));
+        }
+        if entry.verdict == Verdict::Fails && usable.has_complex {
+            leave_open(&mut entry, judge::COMPLEX);
         }
         if entry.verdict == Verdict::Undecided {
             entry.notes.extend(
@@ -616,25 +635,18 @@ impl Auditor<'_> {
         entry
     }
 
-    /// Leaves open what was refuted without something that is supposed and could not be read.
-    fn leave_open(&self, equation: &Equation, entry: &mut Entry) {
+    /// What is supposed before an equation and could not be read.
+    fn unread(&self, equation: &Equation) -> String {
         let source = &self.derivation.pages[equation.page].document.source;
         let unread = equation
             .unread
             .iter()
             .filter_map(|own| source.get(own.range()));
         let unread: Vec<String> = unread.map(|own| format!("`{}`", own.trim())).collect();
-        for judged in &mut entry.judged {
-            if matches!(judged.outcome, Outcome::Refuted(_)) {
-                judged.outcome = Outcome::open(format!(
-                    "what is supposed before it could not be read: {}",
-                    unread.join(", ")
-                ));
-            }
-        }
-        (entry.implied, entry.mended) = (None, None);
-        entry.missing.clear();
-        entry.verdict = Verdict::Undecided;
+        format!(
+            "what is supposed before it could not be read: {}",
+            unread.join(", ")
+        )
     }
 
     /// Evaluates a numeric claim. What is wrong or not proved itself is not put in.
@@ -681,14 +693,18 @@ impl Auditor<'_> {
         nearest(failing)
     }
 
-    /// Whether no moment was left of which an equation is said: what is not cited is a premise of what is said of that moment.
+    /// Whether an equation says something, and no moment was left of which it does: what is not cited is a premise of what is said of that moment.
     fn is_said_here(&self, at: usize, premise: usize) -> bool {
         let own = &self.derivation.equations[at];
         let is_here = |&(page, local): &(usize, usize)| {
             own.is_under(page, local) || !self.derivation.local(page, local).is_momentary()
         };
+        // What an author only asks, or crosses out, says nothing.
+        let is_marked = self.derivation.equations[premise].kind == Kind::Marked;
+        let says =
+            |offer: &Offer| !is_marked || !offer.formulas.is_empty() || !offer.cases.is_empty();
         let offer = self.offer(at, premise);
-        offer.is_none_or(|offer| offer.under.iter().all(is_here))
+        offer.is_none_or(|offer| says(offer) && offer.under.iter().all(is_here))
     }
 
     /// Whether the text tells something in passing before a step.

@@ -14,6 +14,8 @@ const MOST_LAWS: usize = 64;
 #[derive(Default)]
 pub(super) struct Moving {
     differentiated: Set<Symbol>,
+    /// What equations differentiate by, each with the position of the first that does.
+    variables: Vec<(Symbol, usize)>,
     /// Symbols by themselves on a side of an equation, with all that it speaks of.
     explicit: Vec<(Symbol, Set<Symbol>)>,
     constants: Set<Symbol>,
@@ -39,6 +41,13 @@ impl Moving {
             if !at_moment(equation) {
                 for formula in equation.statements().iter().flat_map(formulas) {
                     found.learn(&formula);
+                    let mut variables = Set::new();
+                    for term in formula.terms() {
+                        term.collect_variables(&mut variables);
+                    }
+                    variables.retain(|new| found.variables.iter().all(|own| own.0 != *new));
+                    let variables = variables.into_iter().map(|variable| (variable, at));
+                    found.variables.extend(variables);
                     let names = formula.free_symbols();
                     found.laws.push((at, formula, names));
                 }
@@ -77,6 +86,20 @@ impl Moving {
         (name, is_sequence): (&Symbol, bool),
         variable: &Symbol,
     ) -> bool {
+        let before = self.laws.partition_point(|own| own.0 < at);
+        let speaking = self.laws[..before].iter().rev();
+        let speaking = speaking.filter(|own| own.2.contains(variable));
+        let mut laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
+        laws.reverse();
+        let moves = |own: &Symbol| self.differentiated.contains(own);
+        let constant =
+            |own: &Symbol| self.constants.contains(own) || equation.is_told_constant(own);
+        self.changes((name, is_sequence), variable)
+            || are_tied(name, variable, &laws, moves, constant)
+    }
+
+    /// Whether it is differentiated, or given by what changes.
+    fn changes(&self, (name, is_sequence): (&Symbol, bool), variable: &Symbol) -> bool {
         let is_meant = |own: &Symbol| {
             let stem = own.name().rsplit_once('_').map(|parts| parts.0);
             own == name || is_sequence && stem == Some(name.name())
@@ -87,16 +110,7 @@ impl Moving {
             all.any(|other| other == variable || self.differentiated.contains(other))
         };
         let mut explicit = self.explicit.iter();
-        let before = self.laws.partition_point(|own| own.0 < at);
-        let speaking = self.laws[..before].iter().rev();
-        let speaking = speaking.filter(|own| own.2.contains(variable));
-        let mut laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
-        laws.reverse();
-        let moves = |own: &Symbol| self.differentiated.contains(own);
-        let constant =
-            |own: &Symbol| self.constants.contains(own) || equation.is_told_constant(own);
         self.differentiated.iter().any(is_meant)
-            || are_tied(name, variable, &laws, moves, constant)
             || explicit.any(|(own, named)| {
                 *own == dotted || named.contains(&dotted) || is_meant(own) && changes(named)
             })
@@ -104,13 +118,28 @@ impl Moving {
 }
 
 impl Auditor<'_> {
+    fn moving(&self, page: usize) -> &Moving {
+        let derivation = self.derivation;
+        self.moving.get_or_init(|| Moving::of(derivation, page))
+    }
+
+    /// By what an equation and those before it on its page differentiate.
+    pub(super) fn variables(&self, at: usize) -> Vec<Symbol> {
+        let moving = self.moving(self.derivation.equations[at].page);
+        let before = moving.variables.iter().filter(|own| own.1 <= at);
+        before.map(|own| own.0.clone()).collect()
+    }
+
+    /// Whether the page differentiates a symbol, or gives it by what changes with a variable.
+    pub(super) fn changes(&self, at: usize, symbol: &Symbol, variable: &Symbol) -> bool {
+        let moving = self.moving(self.derivation.equations[at].page);
+        moving.changes((symbol, false), variable)
+    }
+
     /// Whether the page says that something moves of which conditions say that it does not.
     pub(super) fn says_otherwise(&self, at: usize, conditions: &[Formula]) -> bool {
         let equation = &self.derivation.equations[at];
-        let page = equation.page;
-        let moving = self
-            .moving
-            .get_or_init(|| Moving::of(self.derivation, page));
+        let moving = self.moving(equation.page);
         conditions.iter().any(|condition| {
             let Some((Expr::Derivative { variable, .. }, _)) = condition.as_equation() else {
                 return false;

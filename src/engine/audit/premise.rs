@@ -172,6 +172,8 @@ pub struct Usable {
     pub numeric: Vec<usize>,
     /// Premises that could not be read.
     pub unreadable: Vec<usize>,
+    /// Some speak of what may be complex, and are left out: claims are about real numbers.
+    pub has_complex: bool,
 }
 
 /// Gathers the hypotheses that come with `premises` where equation `at` stands.
@@ -270,5 +272,8 @@ pub fn usable<'a>(
             }
         }
     }
+    let (page, all) = (&derivation.pages[page], usable.assumed.len());
+    usable.assumed.retain(|own| !page.is_complex(&own.formula));
+    usable.has_complex = usable.assumed.len() < all;
     usable
 }

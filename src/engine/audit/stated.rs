@@ -14,7 +14,7 @@ use crate::notation::measured;
 use crate::search::{self, Effort};
 
 use super::judge::{Judge, step};
-use super::{Entry, Judged, Note, Outcome, Verdict};
+use super::{Entry, Judged, Note, Outcome, Verdict, identity};
 use crate::sorted::Set;
 
 impl Judge<'_> {
@@ -38,6 +38,9 @@ impl Judge<'_> {
         }
         // What could not be read may speak of all of it.
         if !self.usable.unreadable.is_empty() {
+            return None;
+        }
+        if self.is_complex(&judged.goal) {
             return None;
         }
         let (goal, outcome) = (judged.goal.clone(), &judged.outcome);
@@ -75,6 +78,8 @@ impl Judge<'_> {
                 vec![symbol.clone()]
             }
             _ if named == others => return None,
+            // A limit of what is written out could not be otherwise.
+            _ if identity::is_carried_out(left, right, equation.drawn) => return None,
             _ => {
                 let all = named.union(&others);
                 let domains = &self.derivation.pages[equation.page].domains;

@@ -3,7 +3,7 @@
 //!
 //! What follows under such conditions holds, and the conditions are told, as a denominator is that must not vanish.
 
-use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort, InChain};
@@ -12,10 +12,27 @@ use crate::sorted;
 use super::judge::{Found, Judge, NEARBY, condition, sources, step};
 use super::{Outcome, stated};
 
+/// So much work is done for one step, as [`effort`] counts it.
+const MOST_WORK: u64 = 2_000_000;
+
 impl Judge<'_> {
     /// Whether a step that was not proved follows, from what it cites or from what stands before, where symbols that could be anything
     /// are not 0; of a root, where they are positive.
+    ///
+    /// It takes work of its own: what may be tried after it is tried however long this takes.
     pub(super) fn unstated(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        effort::within(MOST_WORK, || {
+            self.follows_unstated(goal, assumed, premises, found)
+        })
+    }
+
+    fn follows_unstated(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -101,11 +118,7 @@ impl Judge<'_> {
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
         for set in sets {
             let bare = self.derivation.claim(self.at, &set, &goal.formula);
-            let nonzero = |symbol: &Symbol| Formula::Relation {
-                left: Expr::Symbol(symbol.clone()),
-                relation: Relation::NotEqual,
-                right: Expr::integer(0),
-            };
+            let nonzero = |symbol: &Symbol| Formula::nonzero(Expr::Symbol(symbol.clone()));
             let conditions: Vec<Formula> = unbounded(&bare).iter().map(nonzero).collect();
             if conditions.is_empty() {
                 return;
@@ -165,7 +178,10 @@ impl Judge<'_> {
         if let Some(conditions) = self.nonzero(&claim, &unbounded, witness, effort, found) {
             return self.holds_under(goal, set, &conditions, effort, found);
         }
-        if still && self.holds_still(goal, &set, claim, found) {
+        if still
+            && (effort == Effort::Full && self.holds_throughout(goal, &set, found)
+                || self.holds_still(goal, &set, claim, found))
+        {
             return true;
         }
         let conditions = self.positive(goal, &set, &unbounded);
@@ -222,11 +238,6 @@ impl Judge<'_> {
         if !terms.any(|term| term.any(&Expr::is_root)) {
             return None;
         }
-        let positive = |symbol: &Symbol| Formula::Relation {
-            left: Expr::Symbol(symbol.clone()),
-            relation: Relation::Greater,
-            right: Expr::integer(0),
-        };
         let is_number = |symbol: &Symbol| {
             let mut equations = set.iter().filter_map(|a| a.formula.as_equation());
             equations
@@ -287,8 +298,17 @@ impl Judge<'_> {
     }
 }
 
+/// That a symbol is positive.
+pub(super) fn positive(symbol: &Symbol) -> Formula {
+    Formula::Relation {
+        left: Expr::Symbol(symbol.clone()),
+        relation: Relation::Greater,
+        right: Expr::integer(0),
+    }
+}
+
 /// The symbols that a step speaks of, or its premises, and of which nobody says where they lie.
-fn unbounded(claim: &Claim) -> Vec<Symbol> {
+pub(super) fn unbounded(claim: &Claim) -> Vec<Symbol> {
     let named = Formula::free_symbols_of(claim.formulas()).into_iter();
     let said = |symbol: &Symbol| {
         let domain = claim.domains.get(symbol);

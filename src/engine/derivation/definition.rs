@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Place, Relation, Symbol, split_subscript};
 use crate::document::Span;
-use crate::notation::{Clause, Statement, read_expr, read_formulas};
+use crate::notation::{Clause, Connective, Spanned, Statement, read_expr, read_formulas};
 
 use super::equation::{conditions, formulas};
 use super::page::Page;
@@ -214,6 +214,11 @@ fn defined_symbol(
         return None;
     };
     let (side, link) = (sides.first()?, links.first()?);
+    // An equivalence asserts neither side.
+    let is_equivalent = |own: &Spanned<Connective>| own.value == Connective::Equivalent;
+    if statement.connectives.iter().any(is_equivalent) {
+        return None;
+    }
     let symbol = match &side.expr {
         Expr::Symbol(symbol) => symbol,
         // `s^2 = \frac{1}{N} \sum_i (x_i - m)^2 = …` says what a variance is, and goes on.

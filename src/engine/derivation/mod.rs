@@ -13,6 +13,7 @@ mod counts;
 mod definition;
 mod equation;
 mod euler;
+mod imaginary;
 mod names;
 mod page;
 mod qualities;
@@ -139,6 +140,7 @@ impl Derivation {
         }
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);
+            imaginary::recognize(&own, pages, equations);
         }
         for (at, page) in pages.iter().enumerate() {
             let own = equation::of_page(at, equations);
@@ -474,9 +476,16 @@ impl Derivation {
         }
     }
 
-    /// What the text before an equation tells in passing, the nearest first.
+    /// What the text before an equation tells in passing, the nearest first. What announces the equation itself is no premise of it.
     pub fn told(&self, at: usize) -> Vec<Assumed> {
-        self.supposed(at, &self.equations[at].told)
+        let equation = &self.equations[at];
+        let mut told = self.supposed(at, &equation.told);
+        let stated: Vec<Formula> = match told.is_empty() {
+            true => Vec::new(),
+            false => equation.statements().iter().flat_map(formulas).collect(),
+        };
+        told.retain(|own| !stated.contains(&own.formula));
+        told
     }
 
     fn supposed(&self, at: usize, locals: &[usize]) -> Vec<Assumed> {

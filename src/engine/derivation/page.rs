@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{BigRational, Dimension, Expr, Function, Symbol, element_symbol};
+use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::{
     Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, nearest,
@@ -33,6 +33,8 @@ pub struct Page {
     pub data: Tree<Symbol, Datum>,
     /// The symbols that stand for Euler's number: their powers are read as exponentials.
     pub euler: BTreeSet<Symbol>,
+    /// The imaginary unit where the document has one, and what is given by it: nothing is decided of these.
+    pub complex: BTreeSet<Symbol>,
     /// Everything supposed on the page, by `let` or `assuming`.
     pub locals: Vec<Local>,
     /// What could not be read, besides equations.
@@ -82,6 +84,7 @@ pub(super) fn read_page(
         dimensions: Tree::new(),
         data: Tree::new(),
         euler: BTreeSet::new(),
+        complex: BTreeSet::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),
         declared: Tree::new(),
@@ -313,6 +316,11 @@ impl Page {
     /// Whether a symbol is declared by itself.
     pub fn is_declared(&self, symbol: &Symbol) -> bool {
         self.declared.contains_key(symbol)
+    }
+
+    /// Whether a formula speaks of something that may be complex.
+    pub fn is_complex(&self, formula: &Formula) -> bool {
+        !self.complex.is_empty() && formula.names().iter().any(|own| self.complex.contains(own))
     }
 
     /// The dimension of the elements of a sequence: that declared for `u_i`, for `u`, or for `u_1`.

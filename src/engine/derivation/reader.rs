@@ -6,16 +6,17 @@ use std::vec;
 use crate::algebra::{BigRational, Formula, Symbol};
 use crate::document::{
     Attribute, Citation, Directive, Extent, Item, Layout, Premise, Prose, Qualities, Span,
-    Supposition, SuppositionKind, Vanishing, above_signs,
+    Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
 };
 use crate::notation::{Spanned, SyntaxError, read_formulas};
 use crate::sorted::Set;
 
 use super::definition::Known;
+use super::equation::formulas;
 use super::page::{Page, Premises};
 use super::qualities::{self, Sayings};
 use super::rows::{self, Part};
-use super::supposed::{said_of_moment, slope_by};
+use super::supposed::{MOST_BEFORE, said_of_moment, slope_by};
 use super::{Equation, Kind};
 
 /// Of the values that a piece of text names, so many are looked at.
@@ -224,6 +225,9 @@ impl<'p> Reader<'p> {
     /// Takes up what prose supposes; what it only names is returned.
     fn supposition(&mut self, &Supposition { kind, body }: &Supposition) -> Option<Span> {
         let (new, passage) = (self.page.locals.len().., self.equations.len());
+        if matches!(kind, SuppositionKind::Fact { of_case: false, .. }) && self.is_said(body) {
+            return Some(body);
+        }
         let (page, active) = (&mut *self.page, &mut self.active);
         match kind {
             SuppositionKind::General | SuppositionKind::Elsewhere => {
@@ -273,6 +277,22 @@ impl<'p> Reader<'p> {
             _ => self.suppose(kind, body),
         }
         None
+    }
+
+    /// Whether displays say already what the text says something is: that it is something else they would have to show.
+    fn is_said(&self, body: Span) -> bool {
+        let source = &self.page.document.source;
+        if is_reason(source, body) {
+            return false;
+        }
+        let said = read_formulas(source, body).unwrap_or_default();
+        let said: Vec<Formula> = said.iter().flat_map(formulas).collect();
+        let mut left = said.iter().filter_map(|own| Some(own.as_equation()?.0));
+        let before = self.equations.iter().rev().take(MOST_BEFORE);
+        let statements = before.flat_map(|own| own.statements()).flat_map(formulas);
+        let known: Vec<Formula> = statements.collect();
+        let mut known = known.iter().filter_map(|own| Some(own.as_equation()?.0));
+        left.any(|own| known.any(|known| known == own))
     }
 
     fn says_what_is_meant(&mut self, body: Span) -> bool {

@@ -15,7 +15,7 @@ use super::rows::Part;
 use crate::sorted::Set;
 
 /// How many displays back is looked for what prose says to be zero.
-const MOST_BEFORE: usize = 6;
+pub(super) const MOST_BEFORE: usize = 6;
 
 /// No more symbols than this are counted up to in `R_1, \ldots, R_4 > 0`.
 const MOST_LISTED: u32 = 32;

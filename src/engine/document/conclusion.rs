@@ -149,6 +149,10 @@ const LAWS: [&str; 14] = [
     "equilibrium",
     "symmetry",
 ];
+/// Between what is done and the law that it is done by: "we obtain from energy conservation".
+const LEADING: [&str; 8] = [
+    "from", "by", "using", "with", "through", "via", "applying", "of",
+];
 /// After these comes a reason.
 const BECAUSE: [&str; 2] = ["since", "because"];
 /// Between a reason in words and what follows from it: "No heat is lost, so".
@@ -269,8 +273,22 @@ pub(super) fn reasons_in_words(source: &str, tokens: &[Placed<'_>]) -> bool {
     let reason = since.map(|since| &last[since + 1..]);
     let is_said = |words: &[Placed<'_>]| !words.is_empty() && !words.iter().any(is_equation);
     reason.is_some_and(is_said)
-        || last.iter().any(among(&LAWS)) && is_said(last)
+        || names_a_law(last) && is_said(last)
         || is_said(last) && concludes_from_words(last)
+}
+
+/// Whether a law is named that may be a reason. "This gives Snell's law" names what is concluded.
+fn names_a_law(sentence: &[Placed<'_>]) -> bool {
+    let among = |words: &'static [&str]| move |(token, _): &Placed<'_>| token.is_among(words);
+    let concludes = |(token, _): &Placed<'_>| match token {
+        Token::Word(word) => draws(&word.to_lowercase()) || token.is_among(&["derived", "derive"]),
+        _ => false,
+    };
+    let mut laws = (0..sentence.len()).filter(|&at| among(&LAWS)(&sentence[at]));
+    laws.any(|law| {
+        let verb = sentence[..law].iter().rposition(concludes);
+        verb.is_none_or(|verb| sentence[verb..law].iter().any(among(&LEADING)))
+    })
 }
 
 /// "No heat is lost, so": a sentence that draws one conclusion, from words that say how things are.

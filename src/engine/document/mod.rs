@@ -28,6 +28,7 @@ mod qualities;
 mod source;
 mod span;
 mod supposition;
+pub(crate) use supposition::is_reason;
 
 use std::sync::Arc;
 

@@ -367,6 +367,14 @@ fn is_fact(kind: SuppositionKind) -> bool {
     matches!(kind, Fact { .. } | Known | Meaning)
 }
 
+/// Whether the word before mathematics gives it as a reason: "since $a = b$".
+pub fn is_reason(source: &str, body: Span) -> bool {
+    let before = source.get(..body.start).unwrap_or_default();
+    let before = before.trim_end_matches(|c: char| !c.is_alphabetic());
+    let word = before.rsplit(|c: char| !c.is_alphabetic()).next();
+    word.is_some_and(|word| REASONS.iter().any(|own| own.eq_ignore_ascii_case(word)))
+}
+
 /// Whether one of these words, in lower case, stands before what is at `index`.
 fn follows(index: usize, tokens: &[Placed<'_>], words: &[&str]) -> bool {
     let before = index.checked_sub(1).and_then(|before| tokens.get(before));

@@ -10,12 +10,14 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::{
     Atoms, BigInt, BigRational, Expr, Formula, Function, Lowering, Polynomial, Relation, Symbol,
-    element_parts, element_symbol, expr_of_atom,
+    effort, element_parts, element_symbol, expr_of_atom,
 };
 use crate::sorted::{Map, Set};
 
 /// A definite sum longer than this is not written out.
 const LONGEST_SUM: i64 = 512;
+/// What a term of such a sum takes of the work that may be done: sums of sums of sums have very many.
+const TERM_OF_SUM: usize = 64;
 /// A power higher than this is not multiplied out.
 const HIGHEST_POWER: u32 = 1024;
 /// Definitions that lead to one another more often than this are taken to go in a circle.
@@ -268,6 +270,10 @@ impl Values {
                 }
                 let mut sum = along.constant(BigRational::zero());
                 for at in from..=to {
+                    effort::spend(TERM_OF_SUM);
+                    if effort::is_spent() {
+                        return Err(EvaluateError::TooLarge(term.clone()));
+                    }
                     let at =
                         u32::try_from(at).map_err(|_| EvaluateError::NotWhole(term.clone()))?;
                     add(&mut sum, &self.series(&body.at_index(index, at), along)?);

@@ -188,6 +188,14 @@ impl Expr {
             .for_each(|child| child.collect_differentiated(found));
     }
 
+    /// Adds what is differentiated by in it.
+    pub fn collect_variables(&self, found: &mut Set<Symbol>) {
+        if let Expr::Derivative { variable, .. } = self {
+            found.insert(variable.clone());
+        }
+        (self.children()).for_each(|child| child.collect_variables(found));
+    }
+
     /// Adds the names in it that are applied to such arguments: `f` of `f(x)`.
     pub fn collect_applied(&self, such: &impl Fn(&[Expr]) -> bool, found: &mut Set<Symbol>) {
         if let Expr::Apply(name, arguments) = self

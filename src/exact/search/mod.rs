@@ -47,11 +47,12 @@ pub use missing::{missing_among, missing_suppositions};
 pub use nought::without_powers_of_nought;
 pub use prove::Effort;
 use prove::Prover;
+pub use rates::prove_throughout;
 pub use scaling::{
     Repair, ScalingDecision, decide_scaling, is_plainly_possible, is_scaling, kept_hypotheses,
     prove_scaling,
 };
-pub use still::{are_tied, is_possible, still_in};
+pub use still::{are_tied, is_possible, still_in, with_constants};
 
 /// How many choices a search for a point may try, quickly and in earnest.
 const QUICK: usize = 200;
@@ -311,7 +312,7 @@ pub fn missing_conditions(
     let problem = obligation.problem();
     let prover = Prover::new(problem).ok()?;
     let values = witness.map(|witness| refute::known_at(witness, &problem.atoms));
-    let mut candidates: Vec<Expr> = Vec::new();
+    let (mut candidates, mut others): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
     for fact in problem.facts.iter().filter(|f| f.sign == Sign::Zero) {
         for var in fact.polynomial.vars() {
             if fact.polynomial.degree_in(var) > 2 {
@@ -319,21 +320,23 @@ pub fn missing_conditions(
             }
             let parts = fact.polynomial.in_powers_of(var);
             for factor in parts.last().map(factors).unwrap_or_default().into_keys() {
-                // What does not vanish at the counterexample would not rule it out.
+                // What does not vanish at the counterexample would not rule it out by itself.
                 let remains = |values: &Vec<Option<_>>| {
                     let there = factor.evaluate(|var| values.get(var.position())?.clone());
                     there.is_ok_and(|value| value.is_some_and(|value| !value.is_zero()))
                 };
-                if values.as_ref().is_some_and(remains) {
-                    continue;
-                }
+                let remains = values.as_ref().is_some_and(remains);
                 let plain = factor
                     .vars()
                     .iter()
                     .all(|&v| !matches!(problem.atoms.atom(v), Atom::Opaque(_)));
                 let term = expr_of(&factor, &problem.atoms);
-                if plain && !prover.knows_nonzero(&factor) && !candidates.contains(&term) {
-                    candidates.push(term);
+                let found = match remains {
+                    true => &mut others,
+                    false => &mut candidates,
+                };
+                if plain && !prover.knows_nonzero(&factor) && !found.contains(&term) {
+                    found.push(term);
                 }
             }
         }
@@ -341,6 +344,9 @@ pub fn missing_conditions(
     // What speaks of one symbol is likelier meant than what ties several.
     sorted::sort_by_key(&mut candidates, |term| term.free_symbols().len());
     candidates.truncate(MOST_DIVISORS);
+    // Where two factors are divided out, the counterexample has only one of them 0.
+    others.retain(|term| term.free_symbols().len() == 1 && !candidates.contains(term));
+    others.truncate(MOST_DIVISORS);
     // That a sum is not 0 may say no more than that a factor beside it is: `m a = m g` follows from anything where `a ≠ g`.
     let is_natural = |conditions: &[Formula]| {
         if conditions.iter().all(|c| c.free_symbols().len() < 2) {
@@ -376,7 +382,8 @@ pub fn missing_conditions(
     }
     // In earnest one by one only where all of them would do.
     if effort == Effort::Full {
-        let all = candidates.iter().cloned().map(Formula::nonzero);
+        let all = candidates.iter().chain(&others);
+        let all = all.cloned().map(Formula::nonzero);
         proved(&all.collect::<Vec<_>>())?;
     }
     if let Some(found) = candidates
@@ -385,7 +392,10 @@ pub fn missing_conditions(
     {
         return Some(found);
     }
-    with(&candidates)?;
+    if with(&candidates).is_none() {
+        candidates.extend(others);
+        with(&candidates)?;
+    }
     // Leave out what is not needed.
     let mut at = 0;
     while at < candidates.len() {

@@ -4,7 +4,7 @@ use super::course::said_to_move;
 use super::prove::Prover;
 use super::{Attempt, Decision, Derived, Effort, assuming, attempt_with, derived, pose, still};
 use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol};
-use crate::kernel::{Certificate, Fact, Obligation, Origin, Problem, Rate, Sign};
+use crate::kernel::{Certificate, Claim, Fact, Obligation, Origin, Problem, Rate, Sign};
 use crate::sorted::Set;
 
 /// No more equations than this are differentiated, nor more often than this.
@@ -44,9 +44,26 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
     })
 }
 
+/// A proof from laws that hold for every value of a variable of which the goal does not speak.
+pub fn prove_throughout(claim: Claim, variable: &Symbol) -> Option<Derived> {
+    let posed = pose(claim).ok()?;
+    let one = || Set::from_iter([variable.clone()]);
+    let found = differentiated(&posed, one(), |_| one())?;
+    match attempt_from(&posed, found)? {
+        Attempt::Proof(certificate) => derived(&posed, certificate),
+        _ => None,
+    }
+}
+
 /// A proof with the laws of a claim differentiated by the variables that it differentiates by, or what it needs besides.
 pub(super) fn attempt(obligation: &Obligation) -> Option<Attempt> {
-    let (problem, rates) = with_rates(obligation)?;
+    attempt_from(obligation, with_rates(obligation)?)
+}
+
+fn attempt_from(
+    obligation: &Obligation,
+    (problem, rates): (Problem, Vec<Rate>),
+) -> Option<Attempt> {
     let proved = |effort| {
         let prover = Prover::new(&problem).ok()?;
         match attempt_with(prover, obligation, &problem, effort) {
@@ -79,6 +96,30 @@ pub(super) fn with_rates(obligation: &Obligation) -> Option<(Problem, Vec<Rate>)
     if moving.is_empty() {
         return None;
     }
+    let claim = obligation.claim();
+    // What moves may have been put in; where the goal speaks of it, that need not be differentiated.
+    let named = claim.goal.free_symbols();
+    let left_out = named.is_disjoint(&moving);
+    let by = |problem: &Problem| {
+        let mut found = variables(problem);
+        for term in claim
+            .formulas()
+            .flat_map(Formula::terms)
+            .filter(|_| left_out)
+        {
+            term.collect_variables(&mut found);
+        }
+        found
+    };
+    differentiated(obligation, moving, by)
+}
+
+/// The same by these variables, of the laws that speak of what moves.
+fn differentiated(
+    obligation: &Obligation,
+    moving: Set<Symbol>,
+    variables: impl Fn(&Problem) -> Set<Symbol>,
+) -> Option<(Problem, Vec<Rate>)> {
     let mut problem = obligation.problem().clone();
     let mut rates = Vec::new();
     let mut from = 0;
@@ -86,7 +127,8 @@ pub(super) fn with_rates(obligation: &Obligation) -> Option<(Problem, Vec<Rate>)
         let (end, variables) = (problem.facts.len(), variables(&problem));
         for fact in from..end {
             for variable in &variables {
-                if rates.len() >= MOST_RATES || !is_law(&problem, fact, &moving) {
+                if rates.len() >= MOST_RATES || !is_law(obligation.claim(), &problem, fact, &moving)
+                {
                     continue;
                 }
                 let rate = Rate {
@@ -106,14 +148,18 @@ pub(super) fn with_rates(obligation: &Obligation) -> Option<(Problem, Vec<Rate>)
 
 /// Whether a fact is an equation between what moves. What says where something stands still, or what value the variable has, is
 /// mostly said of one moment.
-fn is_law(problem: &Problem, fact: usize, moving: &Set<Symbol>) -> bool {
+fn is_law(claim: &Claim, problem: &Problem, fact: usize, moving: &Set<Symbol>) -> bool {
     let Fact { polynomial, sign } = &problem.facts[fact];
-    let from_law = matches!(
-        problem.origins[fact],
-        Origin::Hypothesis(_) | Origin::Rate(_)
-    );
-    if !from_law || *sign != Sign::Zero || polynomial.len() < 2 {
+    let (Origin::Hypothesis(law) | Origin::Rate(law)) = problem.origins[fact] else {
         return false;
+    };
+    if *sign != Sign::Zero || polynomial.len() < 2 {
+        return false;
+    }
+    // What moves may have been put in.
+    let law = claim.hypotheses.get(law);
+    if law.is_some_and(|law| !law.formula.free_symbols().is_disjoint(moving)) {
+        return true;
     }
     let mut vars = polynomial.vars().into_iter();
     vars.any(|var| match problem.atoms.atom(var) {

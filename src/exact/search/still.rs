@@ -97,7 +97,7 @@ fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
             .iter()
             .filter_map(|slope| Some(differentiated(slope)?.0.clone())),
     );
-    let posed = pose(with_constants(claim, held)?).ok()?;
+    let posed = pose(held_in(claim, held)?).ok()?;
     let found = first(&mut Points::new(&posed), QUICK, |point| {
         refuted(&posed, point)
     })?;
@@ -108,7 +108,7 @@ fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
 /// The claim with what stands in its integrands constant, where the author does not say that it moves; `None` where nothing
 /// does. The hypotheses `unfold` are put in.
 pub(super) fn held_constant(claim: &Claim, unfold: &[usize]) -> Option<Claim> {
-    with_constants(claim, Said::of(claim, unfold).nothing_of_integrands())
+    held_in(claim, Said::of(claim, unfold).nothing_of_integrands())
 }
 
 /// What a claim says of what moves.
@@ -249,12 +249,12 @@ pub fn are_tied(
 }
 
 /// The claim with further symbols constant. Most claims have none of these: nothing is copied for them.
-fn with_constants(claim: &Claim, held: Set<Symbol>) -> Option<Claim> {
-    (!held.is_empty()).then(|| held_with(claim.clone(), held))
+fn held_in(claim: &Claim, held: Set<Symbol>) -> Option<Claim> {
+    (!held.is_empty()).then(|| with_constants(claim.clone(), held))
 }
 
-/// The same where there may be none.
-pub(super) fn held_with(mut claim: Claim, held: impl IntoIterator<Item = Symbol>) -> Claim {
+/// A claim with further symbols that depend on no variable.
+pub fn with_constants(mut claim: Claim, held: impl IntoIterator<Item = Symbol>) -> Claim {
     for symbol in held {
         claim.domains.entry(symbol).or_default().constant = true;
     }

@@ -1,7 +1,7 @@
 //! Counterexamples in which unknown functions are constant: where `x(0) = x_0` is supposed of a function that nothing else is said of.
 
 use super::refute::Points;
-use super::still::held_with;
+use super::still::with_constants;
 use super::{Decision, QUICK, first, pose, refuted};
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::kernel::{Claim, Obligation, running_in, with_constant_functions};
@@ -61,7 +61,7 @@ fn held_constant(claim: &Claim, applied: &Map<Symbol, Expr>) -> Option<Claim> {
     }
     let running = running_in(claim.formulas());
     let runs = held.iter().any(|symbol| running.contains(symbol));
-    (!runs).then(|| held_with(claim.clone(), held))
+    (!runs).then(|| with_constants(claim.clone(), held))
 }
 
 /// The claim with a constant symbol in place of each unknown function.
@@ -77,5 +77,5 @@ fn as_symbols(claim: &Claim, applied: &Map<Symbol, Expr>) -> Claim {
         hypothesis.formula = hypothesis.formula.map_terms(plain).into();
     }
     own.goal = own.goal.map_terms(plain);
-    held_with(own, applied.keys().cloned())
+    with_constants(own, applied.keys().cloned())
 }

@@ -1,0 +1,176 @@
+//! What follows because something is so for every value of a variable: `\omega^2 = k/m` from `m \ddot x = -k x` and
+//! `x = A \cos(\omega t)`, or coefficients that are compared.
+//!
+//! At one time alone `x` may be 0, and nothing follows; throughout it is 0 only if `A` is, which nobody means who tries such a solution.
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::derivation::{Assumed, Goal};
+use crate::kernel::{Claim, Standing};
+use crate::search;
+use crate::sorted;
+
+use super::Outcome;
+use super::judge::{Found, Judge, condition, sources};
+use super::unstated::{positive, unbounded};
+
+/// More symbols than this are not held constant.
+const MOST_HELD: usize = 10;
+
+impl Judge<'_> {
+    /// Whether the step follows from what holds throughout, with constants that are not 0 in what varies; where roots are taken, with
+    /// positive ones.
+    pub(super) fn holds_throughout(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
+        let variables = self.variables_left_out(goal, set);
+        (variables.iter()).any(|variable| self.holds_for_all(variable, goal, set, found))
+    }
+
+    fn holds_for_all(
+        &self,
+        variable: &Symbol,
+        goal: &Goal,
+        set: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
+        let claim = self.derivation.claim(self.at, set, &goal.formula);
+        let Some(held) = self.held(&claim, variable) else {
+            return false;
+        };
+        let proved = |assumed: &[Assumed]| {
+            let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+            let claim = search::with_constants(claim, held.iter().cloned());
+            search::prove_throughout(claim, variable)
+        };
+        let with = |assumed: &[Assumed], signs: &[Formula]| -> Vec<Assumed> {
+            assumed
+                .iter()
+                .cloned()
+                .chain(signs.iter().map(condition))
+                .collect()
+        };
+        let signs = signs(&claim, &held);
+        let Some((derived, signs)) = search::fewest(signs, |signs| proved(&with(set, signs)))
+        else {
+            return false;
+        };
+        let undeclared = held.iter().filter(|own| !claim.is_constant(own));
+        let still = undeclared.map(|own| stands_still(own, variable));
+        let conditions: Vec<Formula> = still.chain(signs.iter().cloned()).collect();
+        if !search::is_possible(&claim, &conditions) {
+            return false;
+        }
+        let own = set.iter().enumerate();
+        let own = own.filter(|(at, _)| derived.combined.contains(at));
+        let own: Vec<Assumed> = own.map(|(_, own)| own.clone()).collect();
+        let few = with(&own, &signs);
+        let (kept, derived) = match proved(&few) {
+            Some(derived) => (few, derived),
+            None => (with(set, &signs), derived),
+        };
+        let named = derived.proven.claim().free_symbols();
+        let undeclared = held
+            .iter()
+            .filter(|own| !claim.is_constant(own) && named.contains(own));
+        found.constant = undeclared.cloned().collect();
+        found.conditions = signs;
+        found.instead = sources(&kept);
+        found.judged.assumed = kept;
+        found.judged.outcome = Outcome::Proven(derived.proven.into());
+        true
+    }
+
+    /// Leaves open a step that was refuted at one value of a variable only, where what it is drawn from is so for every value.
+    pub(super) fn heed_what_varies(&self, goal: &Goal, assumed: &[Assumed], found: &mut Found) {
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        for variable in self.variables_left_out(goal, assumed) {
+            let Some(held) = self.held(&claim, &variable) else {
+                continue;
+            };
+            let laws = assumed.iter().filter(|own| varies(own, &variable));
+            let slopes = laws.filter_map(|law| slope(&law.formula, &variable));
+            let all = slopes.chain(signs(&claim, &held));
+            let all: Vec<Assumed> = assumed
+                .iter()
+                .cloned()
+                .chain(all.map(|own| condition(&own)))
+                .collect();
+            let larger = self.derivation.claim(self.at, &all, &goal.formula);
+            let larger = search::with_constants(larger, held);
+            found.judged.outcome = match search::refute_in_context(&claim, larger) {
+                Some(refuted) => Outcome::Refuted(refuted.into()),
+                None => Outcome::open(format!(
+                    "it fails at single values of {variable}, and may follow from what is so at all of them"
+                )),
+            };
+        }
+    }
+
+    /// The variables by which the page differentiates and of which premises speak, but not the step, nor of what changes with them.
+    fn variables_left_out(&self, goal: &Goal, set: &[Assumed]) -> Vec<Symbol> {
+        let named = goal.formula.names();
+        let mut variables = self.auditor.variables(self.at);
+        variables.retain(|variable| {
+            let moves =
+                |own: &Symbol| own == variable || self.auditor.changes(self.at, own, variable);
+            !named.iter().any(moves) && set.iter().any(|own| varies(own, variable))
+        });
+        variables
+    }
+
+    /// What is not said to move with a variable. Nothing where that is too much, or nothing.
+    fn held(&self, claim: &Claim, variable: &Symbol) -> Option<Vec<Symbol>> {
+        let named = claim.free_symbols().into_iter();
+        let held = named.filter(|&own| {
+            own != variable && !own.is_unit() && !self.auditor.changes(self.at, own, variable)
+        });
+        let held: Vec<Symbol> = held.cloned().collect();
+        (1..=MOST_HELD).contains(&held.len()).then_some(held)
+    }
+}
+
+/// That none of what is held constant, and of which nobody says where it lies, is 0; where roots are taken, that it is positive.
+fn signs(claim: &Claim, held: &[Symbol]) -> Vec<Formula> {
+    let mut terms = claim.goal.terms().into_iter();
+    let takes_roots = terms.any(|term| term.any(&Expr::is_root));
+    let mut open = unbounded(claim);
+    open.retain(|own| held.contains(own));
+    // What the step divides by is told rather than what follows from it.
+    sorted::sort_by_key(&mut open, |own| !divides(&claim.goal, own));
+    let sign = |symbol: Symbol| match takes_roots {
+        true => positive(&symbol),
+        false => Formula::nonzero(Expr::Symbol(symbol)),
+    };
+    open.into_iter().map(sign).collect()
+}
+
+/// Whether a symbol stands in a denominator.
+fn divides(goal: &Formula, symbol: &Symbol) -> bool {
+    let below = |part: &Expr| matches!(part, Expr::Quotient(_, below) if below.mentions(symbol));
+    goal.terms().into_iter().any(|term| term.any(&below))
+}
+
+/// Whether a premise is so for every value of a variable, and speaks of it.
+fn varies(assumed: &Assumed, variable: &Symbol) -> bool {
+    let is_variable = |part: &Expr| matches!(part, Expr::Symbol(own) if own == variable);
+    let mut terms = assumed.formula.terms().into_iter();
+    assumed.standing == Standing::Identity && terms.any(|term| term.any(&is_variable))
+}
+
+fn stands_still(symbol: &Symbol, variable: &Symbol) -> Formula {
+    Formula::equal(
+        by(&Expr::Symbol(symbol.clone()), variable),
+        Expr::integer(0),
+    )
+}
+
+/// Both sides of an equation differentiated.
+fn slope(law: &Formula, variable: &Symbol) -> Option<Formula> {
+    let (left, right) = law.as_equation()?;
+    Some(Formula::equal(by(left, variable), by(right, variable)))
+}
+
+fn by(term: &Expr, variable: &Symbol) -> Expr {
+    Expr::Derivative {
+        body: term.clone().into(),
+        variable: variable.clone(),
+    }
+}

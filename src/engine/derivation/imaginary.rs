@@ -1,0 +1,133 @@
+//! The imaginary unit where nobody declares it: what is said with it is said of complex numbers, and claims here are about real ones.
+//!
+//! `i` is the unit where it stands in the exponent of an exponential, where the text says that something is complex, or that $i^2 = -1$;
+//! so is `\mathrm i`. A letter that counts somewhere, as in `\sum_i`, is not taken for it. What is given by something complex may be complex
+//! too.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::{Expr, Formula, Function, Symbol};
+
+use super::Equation;
+use super::equation::formulas;
+use super::page::Page;
+
+/// The letters that stand for it; the upright ones for nothing else.
+const UNITS: [(&str, bool); 4] = [
+    ("i", false),
+    ("j", false),
+    ("\\text{i}", true),
+    ("\\text{j}", true),
+];
+/// Words of texts about complex numbers.
+const SAID: [&str; 4] = ["imaginary", "complex", "impedance", "phasor"];
+/// What is given by what is complex, and so on: so many times at most.
+const MOST_ROUNDS: usize = 8;
+
+/// Finds the unit, and what may be complex with it; `own` are the pages of one document.
+pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &[Equation]) {
+    let mut said: Vec<Formula> = Vec::new();
+    for &at in own
+        .iter()
+        .filter(|&&at| may_speak_of_one(&pages[at], at, equations))
+    {
+        let of_page = super::equation::of_page(at, equations);
+        let statements = equations[of_page].iter().flat_map(Equation::statements);
+        said.extend(statements.flat_map(formulas));
+        let locals = pages[at].locals.iter().flat_map(|local| &local.formulas);
+        said.extend(locals.map(|formula| (**formula).clone()));
+    }
+    let named: BTreeSet<Symbol> = said.iter().flat_map(Formula::names).collect();
+    let is_unit = |&(name, upright): &(&str, bool)| {
+        let unit = Symbol::new(name);
+        let is_declared = own.iter().any(|&at| pages[at].is_declared(&unit));
+        let is_meant =
+            || upright || is_told(own, pages) || said.iter().any(|own| shows(own, &unit));
+        named.contains(&unit)
+            && !is_declared
+            && !said.iter().any(|own| counts(own, &unit))
+            && is_meant()
+    };
+    let units = UNITS.iter().filter(|unit| is_unit(unit));
+    let mut complex: BTreeSet<Symbol> = units.map(|&(name, _)| Symbol::new(name)).collect();
+    if complex.is_empty() {
+        return;
+    }
+    for _ in 0..MOST_ROUNDS {
+        let before = complex.len();
+        for formula in &said {
+            complex.extend(given_by(formula, &complex));
+        }
+        if complex.len() == before {
+            break;
+        }
+    }
+    for &at in own {
+        pages[at].complex.clone_from(&complex);
+    }
+}
+
+/// Whether one of the letters stands by itself in the displays of a page.
+fn may_speak_of_one(page: &Page, at: usize, equations: &[Equation]) -> bool {
+    let of_page = super::equation::of_page(at, equations);
+    equations[of_page].iter().any(|equation| {
+        let text = page.document.text(equation.body);
+        text.split(|c: char| !c.is_alphabetic())
+            .any(|word| matches!(word, "i" | "j") || word.starts_with(['i', 'j']) && word.len() < 4)
+    })
+}
+
+/// Whether the text speaks of complex numbers.
+fn is_told(own: &[usize], pages: &[Page]) -> bool {
+    own.iter().any(|&at| {
+        let document = &pages[at].document;
+        let mut prose = document.prose();
+        prose.any(|prose| {
+            let mut words = document
+                .text(prose.span)
+                .split(|c: char| !c.is_alphabetic());
+            words.any(|word| SAID.iter().any(|own| own.eq_ignore_ascii_case(word)))
+        })
+    })
+}
+
+/// Whether a formula can only mean the unit: `e^{i k x}`, `i^2 = -1`.
+fn shows(formula: &Formula, unit: &Symbol) -> bool {
+    let is_unit = |term: &Expr| matches!(term, Expr::Symbol(own) if own == unit);
+    let turns =
+        |part: &Expr| matches!(part, Expr::Call(Function::Exp, inner) if inner.mentions(unit));
+    let says = formula.as_equation().is_some_and(|(left, right)| {
+        let squared =
+            matches!(left, Expr::Power(base, two) if is_unit(base) && **two == Expr::integer(2));
+        squared && matches!(right, Expr::Negate(one) if **one == Expr::integer(1))
+            || squared && *right == Expr::integer(-1)
+    });
+    says || formula.terms().into_iter().any(|term| term.any(&turns))
+}
+
+/// Whether a letter counts in a formula, or numbers something.
+fn counts(formula: &Formula, letter: &Symbol) -> bool {
+    let binds = |part: &Expr| {
+        let numbers = matches!(part, Expr::Element { index, .. } if index == letter);
+        numbers || part.binder() == Some(letter)
+    };
+    formula.terms().into_iter().any(|term| term.any(&binds))
+}
+
+/// What an equation gives by something complex: `\psi`, of `\psi = A e^{i k x}`.
+fn given_by(formula: &Formula, complex: &BTreeSet<Symbol>) -> Vec<Symbol> {
+    let Some((left, right)) = formula.as_equation() else {
+        return Vec::new();
+    };
+    let sides = [(left, right), (right, left)].into_iter();
+    let named = sides.filter_map(|(side, other)| {
+        let (Expr::Symbol(name) | Expr::Apply(name, _)) = side else {
+            return None;
+        };
+        complex
+            .iter()
+            .any(|own| other.mentions(own))
+            .then(|| name.clone())
+    });
+    named.collect()
+}
