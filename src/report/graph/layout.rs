@@ -16,7 +16,7 @@ pub(super) use card::Port;
 /// Sizes, in units of the drawing.
 pub(super) const NODE_HEIGHT: i64 = 26;
 const ROW: i64 = 34;
-const GAP: i64 = 36;
+const GAP: i64 = 30;
 const STRIP_GAP: i64 = 12;
 const PADDING: i64 = 14;
 const TITLE: i64 = 34;

@@ -13,6 +13,9 @@ use super::{
     width_of,
 };
 
+/// An arrow runs level for so long before its tip.
+const LEAD: i64 = 9;
+
 /// A document whose corner is at the origin.
 pub(super) struct Card {
     pub width: i64,
@@ -164,14 +167,16 @@ impl Setter<'_> {
                 0 => (&[][..], &[][..]),
                 _ => (&entries[at][..], &exits[at][..]),
             };
+            let lead = if at == 0 { 0 } else { LEAD };
+            let left = x + room(entries.len()) + lead;
             let column = Column {
                 start: x,
-                x: x + room(entries.len()),
-                end: x + room(entries.len()) + columns.widths[layer] + room(exits.len()),
+                x: left,
+                end: left + columns.widths[layer] + room(exits.len()),
             };
             self.column(&columns.items[layer], &rows[at], column, top);
             for (order, &own) in entries.iter().enumerate() {
-                let x = column.x - track(order, entries.len());
+                let x = column.x - lead - track(order, entries.len());
                 self.card.ports[own].entry.push((x, 0));
             }
             for (order, &own) in exits.iter().enumerate() {
