@@ -9,13 +9,13 @@ use super::super::words::count;
 use super::layout::{Frame, Layout, drawn_name, letters_in};
 use super::legend::{LEGEND_LINE, legend};
 use super::{Graph, Status};
-use crate::notation::escape_by;
+use crate::notation::{escape_by, unbraced};
 
 pub(super) const MARGIN: i64 = 20;
 /// Above the cards: a heading and one line of the legend.
 const HEAD: i64 = 74;
 /// How wide a drawing of its own is, without its margins.
-const WIDTH: i64 = 1_560;
+const WIDTH: i64 = 1_110;
 /// How wide it is on a page, which has less room and may go on for longer: on a sheet of A4 its text is 7 points high.
 const WIDTH_ON_A_PAGE: i64 = 900;
 
@@ -170,7 +170,8 @@ impl Graph {
             Some(address) => (format!("a href=\"{}\"", escaped(&address(at))), "a"),
             None => ("g".to_owned(), "g"),
         };
-        let mut told = format!("{}: {}, {}", node.name, node.status.words(), node.statement);
+        let statement = unbraced(&node.statement);
+        let mut told = format!("{}: {}, {statement}", node.name, node.status.words());
         if !node.rests_on.is_empty() {
             let names = node
                 .rests_on
