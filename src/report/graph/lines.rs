@@ -9,47 +9,116 @@ use super::layout::{Frame, Layout, Point, Route};
 /// How round a corner is.
 const ROUND: i64 = 6;
 
-/// Lines that nothing else distinguishes, in `d` of a path each.
-#[derive(Default)]
-struct Lines(Vec<String>);
+/// A line, or the tip of one.
+pub(super) struct Line {
+    /// What it covers from above to below.
+    rows: Range<i64>,
+    element: String,
+}
 
-impl Graph {
-    /// The lines between two heights. What is broken is drawn last, over the rest.
-    pub(super) fn lines(&self, layout: &Layout, own: &Range<i64>) -> String {
-        let mut text = String::new();
-        for (is_broken, class) in [(false, "cv-edge"), (true, "cv-edge cv-broken")] {
-            let edges = self.edges.iter().zip(&layout.routes);
-            let edges: Vec<(usize, usize, &Route)> = edges
-                .filter(|(edge, _)| self.is_broken(**edge) == is_broken)
-                .map(|(&(from, to), route)| (from, to, route))
-                .collect();
-            for path in Lines::of(layout, own, &edges).0 {
-                text += &format!("<path class=\"{class}\" d=\"{path}\"/>\n");
-            }
-        }
-        text + &self.tips(layout, own)
+impl Line {
+    /// What is seen of it between two heights.
+    pub fn within(&self, rows: &Range<i64>) -> Option<&str> {
+        let is_seen = self.rows.start < rows.end && rows.start < self.rows.end;
+        is_seen.then_some(self.element.as_str())
     }
 
-    /// The tip of an arrow at each statement that anything leads to.
-    fn tips(&self, layout: &Layout, own: &Range<i64>) -> String {
+    fn stroke(rows: Range<i64>, path: &str, is_broken: bool) -> Line {
+        let class = if is_broken { " cv-broken" } else { "" };
+        Line {
+            rows,
+            element: format!("<path class=\"cv-edge{class}\" d=\"{path}\"/>\n"),
+        }
+    }
+
+    /// The tip of an arrow at a statement.
+    fn tip(frame: &Frame, is_broken: bool) -> Line {
+        let class = if is_broken { " cv-broken" } else { "" };
+        let (x, y) = (frame.x, frame.middle());
+        Line {
+            rows: frame.y..frame.y + frame.height,
+            element: format!("<path class=\"cv-tip{class}\" d=\"M{x} {y}l-7 -3.5v7z\"/>\n"),
+        }
+    }
+
+    fn around(corners: &[Point], is_broken: bool) -> Line {
+        let (mut top, mut bottom) = (i64::MAX, i64::MIN);
+        for (_, y) in corners {
+            (top, bottom) = (top.min(*y), bottom.max(*y));
+        }
+        Line::stroke(top - 1..bottom + 1, &rounded(corners), is_broken)
+    }
+}
+
+impl Graph {
+    /// All lines, in the order in which they are drawn: what is broken lies over the rest, and tips over lines.
+    pub(super) fn lines(&self, layout: &Layout) -> Vec<Line> {
+        let mut lines = self.of_a_kind(layout, false);
+        lines.extend(self.of_a_kind(layout, true));
         let mut broken = vec![None; self.nodes.len()];
         for &edge in &self.edges {
-            let told = broken[edge.1].get_or_insert(false);
-            *told |= self.is_broken(edge);
+            *broken[edge.1].get_or_insert(false) |= self.is_broken(edge);
         }
-        let mut text = String::new();
-        for (frame, broken) in layout.nodes.iter().zip(broken) {
-            let Some(is_broken) = broken.filter(|_| own.contains(&frame.y)) else {
+        let tips = layout.nodes.iter().zip(broken);
+        lines.extend(tips.filter_map(|(frame, broken)| Some(Line::tip(frame, broken?))));
+        lines
+    }
+
+    /// The lines that are broken, or those that are not, nothing of them twice: what several edges share is one line.
+    fn of_a_kind(&self, layout: &Layout, is_broken: bool) -> Vec<Line> {
+        let mut lines = Vec::new();
+        // By beginning, how far up and down its edges run in the gutter.
+        let mut trunks: BTreeMap<usize, Trunk> = BTreeMap::new();
+        // By end, from how far at the left it is reached.
+        let mut entries: BTreeMap<usize, i64> = BTreeMap::new();
+        for (&(from, to), route) in self.edges.iter().zip(&layout.routes) {
+            if self.is_broken((from, to)) != is_broken {
                 continue;
+            }
+            let x = match route {
+                Route::Through(boxes) => {
+                    let top = boxes.iter().map(|frame| frame.y).min().unwrap_or(0);
+                    let bottom = boxes.iter().map(|frame| frame.y + frame.height).max();
+                    let rows = top..bottom.unwrap_or(0);
+                    lines.push(Line::stroke(rows, &level(boxes), is_broken));
+                    continue;
+                }
+                Route::Around(x) => *x,
             };
-            let class = if is_broken { " cv-broken" } else { "" };
-            text += &format!(
-                "<path class=\"cv-tip{class}\" d=\"M{} {}l-7 -3.5v7z\"/>\n",
-                frame.x,
-                frame.middle()
-            );
+            let (leaves, enters) = (layout.ports[from].leaves(), layout.ports[to].enters());
+            let turn = match leaves < enters {
+                true => enters - ROUND,
+                false => enters + ROUND,
+            };
+            let trunk = trunks.entry(from).or_insert(Trunk {
+                x,
+                top: leaves,
+                bottom: leaves,
+            });
+            (trunk.top, trunk.bottom) = (trunk.top.min(turn), trunk.bottom.max(turn));
+            let turned = x + ROUND;
+            let corner = format!("M{x} {turn}Q{x} {enters},{turned} {enters}");
+            let rows = turn.min(enters)..turn.max(enters);
+            lines.push(Line::stroke(rows, &corner, is_broken));
+            let left = entries.entry(to).or_insert(turned);
+            *left = turned.min(*left);
         }
-        text
+        for (from, trunk) in trunks {
+            let leaves = layout.ports[from].leaves();
+            for end in [trunk.top, trunk.bottom] {
+                if end != leaves {
+                    let mut corners = layout.ports[from].exit.clone();
+                    corners.extend([(trunk.x, leaves), (trunk.x, end)]);
+                    lines.push(Line::around(&corners, is_broken));
+                }
+            }
+        }
+        for (to, left) in entries {
+            let mut corners = vec![(left, layout.ports[to].enters())];
+            corners.extend(&layout.ports[to].entry);
+            lines.push(Line::around(&corners, is_broken));
+        }
+        lines
     }
 }
 
@@ -58,65 +127,6 @@ struct Trunk {
     x: i64,
     top: i64,
     bottom: i64,
-}
-
-impl Lines {
-    /// What is seen of edges between two heights, nothing of it twice: what several share is one line.
-    fn of(layout: &Layout, own: &Range<i64>, edges: &[(usize, usize, &Route)]) -> Lines {
-        let mut lines = Lines::default();
-        let is_here = |node: usize| own.contains(&layout.nodes[node].y);
-        let mut trunks: BTreeMap<usize, Trunk> = BTreeMap::new();
-        // By end, from how far at the left it is reached.
-        let mut entries: BTreeMap<usize, i64> = BTreeMap::new();
-        for &(from, to, route) in edges {
-            match route {
-                Route::Through(boxes) if is_here(from) => lines.0.push(level(boxes)),
-                Route::Through(_) => {}
-                Route::Around(x) => {
-                    let (leaves, enters) = (layout.ports[from].leaves(), layout.ports[to].enters());
-                    let turn = match leaves < enters {
-                        true => enters - ROUND,
-                        false => enters + ROUND,
-                    };
-                    let trunk = trunks.entry(from).or_insert(Trunk {
-                        x: *x,
-                        top: leaves,
-                        bottom: leaves,
-                    });
-                    (trunk.top, trunk.bottom) = (trunk.top.min(turn), trunk.bottom.max(turn));
-                    if is_here(to) {
-                        let turned = x + ROUND;
-                        lines
-                            .0
-                            .push(format!("M{x} {turn}Q{x} {enters},{turned} {enters}"));
-                        let left = entries.entry(to).or_insert(turned);
-                        *left = turned.min(*left);
-                    }
-                }
-            }
-        }
-        for (from, trunk) in trunks {
-            let exit = &layout.ports[from].exit;
-            let leaves = layout.ports[from].leaves();
-            for end in [trunk.top, trunk.bottom] {
-                if is_here(from) && end != leaves {
-                    let mut corners = exit.clone();
-                    corners.extend([(trunk.x, leaves), (trunk.x, end)]);
-                    lines.0.push(rounded(&corners));
-                }
-            }
-            let (start, end) = (trunk.top.max(own.start), trunk.bottom.min(own.end));
-            if !is_here(from) && start < end {
-                lines.0.push(format!("M{} {start}V{end}", trunk.x));
-            }
-        }
-        for (to, left) in entries {
-            let mut corners = vec![(left, layout.ports[to].enters())];
-            corners.extend(&layout.ports[to].entry);
-            lines.0.push(rounded(&corners));
-        }
-        lines
-    }
 }
 
 /// Level through boxes, and in a bend from each to the next.

@@ -8,6 +8,7 @@ use std::ops::Range;
 use super::super::words::count;
 use super::layout::{Frame, Layout, drawn_name, letters_in};
 use super::legend::{LEGEND_LINE, legend};
+use super::lines::Line;
 use super::{Graph, Status};
 use crate::notation::{escape_by, unbraced};
 
@@ -109,6 +110,7 @@ impl Graph {
         };
         let (right, down) = (MARGIN + layout.left, MARGIN + head);
         let mut text = String::new();
+        let drawn = self.lines(&layout);
         let mut start = 0;
         for end in rows.into_iter().map(|y| y + down).chain([height]) {
             let [about, legend] = match start {
@@ -122,7 +124,7 @@ impl Graph {
                  <rect class=\"cv-page\" y=\"{start}\" width=\"{width}\" height=\"{tall}\"/>\n{legend}\
                  <g transform=\"translate({right} {down})\">\n"
             );
-            text += &self.between(&layout, start - down..end - down, address);
+            text += &self.between(&layout, &drawn, start - down..end - down, address);
             text += "</g>\n</svg>\n";
             start = end;
         }
@@ -130,7 +132,13 @@ impl Graph {
     }
 
     /// What is to be seen between two heights: cards with their statements, and the lines that pass.
-    fn between(&self, layout: &Layout, own: Range<i64>, address: Option<Address<'_>>) -> String {
+    fn between(
+        &self,
+        layout: &Layout,
+        lines: &[Line],
+        own: Range<i64>,
+        address: Option<Address<'_>>,
+    ) -> String {
         let mut text = String::new();
         let is_here = |frame: &Frame| own.contains(&frame.y);
         for (_, frame) in layout.cards.iter().filter(|(_, frame)| is_here(frame)) {
@@ -139,7 +147,7 @@ impl Graph {
                 frame.x, frame.y, frame.width, frame.height
             );
         }
-        text += &self.lines(layout, &own);
+        text.extend(lines.iter().filter_map(|line| line.within(&own)));
         for card in layout.cards.iter().filter(|(_, frame)| is_here(frame)) {
             text += &self.title(card);
         }
