@@ -162,6 +162,135 @@ fn legible(svg: &str) {
     }
 }
 
+/// What stands in the way of lines: statements and titles, as left, top, right and bottom.
+fn obstacles(drawing: &str) -> Vec<[f64; 4]> {
+    let after = |text: &str, key: &str| {
+        let rest = &text[text.find(key).expect(key) + key.len()..];
+        let end = rest.find(|c: char| c != '-' && c != '.' && !c.is_ascii_digit());
+        rest[..end.unwrap_or(rest.len())].parse::<f64>().unwrap()
+    };
+    let mut all = Vec::new();
+    for line in drawing.lines() {
+        if line.contains("cv-node") {
+            // A rectangle, or the path of an octagon whose corners are cut.
+            let (x, y, width) = match line.find("<rect ") {
+                Some(at) => {
+                    let rect = &line[at..];
+                    let [x, y, width] = [" x=\"", " y=\"", " width=\""].map(|k| after(rect, k));
+                    (x, y, width)
+                }
+                None => {
+                    let path = &line[line.find("cv-box").unwrap()..];
+                    let path = &path[path.find(" d=\"M").unwrap() + 4..];
+                    let (x, y) = (after(path, "M") - 8.0, after(path, " "));
+                    (x, y, after(path, "H") + 8.0 - x)
+                }
+            };
+            all.push([x, y, x + width, y + 26.0]);
+        } else if line.contains("cv-title") {
+            let (x, y) = (after(line, " x=\""), after(line, " y=\""));
+            let title = &line[line.find("\"600\">").unwrap() + 6..line.find("</text>").unwrap()];
+            all.push([x, y - 12.0, x + 6.0 * title.chars().count() as f64, y + 3.0]);
+        }
+    }
+    all
+}
+
+/// Points of a path, close to each other.
+fn points(path: &str) -> Vec<[f64; 2]> {
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    let mut rest = path;
+    while let Some(command) = rest.chars().next() {
+        let end = rest[1..].find(|c: char| c.is_ascii_alphabetic());
+        let end = end.map_or(rest.len(), |end| end + 1);
+        let numbers: Vec<f64> = rest[1..end]
+            .split([' ', ','])
+            .map(|n| n.parse().unwrap())
+            .collect();
+        let from = points.last().copied().unwrap_or_default();
+        let stops: Vec<[f64; 2]> = match command {
+            'H' => vec![[numbers[0], from[1]]],
+            'V' => vec![[from[0], numbers[0]]],
+            _ => numbers.chunks(2).map(|n| [n[0], n[1]]).collect(),
+        };
+        // De Casteljau's way, whatever the degree.
+        for step in 1..=if command == 'M' { 1 } else { 200 } {
+            let share = if command == 'M' {
+                1.0
+            } else {
+                f64::from(step) / 200.0
+            };
+            let mut hull = vec![from];
+            hull.extend(&stops);
+            while hull.len() > 1 {
+                let between = |a: f64, b: f64| a + share * (b - a);
+                hull = hull
+                    .windows(2)
+                    .map(|w| [between(w[0][0], w[1][0]), between(w[0][1], w[1][1])])
+                    .collect();
+            }
+            points.push(hull[0]);
+        }
+        rest = &rest[end..];
+    }
+    points
+}
+
+/// Looks at the paths of all lines in a drawing, and says how many there are.
+fn runs_around_everything(svg: &str) -> usize {
+    let mut number = 0;
+    for drawing in svg.split(")\">\n").skip(1) {
+        let obstacles = obstacles(drawing);
+        for line in drawing.lines().filter(|line| line.contains("\"cv-edge")) {
+            let path = &line[line.find(" d=\"").unwrap() + 4..line.rfind('"').unwrap()];
+            number += 1;
+            for [x, y] in points(path) {
+                for [left, top, right, bottom] in &obstacles {
+                    let is_within =
+                        left + 1.0 < x && x < right - 1.0 && top + 1.0 < y && y < bottom - 1.0;
+                    assert!(
+                        !is_within,
+                        "{path} at {x} {y} in {left} {top} {right} {bottom}"
+                    );
+                }
+            }
+        }
+    }
+    number
+}
+
+#[test]
+fn no_line_runs_behind_a_statement_or_a_title() {
+    of(&proofs::report(), |graph, _| {
+        assert!(runs_around_everything(&graph.svg()) > graph.edges.len());
+        assert!(runs_around_everything(&graph.svg_linked(&|at| format!("#{at}"))) > 100);
+    });
+    of(&proofs::corrected::corrected(), |graph, _| {
+        assert!(runs_around_everything(&graph.svg()) > 100);
+    });
+}
+
+/// Long chains that go on below, steps that lean on what stands far off, and on what comes only later.
+#[test]
+fn lines_of_a_long_document_run_around_everything() {
+    let mut page = String::from("<!-- check: symbols x: positive -->\n");
+    for at in 1..=90 {
+        let premises = match at {
+            1..=3 => String::from("<!-- check: law -->\n"),
+            _ => {
+                let cited = [at - 1, at / 2, if at % 7 == 0 { at + 2 } else { at - 3 }];
+                let cited: Vec<String> = cited.iter().map(|c| format!("({c})")).collect();
+                format!("<!-- check: from {} -->\n", cited.join(", "))
+            }
+        };
+        page += &format!("{premises}$$ x \\leq {at} \\tag{{{at}}} $$\n");
+    }
+    graph(&page, |graph, _| {
+        assert!(runs_around_everything(&graph.svg()) > 90);
+        assert!(runs_around_everything(&graph.svg_linked(&|at| format!("#{at}"))) > 90);
+    });
+}
+
 #[test]
 fn names_cannot_break_out_of_a_drawing() {
     let page =

@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use super::plot::{Materials, Plot};
 use crate::report::codes::Level;
@@ -33,7 +33,7 @@ pub struct Args {
     /// Print under each line what was understood, as LaTeX.
     #[arg(long, global = true)]
     pub show_understood: bool,
-    /// Write to this file instead of standard output; it is replaced as a whole, or not at all.
+    /// Write to this file instead of standard output; it is replaced as a whole, or not at all. `-` is standard output.
     #[arg(short, long, global = true, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Work with this many threads, at most 8; without it, as many as there are processors. The result is the same.
@@ -48,6 +48,42 @@ pub struct Args {
     /// What makes the audit of the built-in report fail.
     #[command(flatten)]
     pub gate: Gate,
+}
+
+/// The options that say which documents are read, and what is told of their equations.
+const OF_DOCUMENTS: [&str; 4] = ["builtin", "config", "no_config", "show_understood"];
+/// The commands that read no documents.
+const WITHOUT_DOCUMENTS: [&str; 6] = [
+    "scenario",
+    "simulate",
+    "plot",
+    "table",
+    "completions",
+    "man",
+];
+
+/// The commands with their options; none lists an option that says nothing to it.
+pub fn commands() -> clap::Command {
+    let all = Args::command();
+    let hidden = all.get_arguments().filter_map(|option| {
+        let is_of_documents = OF_DOCUMENTS.contains(&option.get_id().as_str());
+        is_of_documents.then(|| option.clone().hide(true))
+    });
+    let hidden: Vec<clap::Arg> = hidden.collect();
+    WITHOUT_DOCUMENTS.into_iter().fold(all, |all, name| {
+        all.mut_subcommand(name, |command| command.args(hidden.clone()))
+    })
+}
+
+impl Args {
+    /// The arguments that the program was started with; it ends where they cannot be understood.
+    pub fn read() -> Args {
+        let matches = commands().get_matches();
+        let mut args = Args::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        // `-` is what is written to where no file is named.
+        args.output = args.output.filter(|file| file.as_os_str() != "-");
+        args
+    }
 }
 
 /// What makes an audit fail.

@@ -1,13 +1,29 @@
 //! Tables for other programs: comma-separated values, and Markdown.
 
-/// Rows as comma-separated values (RFC 4180, but with bare line feeds).
+use std::borrow::Cow;
+
+use crate::cradle::parse_exact;
+
+/// Rows as comma-separated values (RFC 4180, but with bare line feeds). What a spreadsheet would take for a formula begins
+/// with an apostrophe.
 pub(super) fn csv(rows: &[Vec<String>]) -> String {
-    let cell = |text: &String| match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.clone(),
+    let cell = |text: &String| {
+        let text = harmless(text);
+        match text.contains([',', '"', '\n', '\r']) {
+            true => format!("\"{}\"", text.replace('"', "\"\"")),
+            false => text.into_owned(),
+        }
     };
     let line = |row: &Vec<String>| row.iter().map(cell).collect::<Vec<_>>().join(",") + "\n";
     rows.iter().map(line).collect()
+}
+
+/// Text that no spreadsheet calculates with, unless it is a number.
+fn harmless(text: &str) -> Cow<'_, str> {
+    match text.starts_with(['=', '+', '-', '@', '\t', '\r']) && parse_exact(text).is_err() {
+        true => format!("'{text}").into(),
+        false => text.into(),
+    }
 }
 
 /// Rows as a Markdown table, the first one being its head, with numbers in all columns but the first. What could be markup

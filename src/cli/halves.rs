@@ -15,7 +15,8 @@ use super::plot::failed;
 use super::table::numbered;
 use crate::audit::Verdict;
 use crate::derivation::Checker;
-use crate::figures::{Decay, FigureError, Law, Material, alike, exact, nearest, share};
+use crate::figures::{Decay, FigureError, Law, Material, alike, exact, rounded, share};
+use crate::notation::unbraced;
 use crate::report::html::Table;
 
 const TITLE: &str = "Energy lost in one collision, and collisions until no more than half is left";
@@ -75,7 +76,7 @@ pub(super) fn halves(
         Format::Markdown => {
             let table = csv::markdown(&cells(&decay, &rows, Format::Markdown));
             let notes = notes(&decay, &rows).join("\n");
-            Ok(format!("{table}\n{}\n", csv::escaped(&notes)))
+            Ok(format!("{table}\n{}\n", csv::escaped(&unbraced(&notes))))
         }
         other => Err(super::run::no_audit(other)),
     }
@@ -184,21 +185,22 @@ fn percents(shares: &[BigRational]) -> Vec<String> {
         let written = exact(percent);
         written.chars().count() <= LONGEST && !written.contains('/')
     };
-    let shown = percents.iter().map(|percent| match is_short(percent) {
-        true => percent.clone(),
-        false => nearest(percent, ROUNDED),
-    });
-    let shown: Vec<BigRational> = shown.collect();
-    let texts = alike(&shown, LONGEST)
-        .into_iter()
-        .zip(&shown)
-        .zip(&percents);
-    let signed = |((text, shown), percent): ((String, &BigRational), &BigRational)| match () {
-        () if is_short(percent) => format!("{text} %"),
-        () if shown.is_zero() => format!("< 0.{:0>ROUNDED$} %", 1),
-        () => format!("≈ {text} %"),
+    // What is rounded makes nothing else longer.
+    let short: Vec<BigRational> = percents.iter().filter(|p| is_short(p)).cloned().collect();
+    let mut short = alike(&short, LONGEST).into_iter();
+    let mut written = |percent: &BigRational| match is_short(percent) {
+        true => format!("{} %", short.next().unwrap_or_default()),
+        false => approximately(percent),
     };
-    texts.map(signed).collect()
+    percents.iter().map(&mut written).collect()
+}
+
+/// A percentage that is rounded.
+fn approximately(percent: &BigRational) -> String {
+    match rounded(percent, ROUNDED).as_str() {
+        "0" => format!("< 0.{:0>ROUNDED$} %", 1),
+        text => format!("≈ {text} %"),
+    }
 }
 
 fn human(decay: &Decay, rows: &[Row]) -> String {
@@ -206,7 +208,7 @@ fn human(decay: &Decay, rows: &[Row]) -> String {
     text += &numbered(&cells(decay, rows, Format::Human));
     text.push('\n');
     for note in notes(decay, rows) {
-        let _ = writeln!(text, "{note}");
+        let _ = writeln!(text, "{}", unbraced(&note));
     }
     text
 }

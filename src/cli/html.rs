@@ -1,5 +1,7 @@
 //! `report`: the whole audit as one page, with the report's own figures and table where it is about the report.
 
+use std::path::Path;
+
 use super::args::{Args, Format};
 use super::output::Content;
 use super::run::Done;
@@ -23,6 +25,9 @@ pub(super) fn report(
                 .help("`cradle-verify check --format json` is for programs"),
         );
     }
+    if let Some(file) = &args.output {
+        is_of_a_page(file)?;
+    }
     let checker = Checker::new(derivation);
     let report = Report {
         derivation: checker.derivation(),
@@ -36,6 +41,18 @@ pub(super) fn report(
     let page = report.html(&pictures);
     let found = report.findings() > 0;
     Ok((Content::Bytes(page.into_bytes()), found))
+}
+
+/// That the name of a file does not promise anything but a page. One without an ending promises nothing.
+fn is_of_a_page(file: &Path) -> Result<(), Failure> {
+    let ending = file.extension().map(|e| e.to_string_lossy().to_lowercase());
+    match ending.as_deref() {
+        None | Some("html" | "htm" | "xhtml") => Ok(()),
+        Some(ending) => Err(
+            Failure::new(format!("a page of HTML is not written as `.{ending}`"))
+                .help("write it as `.html`; a browser prints it to PDF"),
+        ),
+    }
 }
 
 /// What draws one of the figures.
@@ -52,10 +69,12 @@ fn pictures(checker: &Checker) -> Result<Pictures, FigureError> {
         &figures::lithotripsy,
     ];
     let drawn = in_order(all, |figure| {
-        let scene = figure(checker)?.scene;
+        let Figure { scene, narrow, .. } = figure(checker)?;
+        let (scene, caption) = scene.parted();
         Ok(Picture {
             svg: figures::svg(&scene),
-            title: scene.title,
+            narrow: figures::svg(&narrow.parted().0),
+            caption: figures::markup(&caption),
         })
     });
     Ok(Pictures {

@@ -1,14 +1,12 @@
 //! What is generated from the arguments: shell completions and manual pages.
 
-use clap::CommandFactory;
-
 use super::Failure;
-use super::args::Args;
+use super::args::commands;
 
 /// The script for a shell.
 pub fn completions(shell: clap_complete::Shell) -> String {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Args::command(), "cradle-verify", &mut script);
+    clap_complete::generate(shell, &mut commands(), "cradle-verify", &mut script);
     String::from_utf8_lossy(&script).into_owned()
 }
 
@@ -17,7 +15,7 @@ pub fn completions(shell: clap_complete::Shell) -> String {
 /// # Errors
 /// There is no such command.
 pub fn page(names: &[String]) -> Result<String, Failure> {
-    let mut all = Args::command();
+    let mut all = commands();
     all.build();
     let mut command = &all;
     for name in names {

@@ -24,8 +24,6 @@ mod watch;
 
 use std::process::ExitCode;
 
-use clap::Parser;
-
 /// Why the job could not be done, as a sentence for standard error; help is a second one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
@@ -57,7 +55,7 @@ impl Failure {
 
 /// What the program does, from its arguments to its exit code.
 pub fn main() -> ExitCode {
-    let args = args::Args::parse();
+    let args = args::Args::read();
     if let Some(jobs) = args.jobs {
         crate::parallel::use_threads(jobs.get());
     }

@@ -94,8 +94,12 @@ pub(super) fn plot(plot: &Plot, format: Format, file: Option<&Path>) -> Result<C
         Plot::Energy { materials, .. } => ("energy", figures::energy(&checker, &materials.read()?)),
         Plot::Outcomes { balls: 3, .. } => ("outcomes", figures::outcomes(&checker)),
         Plot::Outcomes { balls, .. } => {
+            let balls = match balls {
+                1 => "1 ball".to_owned(),
+                balls => format!("{balls} balls"),
+            };
             return Err(Failure::new(format!(
-                "--balls: the outcomes of {balls} balls are no curve on paper"
+                "--balls: the outcomes of {balls} are no curve on paper"
             ))
             .help("with 3 balls they are a circle: `--balls 3`"));
         }

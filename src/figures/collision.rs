@@ -1,11 +1,11 @@
 use num_traits::ToPrimitive;
 
 use super::FigureError;
-use super::figure::{Figure, Source, caption, verdicts};
+use super::figure::{Figure, Paper, Source, caption, heading, verdicts};
 use super::law::{Audited, Law};
 use super::legend::{self, Key};
 use super::numbers::Numbers;
-use super::panel::{self, LARGE, Marker, Panel, Range};
+use super::panel::{self, Marker, Panel, Range};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Scene, Stroke};
 use super::words::exact;
@@ -58,26 +58,31 @@ pub fn collision(checker: &Checker) -> Result<Figure, FigureError> {
     numbers.rows = rows.into_iter().collect::<Result<_, _>>()?;
     let equal = row(&BigRational::from_integer(BigInt::from(1)))?;
     let sources: Vec<Source> = laws.iter().map(Source::from).collect();
-    let scene = draw(&numbers, &equal, &sources);
+    let scene = draw(Paper::Wide, &numbers, &equal, &sources);
+    let narrow = draw(Paper::Narrow, &numbers, &equal, &sources);
     Ok(Figure {
         scene,
+        narrow,
         numbers,
         sources,
     })
 }
 
-fn draw(numbers: &Numbers, equal: &[BigRational], sources: &[Source]) -> Scene {
-    let mut scene = Scene::new("collision", 720.0, 0.0);
+fn draw(paper: Paper, numbers: &Numbers, equal: &[BigRational], sources: &[Source]) -> Scene {
+    let mut scene = paper.scene("collision");
     scene.title = "Elastic collision with a ball at rest, by mass ratio".into();
     scene.description = "Three curves against the mass ratio μ from 0 to 5. The striker’s velocity falls from v₀ \
         through 0 at μ = 1 to negative values; the struck ball’s falls from 2 v₀; the share of the energy that is \
         handed over rises to its maximum at μ = 1 and falls slowly."
         .into();
+    let left = paper.pick(70.0, 62.0);
+    let title = Rich::words("Elastic collision with a ball at rest");
+    let more = heading(&mut scene, left, &title);
     let panel = Panel {
-        left: 70.0,
-        top: 48.0,
-        right: 646.0,
-        bottom: 400.0,
+        left,
+        top: 48.0 + more,
+        right: paper.pick(646.0, 330.0),
+        bottom: 400.0 + more,
         x: Range::linear(0.0, 5.0),
         y: Range::linear(-1.3, 2.1),
     };
@@ -100,8 +105,6 @@ fn draw(numbers: &Numbers, equal: &[BigRational], sources: &[Source]) -> Scene {
         (2.0, "2.0"),
     ];
     let share_ticks = panel::shares(shares.y);
-    let title = Rich::words("Elastic collision with a ball at rest");
-    scene.text((panel.left, 26.0), Anchor::Start, LARGE, title);
     panel.grid(&mut scene, &x_ticks, &y_ticks);
     panel.across(&mut scene, 0.0, Stroke::solid(Ink::Faint, 1.0));
     let here = Stroke {
@@ -139,12 +142,18 @@ fn draw(numbers: &Numbers, equal: &[BigRational], sources: &[Source]) -> Scene {
     for (at, (panel, ink, _, marker, name)) in curves.into_iter().enumerate() {
         let place = panel.at((1.0, float(&equal[at + 1])));
         marker.draw(&mut scene, place, 4.0, ink, false);
-        let label = Rich::formula(&format!("{name} = {}", exact(&equal[at + 1])));
+        let value = exact(&equal[at + 1]);
+        // Where curves are close, colour says whose value it is.
+        let label = Rich::formula(&paper.pick(format!("{name} = {value}"), value.clone()));
         let beside = (place.0 + 9.0, place.1 - 8.0);
         scene.inked(beside, Anchor::Start, 12.0, ink, label);
     }
-    let corner = (panel.right - legend::width(&keys) - 9.0, panel.top + 10.0);
+    let corner = paper.pick(
+        (panel.right - legend::width(&keys) - 9.0, panel.top + 10.0),
+        (panel.left, panel.bottom + 52.0),
+    );
     legend::draw(&mut scene, corner, &keys);
+    let below = panel.bottom + paper.pick(66.0, 72.0 + legend::height(&keys));
     let top = Rich::formula("μ = 1");
     let above = (panel.x_at(1.0), panel.top - 5.0);
     scene.inked(above, Anchor::Middle, 11.0, Ink::Faint, top);
@@ -156,7 +165,7 @@ fn draw(numbers: &Numbers, equal: &[BigRational], sources: &[Source]) -> Scene {
         .math("m₂")
         .and(" at rest. Velocities by (59) and (60), the share of the energy by (64), each evaluated in exact numbers. ")
         .and(&verdicts(sources));
-    caption(&mut scene, 466.0, 24.0, &words);
+    caption(&mut scene, below, 24.0, &words);
     scene
 }
 

@@ -1,14 +1,14 @@
 use super::FigureError;
 use super::collision::float;
 use super::decay::Decay;
-use super::figure::{Figure, Source, caption, verdicts};
+use super::figure::{Figure, Paper, Source, caption, heading, verdicts};
 use super::legend::{self, Key};
 use super::material::Material;
 use super::numbers::Numbers;
-use super::panel::{LARGE, Marker, Panel, Range, shares};
+use super::panel::{Marker, Panel, Range, shares};
 use super::rich::Rich;
-use super::scene::{Anchor, Ink, Scene, Stroke};
-use super::words::{alike, exact, nearest};
+use super::scene::{Ink, Scene, Stroke};
+use super::words::{exact, rounded};
 use crate::algebra::{BigInt, BigRational};
 use crate::derivation::Checker;
 
@@ -48,36 +48,50 @@ pub fn energy(checker: &Checker, materials: &[Material]) -> Result<Figure, Figur
     }
     let mut sources = vec![Source::from(&decay.printed)];
     sources.push(decay.claim.clone().into());
-    let scene = draw(&decay, materials, &numbers, &sources);
+    let draw = |paper| draw(paper, &decay, materials, &numbers, &sources);
+    let (scene, narrow) = (draw(Paper::Wide), draw(Paper::Narrow));
     sources.extend(decay.corrected.as_ref().map(Source::from));
     Ok(Figure {
         scene,
+        narrow,
         numbers,
         sources,
     })
 }
 
-fn draw(decay: &Decay, materials: &[Material], numbers: &Numbers, sources: &[Source]) -> Scene {
+fn draw(
+    paper: Paper,
+    decay: &Decay,
+    materials: &[Material],
+    numbers: &Numbers,
+    sources: &[Source],
+) -> Scene {
+    let mut scene = paper.scene("energy");
+    let title = Rich::words("Energy left after ")
+        .math("n")
+        .and(" collisions");
+    let more = heading(&mut scene, 66.0, &title);
     let panel = Panel {
         left: 66.0,
-        top: 48.0,
-        right: 486.0,
-        bottom: 400.0,
+        top: 48.0 + more,
+        right: paper.pick(486.0, 382.0),
+        bottom: 400.0 + more,
         x: Range::linear(0.0, SHOWN as f64),
         y: Range::linear(0.0, 1.08),
     };
     let keys = keys(decay, materials);
-    let width = (panel.right + 28.0 + legend::width(&keys) + 18.0).max(720.0);
-    let mut scene = Scene::new("energy", width.ceil(), 0.0);
+    let middle = (panel.top + panel.bottom - legend::height(&keys)) / 2.0;
+    let corner = paper.pick(
+        (panel.right + 28.0, middle.max(panel.top)),
+        (24.0, panel.bottom + 52.0),
+    );
+    let width = (corner.0 + legend::width(&keys) + 18.0).max(scene.width);
+    scene.width = width.ceil();
     scene.title = "Energy left after n collisions".into();
     scene.description = "For each material two falling curves of the energy in joule against the number of \
         collisions from 0 to 15, beginning at 1 J: a solid one by the printed law, and above it a dashed one by \
         restitution."
         .into();
-    let title = Rich::words("Energy left after ")
-        .math("n")
-        .and(" collisions");
-    scene.text((panel.left, 26.0), Anchor::Start, LARGE, title);
     let x_ticks = [(0.0, "0"), (5.0, "5"), (10.0, "10"), (15.0, "15")];
     let y_ticks = shares(panel.y);
     panel.grid(&mut scene, &x_ticks, &y_ticks);
@@ -102,12 +116,7 @@ fn draw(decay: &Decay, materials: &[Material], numbers: &Numbers, sources: &[Sou
             }
         }
     }
-    let middle = (panel.top + panel.bottom - legend::height(&keys)) / 2.0;
-    legend::draw(
-        &mut scene,
-        (panel.right + 28.0, middle.max(panel.top)),
-        &keys,
-    );
+    legend::draw(&mut scene, corner, &keys);
     let mut words = Rich::words("Solid: ")
         .and(&decay.printed.standing.label)
         .and(" as printed, ")
@@ -119,7 +128,11 @@ fn draw(decay: &Decay, materials: &[Material], numbers: &Numbers, sources: &[Sou
             .math(&corrected.plain())
             .and(", as the audit has proved. ");
     }
-    let below = 466.0_f64.max(panel.top + legend::height(&keys) + 16.0);
+    let legend_ends = corner.1 + legend::height(&keys);
+    let below = paper.pick(
+        (panel.bottom + 66.0).max(legend_ends + 16.0),
+        legend_ends + 20.0,
+    );
     caption(&mut scene, below, 24.0, &words.and(&verdicts(sources)));
     scene
 }
@@ -134,20 +147,14 @@ fn stroke(ink: Ink, law: usize) -> Stroke {
     }
 }
 
-/// The coefficients of the legend, as given where that is short, all with as many decimals: `= 0.98`, `= 0.90`.
-fn restitutions(materials: &[Material]) -> Vec<String> {
-    let is_short = |e: &BigRational| exact(e).chars().count() <= LONGEST;
-    let shown = |material: &Material| match material.restitution() {
-        e if is_short(e) => e.clone(),
-        e => nearest(e, ROUNDED),
-    };
-    let shown: Vec<BigRational> = materials.iter().map(shown).collect();
-    let texts = alike(&shown, LONGEST).into_iter().zip(materials);
-    let signed = |(text, material): (String, &Material)| match is_short(material.restitution()) {
-        true => format!("= {text}"),
-        false => format!("≈ {text}"),
-    };
-    texts.map(signed).collect()
+/// A coefficient of the legend: as given where that is short.
+fn restitution(material: &Material) -> String {
+    let value = material.restitution();
+    let written = exact(value);
+    match written.chars().count() <= LONGEST {
+        true => format!("= {written}"),
+        false => format!("≈ {}", rounded(value, ROUNDED)),
+    }
 }
 
 fn marker(at: usize) -> Marker {
@@ -160,15 +167,14 @@ fn keys(decay: &Decay, materials: &[Material]) -> Vec<Key> {
         marker: None,
         label: Rich::words("Material, coefficient ").math("e"),
     }];
-    let restitutions = restitutions(materials).into_iter();
-    for (at, (material, value)) in materials.iter().zip(restitutions).enumerate() {
+    for (at, material) in materials.iter().enumerate() {
         let ink = Ink::Series(at);
         keys.push(Key {
             stroke: Some(stroke(ink, 0)),
             marker: Some((marker(at), ink, false)),
             label: Rich::words(material.name())
                 .and(", ")
-                .math(&format!("e {value}")),
+                .math(&format!("e {}", restitution(material))),
         });
     }
     keys.push(Key::heading(""));

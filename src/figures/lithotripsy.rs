@@ -1,9 +1,9 @@
 use super::FigureError;
 use super::collision::{float, points};
-use super::figure::{Figure, Source, caption, verdicts};
+use super::figure::{Figure, Paper, Source, caption, heading, verdicts};
 use super::law::{Audited, Law, Standing};
 use super::numbers::Numbers;
-use super::panel::{LARGE, Marker, Panel, Range, shares};
+use super::panel::{Marker, Panel, Range, shares};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Scene, Stroke};
 use super::words::exact;
@@ -63,30 +63,36 @@ pub fn lithotripsy(checker: &Checker) -> Result<Figure, FigureError> {
     for claim in &claims {
         sources.push(Standing::of(&audited, claim)?.into());
     }
-    let scene = draw(&numbers, &marks, &at_zero, &sources);
+    let scene = draw(Paper::Wide, &numbers, &marks, &at_zero, &sources);
+    let narrow = draw(Paper::Narrow, &numbers, &marks, &at_zero, &sources);
     Ok(Figure {
         scene,
+        narrow,
         numbers,
         sources,
     })
 }
 
 fn draw(
+    paper: Paper,
     numbers: &Numbers,
     marks: &[(BigRational, BigRational)],
     at_zero: &BigRational,
     sources: &[Source],
 ) -> Scene {
-    let mut scene = Scene::new("lithotripsy", 720.0, 0.0);
+    let mut scene = paper.scene("lithotripsy");
     scene.title = "How much of the energy gets across, over six powers of ten".into();
     scene.description = "One curve, symmetric like a bell on the logarithmic axis: the efficiency η against the mass \
         ratio μ from 1/1000 to 1000, with its maximum at μ = 1."
         .into();
+    let title =
+        Rich::words("From the cradle to the kidney stone: how much of the energy gets across");
+    let more = heading(&mut scene, 66.0, &title);
     let panel = Panel {
         left: 66.0,
-        top: 48.0,
-        right: 694.0,
-        bottom: 340.0,
+        top: 48.0 + more,
+        right: paper.pick(694.0, 382.0),
+        bottom: 340.0 + more,
         x: Range::logarithmic(1e-3, 1e3),
         y: Range::linear(0.0, 1.15),
     };
@@ -100,9 +106,6 @@ fn draw(
         (1e3, "10³"),
     ];
     let y_ticks = shares(panel.y);
-    let title =
-        Rich::words("From the cradle to the kidney stone: how much of the energy gets across");
-    scene.text((panel.left, 26.0), Anchor::Start, LARGE, title);
     panel.grid(&mut scene, &x_ticks, &y_ticks);
     let limit = Stroke {
         dash: &[3.0, 3.0],
@@ -110,7 +113,11 @@ fn draw(
     };
     panel.across(&mut scene, 1.0, limit);
     panel.upright(&mut scene, 1.0, limit);
-    let ratio = Rich::words("Mass of the target in units of the striker’s, ").math("μ = m₂/m₁");
+    let ratio = paper.pick(
+        "Mass of the target in units of the striker’s, ",
+        "Mass ratio ",
+    );
+    let ratio = Rich::words(ratio).math("μ = m₂/m₁");
     let digits = (-DECADES..DECADES).flat_map(|decade| (2..10).map(move |n| (decade, n)));
     let between: Vec<f64> = digits
         .map(|(decade, n)| f64::from(n) * 10_f64.powi(decade))
@@ -128,7 +135,7 @@ fn draw(
         scene.inked(beside, Anchor::Start, 12.0, ink, label);
     }
     let upper = (panel.left + 8.0, panel.y_at(1.0) - 6.0);
-    let bound = Rich::formula("η ≤ 1").and(", reached by equal masses alone");
+    let bound = Rich::formula("η ≤ 1").and(paper.pick(", reached by equal masses alone", ""));
     scene.inked(upper, Anchor::Start, 11.5, Ink::Faint, bound);
     let far = Rich::formula("η → 0").and(" as ").math("μ → ∞");
     let near = Rich::formula(&format!("η → {}", exact(at_zero)));
@@ -137,39 +144,42 @@ fn draw(
         (panel.right - 8.0, Anchor::End, far),
         (panel.left + 8.0, Anchor::Start, near),
     ] {
-        scene.inked((x, panel.y_at(0.06)), anchor, 11.5, Ink::Faint, limit);
+        scene.inked(
+            (x, panel.y_at(paper.pick(0.06, 0.3))),
+            anchor,
+            11.5,
+            Ink::Faint,
+            limit,
+        );
     }
     caption(
         &mut scene,
-        406.0,
+        panel.bottom + 66.0,
         24.0,
         &words(marks, at_zero).and(&verdicts(sources)),
     );
     scene
 }
 
-/// What stands where on the curve.
+/// What the curve is, and where on it kidney stones are.
 fn words(marks: &[(BigRational, BigRational)], at_zero: &BigRational) -> Rich {
-    let mut words = Rich::words(
-        "The cradle’s equal balls stand at the top. A wave of sound that meets another medium head on leaves there the \
-         same share of its energy, with ",
-    )
-    .math("μ")
-    .and(" for the ratio of the acoustic impedances. Kidney stones have a few times that of the tissue around them:");
+    let mut words = Rich::words("The curve is (64). For a wave of sound ")
+        .math("μ")
+        .and(" is the ratio of the acoustic impedances; kidney stones lie roughly");
     for (at, (mu, share)) in marks.iter().skip(1).enumerate() {
-        let before = if at == 0 { " at " } else { ", at " };
+        let (before, curve) = match at {
+            0 => (" between ", "the curve"),
+            _ => (" and ", "it"),
+        };
         words = words
             .and(before)
             .math(&format!("μ = {mu}"))
-            .and(" the curve is at ")
+            .and(&format!(", where {curve} is at "))
             .math(&exact(share));
+        words = words.and(if at == 0 { "," } else { ". " });
     }
     words
-        .and(
-            ", so that a shock wave leaves at least about half of its energy in the stone. A marble that hits an anvil \
-             belongs far to the right, an anvil that hits a marble far to the left: either keeps most of its energy. \
-             The curve is (64), evaluated in exact numbers; at ",
-        )
+        .and("At ")
         .math("μ = 0")
         .and(" it is at ")
         .math(&exact(at_zero))

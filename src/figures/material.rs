@@ -52,7 +52,7 @@ impl fmt::Display for MaterialError {
             }
             MaterialError::TooLong => write!(
                 f,
-                "the coefficient has too many digits: write at most {} in its fraction",
+                "the coefficient has too many digits: write at most {} behind the point, or in its fraction",
                 Material::MOST_DIGITS
             ),
             MaterialError::Twice(name) => write!(f, "there are two materials `{name}`"),
@@ -72,7 +72,7 @@ impl Material {
     pub const LONGEST_NAME: usize = 24;
     /// As many as have a marker of their own.
     pub const MOST: usize = 8;
-    /// The digits of numerator and denominator.
+    /// The digits behind the point, or those of numerator and denominator.
     pub const MOST_DIGITS: usize = 30;
 
     /// A material.
@@ -94,7 +94,8 @@ impl Material {
         if restitution.is_negative() || restitution > BigRational::one() {
             return Err(MaterialError::OutOfRange(restitution));
         }
-        if *restitution.denom() >= num_traits::pow(BigInt::from(10), Material::MOST_DIGITS) {
+        // So many digits behind the point are a fraction of this denominator.
+        if *restitution.denom() > num_traits::pow(BigInt::from(10), Material::MOST_DIGITS) {
             return Err(MaterialError::TooLong);
         }
         Ok(Material {

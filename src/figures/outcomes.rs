@@ -2,11 +2,11 @@ use num_traits::Zero;
 
 use super::FigureError;
 use super::collision::float;
-use super::figure::{Figure, Source, caption, verdicts};
+use super::figure::{Figure, Paper, Source, caption, heading, verdicts};
 use super::law::{Audited, Standing, cited};
 use super::legend::{self, Key};
 use super::numbers::Numbers;
-use super::panel::{LARGE, Marker, circle};
+use super::panel::{Marker, circle};
 use super::rich::Rich;
 use super::scene::{Anchor, Ink, Item, Scene, Shape, Stroke};
 use super::words::{exact, list};
@@ -57,9 +57,11 @@ pub fn outcomes(checker: &Checker) -> Result<Figure, FigureError> {
     }
     let mut numbers = Numbers::new(&["v1", "v2", "v3"]);
     numbers.rows = around.iter().map(|outcome| outcome.to_vec()).collect();
-    let scene = draw(&around, &witnesses, &sources);
+    let scene = draw(Paper::Wide, &around, &witnesses, &sources);
+    let narrow = draw(Paper::Narrow, &around, &witnesses, &sources);
     Ok(Figure {
         scene,
+        narrow,
         numbers,
         sources,
     })
@@ -204,20 +206,26 @@ fn vector(outcome: &Outcome) -> String {
     format!("({})", parts.join(", "))
 }
 
-fn draw(around: &[Outcome], witnesses: &[(Outcome, Vec<String>)], sources: &[Source]) -> Scene {
-    let mut scene = Scene::new("outcomes", 720.0, 0.0);
+fn draw(
+    paper: Paper,
+    around: &[Outcome],
+    witnesses: &[(Outcome, Vec<String>)],
+    sources: &[Source],
+) -> Scene {
+    let mut scene = paper.scene("outcomes");
     scene.title = "What two conservation laws leave open for three balls".into();
     scene.description = "A circle in the plane of the outcomes that conserve momentum: on it kinetic energy is \
         conserved too. An arc of a sixth of it holds the outcomes in which the balls do not meet again; the swap is one \
         end of the arc, and a counterexample of the audit the other."
         .into();
-    let (middle, unit) = ((190.0, 232.0), 165.0);
+    let title = Rich::words("One of three balls comes in: what two conservation laws leave open");
+    let more = heading(&mut scene, 24.0, &title);
+    let unit = paper.pick(165.0, 140.0);
+    let middle = (paper.pick(190.0, 165.0), 67.0 + unit + more);
     let place = |outcome: &Outcome| {
         let (across, up) = seen(outcome);
         (middle.0 + unit * across, middle.1 - unit * up)
     };
-    let title = Rich::words("One of three balls comes in: what two conservation laws leave open");
-    scene.text((24.0, 26.0), Anchor::Start, LARGE, title);
     // The three velocities as directions; those of which two are equal as lines through the middle.
     for (ball, end) in [[1, 0, 0], [0, 1, 0], [0, 0, 1]].into_iter().enumerate() {
         let (across, up) = seen(&outcome(end, 1));
@@ -263,7 +271,7 @@ fn draw(around: &[Outcome], witnesses: &[(Outcome, Vec<String>)], sources: &[Sou
             Marker::Circle,
             Ink::Series(2),
             false,
-            "the last ball leaves alone".to_owned(),
+            "the swap: the last ball leaves alone".to_owned(),
         ),
     ];
     let refuting = witnesses.iter().map(|(outcome, labels)| {
@@ -300,9 +308,15 @@ fn draw(around: &[Outcome], witnesses: &[(Outcome, Vec<String>)], sources: &[Sou
         fill: Some(Ink::Faint),
         stroke: None,
     }));
-    let left = middle.0 + unit + 85.0;
-    scene.width = scene.width.max((left + legend::width(&keys) + 18.0).ceil());
-    legend::draw(&mut scene, (left, 150.0), &keys);
+    let corner = paper.pick(
+        (middle.0 + unit + 85.0, 150.0),
+        (24.0, middle.1 + unit + 25.0),
+    );
+    scene.width = scene
+        .width
+        .max((corner.0 + legend::width(&keys) + 18.0).ceil());
+    legend::draw(&mut scene, corner, &keys);
+    let below = paper.pick(430.0, corner.1 + legend::height(&keys) + 20.0);
     let words = Rich::words("Equal elastic balls, the first arriving with velocity 1. The plane is that of ")
         .math("v₁ + v₂ + v₃ = 1")
         .and(", equation (17); on the circle ")
@@ -311,6 +325,6 @@ fn draw(around: &[Outcome], witnesses: &[(Outcome, Vec<String>)], sources: &[Sou
             ", equation (18). Each point drawn is rational, and both equations are true at it. Conservation alone does \
              not single out the last ball: it leaves the whole circle, and the order of the balls an arc of it. ",
         );
-    caption(&mut scene, 430.0, 24.0, &words.and(&verdicts(sources)));
+    caption(&mut scene, below, 24.0, &words.and(&verdicts(sources)));
     scene
 }

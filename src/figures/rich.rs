@@ -1,6 +1,7 @@
 //! Text with mathematics in it.
 
 use super::font;
+use crate::notation::unbraced;
 
 /// How much smaller sub- and superscripts are.
 pub(super) const SCRIPT: f64 = 0.7;
@@ -182,11 +183,11 @@ impl Rich {
         self.0.iter().map(Run::width).sum()
     }
 
-    /// One line of text, in the notation that [`Rich::math`] reads: for those who cannot see what stands high or low.
+    /// One line of text, without braces: for those who cannot see what stands high or low.
     ///
     /// ```
     /// use cradle_verify::figures::rich::Rich;
-    /// assert_eq!(Rich::formula("v_1^2 = e² E_{after}").plain().replace('\u{a0}', " "), "v₁² = e² E_{after}");
+    /// assert_eq!(Rich::formula("v_1^2 = e² E_{after}").plain().replace('\u{a0}', " "), "v₁² = e² E_after");
     /// assert_eq!(Rich::formula("δ^(3/2) + E_n").plain().replace('\u{a0}', " "), "δ^(3/2) + Eₙ");
     /// ```
     pub fn plain(&self) -> String {
@@ -273,16 +274,16 @@ fn script(character: char) -> Option<(Level, char)> {
     sub.or_else(|| on_the_line(SUPER).map(|c| (Level::Super, c)))
 }
 
-/// A script in a line of text: `₁`, `^n`, `_{after}`, `^(3/2)`.
+/// A script in a line of text: `₁`, `^n`, `_after`, `^(3/2)`.
 fn lettered(level: Level, content: &str) -> String {
     let ([scripts, plain], sign, [open, close]) = match level {
-        Level::Super => (SUPER, '^', ['(', ')']),
+        Level::Super if content.chars().count() > 1 => (SUPER, '^', ['(', ')']),
+        Level::Super => (SUPER, '^', ['{', '}']),
         _ => (SUB, '_', ['{', '}']),
     };
     let letters = content.chars().map(|c| across(c, plain, scripts));
     match letters.collect::<Option<String>>() {
         Some(letters) => letters,
-        None if content.chars().count() == 1 => format!("{sign}{content}"),
-        None => format!("{sign}{open}{content}{close}"),
+        None => unbraced(&format!("{sign}{open}{content}{close}")),
     }
 }

@@ -17,6 +17,21 @@ pub struct Scene {
     pub description: String,
     /// What is drawn, the first at the bottom.
     pub items: Vec<Item>,
+    /// What is said below it, where that is a part of it.
+    pub caption: Option<Caption>,
+}
+
+/// A caption that has been drawn.
+#[derive(Clone, Debug)]
+pub struct Caption {
+    /// What it says.
+    pub words: Rich,
+    /// The height of the picture without it.
+    pub above: f64,
+    /// How many parts the picture has without it.
+    pub items: usize,
+    /// The description without it.
+    pub description: String,
 }
 
 /// A part of a picture.
@@ -118,7 +133,18 @@ impl Scene {
             title: String::new(),
             description: String::new(),
             items: Vec::new(),
+            caption: None,
         }
+    }
+
+    /// The picture without its caption, for a page that says below what is shown, and the caption.
+    pub fn parted(mut self) -> (Scene, Rich) {
+        let Some(caption) = self.caption.take() else {
+            return (self, Rich::default());
+        };
+        self.items.truncate(caption.items);
+        (self.height, self.description) = (caption.above, caption.description);
+        (self, caption.words)
     }
 
     /// Draws lines from point to point.

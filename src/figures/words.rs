@@ -99,12 +99,6 @@ pub fn rounded(value: &BigRational, decimals: usize) -> String {
     }
 }
 
-/// The nearest number of so many decimals, half away from 0.
-pub fn nearest(value: &BigRational, decimals: usize) -> BigRational {
-    let scale = num_traits::pow(BigInt::from(10), decimals);
-    (value * &scale).round() / scale
-}
-
 /// Digits with a point so many places from the right.
 fn decimal(digits: &BigInt, decimals: usize) -> String {
     let digits = format!("{digits:0>width$}", width = decimals + 1);

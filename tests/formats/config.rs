@@ -145,12 +145,14 @@ fn errors_are_shown_where_they_are_with_what_was_meant() {
             ],
         ),
         (
-            "[symbols]\n'\\mu' = \"masss, positve\"\n\"m_1 m_2\" = \"mass\"\n",
+            "[symbols]\n'\\mu' = \"masss, positve\"\n\"m_1 m_2\" = \"mass\"\n\"lambda_0\" = \"positive\"\n",
             &[
+                "write `\\lambda` for λ",
                 "error: `masss` is the name of no dimension\n --> cradle.toml:2:10\n",
                 "error: `positve` is not an attribute\n --> cradle.toml:2:17\n",
                 "did you mean `positive`?",
                 "error: this is a term, not a single symbol\n --> cradle.toml:3:2\n",
+                "error: this is a term, not a single symbol\n --> cradle.toml:4:2\n",
             ],
         ),
         (

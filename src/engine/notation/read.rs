@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::commands;
 use super::fold::{continues, fold, part_columns};
 use super::lexer::{Kind, Lexed, Token, lex};
 use super::parser::Parser;
@@ -114,9 +115,18 @@ pub fn read_symbol(text: &str) -> Result<Symbol, SyntaxError> {
         _ => Err(SyntaxError {
             span,
             message: "this is a term, not a single symbol".to_owned(),
-            help: None,
+            help: letter_without_backslash(text),
         }),
     }
+}
+
+/// What to write where a symbol begins with the name of a letter, without its backslash.
+fn letter_without_backslash(text: &str) -> Option<String> {
+    let text = text.trim();
+    let end = text.find(|c: char| !c.is_ascii_alphabetic());
+    let name = &text[..end.unwrap_or(text.len())];
+    let letter = commands::find(commands::LETTERS, name)?;
+    Some(format!("write `\\{name}` for {letter}"))
 }
 
 fn parser(lexed: Lexed<'_>, body: Span, words: bool) -> Parser<'_> {

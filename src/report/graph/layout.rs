@@ -1,19 +1,22 @@
-//! Where the nodes of a drawing stand: a card for each document, and in it layers from left to right.
+//! Where everything in a drawing stands and runs: a card for each document, and at their left a gutter for what leaves them.
 //!
-//! A statement stands one layer to the right of the last of its premises in the same document. Layers that would make a
-//! card too wide go on below, as lines of a text do. An edge that skips layers keeps a place free in each. Cards
-//! stand side by side in reading order as far as there is room. All is in whole units, and the work grows
-//! with the number of statements and edges.
+//! `columns` puts the statements of a document into layers from left to right, `card` gives each its place, and
+//! `gutter` leads every edge that does not run through the layers of one card around all boxes and titles. Cards
+//! stand below each other in reading order, side by side where no such edge begins or ends in them. All is in whole
+//! units, and the work grows with the number of statements and edges.
 
-use std::ops::Range;
+mod card;
+mod columns;
+mod gutter;
 
 use super::Graph;
-use crate::sorted::{self, Tree};
+use card::Card;
+pub(super) use card::Port;
 
 /// Sizes, in units of the drawing.
 pub(super) const NODE_HEIGHT: i64 = 26;
 const ROW: i64 = 34;
-const GAP: i64 = 28;
+const GAP: i64 = 30;
 const STRIP_GAP: i64 = 12;
 const PADDING: i64 = 14;
 const TITLE: i64 = 34;
@@ -25,9 +28,16 @@ const MOST_LETTERS: usize = 24;
 const TITLE_LETTER: i64 = 7;
 /// No wider than this are the layers of one strip, unless a single name is, or less is asked for.
 const STRIP: i64 = 1_080;
-/// Statements that nothing in the document hangs on stand in lines of this width.
+/// Statements that nothing hangs on stand in lines of this width.
 const LOOSE: i64 = 520;
 const BETWEEN_CARDS: i64 = 18;
+/// From one line to the next that runs beside it.
+const TRACK: i64 = 7;
+/// How much room lines beside each other may take; where they are many, they come closer.
+const MOST_TRACKS: i64 = 90;
+
+/// A point of the drawing.
+pub(super) type Point = (i64, i64);
 
 /// A box.
 #[derive(Clone, Copy, Debug, Default)]
@@ -38,16 +48,41 @@ pub(super) struct Frame {
     pub height: i64,
 }
 
+impl Frame {
+    fn right(&self) -> i64 {
+        self.x + self.width
+    }
+
+    /// Half-way down.
+    pub fn middle(&self) -> i64 {
+        self.y + self.height / 2
+    }
+}
+
 /// Where everything stands.
 pub(super) struct Layout {
+    /// The room at the left of the cards, whose corner is the origin.
+    pub left: i64,
     pub width: i64,
     pub height: i64,
     /// Document and box.
     pub cards: Vec<(usize, Frame)>,
     /// By node.
     pub nodes: Vec<Frame>,
-    /// By edge: the boxes that it passes through between its ends.
-    pub vias: Vec<Vec<Frame>>,
+    /// By node: the ways to the gutter and from it.
+    pub ports: Vec<Port>,
+    /// By edge.
+    pub routes: Vec<Route>,
+}
+
+/// How an edge runs.
+#[derive(Clone, Debug)]
+pub(super) enum Route {
+    /// Through the layers of a card; within each box that it passes it runs level, and between two it bends.
+    Through(Vec<Frame>),
+    /// Around all that stands in the way: from the exit of its beginning, up or down at this place in the gutter, and
+    /// by the entry of its end.
+    Around(i64),
 }
 
 /// How a name is cut for a drawing.
@@ -79,56 +114,104 @@ fn width_of(name: &str) -> i64 {
     (letters / 2 + 32).max(58)
 }
 
+/// How much room a number of lines beside each other take.
+fn room(tracks: usize) -> i64 {
+    (tracks as i64 * TRACK).min(MOST_TRACKS)
+}
+
+/// Where one of several lines beside each other runs, from the beginning of their room.
+fn track(at: usize, tracks: usize) -> i64 {
+    (2 * at as i64 + 1) * room(tracks) / (2 * tracks as i64)
+}
+
+/// Edges by where they run, before anything has a place.
+struct Parted {
+    /// The edges within each document, by position.
+    inner: Vec<Vec<usize>>,
+    /// By node: whether an edge to or from another document ends here.
+    ends: Vec<Ends>,
+}
+
+/// Whether edges that run around the boxes begin or end at a statement.
+#[derive(Clone, Copy, Debug, Default)]
+struct Ends {
+    begins: bool,
+    ends: bool,
+}
+
+impl Parted {
+    fn of(graph: &Graph) -> Parted {
+        let mut inner = vec![Vec::new(); graph.documents.len()];
+        let mut ends = vec![Ends::default(); graph.nodes.len()];
+        for (at, &(from, to)) in graph.edges.iter().enumerate() {
+            let document = graph.nodes[from].document;
+            match document == graph.nodes[to].document {
+                true => inner[document].push(at),
+                false => (ends[from].begins, ends[to].ends) = (true, true),
+            }
+        }
+        Parted { inner, ends }
+    }
+}
+
 impl Layout {
-    /// Where everything stands in a drawing that is as wide as is asked for, or wider where a card needs it.
+    /// Where everything stands in a drawing whose cards are no wider than is asked for, unless one cannot be.
     pub fn of(graph: &Graph, widest: i64) -> Layout {
         let strip = STRIP.min(widest - 2 * PADDING);
+        let parted = Parted::of(graph);
         let mut layout = Layout {
-            width: widest,
+            left: 0,
+            width: LOOSE,
             height: 0,
             cards: Vec::new(),
             nodes: vec![Frame::default(); graph.nodes.len()],
-            vias: vec![Vec::new(); graph.edges.len()],
+            ports: vec![Port::default(); graph.nodes.len()],
+            routes: vec![Route::Around(0); graph.edges.len()],
         };
-        // The edges within each document, by position.
-        let mut inner: Vec<Vec<usize>> = vec![Vec::new(); graph.documents.len()];
-        for (at, &(from, to)) in graph.edges.iter().enumerate() {
-            if graph.nodes[from].document == graph.nodes[to].document {
-                inner[graph.nodes[from].document].push(at);
-            }
-        }
-        let (mut x, mut y, mut lowest) = (0, 0, 0);
-        for (document, edges) in inner.iter().enumerate() {
+        let (mut x, mut y) = (0, 0);
+        for (document, edges) in parted.inner.iter().enumerate() {
             let start = graph.nodes.partition_point(|n| n.document < document);
             let end = graph.nodes.partition_point(|n| n.document <= document);
             if start == end {
                 continue;
             }
-            let (width, height) = card(&mut layout, graph, start..end, edges, strip);
-            if x > 0 && x + width > widest {
-                (x, y) = (0, lowest + BETWEEN_CARDS);
+            let card = Card::of(graph, start..end, edges, &parted.ends[start..end], strip);
+            if x > 0 && (card.is_left() || x + card.width > widest) {
+                (x, y) = (0, layout.height + BETWEEN_CARDS);
             }
-            let frame = Frame {
-                x,
-                y,
-                width,
-                height,
-            };
-            for node in &mut layout.nodes[start..end] {
-                (node.x, node.y) = (node.x + x, node.y + y);
-            }
-            for &edge in edges {
-                for via in &mut layout.vias[edge] {
-                    (via.x, via.y) = (via.x + x, via.y + y);
-                }
-            }
-            layout.cards.push((document, frame));
+            let (width, height) = (card.width, card.height);
+            layout.take(card, document, start, (x, y));
             layout.width = layout.width.max(x + width);
-            lowest = lowest.max(y + height);
+            layout.height = layout.height.max(y + height);
             x += width + BETWEEN_CARDS;
         }
-        layout.height = lowest;
+        layout.left = gutter::lead(graph, &layout.ports, &mut layout.routes);
         layout
+    }
+
+    /// Takes in a card, moved to its place.
+    fn take(&mut self, card: Card, document: usize, start: usize, (x, y): Point) {
+        let moved = |frame: Frame| Frame {
+            x: frame.x + x,
+            y: frame.y + y,
+            ..frame
+        };
+        for (own, frame) in card.frames.into_iter().enumerate() {
+            self.nodes[start + own] = moved(frame);
+        }
+        for (edge, boxes) in card.through {
+            self.routes[edge] = Route::Through(boxes.into_iter().map(moved).collect());
+        }
+        for (own, port) in card.ports.into_iter().enumerate() {
+            self.ports[start + own] = port.moved((x, y));
+        }
+        let frame = Frame {
+            x,
+            y,
+            width: card.width,
+            height: card.height,
+        };
+        self.cards.push((document, frame));
     }
 
     /// The heights between two rows of cards.
@@ -138,205 +221,4 @@ impl Layout {
         let below = starts.into_iter().skip(1);
         below.map(|y| y - BETWEEN_CARDS / 2).collect()
     }
-}
-
-/// What stands at one place of a layer.
-#[derive(Clone, Copy)]
-enum Item {
-    Node(usize),
-    /// An edge passes, by its position in the graph.
-    Via(usize),
-}
-
-/// Puts the nodes of one document into a card whose corner is at the origin, and says how large it is.
-fn card(
-    layout: &mut Layout,
-    graph: &Graph,
-    own: Range<usize>,
-    edges: &[usize],
-    strip: i64,
-) -> (i64, i64) {
-    let (start, number) = (own.start, own.len());
-    let mut before: Vec<Vec<usize>> = vec![Vec::new(); number];
-    let mut after: Vec<Vec<usize>> = vec![Vec::new(); number];
-    for &edge in edges {
-        let (from, to) = graph.edges[edge];
-        before[to - start].push(from - start);
-        after[from - start].push(to - start);
-    }
-    let mut depth = vec![0usize; number];
-    for own in 0..number {
-        let premises = before[own].iter().filter(|&&p| p < own);
-        depth[own] = premises.map(|&p| depth[p] + 1).max().unwrap_or(0);
-    }
-    for own in 0..number {
-        // What begins a chain stands next to what it is first used for.
-        if before[own].is_empty()
-            && let Some(first) = after[own].iter().map(|&next| depth[next]).min()
-        {
-            depth[own] = first.saturating_sub(1);
-        }
-    }
-    let loose = |own: &usize| before[*own].is_empty() && after[*own].is_empty();
-    let layers = 1 + depth.iter().copied().max().unwrap_or(0);
-    let mut columns: Vec<Vec<Item>> = vec![Vec::new(); layers];
-    let mut widths = vec![0i64; layers];
-    for own in (0..number).filter(|own| !loose(own)) {
-        columns[depth[own]].push(Item::Node(own));
-        let width = width_of(&graph.nodes[start + own].name);
-        widths[depth[own]] = widths[depth[own]].max(width);
-    }
-    let strip_of = strips(&widths, strip);
-    // Places are kept free for long edges, as long as there are not too many of them.
-    let mut budget = 4 * number + 64;
-    for &edge in edges {
-        let (from, to) = graph.edges[edge];
-        let (from, to) = (depth[from - start], depth[to - start]);
-        if to > from + 1 && strip_of[from] == strip_of[to] && budget >= to - from {
-            budget -= to - from;
-            for column in &mut columns[from + 1..to] {
-                column.push(Item::Via(edge));
-            }
-        }
-    }
-    let mut y = TITLE;
-    let width = graph.documents[graph.nodes[start].document]
-        .0
-        .chars()
-        .count() as i64
-        * 8;
-    // A longer title is cut.
-    let mut width = width.min(strip);
-    let mut at = 0;
-    while at < layers {
-        let next = (at..layers)
-            .find(|&l| strip_of[l] != strip_of[at])
-            .unwrap_or(layers);
-        if widths[at..next].iter().all(|&w| w == 0) {
-            break;
-        }
-        let rows = slots(graph, start, &columns[at..next], &before, &depth, at);
-        let mut x = PADDING;
-        let mut most = 0;
-        for layer in at..next {
-            for (item, &row) in columns[layer].iter().zip(&rows[layer - at]) {
-                most = most.max(row + 1);
-                let top = y + row * ROW;
-                match *item {
-                    Item::Node(own) => {
-                        let name = &graph.nodes[start + own].name;
-                        layout.nodes[start + own] = Frame {
-                            x,
-                            y: top,
-                            width: width_of(name),
-                            height: NODE_HEIGHT,
-                        };
-                    }
-                    Item::Via(edge) => layout.vias[edge].push(Frame {
-                        x,
-                        y: top,
-                        width: widths[layer],
-                        height: NODE_HEIGHT,
-                    }),
-                }
-            }
-            x += widths[layer] + GAP;
-        }
-        width = width.max(x - GAP - PADDING);
-        y += most * ROW + STRIP_GAP;
-        at = next;
-    }
-    let mut x = PADDING;
-    let room = width.max(LOOSE);
-    let mut any = false;
-    for own in (0..number).filter(loose) {
-        let own_width = width_of(&graph.nodes[start + own].name);
-        if any && x + own_width > PADDING + room {
-            (x, y) = (PADDING, y + ROW);
-        }
-        any = true;
-        layout.nodes[start + own] = Frame {
-            x,
-            y,
-            width: own_width,
-            height: NODE_HEIGHT,
-        };
-        width = width.max(x + own_width - PADDING);
-        x += own_width + 12;
-    }
-    if any {
-        y += ROW + STRIP_GAP;
-    }
-    (width + 2 * PADDING, y - STRIP_GAP)
-}
-
-/// For each layer the strip that it stands in.
-fn strips(widths: &[i64], widest: i64) -> Vec<usize> {
-    let (mut strip, mut used) = (0, 0);
-    let mut all = Vec::with_capacity(widths.len());
-    for &width in widths {
-        if used > 0 && used + GAP + width > widest {
-            (strip, used) = (strip + 1, 0);
-        }
-        used += width + GAP;
-        all.push(strip);
-    }
-    all
-}
-
-/// For each item of each layer its row: near the mean of what leads to it, so that a chain runs straight.
-fn slots(
-    graph: &Graph,
-    start: usize,
-    columns: &[Vec<Item>],
-    before: &[Vec<usize>],
-    depth: &[usize],
-    first: usize,
-) -> Vec<Vec<i64>> {
-    let mut row_of_node: Tree<usize, i64> = Tree::new();
-    let mut row_of_via: Tree<usize, i64> = Tree::new();
-    let mut all = Vec::with_capacity(columns.len());
-    for (layer, column) in columns.iter().enumerate() {
-        let wish = |item: &Item| -> Option<i64> {
-            let rows: Vec<i64> = match *item {
-                Item::Node(own) => {
-                    let edge = |p: usize| graph.edges.binary_search(&(start + p, start + own)).ok();
-                    let row = |&p: &usize| match depth[p] + 1 == first + layer {
-                        true => row_of_node.get(&p).copied(),
-                        false => row_of_via.get(&edge(p)?).copied(),
-                    };
-                    before[own].iter().filter_map(row).collect()
-                }
-                Item::Via(edge) => {
-                    let from = graph.edges[edge].0 - start;
-                    let row = row_of_via.get(&edge).or_else(|| row_of_node.get(&from));
-                    row.copied().into_iter().collect()
-                }
-            };
-            let number = rows.len() as i64;
-            (number > 0).then(|| 2 * rows.iter().sum::<i64>() / number)
-        };
-        let mut order: Vec<(i64, usize)> = column
-            .iter()
-            .enumerate()
-            .map(|(at, item)| (wish(item).unwrap_or(i64::MAX), at))
-            .collect();
-        sorted::sort(&mut order);
-        let mut rows = vec![0; column.len()];
-        let mut next = 0;
-        for (wish, at) in order {
-            let row = match wish {
-                i64::MAX => next,
-                wish => next.max(wish / 2),
-            };
-            next = row + 1;
-            rows[at] = row;
-            match column[at] {
-                Item::Node(own) => row_of_node.insert(own, row),
-                Item::Via(edge) => row_of_via.insert(edge, row),
-            };
-        }
-        all.push(rows);
-    }
-    all
 }

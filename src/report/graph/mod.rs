@@ -1,11 +1,13 @@
 //! What rests on what: each statement with what it was judged from, and what falls with each that fails.
 //!
 //! [`Graph::of`] gathers it once. `text` tells it in sentences, `dot` and `json` hand it on to other programs, and
-//! `svg` draws it where `layout` has put the nodes, so that a page can take the drawing in as it is.
+//! `svg` draws it where `layout` has put the nodes, with `lines` between them, so that a page can take the drawing in as it is.
 
 mod dot;
 mod json;
 mod layout;
+mod legend;
+mod lines;
 mod svg;
 mod text;
 

@@ -5,21 +5,20 @@
 
 use std::ops::Range;
 
+use super::super::words::count;
 use super::layout::{Frame, Layout, drawn_name, letters_in};
+use super::legend::{LEGEND_LINE, legend};
+use super::lines::Line;
 use super::{Graph, Status};
-use crate::notation::escape_by;
+use crate::notation::{escape_by, unbraced};
 
-const MARGIN: i64 = 20;
+pub(super) const MARGIN: i64 = 20;
 /// Above the cards: a heading and one line of the legend.
 const HEAD: i64 = 74;
-/// From one line of the legend to the next.
-const LEGEND_LINE: i64 = 30;
 /// How wide a drawing of its own is, without its margins.
-const WIDTH: i64 = 1_560;
+const WIDTH: i64 = 1_110;
 /// How wide it is on a page, which has less room and may go on for longer: on a sheet of A4 its text is 7 points high.
 const WIDTH_ON_A_PAGE: i64 = 900;
-/// An edge bends no further than this beyond its ends.
-const BEND: i64 = 120;
 
 /// `:where` weighs nothing: a page's own rule for `.cv-graph` prevails.
 const STYLE: &str = "\
@@ -33,9 +32,10 @@ const STYLE: &str = "\
 .cv-graph .cv-card{fill:var(--cv-card);stroke:var(--cv-rim)}\
 .cv-graph .cv-soft{fill:var(--cv-soft)}\
 .cv-graph .cv-title{stroke:var(--cv-card);stroke-width:4;stroke-linejoin:round;paint-order:stroke}\
-.cv-graph .cv-edge{fill:none;stroke:var(--cv-line);stroke-width:1.2}\
-.cv-graph .cv-far{stroke-opacity:.45;stroke-dasharray:1 3;stroke-linecap:round}\
-.cv-graph .cv-broken{stroke:var(--cv-bad);stroke-width:2;stroke-dasharray:6 3;stroke-opacity:1}\
+.cv-graph .cv-edge{fill:none;stroke:var(--cv-line);stroke-width:1.3}\
+.cv-graph .cv-edge.cv-broken{stroke:var(--cv-bad);stroke-width:2.4}\
+.cv-graph .cv-tip{fill:var(--cv-line)}\
+.cv-graph .cv-tip.cv-broken{fill:var(--cv-bad)}\
 .cv-graph .cv-node .cv-box{fill:var(--cv-paper);stroke:var(--cv-soft);stroke-width:1.3}\
 .cv-graph .cv-node .cv-sign{fill:none;stroke:var(--cv-soft);stroke-width:1.8;stroke-linecap:round}\
 .cv-graph .cv-holds .cv-box{stroke:var(--cv-good)}\
@@ -68,17 +68,22 @@ impl Graph {
 
     fn drawing(&self, widest: i64, address: Option<Address<'_>>) -> String {
         let layout = Layout::of(self, widest);
-        let (legend, lines) = legend(self, layout.width + MARGIN);
+        let (legend, lines) = legend(self, layout.left + layout.width + MARGIN);
         let head = HEAD + (lines - 1) * LEGEND_LINE;
-        let (width, height) = (layout.width + 2 * MARGIN, layout.height + head + 2 * MARGIN);
+        let (width, height) = (
+            layout.left + layout.width + 2 * MARGIN,
+            layout.height + head + 2 * MARGIN,
+        );
         let fallen = self.nodes.iter().filter(|n| n.status.is_fallen()).count();
-        let mut told = vec![format!("{} statements", self.nodes.len())];
+        let mut told = vec![count(self.nodes.len(), "statement")];
         told.extend(self.wrong([
             ["failing"; 2],
             ["ill-dimensioned"; 2],
             ["crossed out by the author"; 2],
         ]));
-        told.push(format!("{fallen} falling with them"));
+        if fallen > 0 {
+            told.push(format!("{fallen} falling with what fails"));
+        }
         let told = told.join(", ");
         let line = MARGIN + 16;
         let (beside, heading) = match address {
@@ -103,8 +108,9 @@ impl Graph {
             Some(_) => ("group", layout.rows()),
             None => ("img", Vec::new()),
         };
-        let down = MARGIN + head;
+        let (right, down) = (MARGIN + layout.left, MARGIN + head);
         let mut text = String::new();
+        let drawn = self.lines(&layout);
         let mut start = 0;
         for end in rows.into_iter().map(|y| y + down).chain([height]) {
             let [about, legend] = match start {
@@ -116,17 +122,23 @@ impl Graph {
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"cv-graph\" role=\"{role}\" width=\"{width}\" \
                  height=\"{tall}\" viewBox=\"0 {start} {width} {tall}\" font-size=\"13\">\n{about}\
                  <rect class=\"cv-page\" y=\"{start}\" width=\"{width}\" height=\"{tall}\"/>\n{legend}\
-                 <g transform=\"translate({MARGIN} {down})\">\n"
+                 <g transform=\"translate({right} {down})\">\n"
             );
-            text += &self.between(&layout, start - down..end - down, address);
+            text += &self.between(&layout, &drawn, start - down..end - down, address);
             text += "</g>\n</svg>\n";
             start = end;
         }
         text
     }
 
-    /// What is to be seen between two heights: cards with their statements, and of the edges all that pass.
-    fn between(&self, layout: &Layout, own: Range<i64>, address: Option<Address<'_>>) -> String {
+    /// What is to be seen between two heights: cards with their statements, and the lines that pass.
+    fn between(
+        &self,
+        layout: &Layout,
+        lines: &[Line],
+        own: Range<i64>,
+        address: Option<Address<'_>>,
+    ) -> String {
         let mut text = String::new();
         let is_here = |frame: &Frame| own.contains(&frame.y);
         for (_, frame) in layout.cards.iter().filter(|(_, frame)| is_here(frame)) {
@@ -135,19 +147,7 @@ impl Graph {
                 frame.x, frame.y, frame.width, frame.height
             );
         }
-        let passes = |edge: &usize| {
-            let (from, to) = self.edges[*edge];
-            let (from, to) = (layout.nodes[from], layout.nodes[to]);
-            let lowest = (from.y + from.height).max(to.y + to.height) + BEND;
-            from.y.min(to.y) - BEND < own.end && lowest > own.start
-        };
-        // What is broken is drawn last, over the rest.
-        let broken = |edge: &usize| self.is_broken(self.edges[*edge]);
-        let here = (0..self.edges.len()).filter(passes);
-        let (red, grey): (Vec<usize>, Vec<usize>) = here.partition(broken);
-        for edge in grey.into_iter().chain(red) {
-            text += &self.edge(layout, edge);
-        }
+        text.extend(lines.iter().filter_map(|line| line.within(&own)));
         for card in layout.cards.iter().filter(|(_, frame)| is_here(frame)) {
             text += &self.title(card);
         }
@@ -172,66 +172,14 @@ impl Graph {
         )
     }
 
-    fn edge(&self, layout: &Layout, edge: usize) -> String {
-        let (from, to) = self.edges[edge];
-        let far = self.nodes[from].document != self.nodes[to].document;
-        let (start, end) = (layout.nodes[from], layout.nodes[to]);
-        let middle = |frame: &Frame| frame.y + frame.height / 2;
-        let beside = end.x >= start.x + start.width;
-        let path = if beside && (!far || (end.y - start.y).abs() < 160) {
-            let (mut x, mut y) = (start.x + start.width, middle(&start));
-            let mut path = format!("M{x} {y}");
-            for via in &layout.vias[edge] {
-                path += &across(x, y, via.x, middle(via));
-                (x, y) = (via.x + via.width, middle(via));
-                path += &format!("H{x}");
-            }
-            path + &across(x, y, end.x, middle(&end))
-        } else if beside {
-            // From below, or above, to the left side: so it is seen where it arrives.
-            let down = end.y >= start.y;
-            let (x, y) = (
-                start.x + start.width / 2,
-                start.y + if down { start.height } else { 0 },
-            );
-            let bend = if down { 90 } else { -90 };
-            let (to_x, to_y) = (end.x, middle(&end));
-            format!(
-                "M{x} {y}C{x} {},{} {to_y},{to_x} {to_y}",
-                y + bend,
-                to_x - 60
-            )
-        } else {
-            let down = end.y >= start.y;
-            let (x, to_x) = (start.x + start.width / 2, end.x + end.width / 2);
-            let (y, to_y) = match down {
-                true => (start.y + start.height, end.y),
-                false => (start.y, end.y + end.height),
-            };
-            let bend = ((to_y - y) / 2).abs().clamp(20, 120) * if down { 1 } else { -1 };
-            format!(
-                "M{x} {y}C{x} {},{to_x} {},{to_x} {to_y}",
-                y + bend,
-                to_y - bend
-            )
-        };
-        let mut class = String::from("cv-edge");
-        if far {
-            class += " cv-far";
-        }
-        if self.is_broken((from, to)) {
-            class += " cv-broken";
-        }
-        format!("<path class=\"{class}\" d=\"{path}\"/>\n")
-    }
-
     fn drawn(&self, at: usize, frame: Frame, address: Option<Address<'_>>) -> String {
         let node = &self.nodes[at];
         let (opening, closing) = match address {
             Some(address) => (format!("a href=\"{}\"", escaped(&address(at))), "a"),
             None => ("g".to_owned(), "g"),
         };
-        let mut told = format!("{}: {}, {}", node.name, node.status.words(), node.statement);
+        let statement = unbraced(&node.statement);
+        let mut told = format!("{}: {}, {statement}", node.name, node.status.words());
         if !node.rests_on.is_empty() {
             let names = node
                 .rests_on
@@ -245,7 +193,7 @@ impl Graph {
             class(node.status),
             escaped(&told),
             shape(node.status, frame),
-            sign(node.status, frame.x + 14, frame.y + frame.height / 2),
+            sign(node.status, frame.x + 14, frame.middle()),
             frame.x + 25,
             frame.y + 17,
             escaped(&drawn_name(&node.name))
@@ -253,13 +201,7 @@ impl Graph {
     }
 }
 
-/// From one side to another, leaving and arriving level.
-fn across(x: i64, y: i64, to_x: i64, to_y: i64) -> String {
-    let bend = (to_x - x) / 2;
-    format!("C{} {y},{} {to_y},{to_x} {to_y}", x + bend, to_x - bend)
-}
-
-fn class(status: Status) -> &'static str {
+pub(super) fn class(status: Status) -> &'static str {
     match status {
         Status::Given => "cv-given",
         Status::Holds => "cv-holds",
@@ -271,7 +213,7 @@ fn class(status: Status) -> &'static str {
     }
 }
 
-fn shape(status: Status, frame: Frame) -> String {
+pub(super) fn shape(status: Status, frame: Frame) -> String {
     let Frame {
         x,
         y,
@@ -308,7 +250,7 @@ fn shape(status: Status, frame: Frame) -> String {
 }
 
 /// A small sign, drawn rather than written, around a point.
-fn sign(status: Status, x: i64, y: i64) -> String {
+pub(super) fn sign(status: Status, x: i64, y: i64) -> String {
     let path = match status {
         Status::Given => format!("M{} {y}h.01", x),
         Status::Holds => format!("M{} {}l3 3l5 -7", x - 4, y + 1),
@@ -319,38 +261,6 @@ fn sign(status: Status, x: i64, y: i64) -> String {
         Status::Undecided => format!("M{} {}c0 -5 6 -5 6 -1c0 3 -3 2 -3 4m0 3v.01", x - 3, y - 1),
     };
     format!("<path class=\"cv-sign\" d=\"{path}\"/>")
-}
-
-/// A sample of each kind that occurs, none further to the right than `end`, and how many lines they take.
-fn legend(graph: &Graph, end: i64) -> (String, i64) {
-    let mut text = String::new();
-    let (mut x, mut lines) = (MARGIN, 1);
-    for status in Status::ALL {
-        if !graph.nodes.iter().any(|n| n.status == status) {
-            continue;
-        }
-        let length = 60 + 8 * status.words().chars().count() as i64;
-        if x > MARGIN && x + length > end {
-            (x, lines) = (MARGIN, lines + 1);
-        }
-        let frame = Frame {
-            x,
-            y: MARGIN + 34 + (lines - 1) * LEGEND_LINE,
-            width: 28,
-            height: 22,
-        };
-        text += &format!(
-            "<g class=\"cv-node {}\">{}{}</g><text class=\"cv-soft\" x=\"{}\" y=\"{}\">{}</text>\n",
-            class(status),
-            shape(status, frame),
-            sign(status, x + 14, frame.y + 11),
-            x + 36,
-            frame.y + 15,
-            status.words()
-        );
-        x += length;
-    }
-    (text, lines)
 }
 
 /// Text between tags: one line, without what may not stand in XML at all.

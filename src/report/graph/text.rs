@@ -4,6 +4,7 @@ use super::super::Report;
 use super::super::style::{BOLD, DIM, paint};
 use super::super::words::{count, list};
 use super::{Graph, Status};
+use crate::notation::unbraced;
 
 /// Of more than this, a number is told in the first line.
 const MOST_NAMED: usize = 12;
@@ -122,7 +123,10 @@ impl Graph {
                     report.sources(sources)
                 )
             }
-            None => format!("no other way to it was found: {}", node.statement),
+            None => {
+                let statement = unbraced(&node.statement);
+                format!("no other way to it was found: {statement}")
+            }
         }
     }
 }

@@ -15,10 +15,12 @@ pub struct Pictures {
 /// A figure.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// What it shows.
-    pub title: String,
     /// An `<svg>` element whose text is escaped already, and whose identifiers no other figure has.
     pub svg: String,
+    /// The same for a narrow screen.
+    pub narrow: String,
+    /// What is said below it, as HTML whose text is escaped already.
+    pub caption: String,
 }
 
 /// A table of text.
@@ -47,14 +49,20 @@ impl Pictures {
             "<section id=\"figures\" aria-labelledby=\"figures-title\">\n<h2 id=\"figures-title\">Figures and tables</h2>\n",
         );
         for figure in &self.figures {
-            text += &format!(
-                "<figure>\n<div class=\"scroll drawing close\" role=\"region\" aria-label=\"{}\" tabindex=\"0\">\n{}</div>\n</figure>\n",
-                escape(&figure.title),
-                figure.svg
-            );
+            text += &figure.markup();
         }
         self.tables.iter().for_each(|table| text += &table.markup());
         text + "</section>\n"
+    }
+}
+
+impl Picture {
+    fn markup(&self) -> String {
+        format!(
+            "<figure>\n<div class=\"drawing close broad\">\n{}</div>\n<div class=\"drawing close slim\">\n{}</div>\n\
+             <figcaption>{}</figcaption>\n</figure>\n",
+            self.svg, self.narrow, self.caption
+        )
     }
 }
 

@@ -240,6 +240,36 @@ fn superscript_digits(text: &str) -> Option<String> {
         .collect()
 }
 
+/// Text in the notation of [`plain`] for those who do not read LaTeX: no braces around what stands high or low, and
+/// parentheses where its end would not be seen.
+///
+/// ```
+/// # use cradle_engine::notation::unbraced;
+/// assert_eq!(unbraced("E_{after} = e² E₀"), "E_after = e² E₀");
+/// assert_eq!(unbraced("Σ_{i=1}^{k} u_i"), "Σ_(i=1)^k u_i");
+/// ```
+pub fn unbraced(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find("_{").into_iter().chain(rest.find("^{")).min() {
+        let (before, script) = rest.split_at(at);
+        let Some(end) = script.find('}') else {
+            break;
+        };
+        let (sign, content) = (&script[..1], &script[2..end]);
+        rest = &script[end + 1..];
+        let is_word = content.chars().all(char::is_alphanumeric) && !content.is_empty();
+        let is_seen = !rest.starts_with(char::is_alphanumeric);
+        shown += before;
+        shown += sign;
+        shown += &match is_word && is_seen {
+            true => content.to_owned(),
+            false => format!("({content})"),
+        };
+    }
+    shown + rest
+}
+
 fn subscript(text: &str) -> String {
     let digits: Option<String> = text
         .chars()
