@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::audit::Entry;
 use crate::report::Report;
 use crate::sorted::Tree;
 
@@ -51,4 +52,10 @@ impl Anchors {
 /// The name of a document's place.
 pub(super) fn document(page: usize) -> String {
     format!("doc-{}", page + 1)
+}
+
+/// The name of the evidence for a statement of an equation, within the fold: a browser unfolds what a link leads into.
+pub(super) fn evidence(equation: &str, entry: &Entry) -> String {
+    // No label has a colon in a name, so this is nobody else's.
+    format!("{equation}:{}", entry.part + 1)
 }

@@ -4,7 +4,7 @@ use crate::algebra::{Expr, Formula};
 use crate::derivation::Page;
 use crate::document::Span;
 use crate::notation::{
-    Statement, escape, mathml, mathml_formula, mathml_statement, read_expr, read_formulas,
+    Statement, escape, mathml, mathml_formula, mathml_statement, read_expr, read_formulas, typeset,
 };
 
 /// So many bytes of markup are a formula that may be wider than a telephone.
@@ -20,29 +20,23 @@ pub(super) fn term(expr: &Expr) -> String {
     format!("<math>{}</math>", mathml(expr))
 }
 
-/// A statement on lines of its own.
-pub(super) fn display(statement: &Statement) -> String {
-    format!(
-        "<math display=\"block\">{}</math>",
-        mathml_statement(statement)
-    )
+/// A statement on lines of its own, as it was understood.
+pub(super) fn understood(statement: &Statement) -> String {
+    display(&mathml_statement(statement))
 }
 
-/// Mathematics in a line of an author's text: set where it can be read, as it was typed where not.
-pub(super) fn inline(source: &str, body: Span) -> String {
-    if let Ok(expr) = read_expr(source, body) {
-        return narrow(term(&expr));
-    }
-    match read_formulas(source, body) {
-        Ok(statements) if !statements.is_empty() => {
-            let set: Vec<String> = statements.iter().map(mathml_statement).collect();
-            narrow(format!("<math>{}</math>", set.join("<mo>,</mo>")))
-        }
-        _ => {
-            let typed = source.get(body.range()).unwrap_or_default();
-            format!("<code class=\"tex\">{}</code>", escape(typed))
-        }
-    }
+/// Mathematics on lines of its own, as it was typed.
+pub(super) fn typed(source: &str) -> String {
+    display(&typeset(source))
+}
+
+fn display(markup: &str) -> String {
+    format!("<math display=\"block\">{markup}</math>")
+}
+
+/// Mathematics in a line of an author's text, as it was typed.
+pub(super) fn inline(source: &str) -> String {
+    narrow(format!("<math>{}</math>", typeset(source)))
 }
 
 /// A formula that may be wider than a telephone, in a box of its own in which it scrolls; others stay in the line.
@@ -59,7 +53,7 @@ pub(super) fn titled(title: &str) -> String {
     let mut at = 0;
     for (span, body) in dollars(title) {
         text += &escape(title.get(at..span.start).unwrap_or_default());
-        text += &inline(title, body);
+        text += &inline(title.get(body.range()).unwrap_or_default());
         at = span.end;
     }
     text + &escape(title.get(at..).unwrap_or_default())

@@ -137,7 +137,7 @@ impl Walk<'_, '_> {
                 Piece::Text(text) => Ok(shown(text)),
                 Piece::Spot(spot) => match spot.kind {
                     Kind::Display(at) => Err(at),
-                    Kind::Math(body) => Ok(words::inline(&document.source, body)),
+                    Kind::Math(body) => Ok(words::inline(document.text(body))),
                     Kind::Cited(_) if linked => Ok(escape(document.text(spot.span))),
                     Kind::Cited(at) => Ok(format!(
                         "<a href=\"#{}\">{}</a>",

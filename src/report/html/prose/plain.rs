@@ -53,7 +53,7 @@ fn set(page: &Page<'_>, document: &crate::document::Document, piece: Piece<'_>) 
         return escape(text);
     };
     match spot.kind {
-        Kind::Math(body) => words::inline(&document.source, body),
+        Kind::Math(body) => words::inline(document.text(body)),
         Kind::Cited(at) => format!(
             "<a href=\"#{}\">{}</a>",
             page.anchors.equation(at),
