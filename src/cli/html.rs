@@ -1,6 +1,6 @@
 //! `report`: the whole audit as one page, with the report's own figures and table where it is about the report.
 
-use super::args::{Args, Format};
+use super::args::{Args, Builtin, Format};
 use super::output::Content;
 use super::run::Done;
 use super::{Failure, halves};
@@ -15,7 +15,7 @@ pub(super) fn report(
     derivation: Derivation,
     args: &Args,
     paths: &[String],
-    is_report: bool,
+    inside: Option<Builtin>,
 ) -> Done {
     if args.format != Format::Human {
         return Err(
@@ -29,13 +29,22 @@ pub(super) fn report(
         audit: checker.audit(),
         paths,
     };
-    let pictures = match is_report {
-        true => pictures(&checker).map_err(super::plot::failed)?,
-        false => Pictures::default(),
+    let mut pictures = match inside {
+        Some(Builtin::Report) => pictures(&checker).map_err(super::plot::failed)?,
+        _ => Pictures::default(),
     };
+    pictures.title = inside.map(|inside| title(inside).to_owned());
     let page = report.html(&pictures);
     let found = report.findings() > 0;
     Ok((Content::Bytes(page.into_bytes()), found))
+}
+
+/// What the page is called that is about what ships inside.
+fn title(inside: Builtin) -> &'static str {
+    match inside {
+        Builtin::Report => "The report on Newton’s cradle",
+        Builtin::Corrected => "The report on Newton’s cradle, corrected",
+    }
 }
 
 /// What draws one of the figures.
@@ -59,6 +68,7 @@ fn pictures(checker: &Checker) -> Result<Pictures, FigureError> {
         })
     });
     Ok(Pictures {
+        title: None,
         figures: drawn.into_iter().collect::<Result<_, FigureError>>()?,
         tables: vec![halves::on_a_page(checker, &materials)?],
     })

@@ -57,8 +57,9 @@ impl Page<'_> {
         let id = self.anchors.equation(at);
         let entries = report.audit.of_equation(at);
         let verdicts: Vec<&str> = entries.iter().map(|e| e.verdict.word()).collect();
+        let several = if entries.len() > 1 { " several" } else { "" };
         let mut text = format!(
-            "<div class=\"equation\" id=\"{id}\" data-verdict=\"{}\">\n",
+            "<div class=\"equation{several}\" id=\"{id}\" data-verdict=\"{}\">\n",
             verdicts.join(" ")
         );
         for entry in entries {

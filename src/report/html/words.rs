@@ -1,10 +1,10 @@
 //! Text of other views made fit for the page: back-ticks to code, colours left out, formulas and scripts set.
 
 use crate::algebra::{Expr, Formula};
-use crate::derivation::Page;
 use crate::document::Span;
 use crate::notation::{
-    Statement, escape, mathml, mathml_formula, mathml_statement, read_expr, read_formulas, typeset,
+    Statement, escape, mathml, mathml_formula, mathml_statement, plain, read_expr, read_formulas,
+    typeset,
 };
 
 /// So many bytes of markup are a formula that may be wider than a telephone.
@@ -47,18 +47,6 @@ fn narrow(math: String) -> String {
     }
 }
 
-/// A title with mathematics between dollars.
-pub(super) fn titled(title: &str) -> String {
-    let mut text = String::new();
-    let mut at = 0;
-    for (span, body) in dollars(title) {
-        text += &escape(title.get(at..span.start).unwrap_or_default());
-        text += &inline(title.get(body.range()).unwrap_or_default());
-        at = span.end;
-    }
-    text + &escape(title.get(at..).unwrap_or_default())
-}
-
 /// Where mathematics stands between single dollars, with them and without.
 pub(super) fn dollars(text: &str) -> Vec<(Span, Span)> {
     let mut found = Vec::new();
@@ -72,9 +60,21 @@ pub(super) fn dollars(text: &str) -> Vec<(Span, Span)> {
     found
 }
 
-/// A title in a line that has room for characters only.
-pub(super) fn without_math(title: &str) -> String {
-    title.replace('$', "")
+/// Mathematics where there is room for characters only, as a terminal has it.
+pub(super) fn in_characters(source: &str) -> String {
+    match read_expr(source, Span::new(0, source.len())) {
+        Ok(expr) => escape(&plain(&expr)),
+        Err(_) => untagged(&typeset(source)),
+    }
+}
+
+/// The text of markup, without its tags.
+pub(super) fn untagged(markup: &str) -> String {
+    let mut pieces = markup.split('<');
+    let first = pieces.next().unwrap_or_default().to_owned();
+    pieces.fold(first, |text, piece| {
+        text + piece.split_once('>').map_or("", |(_, after)| after)
+    })
 }
 
 /// Escaped, `E_{after}`, `E_n` and `v^(3/2)` with their scripts below and above the line.
@@ -184,19 +184,4 @@ pub(super) fn capital(text: &str) -> String {
         Some(first) => first.to_uppercase().chain(letters).collect(),
         None => String::new(),
     }
-}
-
-/// The folder that all documents are in.
-pub(super) fn common_folder(pages: &[Page]) -> Option<String> {
-    let folder = |page: &Page| {
-        page.document
-            .path
-            .rsplit_once('/')
-            .map(|(f, _)| f.to_owned())
-    };
-    let first = folder(pages.first()?)?;
-    let alike = pages
-        .iter()
-        .all(|page| folder(page).as_deref() == Some(&first));
-    (alike && !first.is_empty()).then_some(first)
 }
