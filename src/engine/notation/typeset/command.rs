@@ -30,9 +30,11 @@ impl<'s> Setter<'s> {
         if let Some(width) = space(name) {
             return Atom::space(width);
         }
-        if let Some((over, stretchy)) = alphabet::accent(name)
-            && name != "overline"
-        {
+        if let Some(class) = drawn(name) {
+            let inside = self.argument();
+            return Atom::ordinary(format!("<mrow class=\"{class}\">{inside}</mrow>"));
+        }
+        if let Some((over, stretchy)) = alphabet::accent(name) {
             let base = self.argument();
             let class = match name {
                 "overbrace" => Class::Large,
@@ -131,14 +133,7 @@ impl<'s> Setter<'s> {
                 let class = Class::Large;
                 return Atom { markup, class };
             }
-            // What the style sheet draws.
-            "boxed" | "overline" | "underline" | "cancel" => {
-                format!("<mrow class=\"{name}\">{}</mrow>", self.argument())
-            }
             "fbox" | "framebox" => format!("<mrow class=\"boxed\">{}</mrow>", self.text()),
-            "bcancel" | "xcancel" => {
-                format!("<mrow class=\"cancel\">{}</mrow>", self.argument())
-            }
             "begin" => self.environment(),
             "num" | "qty" | "SI" | "unit" | "si" | "ang" => self.quantity(name),
             "eqref" | "ref" | "cref" | "Cref" | "autoref" => {
@@ -149,10 +144,8 @@ impl<'s> Setter<'s> {
                 "<mrow><mspace width=\"1em\"/><mo stretchy=\"false\">(</mo><mi>mod</mi><mspace width=\"0.28em\"/>{}<mo stretchy=\"false\">)</mo></mrow>",
                 self.argument()
             ),
-            "mathop" | "mathbin" | "mathrel" | "mathord" | "mathopen" | "mathclose" | "smash" => {
-                self.argument()
-            }
-            "substack" => self.argument(),
+            "mathop" | "mathbin" | "mathrel" | "mathord" | "mathopen" | "mathclose" | "smash"
+            | "substack" => self.argument(),
             "color" | "label" | "tag" | "hspace" | "vspace" | "mspace" | "phantom" | "hphantom"
             | "vphantom" | "cite" | "end" | "footnotesize" => {
                 self.take("*");
@@ -237,4 +230,15 @@ fn fence(shown: &str, form: &str) -> String {
         "<mo form=\"{form}\" stretchy=\"true\" lspace=\"0\" rspace=\"0\">{}</mo>",
         escape(shown)
     )
+}
+
+/// What the style sheet draws around an argument, or through it.
+fn drawn(command: &str) -> Option<&'static str> {
+    Some(match command {
+        "boxed" => "boxed",
+        "overline" => "overline",
+        "underline" => "underline",
+        "cancel" | "bcancel" | "xcancel" => "cancel",
+        _ => return None,
+    })
 }

@@ -102,7 +102,7 @@ pub(super) fn mtext(words: &str) -> String {
     )
 }
 
-/// The sign that a character is, and its class.
+/// What a character is to its neighbours.
 pub(super) fn character(c: char) -> Class {
     match c {
         '+' | '-' | '−' | '±' | '∓' | '*' | '·' | '×' | '⋅' | '∘' => Class::Binary,
