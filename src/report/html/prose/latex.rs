@@ -242,6 +242,7 @@ impl<'p, 'a> Setter<'p, 'a> {
                 self.entry();
                 if let Some(name) = reader.options() {
                     self.write(&format!("<strong>{}</strong> ", escape(name)));
+                    reader.blank();
                 }
             }
             Command::Paragraph => self.end_paragraph(),
