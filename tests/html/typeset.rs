@@ -61,6 +61,7 @@ fn structure_is_kept() {
         (r"v'_1^2", "<msubsup><mrow><mi>v</mi>"),
         (r"\lim_{x \to 0} x", "<munder>"),
         (r"\mathrm{d}x", "<mi mathvariant=\"normal\">d</mi>"),
+        (r"|x|^2 + |-y|", "|</mo><mo form=\"prefix\">−</mo>"),
         (r"a = -b", "<mo form=\"prefix\">−</mo>"),
         (
             r"a &= b \\ &= -c",

@@ -101,6 +101,11 @@ impl Line {
         });
     }
 
+    /// The bar that comes next, if any is open, closes it.
+    pub(super) fn close_bar(&mut self) {
+        self.bar = false;
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.count == 0
     }

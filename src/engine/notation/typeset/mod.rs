@@ -3,8 +3,9 @@
 //! The reader says what a formula means and refuses what it does not know. A page shows what its author wrote, read or not, so this goes
 //! through the source by itself and sets every command that it knows; of others the name shows. It never fails.
 //!
-//! `alphabet` and `signs` are what letters and commands look like, `line` puts elements side by side, `table` rows and cells, `words` is
-//! for text within mathematics, `command` for commands that take arguments, `quantity` for those of siunitx.
+//! `alphabet` and `signs` are what letters and commands look like, `line` puts elements side by side, `scripts` below and above each other,
+//! `table` in rows and cells; `words` is for text within mathematics, `command` for commands that take arguments, `quantity` for those of
+//! siunitx, and `reader` takes the source from the front.
 //!
 //! **Invariant:** the time is linear in the length of the source, the nesting of what comes out is bounded, and every character of the
 //! source passes through `escape`. Deliberately absent: any knowledge of what a formula means.
@@ -13,6 +14,8 @@ mod alphabet;
 mod command;
 mod line;
 mod quantity;
+mod reader;
+mod scripts;
 mod signs;
 mod table;
 mod words;
@@ -24,8 +27,6 @@ use signs::Class;
 
 /// Groups within groups, deeper than anybody writes.
 const DEEPEST: usize = 24;
-
-const PRIME: &str = "<mo lspace=\"0\" rspace=\"0\">′</mo>";
 
 /// LaTeX mathematics as elements of MathML, without the `<math>` around them.
 pub fn typeset(source: &str) -> String {
@@ -69,50 +70,6 @@ impl<'s> Setter<'s> {
             fences: 0,
             environments: 0,
         }
-    }
-
-    fn take(&mut self, sign: &str) -> bool {
-        let after = self.rest.strip_prefix(sign);
-        self.rest = after.unwrap_or(self.rest);
-        after.is_some()
-    }
-
-    /// Takes the longest run of characters of a kind.
-    fn run(&mut self, of: impl Fn(char) -> bool) -> &'s str {
-        let end = self.rest.find(|c| !of(c)).unwrap_or(self.rest.len());
-        let (run, rest) = self.rest.split_at(end);
-        self.rest = rest;
-        run
-    }
-
-    /// White space and comments mean nothing.
-    fn skip_blank(&mut self) {
-        loop {
-            self.run(char::is_whitespace);
-            if !self.take("%") {
-                return;
-            }
-            self.run(|c| c != '\n');
-        }
-    }
-
-    /// The name of a command, behind its backslash.
-    fn name(&mut self) -> &'s str {
-        let name = self.run(|c| c.is_ascii_alphabetic());
-        if !name.is_empty() {
-            return name;
-        }
-        let length = self.rest.chars().next().map_or(0, char::len_utf8);
-        let (name, rest) = self.rest.split_at(length);
-        self.rest = rest;
-        name
-    }
-
-    /// The name of the command that comes next.
-    fn peeked(&self) -> Option<&'s str> {
-        let after = self.rest.strip_prefix('\\')?;
-        let end = after.find(|c: char| !c.is_ascii_alphabetic());
-        Some(&after[..end.unwrap_or(after.len())])
     }
 
     /// Something within something else, in whose typeface it begins.
@@ -179,6 +136,7 @@ impl<'s> Setter<'s> {
             // With scripts it closes something: `|_{x = a}`.
             match self.has_scripts() {
                 true => {
+                    line.close_bar();
                     let bar = Atom::sign("|", Class::Close);
                     line.push(self.scripted(bar));
                 }
@@ -221,12 +179,6 @@ impl<'s> Setter<'s> {
         }
     }
 
-    fn one(&mut self, c: char) -> &'s str {
-        let (own, rest) = self.rest.split_at(c.len_utf8());
-        self.rest = rest;
-        own
-    }
-
     /// Digits with a decimal sign between them: `9.81`, `9{,}81`.
     fn number(&mut self) -> String {
         let digit = |c: char| c.is_ascii_digit();
@@ -256,76 +208,6 @@ impl<'s> Setter<'s> {
         let line = self.nested(|own| own.line(Ends::Brace, false));
         self.braces -= 1;
         line.grouped()
-    }
-
-    /// What a command or a script takes: a group, or the one sign that follows.
-    fn argument(&mut self) -> String {
-        self.skip_blank();
-        let missing = || "<mrow></mrow>".to_owned();
-        if self.depth >= DEEPEST || self.ends(Ends::Whole) || self.rest.starts_with("\\\\") {
-            return missing();
-        }
-        let markup = match self.rest.as_bytes().first() {
-            Some(b'&' | b'$' | b'_' | b'^') => return missing(),
-            Some(b'0'..=b'9') => format!("<mn>{}</mn>", self.one('0')),
-            _ => self.nested(|own| own.atom()).markup,
-        };
-        match markup.is_empty() {
-            true => missing(),
-            false => markup,
-        }
-    }
-
-    fn has_scripts(&mut self) -> bool {
-        self.skip_blank();
-        while matches!(self.peeked(), Some("limits" | "nolimits")) {
-            self.take("\\");
-            self.name();
-            self.skip_blank();
-        }
-        self.rest.starts_with(['_', '^', '\'', '’', '′'])
-    }
-
-    /// An element with the scripts behind it, one of each kind.
-    fn scripted(&mut self, base: Atom) -> Atom {
-        let (mut below, mut above, mut primes) = (None, None, String::new());
-        while self.has_scripts() {
-            match self.rest.as_bytes().first() {
-                Some(b'_') if below.is_none() => {
-                    self.take("_");
-                    below = Some(self.argument());
-                }
-                Some(b'^') if above.is_none() => {
-                    self.take("^");
-                    above = Some(self.argument());
-                }
-                Some(b'_' | b'^') => break,
-                _ => {
-                    let own = self.run(|c| matches!(c, '\'' | '’' | '′'));
-                    primes += &PRIME.repeat(own.chars().count());
-                }
-            }
-        }
-        let class = base.class;
-        let (one, other, both) = match class {
-            Class::Limits | Class::Large => ("munder", "mover", "munderover"),
-            _ => ("msub", "msup", "msubsup"),
-        };
-        let base = match (primes.is_empty(), base.markup.is_empty()) {
-            (true, false) => base.markup,
-            _ => format!("<mrow>{}{primes}</mrow>", base.markup),
-        };
-        let markup = match (below, above) {
-            (Some(below), Some(above)) => format!("<{both}>{base}{below}{above}</{both}>"),
-            (Some(below), None) => format!("<{one}>{base}{below}</{one}>"),
-            (None, Some(above)) => format!("<{other}>{base}{above}</{other}>"),
-            (None, None) => base,
-        };
-        let class = match class {
-            Class::Binary | Class::None => Class::Ordinary,
-            class => class,
-        };
-        Atom { markup, class }
     }
 }
 
