@@ -92,18 +92,13 @@ impl Line {
         }
     }
 
-    /// A bar, which looks alike on both sides of what it encloses.
-    pub(super) fn bar(&mut self, shown: &str) {
-        self.bar = !self.bar;
-        self.push(Atom {
-            markup: format!("<mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">{shown}</mo>"),
+    /// A bar, which looks alike on both sides of what it encloses: one that may open something, or one that closes.
+    pub(super) fn bar(&mut self, opens: bool) -> Atom {
+        self.bar = opens && !self.bar;
+        Atom {
+            markup: "<mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">|</mo>".to_owned(),
             class: if self.bar { Class::Open } else { Class::Close },
-        });
-    }
-
-    /// The bar that comes next, if any is open, closes it.
-    pub(super) fn close_bar(&mut self) {
-        self.bar = false;
+        }
     }
 
     pub(super) fn is_empty(&self) -> bool {

@@ -134,14 +134,11 @@ impl<'s> Setter<'s> {
         if c == '|' {
             self.take("|");
             // With scripts it closes something: `|_{x = a}`.
-            match self.has_scripts() {
-                true => {
-                    line.close_bar();
-                    let bar = Atom::sign("|", Class::Close);
-                    line.push(self.scripted(bar));
-                }
-                false => line.bar("|"),
-            }
+            let bar = match self.has_scripts() {
+                true => self.scripted(line.bar(false)),
+                false => line.bar(true),
+            };
+            line.push(bar);
             return;
         }
         let atom = self.atom();
