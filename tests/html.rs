@@ -5,7 +5,9 @@ mod contrast;
 mod formulas;
 mod hash;
 mod hostile;
+mod latex;
 mod structure;
+mod typeset;
 
 use crate::common;
 use std::sync::LazyLock;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::args::{Args, Format};
+use super::args::{Args, Builtin, Format};
 use super::output::Content;
 use super::run::Done;
 use super::{Failure, halves};
@@ -17,7 +17,7 @@ pub(super) fn report(
     derivation: Derivation,
     args: &Args,
     paths: &[String],
-    is_report: bool,
+    inside: Option<Builtin>,
 ) -> Done {
     if args.format != Format::Human {
         return Err(
@@ -34,10 +34,11 @@ pub(super) fn report(
         audit: checker.audit(),
         paths,
     };
-    let pictures = match is_report {
-        true => pictures(&checker).map_err(super::plot::failed)?,
-        false => Pictures::default(),
+    let mut pictures = match inside {
+        Some(Builtin::Report) => pictures(&checker).map_err(super::plot::failed)?,
+        _ => Pictures::default(),
     };
+    pictures.title = inside.map(|inside| title(inside).to_owned());
     let page = report.html(&pictures);
     let found = report.findings() > 0;
     Ok((Content::Bytes(page.into_bytes()), found))
@@ -52,6 +53,14 @@ fn is_of_a_page(file: &Path) -> Result<(), Failure> {
             Failure::new(format!("a page of HTML is not written as `.{ending}`"))
                 .help("write it as `.html`; a browser prints it to PDF"),
         ),
+    }
+}
+
+/// What the page is called that is about what ships inside.
+fn title(inside: Builtin) -> &'static str {
+    match inside {
+        Builtin::Report => "The report on Newton’s cradle",
+        Builtin::Corrected => "The report on Newton’s cradle, corrected",
     }
 }
 
@@ -78,6 +87,7 @@ fn pictures(checker: &Checker) -> Result<Pictures, FigureError> {
         })
     });
     Ok(Pictures {
+        title: None,
         figures: drawn.into_iter().collect::<Result<_, FigureError>>()?,
         tables: vec![halves::on_a_page(checker, &materials)?],
     })

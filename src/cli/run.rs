@@ -98,9 +98,9 @@ pub(super) fn run(args: &Args) -> Done {
             stdin_filename,
         }) => {
             let (derivation, shown) = asked_for(args, paths, stdin_filename.as_deref())?;
-            let is_report = speaks_of_what_is_inside(args)
-                && args.builtin.unwrap_or_default() == Builtin::Report;
-            html::report(derivation, args, &shown, is_report)
+            let inside = speaks_of_what_is_inside(args);
+            let inside = inside.then(|| args.builtin.unwrap_or_default());
+            html::report(derivation, args, &shown, inside)
         }
         Some(Command::Init {
             paths,

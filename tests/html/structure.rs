@@ -260,30 +260,89 @@ fn displays_keep_their_place_in_whatever_is_around_them() {
 }
 
 #[test]
-fn other_sources_are_walked_item_by_item() {
+fn titles_are_those_of_the_documents() {
+    let head = |documents: &[(&str, &str)]| {
+        let page = page_of(documents);
+        let tree = tree(&page);
+        let named = |name| tree.descendants().find(|n| n.tag_name().name() == name);
+        let (title, head) = (named("title").unwrap(), named("h1").unwrap());
+        assert!(head.descendants().all(|n| n.tag_name().name() != "b"));
+        (text_of(title), text_of(head))
+    };
+    let first = (
+        "docs/a.md",
+        "# On $x^2$, **bold** and `code` <b>\n\n$$ a = b $$\n",
+    );
+    let (title, shown) = head(&[first]);
+    assert_eq!(title, "On x², bold and code <b>: audit");
+    assert_eq!(shown, "On x2, bold and code <b>");
+    let rest = [
+        ("docs/b.md", "# 1. Two\n"),
+        ("docs/c.md", "# Three\n"),
+        ("docs/d.md", ""),
+    ];
+    let (_, shown) = head(&[rest[0], rest[1]]);
+    assert_eq!(shown, "1. Two and Three");
+    let (_, shown) = head(&rest);
+    assert_eq!(shown, "1. Two, Three and 1 more");
+    assert!(built_in().contains("<h1>The report on Newton’s cradle</h1>"));
+}
+
+#[test]
+fn columns_are_aligned_lines_end_and_footnotes_are_led_to() {
     let page = page_of(&[(
-        "note.tex",
-        "# One\n\nBy <b>love</b> & $v_0$:\n\n$$ a = b \\tag{1} $$\n\nAs (1) says.\n",
+        "a.md",
+        "# A\n\nOne<br>two[^1] and[^x].\n\n| a | b | c |\n|:--|--:|:-:|\n| $x$ | 2 | 3 |\n\n- [x] done\n\n[^1]: The note $z$.\n\n[^x]: Another.\n",
     )]);
     let tree = tree(&page);
-    let article = tree
+    assert!(page.contains("One<br/>\ntwo<sup><a href=\"#doc-1:note-1\">1</a></sup>"));
+    assert!(page.contains("<td class=\"r\">2</td><td class=\"c\">3</td>"));
+    assert!(page.contains("☑ done"));
+    let note = tree
         .descendants()
-        .find(|n| n.tag_name().name() == "article")
-        .unwrap();
-    let text = text_of(article);
-    assert!(text.contains("<b>love</b> & "), "{text}");
-    assert!(
-        article
+        .find(|n| n.attribute("id") == Some("doc-1:note-2"));
+    assert!(text_of(note.unwrap()).contains("Another."));
+}
+
+#[test]
+fn a_finding_leads_into_the_evidence() {
+    let page = built_in();
+    let tree = tree(page);
+    let findings = tree.descendants().filter(|n| has_class(n, "finding"));
+    let links = findings.filter_map(|n| n.descendants().find_map(|n| n.attribute("href")));
+    let mut led = 0;
+    for link in links.filter(|link| link.starts_with("#eq-")) {
+        let target = tree
             .descendants()
-            .any(|n| n.attribute("href") == Some("#eq-1") && text_of(n) == "(1)")
-    );
-    assert_eq!(
-        article
+            .find(|n| n.attribute("id") == link.strip_prefix('#'));
+        let target = target.unwrap_or_else(|| panic!("{link}"));
+        assert!(
+            target.ancestors().any(|n| n.tag_name().name() == "details"),
+            "{link}"
+        );
+        led += 1;
+    }
+    assert!(led > 5);
+}
+
+#[test]
+fn what_is_to_mend_has_one_colour_and_what_rests_on_an_error_says_so() {
+    let page = built_in();
+    let tree = tree(page);
+    let statement = |id: &str| {
+        let equation = tree.descendants().find(|n| n.attribute("id") == Some(id));
+        let mut statements = equation.unwrap().descendants();
+        statements.find(|n| has_class(n, "statement")).unwrap()
+    };
+    for id in ["eq-44", "eq-45", "eq-46"] {
+        assert!(has_class(&statement(id), "mixed"), "{id}");
+    }
+    for id in ["eq-24", "eq-25", "eq-26"] {
+        let verdict = statement(id)
             .descendants()
-            .filter(|n| has_class(n, "equation"))
-            .count(),
-        1
-    );
+            .find(|n| has_class(n, "verdict"));
+        assert!(text_of(verdict.unwrap()).contains("rests on (23)"), "{id}");
+    }
 }
 
 #[test]

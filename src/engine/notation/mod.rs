@@ -1,8 +1,8 @@
 //! The LaTeX-math reader and its inverse, the printer: one for all formats.
 //!
 //! `lexer` makes tokens, `fold` joins the signs that are spelt with several, `parser` builds statements, `printer` goes
-//! back. What cannot be read is refused by name and place; nothing is skipped or guessed. Where physicists' notation
-//! leaves a choice, this is what is chosen:
+//! back. What cannot be read is refused by name and place; nothing is skipped or guessed. `typeset` shows on a page what
+//! was typed, read or not. Where physicists' notation leaves a choice, this is what is chosen:
 //!
 //! - `/` binds like a product and runs from left to right: `1/2m` is `(1/2)m`.
 //! - A symbol directly before parentheses that hold only bare symbols, `P(t)`, is a function; `v_0(1-\mu)` is a product.
@@ -21,6 +21,7 @@ mod parser;
 mod printer;
 mod read;
 mod statement;
+mod typeset;
 mod unit;
 
 pub(crate) use commands::is_command;
@@ -34,4 +35,5 @@ pub use statement::{
     Before, BeforeKind, Choice, Clause, Connective, Display, Link, Mark, Other, Run, Side, Spanned,
     Statement, SyntaxError,
 };
+pub use typeset::typeset;
 pub use unit::measured;

@@ -203,6 +203,21 @@ fn by_symbol(text: &str) -> Option<Unit> {
     prefixed.into_iter().next()
 }
 
+/// The symbol of a prefix that is spelt as a command: `k` for `kilo`.
+pub(super) fn prefix(command: &str) -> Option<&'static str> {
+    let found = PREFIXES.iter().find(|own| own.1 == command);
+    found.map(|own| own.0)
+}
+
+/// The symbol of a unit that is spelt as a command: `m` for `metre`.
+pub(super) fn symbol(command: &str) -> Option<&'static str> {
+    match command {
+        "meter" => Some("m"),
+        "kilogram" => Some("kg"),
+        _ => UNITS.iter().find(|row| row.1 == command).map(|row| row.0),
+    }
+}
+
 /// Whether upright letters after a number can only be a unit, as far as the letters tell. A `d` may be that of a differential.
 pub(super) fn is_symbol(text: &str) -> bool {
     text != "d" && by_symbol(text).is_some()

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::audit::Entry;
 use crate::report::Report;
 use crate::sorted::Tree;
 
@@ -10,17 +11,22 @@ pub(super) struct Anchors {
     equations: Vec<String>,
     /// The first equation of each number or name.
     labels: Tree<String, usize>,
+    /// The first equation of each key.
+    keys: Tree<String, usize>,
 }
 
 impl Anchors {
     /// `eq-23` where the number is made of letters and digits and is the first such, otherwise by position, `eq--7`.
     pub(super) fn of(report: &Report<'_>) -> Anchors {
         let mut taken: BTreeSet<String> = BTreeSet::new();
-        let mut labels = Tree::new();
+        let (mut labels, mut keys) = (Tree::new(), Tree::new());
         let mut equations = Vec::new();
         for (at, equation) in report.derivation.equations.iter().enumerate() {
             for label in [&equation.tag, &equation.name].into_iter().flatten() {
                 labels.entry(label.clone()).or_insert(at);
+            }
+            for key in &equation.keys {
+                keys.entry(key.clone()).or_insert(at);
             }
             let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '_');
             let named = equation.label().filter(|label| {
@@ -34,7 +40,11 @@ impl Anchors {
             taken.insert(own.clone());
             equations.push(own);
         }
-        Anchors { equations, labels }
+        Anchors {
+            equations,
+            labels,
+            keys,
+        }
     }
 
     /// The name of an equation's place.
@@ -46,9 +56,20 @@ impl Anchors {
     pub(super) fn cited(&self, label: &str) -> Option<usize> {
         self.labels.get(label).copied()
     }
+
+    /// The equation that LaTeX cites by its key.
+    pub(super) fn by_key(&self, key: &str) -> Option<usize> {
+        self.keys.get(key).copied()
+    }
 }
 
 /// The name of a document's place.
 pub(super) fn document(page: usize) -> String {
     format!("doc-{}", page + 1)
+}
+
+/// The name of the evidence for a statement of an equation, within the fold: a browser unfolds what a link leads into.
+pub(super) fn evidence(equation: &str, entry: &Entry) -> String {
+    // No label has a colon in a name, so this is nobody else's.
+    format!("{equation}:{}", entry.part + 1)
 }

@@ -1,10 +1,11 @@
 //! An equation on the page: typeset, its number, its verdict in words in the margin, its evidence folded below.
 
-use crate::audit::{Entry, Verdict};
-use crate::notation::escape;
+use crate::audit::{Entry, Note, Verdict};
+use crate::notation::{Statement, escape, latex_statement, read_display};
+use crate::report::codes::Level;
 use crate::report::style;
 
-use super::{Page, words};
+use super::{Page, anchors, words};
 
 /// What a verdict looks like beside its words.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -40,9 +41,9 @@ impl Tone {
         }
     }
 
-    fn of(entry: &Entry, is_finding: bool) -> Tone {
+    fn of(entry: &Entry, is_to_mend: bool) -> Tone {
         match Tone::of_verdict(entry.verdict) {
-            Tone::Good if is_finding => Tone::Mixed,
+            Tone::Good if is_to_mend => Tone::Mixed,
             Tone::Bad if entry.fails_as_marked() => Tone::Crossed,
             tone => tone,
         }
@@ -56,8 +57,9 @@ impl Page<'_> {
         let id = self.anchors.equation(at);
         let entries = report.audit.of_equation(at);
         let verdicts: Vec<&str> = entries.iter().map(|e| e.verdict.word()).collect();
+        let several = if entries.len() > 1 { " several" } else { "" };
         let mut text = format!(
-            "<div class=\"equation\" id=\"{id}\" data-verdict=\"{}\">\n",
+            "<div class=\"equation{several}\" id=\"{id}\" data-verdict=\"{}\">\n",
             verdicts.join(" ")
         );
         for entry in entries {
@@ -69,14 +71,7 @@ impl Page<'_> {
     fn statement(&self, entry: &Entry, id: &str) -> String {
         let report = self.report;
         let equation = report.equation(entry.equation);
-        let document = &report.derivation.pages[equation.page].document;
-        let set = match report.statement(entry) {
-            Some(statement) => words::display(statement),
-            None => format!(
-                "<code class=\"tex\">{}</code>",
-                escape(document.text(equation.body))
-            ),
-        };
+        let set = self.set(entry);
         let name = escape(&report.name(entry.equation));
         let tag = match (&equation.tag, &equation.name, entry.part) {
             (Some(_), _, 0) => format!("<a class=\"tag\" href=\"#{id}\">{name}</a>"),
@@ -87,22 +82,56 @@ impl Page<'_> {
             _ => "<span class=\"tag\"></span>".to_owned(),
         };
         let (sign, word) = report.told(entry);
-        let tone = Tone::of(entry, report.is_finding(entry)).class();
-        let marked = match entry.fails_as_marked() {
-            true => " <span class=\"aside\">as the author says</span>",
-            false => "",
-        };
-        let supported = match entry.verdict.word() == word {
-            true => String::new(),
-            false => format!(" <span class=\"aside\">{}</span>", entry.verdict.word()),
-        };
+        let tone = Tone::of(entry, self.is_to_mend(entry)).class();
+        let mut asides = self.resting(entry);
+        if entry.verdict.word() != word {
+            asides.push(entry.verdict.word().to_owned());
+        }
+        if entry.fails_as_marked() {
+            asides.push("as the author says".to_owned());
+        }
+        let asides: String = asides
+            .iter()
+            .map(|aside| format!(" <span class=\"aside\">{aside}</span>"))
+            .collect();
         format!(
             "<div class=\"statement {tone}\">\n<div class=\"sheet\">{set}</div>\n{tag}\n\
-             <p class=\"verdict\"><span class=\"sign\" aria-hidden=\"true\">{sign}</span> <strong>{word}</strong>{supported}{marked}</p>\n\
-             <details class=\"evidence\"><summary>{}</summary>\n{}</details>\n</div>\n",
+             <p class=\"verdict\"><span class=\"sign\" aria-hidden=\"true\">{sign}</span> <strong>{word}</strong>{asides}</p>\n\
+             <details class=\"evidence\"><summary>{}</summary>\n<div id=\"{}\">\n{}</div>\n</details>\n</div>\n",
             self.told_shortly(entry),
+            anchors::evidence(id, entry),
             self.evidence(entry)
         )
+    }
+
+    /// A statement as its author typed it. Of a display that states several things it is this one's part, and where that says less by
+    /// itself, as with cases, what was understood.
+    fn set(&self, entry: &Entry) -> String {
+        let equation = self.report.equation(entry.equation);
+        let document = &self.report.derivation.pages[equation.page].document;
+        let (Some(own), 2..) = (self.report.statement(entry), equation.statements().len()) else {
+            return words::typed(document.text(equation.body));
+        };
+        match says_the_same(&document.source, own) {
+            true => words::typed(document.text(own.span)),
+            false => words::understood(own),
+        }
+    }
+
+    /// Whether there is something to mend about an entry, told with it or once with others.
+    fn is_to_mend(&self, entry: &Entry) -> bool {
+        let page = self.report.equation(entry.equation).page;
+        let graver = |note: &Note| self.report.level(page, note.code()) > Some(Level::Note);
+        self.report.is_finding(entry) || entry.notes.iter().any(graver)
+    }
+
+    /// What a verdict rests on that is no better: what fails, or is not proved.
+    fn resting(&self, entry: &Entry) -> Vec<String> {
+        let rests = |note: &&Note| matches!(note, Note::RestsOn(_) | Note::RestsOnUnproved(_));
+        let notes = entry.notes.iter().filter(rests);
+        let told = notes.filter(|note| self.report.is_in_line(entry, note));
+        let asides = told.filter_map(|note| self.report.aside(entry.equation, note));
+        asides.map(|aside| words::scripted(&aside)).collect()
     }
 
     /// What the fold is called: the one thing to know.
@@ -118,5 +147,14 @@ impl Page<'_> {
             },
             false => words::ticked(&headline),
         }
+    }
+}
+
+/// Whether the place of a statement says all of it.
+fn says_the_same(source: &str, statement: &Statement) -> bool {
+    let alone = read_display(source, statement.span).statements;
+    match alone.as_deref() {
+        Ok([alone]) => latex_statement(alone) == latex_statement(statement),
+        _ => false,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::audit::Note;
+use crate::audit::{Entry, Note};
 use crate::notation::escape;
 use crate::report::codes::Level;
 use crate::report::diagnostic::Finding;
@@ -25,17 +25,17 @@ impl Page<'_> {
             return text + "<p>There is nothing to mend.</p>\n</section>\n";
         }
         text += "<ol class=\"findings\">\n";
-        for (finding, equation) in &found {
-            text += &self.finding(finding, *equation);
+        for (finding, entry) in &found {
+            text += &self.finding(finding, *entry);
         }
         text + "</ol>\n</section>\n"
     }
 
-    fn found(&self) -> Vec<(Finding, Option<usize>)> {
+    fn found(&self) -> Vec<(Finding, Option<&Entry>)> {
         let report = self.report;
         let elsewhere = report.elsewhere().into_iter();
         let elsewhere = elsewhere.filter(|(_, finding)| report.is_grave(finding));
-        let mut found: Vec<(Finding, Option<usize>)> =
+        let mut found: Vec<(Finding, Option<&Entry>)> =
             elsewhere.map(|(_, finding)| (finding, None)).collect();
         let mut told: BTreeSet<&[usize]> = BTreeSet::new();
         for entry in &report.audit.entries {
@@ -44,11 +44,11 @@ impl Page<'_> {
                     && report.is_to_mend(entry, note)
                     && told.insert(on)
                 {
-                    found.push((report.leveled(report.resting(on)), Some(entry.equation)));
+                    found.push((report.leveled(report.resting(on)), Some(entry)));
                 }
             }
             let own = report.of_entry(entry).into_iter();
-            found.extend(own.map(|finding| (finding, Some(entry.equation))));
+            found.extend(own.map(|finding| (finding, Some(entry))));
         }
         sorted::sort_by_key(&mut found, |(finding, _)| {
             (finding.page, finding.primary.0.start)
@@ -56,9 +56,9 @@ impl Page<'_> {
         found
     }
 
-    fn finding(&self, finding: &Finding, equation: Option<usize>) -> String {
-        let target = match equation {
-            Some(at) => self.anchors.equation(at).to_owned(),
+    fn finding(&self, finding: &Finding, entry: Option<&Entry>) -> String {
+        let target = match entry {
+            Some(entry) => anchors::evidence(self.anchors.equation(entry.equation), entry),
             None => anchors::document(finding.page),
         };
         let level = self.report.level(finding.page, finding.code);
@@ -86,7 +86,7 @@ impl Page<'_> {
                 format!("<div><dt>{}</dt><dd>{shown}</dd></div>", escape(name))
             })
             .collect();
-        if equation.is_none() {
+        if entry.is_none() {
             let place = self.report.place_of(finding.page, finding.primary.0);
             lines.insert(
                 0,

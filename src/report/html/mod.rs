@@ -33,7 +33,7 @@ const SCRIPT: &str = include_str!("script.js");
 /// What the browser may load, but for the script: styles that stand on the page, and nothing else.
 const POLICY: &str = include_str!("policy.txt");
 /// The hash of `script.js`, so that no other script runs. A test computes it anew.
-const SCRIPT_HASH: &str = "sha256-pwDfXYAS62XZCx1cqdh0pyabPKocGbz7JNW1SMBF20Q=";
+const SCRIPT_HASH: &str = "sha256-eMJaQZSEtlUGNNMq5NWd9NLJDGOKBVR8w4fLubtnhoA=";
 
 /// A page being written.
 struct Page<'a> {
@@ -48,7 +48,12 @@ impl Report<'_> {
             report: self,
             anchors: Anchors::of(self),
         };
-        let title = escape(&page.title());
+        let given = pictures.title.as_deref().map(escape);
+        let head = given.unwrap_or_else(|| page.title(words::inline));
+        let title = match &pictures.title {
+            Some(title) => escape(title),
+            None => words::untagged(&page.title(words::in_characters)),
+        };
         let mut text = String::from(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n",
         );
@@ -61,7 +66,7 @@ impl Report<'_> {
              <a class=\"skip\" href=\"#documents\">Skip to the documents</a>\n",
             env!("CARGO_PKG_VERSION")
         );
-        text += &page.head(&title, pictures);
+        text += &page.head(&head, pictures);
         text += "<main>\n";
         text += &page.findings();
         text += "<section id=\"documents\" aria-labelledby=\"documents-title\">\n<h2 id=\"documents-title\">Documents</h2>\n";
@@ -81,20 +86,14 @@ impl Report<'_> {
 }
 
 impl Page<'_> {
-    /// What the page is called: like its only document, or after the first one.
-    fn title(&self) -> String {
-        let pages = &self.report.derivation.pages;
-        let named = |page: &crate::derivation::Page| match page.title.is_empty() {
-            true => page.document.path.clone(),
-            false => words::without_math(&page.title),
-        };
-        match pages.as_slice() {
-            [] => "No documents".into(),
-            [only] => named(only),
-            several => match words::common_folder(several) {
-                Some(folder) => folder,
-                None => format!("{} and {} more", named(&several[0]), several.len() - 1),
-            },
+    /// What the page is called, where nobody says so: like its documents, of which the first two are named.
+    fn title(&self, math: fn(&str) -> String) -> String {
+        let of = |at| self.title_of(at, math);
+        match self.report.derivation.pages.len() {
+            0 => "No documents".into(),
+            1 => of(0),
+            2 => format!("{} and {}", of(0), of(1)),
+            several => format!("{}, {} and {} more", of(0), of(1), several - 2),
         }
     }
 

@@ -6,6 +6,8 @@ use crate::notation::escape;
 /// What is shown besides the documents; nothing, unless somebody has something.
 #[derive(Clone, Debug, Default)]
 pub struct Pictures {
+    /// What the page is called, if not like its documents.
+    pub title: Option<String>,
     /// The figures, in order.
     pub figures: Vec<Picture>,
     /// The tables, in order.

@@ -1,14 +1,18 @@
 //! The documents themselves: text, mathematics in it, and every display with its verdict.
 //!
 //! `spots` lists what of the text is not text, in order of place: displays, mathematics in a line, citations. Two
-//! walks go over the text between them: `markdown` as a Markdown reader sees it, `plain` item by item for sources of
-//! any other kind. Both leave the spots to `Spots::pass`, so that no display can be lost between them.
+//! walks go over the text between them: `markdown` as a Markdown reader sees it, `latex` item by item for those in
+//! LaTeX. Both leave the spots to `Spots::pass`, so that no display can be lost between them.
 
+mod latex;
+mod latex_reader;
+mod latex_words;
 mod markdown;
-mod plain;
 mod spots;
 
 use super::{Page, anchors};
+use crate::document::Item;
+use latex::Heading;
 
 impl Page<'_> {
     /// A document with all its equations.
@@ -22,9 +26,9 @@ impl Page<'_> {
         if page.title.is_empty() {
             text += &format!("<h3>{path}</h3>\n");
         }
-        text += &match markdown::reads(&page.document) {
-            true => markdown::walk(self, at),
-            false => plain::walk(self, at),
+        text += &match page.document.is_latex {
+            true => latex::walk(self, at),
+            false => markdown::walk(self, at),
         };
         for problem in &page.problems {
             let place = self.report.place_of(at, problem.span);
@@ -40,5 +44,23 @@ impl Page<'_> {
             );
         }
         text + "</article>\n"
+    }
+
+    /// A document's title, with its mathematics set so, or its path.
+    pub(super) fn title_of(&self, at: usize, math: fn(&str) -> String) -> String {
+        let page = &self.report.derivation.pages[at];
+        if page.title.is_empty() {
+            return crate::notation::escape(&page.document.path);
+        }
+        let first = page.document.items.iter().find_map(|item| match item {
+            Item::Heading { title, span, .. } => Some((title, *span)),
+            _ => None,
+        });
+        match first {
+            Some((title, span)) if page.document.is_latex => {
+                latex::heading(self, &page.document, &Heading { title, span, math })
+            }
+            _ => markdown::line(&page.title, math),
+        }
     }
 }

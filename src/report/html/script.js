@@ -43,7 +43,8 @@
   // A link to an equation that is filtered out shows it again.
   window.addEventListener("hashchange", function () {
     var target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    if (target ? target.hidden : false) {
+    var equation = target ? target.closest(".equation") : null;
+    if (equation ? equation.hidden : false) {
       buttons[0].click();
       target.scrollIntoView();
     }

@@ -1,7 +1,6 @@
 //! The top of the page: what it comes to, how many of each verdict, and a table of documents.
 
 use crate::audit::{Entry, Verdict};
-use crate::notation::escape;
 use crate::report::{Report, uncoloured};
 
 use super::Pictures;
@@ -76,7 +75,7 @@ impl Page<'_> {
             by_page[report.equation(entry.equation).page].push(entry);
         }
         for (at, entries) in by_page.iter().enumerate() {
-            let title = self.title_of(at);
+            let title = self.title_of(at, words::inline);
             text += &format!(
                 "<tr><th scope=\"row\"><a href=\"#{}\">{title}</a></th>{}</tr>\n",
                 anchors::document(at),
@@ -92,15 +91,6 @@ impl Page<'_> {
             );
         }
         text + "</table></div>\n</section>\n"
-    }
-
-    /// A document's title, set, or its path.
-    pub(super) fn title_of(&self, at: usize) -> String {
-        let page = &self.report.derivation.pages[at];
-        match page.title.is_empty() {
-            true => escape(&page.document.path),
-            false => words::titled(&page.title),
-        }
     }
 }
 

@@ -1,10 +1,10 @@
 //! Text of other views made fit for the page: back-ticks to code, colours left out, formulas and scripts set.
 
 use crate::algebra::{Expr, Formula};
-use crate::derivation::Page;
 use crate::document::Span;
 use crate::notation::{
-    Statement, escape, mathml, mathml_formula, mathml_statement, read_expr, read_formulas,
+    Statement, escape, mathml, mathml_formula, mathml_statement, plain, read_expr, read_formulas,
+    typeset,
 };
 
 /// So many bytes of markup are a formula that may be wider than a telephone.
@@ -20,29 +20,23 @@ pub(super) fn term(expr: &Expr) -> String {
     format!("<math>{}</math>", mathml(expr))
 }
 
-/// A statement on lines of its own.
-pub(super) fn display(statement: &Statement) -> String {
-    format!(
-        "<math display=\"block\">{}</math>",
-        mathml_statement(statement)
-    )
+/// A statement on lines of its own, as it was understood.
+pub(super) fn understood(statement: &Statement) -> String {
+    display(&mathml_statement(statement))
 }
 
-/// Mathematics in a line of an author's text: set where it can be read, as it was typed where not.
-pub(super) fn inline(source: &str, body: Span) -> String {
-    if let Ok(expr) = read_expr(source, body) {
-        return narrow(term(&expr));
-    }
-    match read_formulas(source, body) {
-        Ok(statements) if !statements.is_empty() => {
-            let set: Vec<String> = statements.iter().map(mathml_statement).collect();
-            narrow(format!("<math>{}</math>", set.join("<mo>,</mo>")))
-        }
-        _ => {
-            let typed = source.get(body.range()).unwrap_or_default();
-            format!("<code class=\"tex\">{}</code>", escape(typed))
-        }
-    }
+/// Mathematics on lines of its own, as it was typed.
+pub(super) fn typed(source: &str) -> String {
+    display(&typeset(source))
+}
+
+fn display(markup: &str) -> String {
+    format!("<math display=\"block\">{markup}</math>")
+}
+
+/// Mathematics in a line of an author's text, as it was typed.
+pub(super) fn inline(source: &str) -> String {
+    narrow(format!("<math>{}</math>", typeset(source)))
 }
 
 /// A formula that may be wider than a telephone, in a box of its own in which it scrolls; others stay in the line.
@@ -51,18 +45,6 @@ fn narrow(math: String) -> String {
         true => format!("<span class=\"wide\">{math}</span>"),
         false => math,
     }
-}
-
-/// A title with mathematics between dollars.
-pub(super) fn titled(title: &str) -> String {
-    let mut text = String::new();
-    let mut at = 0;
-    for (span, body) in dollars(title) {
-        text += &escape(title.get(at..span.start).unwrap_or_default());
-        text += &inline(title, body);
-        at = span.end;
-    }
-    text + &escape(title.get(at..).unwrap_or_default())
 }
 
 /// Where mathematics stands between single dollars, with them and without.
@@ -78,9 +60,21 @@ pub(super) fn dollars(text: &str) -> Vec<(Span, Span)> {
     found
 }
 
-/// A title in a line that has room for characters only.
-pub(super) fn without_math(title: &str) -> String {
-    title.replace('$', "")
+/// Mathematics where there is room for characters only, as a terminal has it.
+pub(super) fn in_characters(source: &str) -> String {
+    match read_expr(source, Span::new(0, source.len())) {
+        Ok(expr) => escape(&plain(&expr)),
+        Err(_) => untagged(&typeset(source)),
+    }
+}
+
+/// The text of markup, without its tags.
+pub(super) fn untagged(markup: &str) -> String {
+    let mut pieces = markup.split('<');
+    let first = pieces.next().unwrap_or_default().to_owned();
+    pieces.fold(first, |text, piece| {
+        text + piece.split_once('>').map_or("", |(_, after)| after)
+    })
 }
 
 /// Escaped, `E_{after}`, `E_n` and `v^(3/2)` with their scripts below and above the line.
@@ -190,19 +184,4 @@ pub(super) fn capital(text: &str) -> String {
         Some(first) => first.to_uppercase().chain(letters).collect(),
         None => String::new(),
     }
-}
-
-/// The folder that all documents are in.
-pub(super) fn common_folder(pages: &[Page]) -> Option<String> {
-    let folder = |page: &Page| {
-        page.document
-            .path
-            .rsplit_once('/')
-            .map(|(f, _)| f.to_owned())
-    };
-    let first = folder(pages.first()?)?;
-    let alike = pages
-        .iter()
-        .all(|page| folder(page).as_deref() == Some(&first));
-    (alike && !first.is_empty()).then_some(first)
 }

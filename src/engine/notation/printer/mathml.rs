@@ -13,12 +13,14 @@ use super::decimal;
 use super::latex::is_signed;
 use super::xml::escape;
 use crate::algebra::{BigRational, Expr, Formula, Function, LimitPoint, Relation, Symbol};
-use crate::notation::{Clause, Connective, Mark, Statement};
+use crate::notation::{Clause, Connective, Mark, Statement, measured};
 
 /// Side by side, and a product.
 const TIMES: &str = "<mo>\u{2062}</mo>";
 /// A function and its argument.
 const APPLIED: &str = "<mo>\u{2061}</mo>";
+/// Between a number and its unit, and between units.
+const THIN: &str = "<mspace width=\"0.17em\"/>";
 const WIDE: &str = "<mspace width=\"2em\"/>";
 
 /// A term.
@@ -167,6 +169,7 @@ fn product(expr: &Expr) -> String {
     for (at, item) in factors.iter().enumerate() {
         if let Some(before) = at.checked_sub(1).and_then(|at| factors.get(at)) {
             text += match shows_dot(before, item) {
+                _ if is_unit(item) => THIN,
                 true => "<mo>⋅</mo>",
                 false => TIMES,
             };
@@ -174,6 +177,16 @@ fn product(expr: &Expr) -> String {
         text += &factor(item, at + 1 == factors.len());
     }
     text
+}
+
+/// Whether a term is a unit: a base unit, a power of one, a product of such.
+fn is_unit(expr: &Expr) -> bool {
+    match expr {
+        Expr::Symbol(symbol) => measured(symbol).is_some(),
+        Expr::Power(base, _) => is_unit(base),
+        Expr::Product(factors) => factors.iter().all(is_unit),
+        _ => false,
+    }
 }
 
 /// Whether two factors side by side would be read as something else.
@@ -196,6 +209,7 @@ fn shows_dot(before: &Expr, item: &Expr) -> bool {
 /// A term as a factor; `last` says whether what runs on to the right may stand bare.
 fn factor(expr: &Expr, last: bool) -> String {
     match expr {
+        Expr::Product(_) if is_unit(expr) => product(expr),
         Expr::Sum(_) | Expr::Negate(_) | Expr::Product(_) => parentheses(expr),
         Expr::Number(number) if number.is_negative() => parentheses(expr),
         Expr::Number(number) => numeral(number),

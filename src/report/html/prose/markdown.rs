@@ -4,18 +4,15 @@
 //! nothing inside mathematics can mean emphasis or a table. Tags are opened only when something stands in them, and
 //! a display closes what it cannot stand in: a paragraph around it goes on below as another.
 
-use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::document::{Document, front_matter};
+use pulldown_cmark::{Alignment, Event, Options, Parser, Tag, TagEnd};
+
+use crate::document::{Document, Span, front_matter};
 use crate::notation::escape;
 
-use super::super::{Page, words};
+use super::super::{Page, anchors, words};
 use super::spots::{Kind, Piece, Spots};
-
-/// Whether a document is Markdown, by the ending of its path.
-pub(super) fn reads(document: &Document) -> bool {
-    !document.path.ends_with(".tex")
-}
 
 pub(super) fn walk(page: &Page<'_>, at: usize) -> String {
     let document = &page.report.derivation.pages[at].document;
@@ -29,10 +26,18 @@ pub(super) fn walk(page: &Page<'_>, at: usize) -> String {
         out: String::new(),
         open: Vec::new(),
         head: false,
+        columns: Vec::new(),
+        column: 0,
+        notes: format!("{}:note", anchors::document(at)),
+        numbers: BTreeMap::new(),
+        noted: BTreeSet::new(),
         linked: 0,
         comment: false,
     };
-    let options = Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH;
+    let options = Options::ENABLE_TABLES
+        | Options::ENABLE_STRIKETHROUGH
+        | Options::ENABLE_FOOTNOTES
+        | Options::ENABLE_TASKLISTS;
     for (event, range) in Parser::new_ext(&text, options).into_offset_iter() {
         walk.event(event, range.start + from..range.end + from);
     }
@@ -60,6 +65,44 @@ fn blanked(source: &str, from: usize, spots: &Spots<'_>) -> String {
     text + source.get(at..).unwrap_or_default()
 }
 
+/// A line of Markdown, as a title is: emphasis, code, and mathematics between dollars.
+pub(super) fn line(text: &str, math: fn(&str) -> String) -> String {
+    const HEAD: &str = "# ";
+    let found = words::dollars(text);
+    let mut blank = HEAD.to_owned() + text;
+    for (_, body) in &found {
+        let inside = body.start + HEAD.len()..body.end + HEAD.len();
+        blank.replace_range(inside.clone(), &"x".repeat(inside.len()));
+    }
+    let mut out = String::new();
+    for (event, range) in Parser::new(&blank).into_offset_iter() {
+        match event {
+            Event::Text(shown) => {
+                // Mathematics between dollars is one piece of text, or in one.
+                let own = |span: Span| range.contains(&(span.start + HEAD.len()));
+                let mut at = range.start - HEAD.len();
+                for (span, body) in found.iter().filter(|(span, _)| own(*span)) {
+                    out += &escape(text.get(at..span.start).unwrap_or_default());
+                    out += &math(text.get(body.range()).unwrap_or_default());
+                    at = span.end;
+                }
+                out += &match at + HEAD.len() == range.start {
+                    true => escape(&shown),
+                    false => escape(text.get(at..range.end - HEAD.len()).unwrap_or_default()),
+                };
+            }
+            Event::Code(shown) => out += &format!("<code>{}</code>", escape(&shown)),
+            Event::Html(shown) | Event::InlineHtml(shown) => out += &escape(&shown),
+            Event::Start(Tag::Emphasis) => out += "<em>",
+            Event::End(TagEnd::Emphasis) => out += "</em>",
+            Event::Start(Tag::Strong) => out += "<strong>",
+            Event::End(TagEnd::Strong) => out += "</strong>",
+            _ => {}
+        }
+    }
+    out
+}
+
 /// A tag that is open.
 struct Open {
     opening: String,
@@ -77,6 +120,14 @@ struct Walk<'p, 'a> {
     open: Vec<Open>,
     /// In the head of a table.
     head: bool,
+    /// How the columns of the table are aligned, and which one is next.
+    columns: Vec<Alignment>,
+    column: usize,
+    /// What the footnotes of this document are called in links begins so.
+    notes: String,
+    /// The number of each footnote, and those that have been set.
+    numbers: BTreeMap<String, usize>,
+    noted: BTreeSet<usize>,
     /// How many links are open.
     linked: usize,
     /// In a comment that goes on over several lines of HTML.
@@ -92,6 +143,9 @@ impl Walk<'_, '_> {
             }
             Event::End(tag) => self.end(tag),
             Event::Text(text) => self.text(&text, &range, escape),
+            Event::InlineHtml(text) if is_break(&text) => self.write("<br/>\n"),
+            Event::FootnoteReference(label) => self.note(&label),
+            Event::TaskListMarker(done) => self.write(if done { "☑ " } else { "☐ " }),
             Event::Html(text) | Event::InlineHtml(text) => {
                 // Without the markup of comments, and the rest to be seen as it was typed.
                 let shown = self.uncommented(&text);
@@ -137,7 +191,7 @@ impl Walk<'_, '_> {
                 Piece::Text(text) => Ok(shown(text)),
                 Piece::Spot(spot) => match spot.kind {
                     Kind::Display(at) => Err(at),
-                    Kind::Math(body) => Ok(words::inline(&document.source, body)),
+                    Kind::Math(body) => Ok(words::inline(document.text(body))),
                     Kind::Cited(_) if linked => Ok(escape(document.text(spot.span))),
                     Kind::Cited(at) => Ok(format!(
                         "<a href=\"#{}\">{}</a>",
@@ -224,20 +278,44 @@ impl Walk<'_, '_> {
             }
             Tag::List(None) => self.push("<ul>\n", "</ul>\n", false),
             Tag::Item => self.push("<li>", "</li>\n", false),
-            Tag::Table(_) => self.push(
-                "<div class=\"scroll\"><table>\n",
-                "</tbody></table></div>\n",
-                false,
-            ),
+            Tag::Table(columns) => {
+                self.columns = columns;
+                self.push(
+                    "<div class=\"scroll\"><table>\n",
+                    "</tbody></table></div>\n",
+                    false,
+                );
+            }
+            Tag::FootnoteDefinition(label) => {
+                let number = self.number_of(&label);
+                // Of several notes with one label the first is led to.
+                let name = match self.noted.insert(number) {
+                    true => format!(" id=\"{}-{number}\"", self.notes),
+                    false => String::new(),
+                };
+                let opening = format!("<div class=\"footnote\"{name}><sup>{number}</sup>\n");
+                self.push(opening, "</div>\n", false);
+            }
             Tag::TableHead => {
-                self.head = true;
+                (self.head, self.column) = (true, 0);
                 self.push("<thead><tr>", "</tr></thead>\n<tbody>\n", false);
             }
-            Tag::TableRow => self.push("<tr>", "</tr>\n", false),
-            Tag::TableCell => match self.head {
-                true => self.push("<th scope=\"col\">", "</th>", false),
-                false => self.push("<td>", "</td>", false),
-            },
+            Tag::TableRow => {
+                self.column = 0;
+                self.push("<tr>", "</tr>\n", false);
+            }
+            Tag::TableCell => {
+                let side = match self.columns.get(self.column) {
+                    Some(Alignment::Center) => " class=\"c\"",
+                    Some(Alignment::Right) => " class=\"r\"",
+                    _ => "",
+                };
+                self.column += 1;
+                match self.head {
+                    true => self.push(format!("<th scope=\"col\"{side}>"), "</th>", false),
+                    false => self.push(format!("<td{side}>"), "</td>", false),
+                }
+            }
             Tag::Emphasis => self.push("<em>", "</em>", true),
             Tag::Strong => self.push("<strong>", "</strong>", true),
             Tag::Strikethrough => self.push("<del>", "</del>", true),
@@ -273,6 +351,22 @@ impl Walk<'_, '_> {
         }
     }
 
+    /// A link to a footnote.
+    fn note(&mut self, label: &str) {
+        let number = self.number_of(label);
+        let shown = match self.linked {
+            0 => format!("<a href=\"#{}-{number}\">{number}</a>", self.notes),
+            _ => number.to_string(),
+        };
+        self.write(&format!("<sup>{shown}</sup>"));
+    }
+
+    /// Footnotes are counted as the text comes to them.
+    fn number_of(&mut self, label: &str) -> usize {
+        let next = self.numbers.len() + 1;
+        *self.numbers.entry(label.to_owned()).or_insert(next)
+    }
+
     /// A line of HTML without what is in comments.
     fn uncommented(&mut self, text: &str) -> String {
         let mut kept = String::new();
@@ -296,6 +390,14 @@ impl Walk<'_, '_> {
             rest = after;
         }
     }
+}
+
+/// Whether HTML is the end of a line: `<br>`.
+fn is_break(html: &str) -> bool {
+    let name = html
+        .trim_start_matches('<')
+        .trim_end_matches(['>', '/', ' ']);
+    name.eq_ignore_ascii_case("br")
 }
 
 /// Whether a link leads somewhere harmless: to the web, or to a file beside the page.

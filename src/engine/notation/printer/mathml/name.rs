@@ -3,6 +3,7 @@
 use crate::algebra::split_subscript;
 use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
 use crate::notation::printer::xml::escape;
+use crate::notation::typeset::{Face, accent};
 
 /// Accents within accents, deeper than anybody writes.
 const DEEPEST: usize = 16;
@@ -12,6 +13,8 @@ const PRIME: &str = "<mo lspace=\"0\" rspace=\"0\">′</mo>";
 /// A name in its parts, each as markup.
 #[derive(Default)]
 pub(super) struct Name {
+    /// What its letters look like.
+    face: Face,
     /// Letters and words, one element after another.
     letters: Vec<String>,
     /// Primes, which stand on the line: their sign is raised by itself.
@@ -117,7 +120,8 @@ impl Name {
                 c => {
                     *rest = after;
                     let kind = if c.is_alphabetic() { "mi" } else { "mo" };
-                    let text = escape(c.encode_utf8(&mut [0; 4]));
+                    let text = self.face.characters(c.encode_utf8(&mut [0; 4]));
+                    let text = escape(&text);
                     self.letters.push(format!("<{kind}>{text}</{kind}>"));
                 }
             }
@@ -148,14 +152,17 @@ impl Name {
         let end = rest.find(|c: char| !c.is_ascii_alphabetic());
         let (command, after) = rest.split_at(end.unwrap_or(rest.len()));
         *rest = after;
-        if command == "text" {
+        if command == "text" || command == "unit" {
             let inside = after.strip_prefix('{').unwrap_or(after);
             let end = inside.find('}').unwrap_or(inside.len());
             let word = inside.get(..end).unwrap_or("");
             *rest = inside.get(end + 1..).unwrap_or("");
             self.letters.push(upright(word));
         } else if commands::find(ACCENTS, command).is_some() {
-            let mut inner = Name::default();
+            let mut inner = Name {
+                face: Face::of(command).unwrap_or(Face::Plain),
+                ..Name::default()
+            };
             inner.one_piece(rest, depth);
             self.letters.push(accented(command, &inner));
         } else if let Some(letter) = commands::find(LETTERS, command) {
@@ -193,17 +200,10 @@ fn upright(word: &str) -> String {
 
 fn accented(command: &str, inner: &Name) -> String {
     let base = inner.markup();
-    let over = match command {
-        "dot" => "˙",
-        "ddot" => "¨",
-        "bar" | "overline" => "‾",
-        "hat" | "widehat" => "^",
-        "tilde" | "widetilde" => "~",
-        "vec" => "→",
+    let Some((over, stretchy)) = accent(command) else {
         // Only the face of the letter changes; the style sheet has it.
-        face => return format!("<mrow class=\"{face}\">{base}</mrow>"),
+        return format!("<mrow class=\"{command}\">{base}</mrow>");
     };
-    let stretchy = matches!(command, "overline" | "widehat" | "widetilde");
     format!("<mover accent=\"true\">{base}<mo stretchy=\"{stretchy}\">{over}</mo></mover>")
 }
 
