@@ -440,8 +440,8 @@ impl Judge<'_> {
         false
     }
 
-    /// Whether what is cited is silent on a symbol of a goal that an equation before gives as an integral: a counterexample that
-    /// gives that symbol any value is none to what the author says.
+    /// Whether what is cited is silent on a symbol of a goal that an equation before gives as an integral, or on a function that it
+    /// applies: a counterexample that gives it any value is none to what the author says.
     pub(super) fn is_told_before(
         &self,
         goal: &Goal,
@@ -449,15 +449,20 @@ impl Judge<'_> {
         premises: &[usize],
     ) -> bool {
         let integral = |part: &Expr| matches!(part, Expr::Integral { .. });
+        let mut applied = Set::new();
+        for term in assumed.iter().flat_map(|own| own.formula.terms()) {
+            term.collect_applied(&|_| true, &mut applied);
+        }
         let [near, _] = self.others(premises);
         let mut given = near.iter().filter_map(|own| own.formula.as_equation());
-        given.any(|sides| {
-            let (Expr::Symbol(symbol), term) = sides else {
-                return false;
-            };
-            let one = Formula::equal(Expr::Symbol(symbol.clone()), Expr::integer(0));
-            let wanted = goal.formula.free_symbols().contains(symbol);
-            wanted && term.any(&integral) && !speaks_of_all(assumed.iter(), &one)
+        given.any(|sides| match sides {
+            (Expr::Apply(function, _), _) => applied.contains(function),
+            (Expr::Symbol(symbol), term) => {
+                let one = Formula::equal(Expr::Symbol(symbol.clone()), Expr::integer(0));
+                let wanted = goal.formula.free_symbols().contains(symbol);
+                wanted && term.any(&integral) && !speaks_of_all(assumed.iter(), &one)
+            }
+            _ => false,
         })
     }
 }

@@ -34,6 +34,7 @@ pub(super) fn is_identity(entry: &Entry, told: &[Assumed], drawn: bool) -> bool 
             is_slip(entry) || named.iter().all(counted) || is_worked_out(left, right, drawn);
         same && works
             || is_closed(left) && is_closed(right)
+            || is_measured(left) && is_measured(right)
             || is_equivalence(judged)
             || (drawn || goes_on) && is_settled(judged, told)
     })
@@ -49,17 +50,30 @@ fn is_equivalence(judged: &Judged) -> bool {
 /// Whether a term has one value and no other.
 fn is_closed(term: &Expr) -> bool {
     let open = |part: &Expr| matches!(part, Expr::Apply(..) | Expr::Element { .. });
-    term.free_symbols().iter().all(Symbol::is_unit) && !term.any(&open)
+    term.free_symbols().is_empty() && !term.any(&open)
+}
+
+/// Whether a term is a number of units.
+fn is_measured(term: &Expr) -> bool {
+    let named = term.free_symbols();
+    !named.is_empty() && named.iter().all(Symbol::is_unit)
 }
 
 /// Whether one of two terms is what the other comes to, and speaks of nothing else.
 pub(super) fn is_carried_out(left: &Expr, right: &Expr, drawn: bool) -> bool {
     let (named, others) = (quantities(left), quantities(right));
-    let within = match is_task(left) {
+    let within = match is_task(left) || is_limit(left) {
         true => others.is_subset(&named),
         false => named.is_subset(&others),
     };
-    within && is_worked_out(left, right, drawn)
+    let applied = |side: &Expr| side.any(&|part| matches!(part, Expr::Apply(..)));
+    let limit = (is_limit(left) || is_limit(right)) && !applied(left) && !applied(right);
+    within && (limit || is_worked_out(left, right, drawn))
+}
+
+/// Whether a term is a limit of what varies.
+fn is_limit(term: &Expr) -> bool {
+    matches!(term, Expr::Limit { body, variable, .. } if body.mentions(variable))
 }
 
 /// Whether one of two terms is what the other comes to: a slope, an integral or a sum of what is written out, or a product that is
@@ -81,7 +95,6 @@ fn is_task(term: &Expr) -> bool {
             (body, variable)
         }
         Expr::Series { body, index, .. } => (body, index),
-        Expr::Limit { body, variable, .. } => (body, variable),
         Expr::Negate(inner) => return is_task(inner),
         _ => return false,
     };

@@ -250,14 +250,12 @@ impl Judge<'_> {
                         || self.unstated(goal, &assumed, premises, &mut found)
                         || {
                             strong = self.strengthen(goal, &assumed, premises, &mut found);
-                            !strong
-                                && (self.rescue(goal, &attempts, &FARTHER, &mut found)
-                                    || self.cites_loosely() && {
-                                        let found = &mut found;
-                                        self.rescue_from_open(goal, &assumed, premises, found)
-                                            || self
-                                                .follows_from_open(goal, &assumed, premises, found)
-                                    })
+                            let (loosely, found) = (self.cites_loosely(), &mut found);
+                            !strong && self.rescue(goal, &attempts, &FARTHER, found)
+                                || loosely && self.rescue_from_open(goal, &assumed, premises, found)
+                                || loosely
+                                    && !strong
+                                    && self.follows_from_open(goal, &assumed, premises, found)
                         }
                 };
                 if !settled && !strong && self.is_told_before(goal, &assumed, premises) {

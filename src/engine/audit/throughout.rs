@@ -7,7 +7,7 @@ use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal};
 use crate::kernel::{Claim, Standing};
 use crate::search;
-use crate::sorted;
+use crate::sorted::{self, Set};
 
 use super::Outcome;
 use super::judge::{Found, Judge, condition, sources};
@@ -20,7 +20,13 @@ impl Judge<'_> {
     /// Whether the step follows from what holds throughout, with constants that are not 0 in what varies; where roots are taken, with
     /// positive ones.
     pub(super) fn holds_throughout(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
-        let variables = self.variables_left_out(goal, set);
+        let mut variables = self.variables_left_out(goal, set);
+        // Of a slope what the law does not say to move is constant, too, and may be divided out.
+        let mut slopes = Set::new();
+        for term in goal.formula.terms() {
+            term.collect_variables(&mut slopes);
+        }
+        variables.extend(slopes);
         (variables.iter()).any(|variable| self.holds_for_all(variable, goal, set, found))
     }
 
