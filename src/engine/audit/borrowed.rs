@@ -47,7 +47,8 @@ impl Judge<'_> {
         let [others, _] = self.others(premises);
         let failing = self.failing(premises);
         // With what it was refuted from, what fails would prove nearly anything.
-        let against = match self.sound(assumed, &failing).len() < assumed.len() {
+        let is_joined = self.sound(assumed, &failing).len() < assumed.len();
+        let against = match is_joined && !self.names_its_premises() {
             true => self.refuted_from(&failing),
             false => Set::new(),
         };

@@ -1,6 +1,6 @@
 //! What a page begins with, and is no law: identities, and what the text has settled already.
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::derivation::{Assumed, Source};
 use crate::sorted::Set;
 
@@ -71,9 +71,18 @@ pub(super) fn is_carried_out(left: &Expr, right: &Expr, drawn: bool) -> bool {
     within && (limit || is_worked_out(left, right, drawn))
 }
 
-/// Whether a term is a limit of what varies.
+/// Whether a term is a limit of what varies: a value at a place may be a condition on the place.
 fn is_limit(term: &Expr) -> bool {
-    matches!(term, Expr::Limit { body, variable, .. } if body.mentions(variable))
+    use LimitPoint::{MinusInfinity, PlusInfinity};
+    let Expr::Limit {
+        body,
+        variable,
+        point: PlusInfinity | MinusInfinity,
+    } = term
+    else {
+        return false;
+    };
+    body.mentions(variable)
 }
 
 /// Whether one of two terms is what the other comes to: a slope, an integral or a sum of what is written out, or a product that is

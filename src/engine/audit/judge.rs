@@ -264,7 +264,7 @@ impl Judge<'_> {
                     found.judged.outcome = Outcome::open(reason);
                 } else if !settled {
                     self.instead(goal, &assumed, premises, &mut found);
-                    self.heed_what_varies(goal, &assumed, &mut found);
+                    self.heed_what_varies(goal, &assumed, premises, &mut found);
                     self.heed_what_is_open(goal, &assumed, premises, &mut found);
                 }
             }

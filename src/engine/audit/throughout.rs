@@ -17,9 +17,25 @@ use super::unstated::{positive, unbounded};
 const MOST_HELD: usize = 10;
 
 impl Judge<'_> {
+    /// Whether a step that was not proved follows from what holds throughout, cited or not.
+    pub(super) fn follows_throughout(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        if self.names_its_premises() && self.is_declared() {
+            return false;
+        }
+        let sound = self.sound(assumed, &self.failing(premises));
+        let all = self.with_others(&sound, premises);
+        self.holds_throughout(goal, &all.unwrap_or(sound), found)
+    }
+
     /// Whether the step follows from what holds throughout, with constants that are not 0 in what varies; where roots are taken, with
     /// positive ones.
-    pub(super) fn holds_throughout(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
+    fn holds_throughout(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
         let mut variables = self.variables_left_out(goal, set);
         // Of a slope what the law does not say to move is constant, too, and may be divided out.
         let mut slopes = Set::new();
@@ -84,24 +100,38 @@ impl Judge<'_> {
         true
     }
 
-    /// Leaves open a step that was refuted at one value of a variable only, where what it is drawn from is so for every value.
-    pub(super) fn heed_what_varies(&self, goal: &Goal, assumed: &[Assumed], found: &mut Found) {
-        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        for variable in self.variables_left_out(goal, assumed) {
+    /// Leaves open a step that was refuted at one value of a variable only, where what it is drawn from, or stands before, is so for every
+    /// value.
+    pub(super) fn heed_what_varies(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        let [near, _] = self.others(premises);
+        let near: &[Assumed] = match self.names_its_premises() {
+            true => &[],
+            false => near,
+        };
+        let all: Vec<Assumed> = assumed.iter().chain(near).cloned().collect();
+        let claim = self.derivation.claim(self.at, &all, &goal.formula);
+        for variable in self.variables_left_out(goal, &all) {
             let Some(held) = self.held(&claim, &variable) else {
                 continue;
             };
-            let laws = assumed.iter().filter(|own| varies(own, &variable));
-            let slopes = laws.filter_map(|law| slope(&law.formula, &variable));
-            let all = slopes.chain(signs(&claim, &held));
-            let all: Vec<Assumed> = assumed
-                .iter()
-                .cloned()
-                .chain(all.map(|own| condition(&own)))
-                .collect();
+            let slopes = slopes(&all, &held, &variable);
+            // Where it is not known how they vary nothing can be said of them at other values.
+            if slopes.is_empty() {
+                continue;
+            }
+            let more = slopes.into_iter().chain(signs(&claim, &held));
+            let more = more.map(|own| condition(&own));
+            let all: Vec<Assumed> = all.iter().cloned().chain(more).collect();
             let larger = self.derivation.claim(self.at, &all, &goal.formula);
             let larger = search::with_constants(larger, held);
-            found.judged.outcome = match search::refute_in_context(&claim, larger) {
+            let cited = self.derivation.claim(self.at, assumed, &goal.formula);
+            found.judged.outcome = match search::refute_in_context(&cited, larger) {
                 Some(refuted) => Outcome::Refuted(refuted.into()),
                 None => Outcome::open(format!(
                     "it fails at single values of {variable}, and may follow from what is so at all of them"
@@ -166,6 +196,30 @@ fn stands_still(symbol: &Symbol, variable: &Symbol) -> Formula {
         by(&Expr::Symbol(symbol.clone()), variable),
         Expr::integer(0),
     )
+}
+
+/// How laws change that speak of constants, a variable and what is given by these alone; not of what only gives something so.
+fn slopes(all: &[Assumed], held: &[Symbol], variable: &Symbol) -> Vec<Formula> {
+    let is_known = |own: &Symbol| own == variable || own.is_unit() || held.contains(own);
+    let gives = |law: &Assumed| match law.formula.as_equation()? {
+        (Expr::Symbol(symbol), term) if term.free_symbols().iter().all(is_known) => {
+            Some(symbol.clone())
+        }
+        _ => None,
+    };
+    let laws = all.iter().filter(|own| own.standing == Standing::Identity);
+    let given: Set<Symbol> = laws.clone().filter_map(gives).collect();
+    let applies = |term: &Expr| term.any(&|part| matches!(part, Expr::Apply(..)));
+    let is_explicit = |law: &&Assumed| {
+        let named = law.formula.names();
+        let varies = |own: &Symbol| own == variable || given.contains(own);
+        named.iter().any(varies)
+            && named.iter().all(|own| is_known(own) || given.contains(own))
+            && !law.formula.terms().into_iter().any(applies)
+    };
+    let laws = laws.filter(|law| gives(law).is_none()).filter(is_explicit);
+    laws.filter_map(|law| slope(&law.formula, variable))
+        .collect()
 }
 
 /// Both sides of an equation differentiated.

@@ -13,7 +13,7 @@ use super::judge::{Found, Judge, NEARBY, condition, sources, step};
 use super::{Outcome, stated};
 
 /// So much work is done for one step, as [`effort`] counts it.
-const MOST_WORK: u64 = 2_000_000;
+const MOST_WORK: u64 = 4_000_000;
 
 impl Judge<'_> {
     /// Whether a step that was not proved follows, from what it cites or from what stands before, where symbols that could be anything
@@ -28,6 +28,8 @@ impl Judge<'_> {
         found: &mut Found,
     ) -> bool {
         effort::within(MOST_WORK, || {
+            self.follows_throughout(goal, assumed, premises, found)
+        }) || effort::within(MOST_WORK, || {
             self.follows_unstated(goal, assumed, premises, found)
         })
     }
@@ -175,13 +177,11 @@ impl Judge<'_> {
         if unbounded.is_empty() {
             return false;
         }
-        if let Some(conditions) = self.nonzero(&claim, &unbounded, witness, effort, found) {
-            return self.holds_under(goal, set, &conditions, effort, found);
+        let nonzero = self.nonzero(&claim, &unbounded, witness, effort, found);
+        if nonzero.is_some_and(|own| self.holds_under(goal, set.clone(), &own, effort, found)) {
+            return true;
         }
-        if still
-            && (effort == Effort::Full && self.holds_throughout(goal, &set, found)
-                || self.holds_still(goal, &set, claim, found))
-        {
+        if still && self.holds_still(goal, &set, claim, found) {
             return true;
         }
         let conditions = self.positive(goal, &set, &unbounded);
