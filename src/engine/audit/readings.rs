@@ -162,11 +162,11 @@ impl Auditor<'_> {
             how.says_so,
             how.defines,
         );
-        let otherwise = |note: &Note| {
-            matches!(
-                note,
-                Note::Miscited { .. } | Note::UnstatedCondition(_) | Note::InconsistentPremises(_)
-            )
+        // That a mass is divided out is no doubt about what is meant.
+        let of_one = |own: &Formula| own.free_symbols().len() < 2;
+        let otherwise = |note: &Note| match note {
+            Note::UnstatedCondition(conditions) => !conditions.iter().all(of_one),
+            note => matches!(note, Note::Miscited { .. } | Note::InconsistentPremises(_)),
         };
         entry.verdict == Verdict::Holds && !entry.notes.iter().any(otherwise)
     }
