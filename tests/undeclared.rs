@@ -389,7 +389,7 @@ fn what_holds_at_all_times_says_more_than_at_one() {
     let law = "$$ m \\ddot x = -k x $$\n\nWe try\n\n$$ x = A \\cos(\\omega t) $$\n\nSubstituting gives\n\n";
     let step = |formula: &str| verdicts(&format!("{law}$$ {formula} $$\n"))[2];
     assert_eq!(step(r"\omega^2 = \frac{k}{m}"), "holds");
-    assert_ne!(step(r"\omega^2 = \frac{m}{k}"), "holds");
+    assert_eq!(step(r"\omega^2 = \frac{m}{k}"), "fails");
     let damped = "$$ m \\frac{d^2 x}{dt^2} + b \\frac{dx}{dt} + k x = 0 $$\n\nWe try\n\n$$ x = A e^{r t} $$\n\nThis gives\n\n";
     let step = |formula: &str| verdicts(&format!("{damped}$$ {formula} $$\n"))[2];
     assert_eq!(step("m r^2 + b r + k = 0"), "holds");

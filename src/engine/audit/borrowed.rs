@@ -450,8 +450,10 @@ impl Judge<'_> {
         premises: &[usize],
     ) -> bool {
         let integral = |part: &Expr| matches!(part, Expr::Integral { .. });
+        let names = goal.formula.free_symbols();
+        let concerns = |own: &&Assumed| !own.formula.free_symbols().is_disjoint(&names);
         let mut applied = Set::new();
-        for term in assumed.iter().flat_map(|own| own.formula.terms()) {
+        for term in (assumed.iter().filter(concerns)).flat_map(|own| own.formula.terms()) {
             term.collect_applied(&|_| true, &mut applied);
         }
         let [near, _] = self.others(premises);
@@ -460,8 +462,9 @@ impl Judge<'_> {
             (Expr::Apply(function, _), _) => applied.contains(function),
             (Expr::Symbol(symbol), term) => {
                 let one = Formula::equal(Expr::Symbol(symbol.clone()), Expr::integer(0));
-                let wanted = goal.formula.free_symbols().contains(symbol);
-                wanted && term.any(&integral) && !speaks_of_all(assumed.iter(), &one)
+                names.contains(symbol)
+                    && term.any(&integral)
+                    && !speaks_of_all(assumed.iter(), &one)
             }
             _ => false,
         })

@@ -5,12 +5,12 @@
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal};
-use crate::kernel::{Claim, Standing};
+use crate::kernel::{Claim, Standing, definition};
 use crate::search;
 use crate::sorted::{self, Set};
 
 use super::Outcome;
-use super::judge::{Found, Judge, condition, sources};
+use super::judge::{Found, Judge, condition, sources, step};
 use super::unstated::{positive, unbounded};
 
 /// More symbols than this are not held constant.
@@ -109,28 +109,33 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) {
-        let [near, _] = self.others(premises);
-        let near: &[Assumed] = match self.names_its_premises() {
-            true => &[],
-            false => near,
+        let cited = self.derivation.claim(self.at, assumed, &goal.formula);
+        let near = match self.names_its_premises() {
+            true => None,
+            false => self.with_others(assumed, premises),
         };
-        let all: Vec<Assumed> = assumed.iter().chain(near).cloned().collect();
-        let claim = self.derivation.claim(self.at, &all, &goal.formula);
-        for variable in self.variables_left_out(goal, &all) {
-            let Some(held) = self.held(&claim, &variable) else {
+        let near = near.unwrap_or_else(|| assumed.to_vec());
+        for variable in self.variables_left_out(goal, &near) {
+            // What is cited says enough where it is known how that varies.
+            let found_in = |all: &[Assumed]| {
+                let claim = self.derivation.claim(self.at, all, &goal.formula);
+                let held = self.held(&claim, &variable)?;
+                let slopes = slopes(all, &held, &variable);
+                (!slopes.is_empty()).then(|| (all.to_vec(), claim, held, slopes))
+            };
+            let Some((all, claim, held, slopes)) = found_in(assumed).or_else(|| found_in(&near))
+            else {
                 continue;
             };
-            let slopes = slopes(&all, &held, &variable);
-            // Where it is not known how they vary nothing can be said of them at other values.
-            if slopes.is_empty() {
-                continue;
-            }
             let more = slopes.into_iter().chain(signs(&claim, &held));
-            let more = more.map(|own| condition(&own));
-            let all: Vec<Assumed> = all.iter().cloned().chain(more).collect();
+            // With their slopes laws are said of one point: what they lead elsewhere need not be looked for. Definitions are put in.
+            let said = all.into_iter().map(|own| match definition(&own.formula) {
+                Some(_) => own,
+                None => step(&own.formula),
+            });
+            let all: Vec<Assumed> = said.chain(more.map(|own| step(&own))).collect();
             let larger = self.derivation.claim(self.at, &all, &goal.formula);
             let larger = search::with_constants(larger, held);
-            let cited = self.derivation.claim(self.at, assumed, &goal.formula);
             found.judged.outcome = match search::refute_in_context(&cited, larger) {
                 Some(refuted) => Outcome::Refuted(refuted.into()),
                 None => Outcome::open(format!(

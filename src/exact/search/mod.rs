@@ -705,13 +705,21 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
 pub fn refute_in_context(claim: &Claim, larger: Claim) -> Option<Refuted> {
     let larger = pose(larger).ok()?;
     let mut points = refute::Points::new(&larger);
+    // The larger claim numbers its hypotheses differently; what is put in there is put in here, too, if need be.
+    let position = |own: &usize| {
+        let formula = &larger.claim().hypotheses.get(*own)?.formula;
+        claim.hypotheses.iter().position(|h| h.formula == *formula)
+    };
+    let unfold = unfold::definitions_to_unfold(claim);
+    let put_in: Vec<usize> = larger.unfold().iter().filter_map(position).collect();
     first(&mut points, IN_CONTEXT, |mut point| {
-        // The larger claim numbers its hypotheses differently; the same symbols are put in.
         larger.model(point.clone()).ok()?;
-        point.unfold = unfold::definitions_to_unfold(claim);
-        match check(claim.clone(), Candidate::Counterexample(point)) {
-            Ok(Checked::Refuted(refuted)) => Some(refuted),
-            _ => None,
-        }
+        [&unfold, &put_in].into_iter().find_map(|unfold| {
+            point.unfold.clone_from(unfold);
+            match check(claim.clone(), Candidate::Counterexample(point.clone())) {
+                Ok(Checked::Refuted(refuted)) => Some(refuted),
+                _ => None,
+            }
+        })
     })
 }

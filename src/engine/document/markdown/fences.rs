@@ -110,8 +110,15 @@ impl Scanner<'_> {
     fn display(&mut self, span: Span, fence: usize) {
         let body = self.trimmed(Span::new(span.start + fence, span.end - fence));
         let (key, end) = self.key_after(span.end);
-        let layout = key.map(|key| keyed(body, key));
-        self.displayed(span, body, layout, end);
+        match self.numbered_rows(body) {
+            Some((body, layout)) if key.is_none() => {
+                self.displayed(span, body, Some(Box::new(layout)), end);
+            }
+            _ => {
+                let layout = key.map(|key| keyed(body, key));
+                self.displayed(span, body, layout, end);
+            }
+        }
     }
 
     /// The key after a display: `(mom)` as MyST writes it, `{#eq-mom}` as Quarto does; and where it ends.
@@ -290,6 +297,21 @@ impl Scanner<'_> {
             from += line.len();
         }
         (key, Span::new(from, body.end.max(from)))
+    }
+
+    /// The rows of a display that is one `\begin{align}` and in which several have a number of their own.
+    fn numbered_rows(&self, body: Span) -> Option<(Span, Layout)> {
+        let text = self.source.get(body.range())?;
+        let inner = text.strip_prefix("\\begin{")?;
+        let (name, _) = inner.split_once('}')?;
+        let rows = displaying(name.trim_end_matches('*'))?;
+        let begin = body.start + "\\begin{}".len() + name.len();
+        let (close, end) = environment_end(self.source, begin, name).ok()?;
+        if end != body.end || text.matches("\\tag").count() < 2 {
+            return None;
+        }
+        let inside = self.trimmed(Span::new(begin, close));
+        Some((inside, uncounted(self.source, inside, rows)))
     }
 
     /// `\begin{align}` outside a display.
