@@ -46,6 +46,7 @@ impl Judge<'_> {
         (variables.iter()).any(|variable| self.holds_for_all(variable, goal, set, found))
     }
 
+    /// The same for every value of one variable.
     fn holds_for_all(
         &self,
         variable: &Symbol,
@@ -74,25 +75,23 @@ impl Judge<'_> {
         else {
             return false;
         };
-        let undeclared = held.iter().filter(|own| !claim.is_constant(own));
-        let still = undeclared.map(|own| stands_still(own, variable));
+        let mut undeclared = held.clone();
+        undeclared.retain(|own| !claim.is_constant(own));
+        let still = undeclared.iter().map(|own| stands_still(own, variable));
         let conditions: Vec<Formula> = still.chain(signs.iter().cloned()).collect();
         if !search::is_possible(&claim, &conditions) {
             return false;
         }
-        let own = set.iter().enumerate();
-        let own = own.filter(|(at, _)| derived.combined.contains(at));
-        let own: Vec<Assumed> = own.map(|(_, own)| own.clone()).collect();
-        let few = with(&own, &signs);
+        let combined = (set.iter().enumerate()).filter(|(at, _)| derived.combined.contains(at));
+        let combined: Vec<Assumed> = combined.map(|(_, own)| own.clone()).collect();
+        let few = with(&combined, &signs);
         let (kept, derived) = match proved(&few) {
             Some(derived) => (few, derived),
             None => (with(set, &signs), derived),
         };
         let named = derived.proven.claim().free_symbols();
-        let undeclared = held
-            .iter()
-            .filter(|own| !claim.is_constant(own) && named.contains(own));
-        found.constant = undeclared.cloned().collect();
+        undeclared.retain(|own| named.contains(&own));
+        found.constant = undeclared;
         found.conditions = signs;
         found.instead = sources(&kept);
         found.judged.assumed = kept;
@@ -115,34 +114,34 @@ impl Judge<'_> {
             false => self.with_others(assumed, premises),
         };
         let near = near.unwrap_or_else(|| assumed.to_vec());
-        for variable in self.variables_left_out(goal, &near) {
-            // What is cited says enough where it is known how that varies.
-            let found_in = |all: &[Assumed]| {
+        // What is cited says enough where it is known how that varies.
+        let variables = self.variables_left_out(goal, &near);
+        let how_they_vary = variables.iter().find_map(|variable| {
+            [assumed, &near].into_iter().find_map(|all| {
                 let claim = self.derivation.claim(self.at, all, &goal.formula);
-                let held = self.held(&claim, &variable)?;
-                let slopes = slopes(all, &held, &variable);
-                (!slopes.is_empty()).then(|| (all.to_vec(), claim, held, slopes))
-            };
-            let Some((all, claim, held, slopes)) = found_in(assumed).or_else(|| found_in(&near))
-            else {
-                continue;
-            };
-            let more = slopes.into_iter().chain(signs(&claim, &held));
-            // With their slopes laws are said of one point: what they lead elsewhere need not be looked for. Definitions are put in.
-            let said = all.into_iter().map(|own| match definition(&own.formula) {
-                Some(_) => own,
-                None => step(&own.formula),
-            });
-            let all: Vec<Assumed> = said.chain(more.map(|own| step(&own))).collect();
-            let larger = self.derivation.claim(self.at, &all, &goal.formula);
-            let larger = search::with_constants(larger, held);
-            found.judged.outcome = match search::refute_in_context(&cited, larger) {
-                Some(refuted) => Outcome::Refuted(refuted.into()),
-                None => Outcome::open(format!(
-                    "it fails at single values of {variable}, and may follow from what is so at all of them"
-                )),
-            };
-        }
+                let held = self.held(&claim, variable)?;
+                let slopes = slopes(all, &held, variable);
+                (!slopes.is_empty()).then_some((variable, all, claim, held, slopes))
+            })
+        });
+        let Some((variable, all, claim, held, slopes)) = how_they_vary else {
+            return;
+        };
+        // With their slopes laws are said of one point: what they lead elsewhere need not be looked for. Definitions are put in.
+        let said = all.iter().map(|own| match definition(&own.formula) {
+            Some(_) => own.clone(),
+            None => step(&own.formula),
+        });
+        let more = slopes.into_iter().chain(signs(&claim, &held));
+        let all: Vec<Assumed> = said.chain(more.map(|own| step(&own))).collect();
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        let larger = search::with_constants(larger, held);
+        found.judged.outcome = match search::refute_in_context(&cited, larger) {
+            Some(refuted) => Outcome::Refuted(refuted.into()),
+            None => Outcome::open(format!(
+                "it fails at single values of {variable}, and may follow from what is so at all of them"
+            )),
+        };
     }
 
     /// The variables by which the page differentiates and of which premises speak, but not the step, nor of what changes with them.
