@@ -502,3 +502,37 @@ fn what_is_only_asked_says_nothing() {
     let cases = "$$ f(x) = \\begin{cases} x^2 & x \\geq 0 \\\\ -x & x < 0 \\end{cases} \\tag{1} $$\n\nBy (1)\n\n$$ f(2) = 4 $$\n";
     assert_eq!(verdicts(cases)[2], "undecided");
 }
+
+#[test]
+fn a_case_may_be_named_with_its_value() {
+    let law = r"a = g \sin\theta - \mu g \cos\theta \tag{1}";
+    let step = |words: &str, formula: &str| {
+        verdicts(&format!(
+            "The acceleration is\n\n$$ {law} $$\n\n{words}\n\n$$ {formula} $$\n"
+        ))[1]
+    };
+    for words in [
+        r"For the frictionless case $\mu = 0$ this becomes",
+        r"In the frictionless case ($\mu = 0$),",
+        r"In the frictionless case, $\mu = 0$, we have",
+        r"Without friction ($\mu = 0$) we have",
+        r"If there is no friction, $\mu = 0$, then",
+        r"For a smooth plane, $\mu = 0$, (1) says",
+    ] {
+        assert_eq!(step(words, r"a = g \sin\theta"), "holds", "{words}");
+        assert_eq!(step(words, r"a = g \cos\theta"), "fails", "{words}");
+    }
+    for words in [
+        r"Unlike for the case $\mu = 0$ we have",
+        r"In contrast to the case $\mu = 0$ we have",
+        r"In Figure 2 ($\mu = 0$ is dashed) we have",
+    ] {
+        assert_ne!(step(words, r"a = g \sin\theta"), "holds", "{words}");
+    }
+}
+
+#[test]
+fn rows_between_dollars_have_numbers_of_their_own() {
+    let rows = "$$ Q = a + b \\tag{1} $$\n\nThen\n\n$$\\begin{align} R &= Q^2 \\tag{2} \\\\ &= a^2 + 2 a b + b^2 \\tag{3} \\end{align}$$\n\nBy (3)\n\n$$ R - a^2 = 2 a b + b^2 \\tag{4} $$\n";
+    assert_eq!(verdicts(rows), ["given", "given", "holds", "holds"]);
+}

@@ -6,6 +6,7 @@
 //! alternative ("or"), not a condition ("if") but one of what the sentence goes on to display, not a negation, not a question, not a proof by contradiction. A value that is
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
+mod cases;
 mod introduction;
 mod mathematics;
 mod retraction;
@@ -72,6 +73,15 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     let (mut found, mut mentions) = reader.finish();
     retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));
+    // What is supposed already, or told, is not a case besides.
+    if let Some(case) = cases::read(source, &tokens[..end]) {
+        let is_case = |own: &Supposition| own.body == case.body && !is_fact(own.kind);
+        if !found.iter().any(is_case) {
+            found.retain(|own| own.body != case.body);
+            mentions.retain(|own| *own != case.body);
+            found.push(case);
+        }
+    }
     sorted::sort_by_key(&mut found, |supposition| supposition.body);
     (found, mentions)
 }
