@@ -75,8 +75,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     found.extend(vanishing::read(source, &tokens[..end]));
     // What is supposed already, or told, is not a case besides.
     if let Some(case) = cases::read(source, &tokens[..end]) {
-        let is_case = |own: &Supposition| own.body == case.body && !is_fact(own.kind);
-        if !found.iter().any(is_case) {
+        let is_own = |own: &Supposition| own.body == case.body && is_no_meaning(own);
+        if !found.iter().any(is_own) {
             found.retain(|own| own.body != case.body);
             mentions.retain(|own| *own != case.body);
             found.push(case);
