@@ -99,8 +99,9 @@ fn shows(formula: &Formula, unit: &Symbol) -> bool {
     let says = formula.as_equation().is_some_and(|(left, right)| {
         let squared =
             matches!(left, Expr::Power(base, two) if is_unit(base) && **two == Expr::integer(2));
-        squared && matches!(right, Expr::Negate(one) if **one == Expr::integer(1))
-            || squared && *right == Expr::integer(-1)
+        let minus_one = matches!(right, Expr::Negate(one) if **one == Expr::integer(1))
+            || *right == Expr::integer(-1);
+        squared && minus_one
     });
     says || formula.terms().into_iter().any(|term| term.any(&turns))
 }

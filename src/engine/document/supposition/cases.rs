@@ -6,7 +6,7 @@
 use super::super::prose::{Placed, Token};
 use super::super::{Supposition, SuppositionKind};
 use super::mathematics::{is_value, relates};
-use super::words::DISPUTING;
+use super::words::{BESIDE, DISPUTING, KNOWN};
 
 /// A sentence about a case begins with one of these.
 const BEGINNING: &[&str] = &[
@@ -68,7 +68,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {
         _ => false,
     };
     let is_case = first.is_among(BEGINNING) && (1..=MOST_WORDS).contains(&words);
-    let is_sure = !among(COMPARED) && !disputed && !rest.iter().any(states);
+    let is_sure =
+        ![COMPARED, BESIDE, KNOWN].into_iter().any(among) && !disputed && !rest.iter().any(states);
     let value = source.get(body.range()).is_some_and(is_value);
     (is_case && goes_on && is_sure && value).then_some(Supposition {
         kind: SuppositionKind::Case { runs_on: true },
