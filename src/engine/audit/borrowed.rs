@@ -197,10 +197,7 @@ impl Judge<'_> {
         match search::refute_in_context(&claim, larger) {
             Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
             None => {
-                let reason = "it may follow from what stands before and is left open itself";
-                found.judged.outcome = Outcome::open(reason);
-                (found.implied, found.missing) = (None, Vec::new());
-                found.conditions.clear();
+                found.leave_open("it may follow from what stands before and is left open itself");
             }
         }
     }

@@ -136,12 +136,12 @@ impl Judge<'_> {
         let all: Vec<Assumed> = said.chain(more.map(|own| step(&own))).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         let larger = search::with_constants(larger, held);
-        found.judged.outcome = match search::refute_in_context(&cited, larger) {
-            Some(refuted) => Outcome::Refuted(refuted.into()),
-            None => Outcome::open(format!(
+        match search::refute_in_context(&cited, larger) {
+            Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
+            None => found.leave_open(format!(
                 "it fails at single values of {variable}, and may follow from what is so at all of them"
             )),
-        };
+        }
     }
 
     /// The variables by which the page differentiates and of which premises speak, but not the step, nor of what changes with them.
