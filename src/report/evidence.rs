@@ -4,7 +4,9 @@
 
 use num_traits::Signed;
 
-use crate::algebra::{Atoms, BigRational, Expr, Formula, Lowering, Values, expr_of_fraction};
+use crate::algebra::{
+    Atoms, BigRational, Expr, Formula, Lowering, Values, effort, expr_of_fraction,
+};
 use crate::derivation::values_at;
 use crate::kernel::{Assignment, Claim, in_powers_of_pi, with_constant_functions};
 use crate::notation::plain;
@@ -13,6 +15,9 @@ use crate::sorted::Set;
 
 use super::algebraic::{Exact, Root};
 use super::words;
+
+/// A side that takes more work is not evaluated again to be shown, as [`effort`] counts it.
+const MOST_WORK: u64 = 2_000_000;
 
 /// A point, with what is needed to evaluate the terms of a claim at it.
 #[derive(Clone, Debug)]
@@ -132,7 +137,9 @@ impl<'a> Point<'a> {
                 };
                 let value = |term| match &self.root {
                     Some(root) => root.value_of(term, &self.values),
-                    None => self.values.value(&given(term)).ok().map(Exact::Rational),
+                    None => effort::within(MOST_WORK, || {
+                        self.values.value(&given(term)).ok().map(Exact::Rational)
+                    }),
                 };
                 Some((value(left)?, value(right)?))
             }

@@ -538,11 +538,18 @@ fn raise(
         let times = times
             .filter(|&t| t <= HIGHEST_POWER)
             .ok_or_else(too_large)?;
-        let mut power = vec![BigRational::zero(); a.len()];
-        power[0] = BigRational::one();
-        for _ in 0..times {
-            power = multiply(&power, a);
-        }
+        let power = match a.as_slice() {
+            // Powers of coprime numbers are coprime.
+            [constant] => vec![num_traits::Pow::pow(constant, times)],
+            _ => {
+                let mut power = vec![BigRational::zero(); a.len()];
+                power[0] = BigRational::one();
+                for _ in 0..times {
+                    power = multiply(&power, a);
+                }
+                power
+            }
+        };
         return match exponent.is_negative() {
             true => reciprocal(&power).ok_or_else(by_zero),
             false => Ok(power),
