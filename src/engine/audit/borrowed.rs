@@ -45,12 +45,14 @@ impl Judge<'_> {
         premises: &[usize],
     ) -> Option<Vec<Assumed>> {
         let [others, _] = self.others(premises);
-        let failing = self.failing(premises);
         // With what it was refuted from, what fails would prove nearly anything.
-        let is_joined = self.sound(assumed, &failing).len() < assumed.len();
-        let against = match is_joined && !self.names_its_premises() {
-            true => self.refuted_from(&failing),
-            false => Set::new(),
+        let against = match self.names_its_premises() {
+            true => Set::new(),
+            false => {
+                let failing = self.failing(premises);
+                let is_joined = self.sound(assumed, &failing).len() < assumed.len();
+                self.refuted_from(if is_joined { &failing } else { &[] })
+            }
         };
         let near = others.iter().filter(|own| !is_of(own, &against));
         let near = near.take(NEARBY[1].0).cloned();

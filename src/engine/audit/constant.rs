@@ -162,10 +162,7 @@ impl Judge<'_> {
         // A constant that is a factor, say, is not the only thing that may be different for each value of the variable.
         let slope = |term: &Expr| match term {
             Expr::Symbol(own) if own == constant => Expr::integer(0),
-            term => Expr::Derivative {
-                body: term.clone().into(),
-                variable: variable.clone(),
-            },
+            term => term.clone().differentiated_by(&variable),
         };
         let stands_alone = |one: &Expr, other: &Expr| {
             matches!(one, Expr::Symbol(own) if own == constant) && !other.mentions(constant)

@@ -11,7 +11,7 @@ use crate::sorted::{self, Set};
 
 use super::Outcome;
 use super::judge::{Found, Judge, condition, sources, step};
-use super::unstated::{positive, unbounded};
+use super::unstated::unbounded;
 
 /// More symbols than this are not held constant.
 const MOST_HELD: usize = 10;
@@ -176,7 +176,7 @@ fn signs(claim: &Claim, held: &[Symbol]) -> Vec<Formula> {
     // What the step divides by is told rather than what follows from it.
     sorted::sort_by_key(&mut open, |own| !divides(&claim.goal, own));
     let sign = |symbol: Symbol| match takes_roots {
-        true => positive(&symbol),
+        true => Formula::positive(Expr::Symbol(symbol)),
         false => Formula::nonzero(Expr::Symbol(symbol)),
     };
     open.into_iter().map(sign).collect()
@@ -196,10 +196,8 @@ fn varies(assumed: &Assumed, variable: &Symbol) -> bool {
 }
 
 fn stands_still(symbol: &Symbol, variable: &Symbol) -> Formula {
-    Formula::equal(
-        by(&Expr::Symbol(symbol.clone()), variable),
-        Expr::integer(0),
-    )
+    let slope = Expr::Symbol(symbol.clone()).differentiated_by(variable);
+    Formula::equal(slope, Expr::integer(0))
 }
 
 /// How laws change that speak of constants, a variable and what is given by these alone; not of what only gives something so.
@@ -229,12 +227,6 @@ fn slopes(all: &[Assumed], held: &[Symbol], variable: &Symbol) -> Vec<Formula> {
 /// Both sides of an equation differentiated.
 fn slope(law: &Formula, variable: &Symbol) -> Option<Formula> {
     let (left, right) = law.as_equation()?;
-    Some(Formula::equal(by(left, variable), by(right, variable)))
-}
-
-fn by(term: &Expr, variable: &Symbol) -> Expr {
-    Expr::Derivative {
-        body: term.clone().into(),
-        variable: variable.clone(),
-    }
+    let slope = |side: &Expr| side.clone().differentiated_by(variable);
+    Some(Formula::equal(slope(left), slope(right)))
 }

@@ -3,7 +3,7 @@
 //!
 //! What follows under such conditions holds, and the conditions are told, as a denominator is that must not vanish.
 
-use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort, InChain};
@@ -244,7 +244,9 @@ impl Judge<'_> {
                 .any(|sides| matches!(sides, (Expr::Symbol(own), Expr::Number(_)) if own == symbol))
         };
         let open = unbounded.iter().filter(|symbol| !is_number(symbol));
-        let mut conditions: Vec<Formula> = open.map(positive).collect();
+        let mut conditions: Vec<Formula> = open
+            .map(|own| Formula::positive(Expr::Symbol(own.clone())))
+            .collect();
         let under = |conditions: &[Formula]| {
             let all = set.iter().cloned().chain(conditions.iter().map(step));
             let all: Vec<Assumed> = all.collect();
@@ -295,15 +297,6 @@ impl Judge<'_> {
         found.judged.assumed = kept;
         found.judged.outcome = Outcome::Proven(least.into());
         true
-    }
-}
-
-/// That a symbol is positive.
-pub(super) fn positive(symbol: &Symbol) -> Formula {
-    Formula::Relation {
-        left: Expr::Symbol(symbol.clone()),
-        relation: Relation::Greater,
-        right: Expr::integer(0),
     }
 }
 

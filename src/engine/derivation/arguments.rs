@@ -139,11 +139,7 @@ fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
     };
     let slope = || {
         let (body, variable) = plain(&undotted(name)?)?;
-        let slope = Expr::Derivative {
-            body: body.into(),
-            variable: variable.clone(),
-        };
-        Some((slope, variable))
+        Some((body.differentiated_by(&variable), variable))
     };
     match &arguments[..] {
         [place @ Expr::Number(_)] => match plain(name).or_else(slope) {

@@ -115,10 +115,7 @@ fn names(term: &Expr, found: &mut Set<Symbol>) {
 
 impl Slope {
     fn of(&self, body: Expr) -> Expr {
-        (0..self.order).fold(body, |body, _| Expr::Derivative {
-            body: body.into(),
-            variable: self.by.clone(),
-        })
+        (0..self.order).fold(body, |body, _| body.differentiated_by(&self.by))
     }
 
     /// With what is written in parentheses.

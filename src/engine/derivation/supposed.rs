@@ -473,10 +473,8 @@ pub(super) fn slope_by(display: &[Part], equations: &[Equation]) -> Option<Expr>
         let (body @ Expr::Symbol(own), value) = law.as_equation()? else {
             return None;
         };
-        (own != variable && value.mentions(variable)).then(|| Expr::Derivative {
-            body: body.clone().into(),
-            variable: variable.clone(),
-        })
+        let varies = own != variable && value.mentions(variable);
+        varies.then(|| body.clone().differentiated_by(variable))
     })
 }
 

@@ -188,6 +188,14 @@ impl Expr {
             .for_each(|child| child.collect_differentiated(found));
     }
 
+    /// Its derivative by a variable, to be worked out.
+    pub fn differentiated_by(self, variable: &Symbol) -> Expr {
+        Expr::Derivative {
+            body: self.into(),
+            variable: variable.clone(),
+        }
+    }
+
     /// Adds what is differentiated by in it.
     pub fn collect_variables(&self, found: &mut Set<Symbol>) {
         if let Expr::Derivative { variable, .. } = self {

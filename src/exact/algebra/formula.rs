@@ -87,6 +87,15 @@ impl Formula {
         }
     }
 
+    /// `term > 0`.
+    pub fn positive(term: Expr) -> Formula {
+        Formula::Relation {
+            left: term,
+            relation: Relation::Greater,
+            right: Expr::integer(0),
+        }
+    }
+
     /// Whether this says which of two numbers is the greater.
     pub fn is_inequality(&self) -> bool {
         use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};

@@ -710,11 +710,12 @@ pub fn refute_in_context(claim: &Claim, larger: Claim) -> Option<Refuted> {
         let formula = &larger.claim().hypotheses.get(*own)?.formula;
         claim.hypotheses.iter().position(|h| h.formula == *formula)
     };
-    let unfold = unfold::definitions_to_unfold(claim);
-    let put_in: Vec<usize> = larger.unfold().iter().filter_map(position).collect();
+    let put_in = larger.unfold().iter().filter_map(position).collect();
+    let mut unfolds: Vec<Vec<usize>> = vec![unfold::definitions_to_unfold(claim), put_in];
+    unfolds.dedup();
     first(&mut points, IN_CONTEXT, |mut point| {
         larger.model(point.clone()).ok()?;
-        [&unfold, &put_in].into_iter().find_map(|unfold| {
+        unfolds.iter().find_map(|unfold| {
             point.unfold.clone_from(unfold);
             match check(claim.clone(), Candidate::Counterexample(point.clone())) {
                 Ok(Checked::Refuted(refuted)) => Some(refuted),

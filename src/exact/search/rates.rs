@@ -105,19 +105,16 @@ pub(super) fn with_rates(obligation: &Obligation) -> Option<(Problem, Vec<Rate>)
     let claim = obligation.claim();
     // What moves may have been put in; where the goal speaks of it, that need not be differentiated.
     let named = claim.goal.free_symbols();
-    let left_out = named.is_disjoint(&moving);
-    let by = |problem: &Problem| {
-        let mut found = variables(problem);
-        for term in claim
-            .formulas()
-            .flat_map(Formula::terms)
-            .filter(|_| left_out)
-        {
-            term.collect_variables(&mut found);
-        }
-        found
-    };
-    differentiated(obligation, moving, by)
+    let mut written = Set::new();
+    if named.is_disjoint(&moving) {
+        let terms = claim.formulas().flat_map(Formula::terms);
+        terms.for_each(|term| term.collect_variables(&mut written));
+    }
+    differentiated(obligation, moving, |problem| {
+        let mut all = variables(problem);
+        all.extend(written.iter().cloned());
+        all
+    })
 }
 
 /// The same by these variables, of the laws that speak of what moves.

@@ -287,10 +287,7 @@ pub(super) fn held_still(obligation: &Obligation, problem: &Problem) -> Vec<Form
     let said = Said::of(obligation.claim(), obligation.unfold());
     let mut slopes = said.nothing_of_slopes(problem);
     for (symbol, variable) in said.nothing_of_all_integrands() {
-        let slope = Expr::Derivative {
-            body: Expr::Symbol(symbol).into(),
-            variable,
-        };
+        let slope = Expr::Symbol(symbol).differentiated_by(&variable);
         if !slopes.contains(&slope) {
             slopes.push(slope);
         }

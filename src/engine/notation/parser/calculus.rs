@@ -116,10 +116,7 @@ impl Parser<'_> {
             Some(body) => (body, Shape::Tight),
             None => (self.differentiated()?, Shape::Loose),
         };
-        let derive = |body, _| Expr::Derivative {
-            body: Box::new(body),
-            variable: variable.clone(),
-        };
+        let derive = |body: Expr, _| body.differentiated_by(&variable);
         Ok(Some(((0..above).fold(body, derive), shape)))
     }
 
