@@ -16,8 +16,8 @@ pub(super) struct Moving {
     differentiated: Set<Symbol>,
     /// What equations differentiate by, each with the position of the first that does.
     variables: Vec<(Symbol, usize)>,
-    /// Symbols by themselves on a side of an equation, with all that it speaks of.
-    explicit: Vec<(Symbol, Set<Symbol>)>,
+    /// Symbols by themselves on a side of an equation, whether that is the left one, and all that it speaks of.
+    explicit: Vec<(Symbol, bool, Set<Symbol>)>,
     constants: Set<Symbol>,
     /// All equations, each with the position of what states it and all that it speaks of.
     laws: Vec<(usize, Formula, Set<Symbol>)>,
@@ -67,14 +67,14 @@ impl Moving {
         let Some((left, right)) = formula.as_equation() else {
             return;
         };
-        for (side, other) in [(left, right), (right, left)] {
+        for (side, other, gives) in [(left, right, true), (right, left, false)] {
             // "At $t = \tau$" names a moment, and what something is at a place does not move with it.
             let at_place = |part: &Expr| matches!(part, Expr::Limit { .. });
             if let Expr::Symbol(symbol) = side
                 && !matches!(other, Expr::Symbol(_) | Expr::Number(_))
                 && !other.any(&at_place)
             {
-                self.explicit.push((symbol.clone(), formula.names()));
+                self.explicit.push((symbol.clone(), gives, formula.names()));
             }
         }
     }
@@ -94,12 +94,17 @@ impl Moving {
         let moves = |own: &Symbol| self.differentiated.contains(own);
         let constant =
             |own: &Symbol| self.constants.contains(own) || equation.is_told_constant(own);
-        self.changes((name, is_sequence), variable)
+        self.changes((name, is_sequence), variable, false)
             || are_tied(name, variable, &laws, moves, constant)
     }
 
-    /// Whether it is differentiated, or given by what changes.
-    fn changes(&self, (name, is_sequence): (&Symbol, bool), variable: &Symbol) -> bool {
+    /// Whether it is differentiated, or stands by itself beside what changes: `given` by that, on the left, or anywhere.
+    fn changes(
+        &self,
+        (name, is_sequence): (&Symbol, bool),
+        variable: &Symbol,
+        given: bool,
+    ) -> bool {
         let is_meant = |own: &Symbol| {
             let stem = own.name().rsplit_once('_').map(|parts| parts.0);
             own == name || is_sequence && stem == Some(name.name())
@@ -111,8 +116,9 @@ impl Moving {
         };
         let mut explicit = self.explicit.iter();
         self.differentiated.iter().any(is_meant)
-            || explicit.any(|(own, named)| {
-                *own == dotted || named.contains(&dotted) || is_meant(own) && changes(named)
+            || explicit.any(|(own, left, named)| {
+                let stands = is_meant(own) && (*left || !given);
+                *own == dotted || named.contains(&dotted) || stands && changes(named)
             })
     }
 }
@@ -130,10 +136,10 @@ impl Auditor<'_> {
         before.map(|own| own.0.clone()).collect()
     }
 
-    /// Whether the page differentiates a symbol, or gives it by what changes with a variable.
+    /// Whether the page differentiates a symbol, or gives it by what changes with a variable: not the `U` of `L \dot I + R I = U`.
     pub(super) fn changes(&self, at: usize, symbol: &Symbol, variable: &Symbol) -> bool {
         let moving = self.moving(self.derivation.equations[at].page);
-        moving.changes((symbol, false), variable)
+        moving.changes((symbol, false), variable, true)
     }
 
     /// Whether the page says that something moves of which conditions say that it does not.
