@@ -1,8 +1,10 @@
 //! The program from outside, for every test that starts it.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
 
 use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
@@ -26,8 +28,76 @@ pub fn reported<T>(derivation: &Derivation, look: impl FnOnce(&Report<'_>) -> T)
 
 /// What people read of it, without colours.
 pub fn human(derivation: &Derivation) -> String {
-    let text = reported(derivation, |report| report.human(false));
-    anstream::adapter::strip_str(&text).to_string()
+    reported(derivation, plain)
+}
+
+fn plain(report: &Report<'_>) -> String {
+    anstream::adapter::strip_str(&report.human(false)).to_string()
+}
+
+/// A page of the tests, and what an audit of it alone says.
+pub struct Audited {
+    /// From the root of the repository.
+    pub path: String,
+    pub source: String,
+    pub derivation: Derivation,
+    pub audit: Audit,
+}
+
+impl Audited {
+    fn read(path: &Path) -> Audited {
+        let source = std::fs::read_to_string(path).unwrap();
+        let path = path.strip_prefix(root()).unwrap().display().to_string();
+        let derivation = Derivation::from_markdown(&path, &source);
+        let audit = Audit::of(&derivation);
+        Audited {
+            path,
+            source,
+            derivation,
+            audit,
+        }
+    }
+
+    /// What people read of it, without colours.
+    pub fn human(&self) -> String {
+        plain(&Report {
+            derivation: &self.derivation,
+            audit: &self.audit,
+            paths: &[],
+        })
+    }
+
+    /// The verdicts of its statements, and the codes of their notes.
+    fn said(&self) -> impl Iterator<Item = &'static str> + '_ {
+        self.audit.entries.iter().flat_map(|entry| {
+            let notes = entry.notes.iter().map(|note| note.code());
+            notes.chain([entry.verdict.word()])
+        })
+    }
+}
+
+/// The pages of `tests/pages/`: each is audited once for all tests that ask something of every page.
+pub fn pages() -> &'static [Audited] {
+    static PAGES: OnceLock<Vec<Audited>> = OnceLock::new();
+    PAGES.get_or_init(|| {
+        let entries = std::fs::read_dir(root().join("tests/pages")).unwrap();
+        let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+        paths.retain(|path| path.extension().is_some_and(|extension| extension == "md"));
+        paths.sort();
+        paths.iter().map(|path| Audited::read(path)).collect()
+    })
+}
+
+/// Enough of them to show every verdict and every note that any of them shows.
+pub fn pages_of_each_kind() -> Vec<&'static Audited> {
+    let mut seen = BTreeSet::new();
+    let mut pages: Vec<&Audited> = pages().iter().collect();
+    pages.retain(|page| {
+        let before = seen.len();
+        seen.extend(page.said());
+        seen.len() > before
+    });
+    pages
 }
 
 /// The program with its arguments, at the root of the repository, in colours only where it finds a terminal.

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::schema::faults;
 use super::{code, err, hostile, json as read, out, run, run_in, well};
+use crate::common::pages_of_each_kind;
 
 fn schema() -> Value {
     serde_json::from_str(include_str!("../schemas/sarif-2.1.0.json")).unwrap()
@@ -39,10 +40,13 @@ fn every_log_is_as_the_schema_says() {
     let folder = hostile("hostile-sarif");
     std::fs::write(folder.join("empty.md"), "").unwrap();
     let root = super::root();
+    let pages = pages_of_each_kind();
+    let paths = pages.iter().map(|page| page.path.as_str());
+    let pages: Vec<&str> = ["check"].into_iter().chain(paths).collect();
     for (place, args) in [
         (root, &[][..]),
         (root, &["check", "docs/examples/well.md"]),
-        (root, &["check", "tests/pages"]),
+        (root, &pages[..]),
         (&folder, &["check", "."]),
         (&folder, &["check", "empty.md"]),
     ] {

@@ -37,7 +37,7 @@ fn where_nothing_else_is_false_a_power_of_0_is_1() {
 /// The line of help of the only equation that is wrong.
 fn help(page: &str) -> String {
     let derivation = Derivation::from_markdown("page.md", page);
-    let text = anstream::adapter::strip_str(&common::human(&derivation)).to_string();
+    let text = common::human(&derivation);
     let line = text.lines().find_map(|line| line.split_once("help: "));
     line.expect(&text).1.to_owned()
 }
