@@ -536,3 +536,26 @@ fn rows_between_dollars_have_numbers_of_their_own() {
     let rows = "$$ Q = a + b \\tag{1} $$\n\nThen\n\n$$\\begin{align} R &= Q^2 \\tag{2} \\\\ &= a^2 + 2 a b + b^2 \\tag{3} \\end{align}$$\n\nBy (3)\n\n$$ R - a^2 = 2 a b + b^2 \\tag{4} $$\n";
     assert_eq!(verdicts(rows), ["given", "given", "holds", "holds"]);
 }
+
+#[test]
+fn a_ratio_of_what_is_new_is_defined_by_what_it_goes_on_with() {
+    let page = |ratio: &str| {
+        verdicts(&format!(
+            "$$ I_1 \\omega_1 = I_2 \\omega_2 \\tag{{1}} $$\n\nThe energies have the ratio\n\n\
+             $$ \\frac{{E_2}}{{E_1}} = \\frac{{I_2 \\omega_2^2}}{{I_1 \\omega_1^2}} = {ratio} $$\n"
+        ))[1]
+    };
+    assert_eq!(page(r"\frac{I_1}{I_2}"), "holds");
+    assert_eq!(page(r"\frac{I_2}{I_1}"), "fails");
+    // Of what is known nothing is defined.
+    let known = "$$ E_1 = 2 \\tag{1} $$\n\nThe ratio is\n\n$$ \\frac{E_2}{E_1} = \\frac{a}{b} = \\frac{2 a}{2 b} $$\n";
+    assert_ne!(verdicts(known)[1], "holds");
+}
+
+#[test]
+fn two_factors_are_divided_out_of_what_a_third_may_leave_nought() {
+    let page = "$$ m g h = \\frac12 m v^2 + 2 m g R \\tag{1} $$\n\nand\n\n$$ v^2 = g R \\tag{2} $$\n\nBy (1) and (2)\n\n";
+    let step = |height: &str| verdicts(&format!("{page}$$ h = {height} $$\n"))[2];
+    assert_eq!(step(r"\frac52 R"), "holds");
+    assert_eq!(step(r"\frac32 R"), "fails");
+}

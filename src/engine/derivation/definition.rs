@@ -219,11 +219,19 @@ fn defined_symbol(
     if statement.connectives.iter().any(is_equivalent) {
         return None;
     }
+    // Nothing before speaks of it, nor what the statement says of it.
+    let unsaid = |symbol: &Symbol| sides.iter().skip(1).all(|side| !side.expr.mentions(symbol));
+    let is_new = |symbol: &Symbol| !seen.contains(symbol) && unsaid(symbol);
     let symbol = match &side.expr {
         Expr::Symbol(symbol) => symbol,
         // `s^2 = \frac{1}{N} \sum_i (x_i - m)^2 = …` says what a variance is, and goes on.
         Expr::Power(base, exponent) if sides.len() > 2 => match (&**base, &**exponent) {
             (Expr::Symbol(symbol), Expr::Number(_)) => symbol,
+            _ => return None,
+        },
+        // So does `\frac{E_2}{E_1} = \dots` of a ratio, where neither is known.
+        Expr::Quotient(over, under) if sides.len() > 2 => match (&**over, &**under) {
+            (Expr::Symbol(over), Expr::Symbol(under)) if is_new(under) && over != under => over,
             _ => return None,
         },
         _ => return None,
@@ -240,8 +248,7 @@ fn defined_symbol(
     let under = conditions(statement);
     let defines = link.relation == Relation::Equal
         && !link.questioned
-        && (!seen.contains(symbol) || case == Some(symbol) && !under.is_empty())
-        && sides.iter().skip(1).all(|side| !side.expr.mentions(symbol))
+        && (is_new(symbol) || case == Some(symbol) && !under.is_empty() && unsaid(symbol))
         && !under
             .iter()
             .flat_map(Formula::terms)
