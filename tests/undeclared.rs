@@ -559,3 +559,30 @@ fn two_factors_are_divided_out_of_what_a_third_may_leave_nought() {
     assert_eq!(step(r"\frac52 R"), "holds");
     assert_eq!(step(r"\frac32 R"), "fails");
 }
+
+#[test]
+fn a_step_may_follow_from_what_its_sentence_names() {
+    let lens = |words: &str, last: &str| {
+        verdicts(&format!(
+            "$$ M = \\frac{{b}}{{g}} \\tag{{1}} $$\n\n$$ M = \\frac{{f}}{{g - f}} \\tag{{2}} $$\n\n{words}\n\n$$ {last} $$\n"
+        ))[2]
+    };
+    for words in [
+        "An object at $g = 2 f$ is thus imaged at",
+        "An object is placed at $g = 2 f$. There",
+    ] {
+        assert_eq!(lens(words, "b = 2 f"), "holds", "{words}");
+        assert_eq!(lens(words, "b = 3 f"), "fails", "{words}");
+    }
+    for words in [
+        "Unlike an object at $g = 2 f$ this one is imaged at",
+        "Students claim that $g = 2 f$ is thus imaged at",
+        "An object is never at $g = 2 f$ and is imaged at",
+        "The image $b = 2 f$ is at",
+    ] {
+        assert_ne!(lens(words, "b = 2 f"), "holds", "{words}");
+    }
+    // What still speaks of the time is not only said of the beginning.
+    let decay = "$$ \\frac{dV}{dt} = -\\frac{V}{R C} $$\n\nwith $V = V_0$ at $t = 0$ we conclude\n\n$$ V = V_0 + t R C $$\n";
+    assert_ne!(verdicts(decay)[1], "holds");
+}

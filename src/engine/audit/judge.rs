@@ -255,6 +255,7 @@ impl Judge<'_> {
                 let settled = marked && goal.questioned || {
                     let attempts = self.attempts(goal, &assumed, premises, Some(witness));
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
+                        || self.follows_from_words(goal, &assumed, premises, &mut found)
                         || self.unstated(goal, &assumed, premises, &mut found)
                         || {
                             strong = self.strengthen(goal, &assumed, premises, &mut found);
@@ -271,6 +272,8 @@ impl Judge<'_> {
                                   decides it with that";
                     found.judged.outcome = Outcome::open(reason);
                 } else if !settled {
+                    let all = self.heed_what_is_named(goal, &assumed, &mut found);
+                    let assumed = all.unwrap_or(assumed);
                     self.instead(goal, &assumed, premises, &mut found);
                     self.heed_what_varies(goal, &assumed, premises, &mut found);
                     self.heed_what_is_open(goal, &assumed, premises, &mut found);
@@ -283,6 +286,7 @@ impl Judge<'_> {
                     let attempts = self.attempts(goal, &assumed, premises, None);
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
                         || self.rescue(goal, &attempts, &FARTHER, &mut found)
+                        || self.follows_from_words(goal, &assumed, premises, &mut found)
                         || self.rescue_from_open(goal, &assumed, premises, &mut found)
                         || self.unstated(goal, &assumed, premises, &mut found)
                         || self.follows_from_open(goal, &assumed, premises, &mut found)

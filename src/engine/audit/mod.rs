@@ -16,6 +16,7 @@ mod induction;
 mod judge;
 mod least;
 mod moving;
+mod named;
 mod numeric;
 mod premise;
 mod readings;
@@ -711,7 +712,9 @@ impl Auditor<'_> {
     fn is_told(&self, at: usize, source: &Source) -> bool {
         let own = &self.derivation.equations[at];
         match source {
-            Source::Local(page, local) => *page == own.page && own.told.contains(local),
+            Source::Local(page, local) => {
+                *page == own.page && own.told.iter().chain(&own.named).any(|told| told == local)
+            }
             _ => false,
         }
     }

@@ -260,7 +260,7 @@ impl Judge<'_> {
     }
 
     /// Whether the step follows under conditions; those that it does without are left out.
-    fn holds_under(
+    pub(super) fn holds_under(
         &self,
         goal: &Goal,
         set: Vec<Assumed>,

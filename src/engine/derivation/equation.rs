@@ -77,6 +77,8 @@ pub struct Equation {
     pub disputed: Set<Symbol>,
     /// Values that the text around it names and does not plainly suppose, unread.
     pub mentioned: Vec<Span>,
+    /// What the sentence that leads on to it names, by position among the page's locals: it may be meant to follow from that.
+    pub named: Vec<usize>,
     /// What the text before it supposes and could not be read.
     pub unread: Vec<Span>,
     /// The heading above it.

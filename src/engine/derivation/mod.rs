@@ -488,6 +488,11 @@ impl Derivation {
         told
     }
 
+    /// What the sentence that leads on to an equation names, and does not suppose plainly.
+    pub fn named(&self, at: usize) -> Vec<Assumed> {
+        self.supposed(at, &self.equations[at].named)
+    }
+
     fn supposed(&self, at: usize, locals: &[usize]) -> Vec<Assumed> {
         let number = self.equations[at].page;
         let page = &self.pages[number];

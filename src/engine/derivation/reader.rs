@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::vec;
 
-use crate::algebra::{BigRational, Formula, Symbol};
+use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::document::{
     Attribute, Citation, Directive, Extent, Item, Layout, Premise, Prose, Qualities, Span,
     Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
@@ -16,7 +16,7 @@ use super::equation::formulas;
 use super::page::{Page, Premises};
 use super::qualities::{self, Sayings};
 use super::rows::{self, Part};
-use super::supposed::{MOST_BEFORE, said_of_moment, slope_by};
+use super::supposed::{Local, MOST_BEFORE, said_of_moment, slope_by};
 use super::{Equation, Kind};
 
 /// Of the values that a piece of text names, so many are looked at.
@@ -34,6 +34,7 @@ struct Between {
     derives: Option<Span>,
     cited: Vec<Citation>,
     mentioned: Vec<Span>,
+    named: Vec<usize>,
     /// What is supposed and could not be read.
     unread: Vec<Span>,
     /// Whether words say that the display follows from something.
@@ -155,6 +156,7 @@ impl<'p> Reader<'p> {
             equation.cite(of_last, prose.says_from);
         }
         self.between.hear(prose, own);
+        let before = self.page.locals.len();
         self.qualities(prose);
         let mut mentioned = prose.mentions.clone();
         if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
@@ -171,6 +173,34 @@ impl<'p> Reader<'p> {
         }
         self.between.mentioned.extend(mentioned);
         self.between.mentioned.truncate(MOST_MENTIONED);
+        self.between.named = self.named(&prose.named, before);
+    }
+
+    /// Takes up what a sentence names and does not suppose. What displays say already is a value of it, or has to be shown.
+    fn named(&mut self, bodies: &[Span], before: usize) -> Vec<usize> {
+        let mut named = Vec::new();
+        for &body in bodies {
+            let mut own = self.page.locals[before..].iter();
+            let within =
+                |local: &Local| body.start <= local.span.start && local.span.end <= body.end;
+            if !own.any(within) && (self.is_value(body) || !self.is_said(body)) {
+                let kind = SuppositionKind::Known;
+                self.page.suppose(body, kind, self.level, &mut named, false);
+            }
+        }
+        named
+    }
+
+    /// Whether a text says that something is a number, or what another symbol is: "for equal masses, $m_1 = m_2$,".
+    fn is_value(&self, body: Span) -> bool {
+        let said = read_formulas(&self.page.document.source, body).unwrap_or_default();
+        let mut said = said.iter().flat_map(formulas);
+        said.all(|own| {
+            matches!(
+                own.as_equation(),
+                Some((_, Expr::Number(_) | Expr::Symbol(_)))
+            )
+        })
     }
 
     /// Takes up what is said by adjectives: in the display that the sentence is of, too.
@@ -510,6 +540,7 @@ impl<'p> Reader<'p> {
             said: self.sayings.here(),
             disputed: Set::new(),
             mentioned: said.mentioned.clone(),
+            named: said.named.clone(),
             unread: said.unread.clone(),
             section: self.section.clone(),
         }

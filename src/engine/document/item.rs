@@ -90,6 +90,8 @@ pub struct Prose {
     pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
+    /// The relations in the sentence that goes on with the display after it, supposed or not, in order.
+    pub named: Vec<Span>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
     pub concludes: Option<bool>,
     /// Whether its last sentence cites something.

@@ -152,8 +152,12 @@ fn moved(item: Item, by: usize) -> Item {
             for citation in &mut prose.citations {
                 citation.span = at(citation.span);
             }
-            for mention in &mut prose.mentions {
-                *mention = at(*mention);
+            let spans = prose.mentions.iter_mut().chain(&mut prose.named);
+            for span in spans.chain(&mut prose.changing) {
+                *span = at(*span);
+            }
+            for quality in &mut prose.qualities {
+                quality.body = at(quality.body);
             }
             for supposition in &mut prose.suppositions {
                 supposition.body = at(supposition.body);

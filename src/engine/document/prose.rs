@@ -81,6 +81,7 @@ const LONGEST_TAG: usize = 48;
 pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span]) -> Prose {
     let tokens = tokens(source, span, inline, hidden);
     let (suppositions, mentions) = supposition::read(source, &tokens);
+    let named = supposition::named::read(source, &tokens);
     let (qualities, changing) = qualities::read(source, &tokens);
     let citations = citation::read(&tokens);
     let last = conclusion::last_sentence(&tokens).and_then(|last| last.first());
@@ -103,6 +104,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         qualities,
         changing,
         mentions,
+        named,
         concludes: conclusion::read(&tokens),
         defines: conclusion::defines(&tokens),
         is_relative: conclusion::is_relative(&tokens),

@@ -9,6 +9,7 @@
 mod cases;
 mod introduction;
 mod mathematics;
+pub(super) mod named;
 mod retraction;
 mod vanishing;
 mod words;
@@ -16,6 +17,7 @@ mod words;
 use self::introduction::{MOST_DESCRIBING, introduced, is_condition};
 pub(super) use self::mathematics::relates;
 use self::mathematics::{differs, equals_a_name, is_bound, is_number, is_value};
+
 use self::words::{
     CONCLUDING, DENYING, DOUBTFUL, HAVING, KNOWN, MOMENTARY, NAMED_AFTER, NAMED_BEFORE, NAMING,
     NEGATING, OF_CASES, REASONS, REGIMES, UNDECIDED,

@@ -23,7 +23,7 @@ const BEGINNING: &[&str] = &[
 /// What is said then: "this becomes", "we have", "one gets", "it is", "equation (1) reads".
 const GOING_ON: &[&str] = &["this", "we", "one", "it", "then", "equation", "the"];
 /// A sentence with one of these speaks of another case than the one that it names.
-const COMPARED: &[&str] = &[
+pub(super) const COMPARED: &[&str] = &[
     "not", "unlike", "contrast", "contrary", "except", "unless", "only", "whether", "or", "than",
     "never", "opposed", "figure",
 ];

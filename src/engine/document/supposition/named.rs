@@ -1,0 +1,62 @@
+//! What the sentence that leads on to a display names without supposing it plainly: "An object at $g = 2 f$ is thus imaged at", "only
+//! the decaying term survives, $C = 0$, and".
+//!
+//! A step that does not follow otherwise is tried with it. It is said of that display alone.
+
+use super::super::Span;
+use super::super::prose::{Placed, Token, ends_sentence};
+use super::cases::COMPARED;
+use super::mathematics::relates;
+use super::words::{BESIDE, DISPUTING, KNOWN, RETRACTING};
+
+/// In a sentence with one of these, what is named is not so, or one of several.
+const ELSEWHERE: &[&str] = &[
+    "either",
+    "neither",
+    "nor",
+    "otherwise",
+    "no",
+    "cannot",
+    "never",
+    "longer",
+    "excluding",
+    "except",
+    "trivial",
+    "would",
+    "could",
+    "might",
+    "until",
+    "before",
+];
+/// A sentence that begins with one of these goes on with the one before.
+const GOING_ON: &[&str] = &["there", "then", "here", "hence", "thus", "therefore", "so"];
+/// No more is taken up.
+const MOST_NAMED: usize = 4;
+
+/// The relations in the last sentence, if that goes on with the display after it, and in the one before that it goes on with.
+pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Span> {
+    let ends = |token: &Placed<'_>| ends_sentence(source, token) || token.0 == Token::Stop;
+    let mut sentences = tokens.rsplit(ends);
+    let last = sentences.next().unwrap_or_default();
+    let goes_on = last
+        .first()
+        .is_some_and(|(token, _)| token.is_among(GOING_ON));
+    let before = sentences.next().filter(|_| goes_on).unwrap_or_default();
+    let mut named = Vec::new();
+    for sentence in [before, last] {
+        let among = |words: &[&str]| sentence.iter().any(|(token, _)| token.is_among(words));
+        if [COMPARED, DISPUTING, RETRACTING, BESIDE, KNOWN, ELSEWHERE]
+            .into_iter()
+            .any(among)
+        {
+            continue;
+        }
+        named.extend(sentence.iter().filter_map(|&(token, _)| match token {
+            Token::Math(body) => Some(body),
+            _ => None,
+        }));
+    }
+    named.retain(|body| source.get(body.range()).is_some_and(relates));
+    named.truncate(MOST_NAMED);
+    named
+}
