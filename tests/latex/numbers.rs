@@ -1,5 +1,8 @@
 //! Numbers as they are printed, and citations by number and by key.
 
+use cradle_verify::audit::{Audit, Note, Verdict};
+use cradle_verify::derivation::Derivation;
+
 use super::{article, equations, premises, problems, read};
 
 fn numbers(source: &str) -> String {
@@ -253,4 +256,29 @@ fn what_stands_above_a_relation_sign_is_cited() {
 \begin{equation} a + c \overset{\eqref{first}}{=} b + c \stackrel{(2)}{=} b + d. \end{equation}",
     ));
     assert_eq!(premises(&derivation, "3"), ["1", "2"]);
+}
+
+#[test]
+fn a_section_that_the_sentence_of_a_display_names_is_no_premise() {
+    for words in [
+        r"as shown in Section~\ref{s}.",
+        r"by theorem \ref{s}, and by \eqref{law}.",
+        r"where $a$ is defined in Section~\autoref{s}. By \eqref{law}, as in \ref{s},",
+    ] {
+        let source = format!(
+            "\\documentclass{{article}}\\begin{{document}}\\section{{Law}}\\label{{s}}\n\
+             \\begin{{equation}}\\label{{law}} a = b \\end{{equation}}\n{words}\n\
+             \\begin{{equation}} 2 a = 2 b \\end{{equation}}\\end{{document}}\n"
+        );
+        let derivation = Derivation::from_latex("page.tex", &source);
+        let audit = Audit::of(&derivation);
+        let last = audit.entries.last().unwrap();
+        assert_eq!(
+            (audit.entries.len(), last.verdict),
+            (2, Verdict::Holds),
+            "{words}"
+        );
+        let cites_nowhere = |note: &Note| matches!(note, Note::UnknownCitation(..));
+        assert!(!last.notes.iter().any(cites_nowhere), "{words}");
+    }
 }

@@ -557,7 +557,7 @@ impl Between {
         self.all_vary |= prose.all_vary;
         self.meant |= prose.says_what_is_meant;
         self.extent = prose.extent.or(self.extent);
-        self.cites |= prose.cites;
+        self.cites |= prose.closing > 0;
         self.defines |= prose.defines;
     }
 

@@ -94,8 +94,8 @@ pub struct Prose {
     pub named: Vec<Span>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
     pub concludes: Option<bool>,
-    /// Whether its last sentence cites something.
-    pub cites: bool,
+    /// How many citations, the last of all, stand in its last sentence or after it.
+    pub closing: usize,
     /// How many citations, the first of all, stand in the end of a sentence that the display before is in.
     pub tail: usize,
     /// Whether that says what the display comes from: "by (2)".
@@ -112,6 +112,23 @@ pub struct Prose {
     pub says_what_is_meant: bool,
     /// Of how much the display after it is said; `None` where it says nothing.
     pub extent: Option<Extent>,
+}
+
+impl Prose {
+    /// Forgets the citations that are none.
+    pub(super) fn drop_citations(&mut self, such: impl Fn(&Citation) -> bool) {
+        let all = std::mem::take(&mut self.citations);
+        let (tail, closing) = (self.tail, all.len() - self.closing);
+        for (at, citation) in all.into_iter().enumerate() {
+            match such(&citation) {
+                true => {
+                    self.tail -= usize::from(at < tail);
+                    self.closing -= usize::from(at >= closing);
+                }
+                false => self.citations.push(citation),
+            }
+        }
+    }
 }
 
 /// What prose says of symbols by adjectives: "where $a$ and $b$ are positive constants".

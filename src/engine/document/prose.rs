@@ -90,11 +90,11 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         tail.last()
             .is_some_and(|(_, at)| citation.span.end <= at.end)
     };
-    let in_last = |citation: &Citation| last.is_some_and(|(_, at)| at.start <= citation.span.end);
+    let in_last = |citation: &&Citation| last.is_some_and(|(_, at)| at.start <= citation.span.end);
     Prose {
         span,
         math: inline.to_vec(),
-        cites: citations.iter().any(in_last),
+        closing: citations.iter().rev().take_while(in_last).count(),
         tail: citations.iter().take_while(in_tail).count(),
         says_from: conclusion::says_from(tail),
         reasons: conclusion::reasons_in_words(source, &tokens),

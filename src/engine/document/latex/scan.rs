@@ -339,7 +339,7 @@ impl<'a> Scanner<'a> {
         let other = |key: &String| self.elsewhere.contains(key) && !self.keys.contains(key);
         for item in &mut self.items {
             if let Item::Prose(prose) = item {
-                prose.citations.retain(|c| !(c.key && other(&c.tag)));
+                prose.drop_citations(|c| c.key && other(&c.tag));
             }
         }
     }
