@@ -586,3 +586,27 @@ fn a_step_may_follow_from_what_its_sentence_names() {
     let decay = "$$ \\frac{dV}{dt} = -\\frac{V}{R C} $$\n\nwith $V = V_0$ at $t = 0$ we conclude\n\n$$ V = V_0 + t R C $$\n";
     assert_ne!(verdicts(decay)[1], "holds");
 }
+
+#[test]
+fn a_reason_is_so_throughout() {
+    let page = |slope: &str| {
+        format!(
+            "$$ \\eta = \\frac{{4 a}}{{(1+\\mu)^2}} \\tag{{1}} $$\n\nSince $\\mu = a$:\n\n\
+             $$ \\eta = \\frac{{4\\mu}}{{(1+\\mu)^2}} \\tag{{2}} $$\n\nBy (2) the derivative is\n\n\
+             $$ \\frac{{d\\eta}}{{d\\mu}} = {slope} $$\n"
+        )
+    };
+    let right = page(r"\frac{4 (1 - \mu)}{(1 + \mu)^3}");
+    assert_eq!(verdicts(&right)[1..], ["holds", "holds"]);
+    let wrong = page(r"\frac{4 (1 + \mu)}{(1 + \mu)^3}");
+    assert_eq!(verdicts(&wrong)[1..], ["holds", "fails"]);
+}
+
+#[test]
+fn nothing_is_defined_by_what_follows_from_what_could_not_be_read() {
+    let page = "$$ \\oint E \\cdot dA = \\frac{Q}{\\epsilon} \\tag{1} $$\n\nFrom (1) it follows that\n\n\
+                $$ E = \\frac{Q}{2 \\pi r^2 \\epsilon} \\tag{2} $$\n";
+    assert_eq!(verdicts(page), ["undecided", "undecided"]);
+    let defined = page.replace("From (1) it follows that", "The field is called");
+    assert_eq!(verdicts(&defined)[1], "given");
+}

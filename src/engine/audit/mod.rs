@@ -508,7 +508,11 @@ impl Auditor<'_> {
         let mut may_follow = false;
         for (position, goal) in goals(statement).into_iter().enumerate() {
             if defines && position == 0 {
-                let outcome = Outcome::Defined;
+                // What could not be read may have spoken of it: then it is no definition.
+                let outcome = match equation.drawn && !usable.unreadable.is_empty() {
+                    true => Outcome::open("it is said to follow from what could not be read"),
+                    false => Outcome::Defined,
+                };
                 steps.push((goal.clause, goal.formula.clone()));
                 entry.judged.push(Judged {
                     goal,
@@ -565,7 +569,7 @@ impl Auditor<'_> {
         {
             return stated::given(entry, symbols);
         }
-        if defines && entry.judged.len() == 1 {
+        if entry.verdict == Verdict::Given {
             entry.kind = Kind::Given;
             entry.notes.extend(judge.unchecked(&entry));
         }

@@ -4,7 +4,7 @@ use std::ops::{Range, RangeFrom};
 use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, element_parts, element_symbol};
-use crate::document::{Extent, Span, SuppositionKind, Vanishing};
+use crate::document::{Extent, Span, SuppositionKind, Vanishing, is_reason};
 use crate::kernel::Standing;
 use crate::notation::{Clause, Statement, SyntaxError, read_expr, read_formulas, read_symbol};
 
@@ -204,11 +204,16 @@ impl Page {
     pub(super) fn restrict(&mut self, new: RangeFrom<usize>, kind: SuppositionKind, known: &Known) {
         // "…, where $k = m \omega^2$" says what is meant in what stands before.
         let explains = kind == SuppositionKind::Define;
+        let source = &self.document.source;
         for local in &mut self.locals[new] {
             let mut values = local.values().into_iter();
-            local.is_special = !explains && values.any(|symbol| known.speaks_of(&symbol));
+            // A reason is so throughout: "Since $\mu = m_2/m_1$".
+            let reason = local.is_told && is_reason(source, local.span);
+            local.is_special = !explains && !reason && values.any(|symbol| known.speaks_of(&symbol));
             let is_meaning = |formula: &Arc<Formula>| match formula.as_equation() {
-                Some((Expr::Symbol(_) | Expr::Apply(..), value)) => is_term(value),
+                Some((Expr::Symbol(_) | Expr::Apply(..), value)) => {
+                    is_term(value) || reason && matches!(value, Expr::Symbol(_))
+                }
                 _ => false,
             };
             let of_case = local.is_told && local.of_case;
