@@ -273,6 +273,9 @@ impl Lowering<'_> {
 
     /// `u_3` is an element where `u` is a sequence.
     pub(super) fn atom_of_symbol(&self, symbol: &Symbol) -> Atom {
+        if self.sequences.is_empty() {
+            return Atom::Symbol(symbol.clone());
+        }
         let element = element_name(symbol)
             .and_then(|(name, position)| Some((self.sequences.get(name)?.clone(), position)));
         match element {

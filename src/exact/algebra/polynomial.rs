@@ -92,7 +92,7 @@ impl Polynomial {
     pub fn as_constant(&self) -> Option<Rational> {
         match self.terms.len() {
             0 => Some(Rational::zero()),
-            1 => self.coefficient(&Monomial::one()).cloned(),
+            1 if self.terms[0].0.is_one() => Some(self.terms[0].1.clone()),
             _ => None,
         }
     }
@@ -137,15 +137,19 @@ impl Polynomial {
 
     /// From terms in any order, equal monomials added up.
     fn collect(mut terms: Terms) -> Self {
-        terms.sort_by(|a, b| a.0.cmp(&b.0));
-        terms.dedup_by(|next, kept| {
-            let same = next.0 == kept.0;
-            if same {
-                kept.1 += next.1.clone();
-            }
-            same
-        });
-        terms.retain(|term| !term.1.is_zero());
+        if !terms.is_sorted_by(|a, b| a.0 < b.0) {
+            terms.sort_by(|a, b| a.0.cmp(&b.0));
+            terms.dedup_by(|next, kept| {
+                let same = next.0 == kept.0;
+                if same {
+                    kept.1 += &next.1;
+                }
+                same
+            });
+        }
+        if terms.iter().any(|term| term.1.is_zero()) {
+            terms.retain(|term| !term.1.is_zero());
+        }
         Polynomial { terms }
     }
 
@@ -332,7 +336,9 @@ impl Polynomial {
         for (m, c) in &self.terms {
             coefficients[m.exponent(var) as usize].push((m.without(var), c.clone()));
         }
-        coefficients.into_iter().map(Polynomial::collect).collect()
+        // What is left of terms with the same power is in the same order.
+        let coefficients = coefficients.into_iter();
+        coefficients.map(|terms| Polynomial { terms }).collect()
     }
 
     /// The greatest monomial that divides every term.
@@ -385,8 +391,14 @@ impl Polynomial {
                 if is_spent() {
                     return Err(TooLarge);
                 }
-                let power = value.pow(m.exponent(var), LONGEST_NUMBER).ok_or(TooLarge)?;
-                terms.push((m.without(var), c * power));
+                match m.exponent(var) {
+                    0 => terms.push((m.clone(), c.clone())),
+                    _ if value.is_zero() => {}
+                    exponent => {
+                        let power = value.pow(exponent, LONGEST_NUMBER).ok_or(TooLarge)?;
+                        terms.push((m.without(var), c * power));
+                    }
+                }
             }
             return Ok(Polynomial::collect(terms));
         }
