@@ -29,6 +29,13 @@ impl fmt::Display for NotUtf8 {
 
 impl std::error::Error for NotUtf8 {}
 
+/// Where the next character stands, from an offset on, that commands whoever shows the text: line ends and tabs do not.
+pub fn next_control(text: &str, from: usize) -> Option<usize> {
+    let commands = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    let found = text.get(from..)?.find(commands)?;
+    Some(from + found)
+}
+
 /// The bytes as text.
 pub(super) fn decode(bytes: &[u8]) -> Result<&str, NotUtf8> {
     std::str::from_utf8(bytes).map_err(|error| {
