@@ -222,6 +222,9 @@ impl Polynomial {
         if factor.is_zero() {
             return Polynomial::zero();
         }
+        if factor.is_one() {
+            return self.clone();
+        }
         let mut terms = Terms::with_capacity(self.len());
         for (m, c) in &self.terms {
             terms.push((m.clone(), c * factor));
@@ -339,6 +342,16 @@ impl Polynomial {
         // What is left of terms with the same power is in the same order.
         let coefficients = coefficients.into_iter();
         coefficients.map(|terms| Polynomial { terms }).collect()
+    }
+
+    /// The coefficient of one power of an unknown.
+    pub fn coefficient_of_power(&self, var: Var, exponent: u32) -> Polynomial {
+        let own = self
+            .terms
+            .iter()
+            .filter(|(m, _)| m.exponent(var) == exponent);
+        let terms = own.map(|(m, c)| (m.without(var), c.clone())).collect();
+        Polynomial { terms }
     }
 
     /// The greatest monomial that divides every term.

@@ -277,7 +277,10 @@ fn contradiction(premises: &Obligation) -> Option<Proven> {
 
 /// Whether premises like those of a claim hold near one of the `hints` where its goal does not, so that
 /// no proof need be looked for.
-pub fn is_doomed(obligation: &Obligation, hints: &[Assignment]) -> bool {
+pub fn is_doomed<'a>(
+    obligation: &Obligation,
+    hints: impl IntoIterator<Item = &'a Assignment>,
+) -> bool {
     let points = refute::Points::new(obligation);
     points
         .near(hints)
