@@ -154,7 +154,7 @@ impl Lowering<'_> {
     /// The value of a term; [`Lowering::conditions`] grows by what it needs.
     pub fn lower(&mut self, expr: &Expr) -> Lowered {
         match expr {
-            Expr::Number(value) => Ok(value.clone().into()),
+            Expr::Number(value) => Ok(Rational::from(value).into()),
             Expr::Symbol(symbol) => {
                 let power = self.symbol_power(symbol, 1);
                 Ok(Polynomial::term(power, Rational::one()).into())

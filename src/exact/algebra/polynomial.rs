@@ -1,7 +1,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
 use super::effort::{is_spent, spend};
 use super::{Monomial, Rational, Var};
@@ -33,12 +33,33 @@ type Terms = SmallVec<[(Monomial, Rational); 1]>;
 ///
 /// Canonical by construction: the terms are sorted, none occurs twice and no coefficient is zero, so two
 /// polynomials are equal exactly when their lists of terms are.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Polynomial {
     terms: Terms,
 }
 
+impl Clone for Polynomial {
+    fn clone(&self) -> Self {
+        self.mapped(|m, c| (m.clone(), c.clone()))
+    }
+}
+
 impl Polynomial {
+    /// Each term changed to one that stands in the same place and is not 0.
+    #[inline]
+    fn mapped(&self, change: impl Fn(&Monomial, &Rational) -> (Monomial, Rational)) -> Self {
+        let terms = match self.terms.as_slice() {
+            [] => Terms::new(),
+            [(m, c)] => Terms::from_buf([change(m, c)]),
+            several => several
+                .iter()
+                .map(|(m, c)| change(m, c))
+                .collect::<Vec<_>>()
+                .into(),
+        };
+        Polynomial { terms }
+    }
+
     /// 0.
     pub fn zero() -> Self {
         Polynomial::default()
@@ -63,7 +84,7 @@ impl Polynomial {
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
         let terms = match coefficient.is_zero() {
             true => Terms::new(),
-            false => smallvec![(monomial, coefficient)],
+            false => Terms::from_buf([(monomial, coefficient)]),
         };
         Polynomial { terms }
     }
@@ -225,11 +246,7 @@ impl Polynomial {
         if factor.is_one() {
             return self.clone();
         }
-        let mut terms = Terms::with_capacity(self.len());
-        for (m, c) in &self.terms {
-            terms.push((m.clone(), c * factor));
-        }
-        Polynomial { terms }
+        self.mapped(|m, c| (m.clone(), c * factor))
     }
 
     /// `coefficient · monomial · self`.
@@ -237,11 +254,7 @@ impl Polynomial {
         if coefficient.is_zero() {
             return Polynomial::zero();
         }
-        let mut terms = Terms::with_capacity(self.len());
-        for (m, c) in &self.terms {
-            terms.push((m.times(monomial), c * coefficient));
-        }
-        Polynomial { terms }
+        self.mapped(|m, c| (m.times(monomial), c * coefficient))
     }
 
     /// The product, within bounds.

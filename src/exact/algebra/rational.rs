@@ -60,10 +60,16 @@ impl Rational {
     }
 
     fn from_big(value: BigRational) -> Self {
-        match (i64::try_from(value.numer()), i64::try_from(value.denom())) {
-            (Ok(n), Ok(d)) if n != i64::MIN => Rational::small(n, d),
-            _ => Rational(Form::Big(value.into())),
-        }
+        Rational::if_small(&value).unwrap_or_else(|| Rational(Form::Big(value.into())))
+    }
+
+    /// The same number where it is small.
+    fn if_small(value: &BigRational) -> Option<Self> {
+        let (n, d) = (
+            value.numer().try_into().ok()?,
+            value.denom().try_into().ok()?,
+        );
+        (n != i64::MIN).then(|| Rational::small(n, d))
     }
 
     /// As a [`BigRational`].
@@ -225,7 +231,7 @@ impl From<BigRational> for Rational {
 
 impl From<&BigRational> for Rational {
     fn from(value: &BigRational) -> Self {
-        Rational::from_big(value.clone())
+        Rational::if_small(value).unwrap_or_else(|| Rational(Form::Big(value.clone().into())))
     }
 }
 
