@@ -20,7 +20,7 @@ impl<const N: usize> Listed for [&str; N] {
 /// A list that every word of a text is held against: of most words it is seen at a glance that they are not on it.
 pub(super) struct Words {
     all: &'static [&'static str],
-    /// A bit for each length that words with an initial have.
+    /// A bit for each length that words with like first and last letters have.
     lengths: [u32; 32],
 }
 
@@ -29,28 +29,30 @@ impl Words {
         let mut lengths = [0; 32];
         let mut at = 0;
         while at < all.len() {
-            let (initial, length) = Words::look(all[at]);
-            lengths[initial] |= length;
+            let (letters, length) = Words::look(all[at]);
+            lengths[letters] |= length;
             at += 1;
         }
         Words { all, lengths }
     }
 
-    /// The initial, the same for small letters and capitals, and the bit of the length.
+    /// What the first and the last letter come to, small or capital, and the bit of the length.
     const fn look(word: &str) -> (usize, u32) {
         let length = match word.len() {
             length if length < 32 => 1 << length,
             _ => 0,
         };
-        match word.as_bytes() {
-            [first, ..] => ((*first & 31) as usize, length),
-            [] => (0, length),
-        }
+        let letters = match word.as_bytes() {
+            [first, .., last] => (*first & 31) as usize + 2 * (*last & 31) as usize,
+            [only] => *only as usize,
+            [] => 0,
+        };
+        (letters & 31, length)
     }
 
     fn may_have(&self, word: &str) -> bool {
-        let (initial, length) = Words::look(word);
-        self.lengths[initial] & length != 0
+        let (letters, length) = Words::look(word);
+        self.lengths[letters] & length != 0
     }
 
     /// Whether a word is on the list as it is written.
