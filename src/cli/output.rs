@@ -8,7 +8,7 @@ use anstyle::AnsiColor;
 
 use super::args::{Args, Color};
 use super::{Failure, file};
-use crate::document::next_control;
+use crate::document::next_command;
 use crate::report::uncoloured;
 
 impl From<Color> for ColorChoice {
@@ -65,30 +65,17 @@ pub fn deliver(content: &Content, args: &Args) -> Result<bool, Failure> {
 /// screen or rings the bell shows as `\u{fffd}`.
 fn tamed(text: &str) -> Cow<'_, str> {
     let mut tamed = String::new();
-    let (mut kept, mut from) = (0, 0);
-    while let Some(at) = next_control(text, from) {
-        let width = text[at..].chars().next().map_or(1, char::len_utf8);
-        from = at + width;
-        if !is_color(&text[at..]) {
-            tamed += &text[kept..at];
-            tamed.push(char::REPLACEMENT_CHARACTER);
-            kept = from;
-        }
+    let mut kept = 0;
+    while let Some(at) = next_command(text, kept) {
+        tamed += &text[kept..at];
+        tamed.push(char::REPLACEMENT_CHARACTER);
+        kept = at + text[at..].chars().next().map_or(1, char::len_utf8);
     }
     if kept == 0 {
         return Cow::Borrowed(text);
     }
     tamed += &text[kept..];
     Cow::Owned(tamed)
-}
-
-/// Whether text starts with a sequence that sets colours: `ESC [ digits and semicolons m`.
-fn is_color(text: &str) -> bool {
-    let Some(rest) = text.strip_prefix("\u{1b}[") else {
-        return false;
-    };
-    let inside = |c: char| c.is_ascii_digit() || c == ';';
-    rest.trim_start_matches(inside).starts_with('m')
 }
 
 /// Writes text to standard output, with its colours where they are wanted; whether anybody reads on.

@@ -604,8 +604,7 @@ impl Derivation {
             }
         }
         claim.domains = domains;
-        let sequences: BTreeSet<Symbol> = claim.formulas().flat_map(Formula::sequences).collect();
-        for sequence in sequences {
+        for sequence in Formula::sequences_of(claim.formulas()) {
             let mut declared = pages
                 .iter()
                 .filter_map(|&p| self.pages[p].element_domain(&sequence));

@@ -44,7 +44,7 @@ pub use nearest::nearest;
 pub use notebook::NotANotebook;
 pub use origin::{Cell, File, Origin};
 pub use outline::front_matter;
-pub use source::{NotUtf8, Position, next_control};
+pub use source::{NotUtf8, Position, next_command};
 pub use span::Span;
 
 /// A document, read.

@@ -224,12 +224,19 @@ impl Formula {
 
     /// The sequences that occur.
     pub fn sequences(&self) -> Set<Symbol> {
+        Formula::sequences_of(std::iter::once(self))
+    }
+
+    /// The same for several formulas at once.
+    pub fn sequences_of<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Set<Symbol> {
         let mut found = Set::new();
-        self.terms()
-            .into_iter()
-            .for_each(|term| collect_sequences(term, &mut found));
-        if let Formula::AllEqual { sequence, .. } = self {
-            found.insert(sequence.clone());
+        for formula in formulas {
+            for term in formula.terms() {
+                collect_sequences(term, &mut found);
+            }
+            if let Formula::AllEqual { sequence, .. } = formula {
+                found.insert(sequence.clone());
+            }
         }
         found
     }

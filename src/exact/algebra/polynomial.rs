@@ -139,8 +139,13 @@ impl Polynomial {
         let mut vars = Vars::new();
         for (monomial, _) in &self.terms {
             for &(var, _) in monomial.powers() {
-                if let Err(at) = vars.binary_search(&var) {
-                    vars.insert(at, var);
+                match vars.last() {
+                    Some(last) if *last >= var => {
+                        if let Err(at) = vars.binary_search(&var) {
+                            vars.insert(at, var);
+                        }
+                    }
+                    _ => vars.push(var),
                 }
             }
         }
@@ -185,7 +190,7 @@ impl Polynomial {
         }
         let (a, b) = (self.terms.as_slice(), other.terms.as_slice());
         spend(a.len() + b.len());
-        let mut terms = Terms::with_capacity(a.len() + b.len());
+        let mut terms = Vec::with_capacity(a.len() + b.len());
         let (mut i, mut j) = (0, 0);
         while i < a.len() && j < b.len() {
             match a[i].0.cmp(&b[j].0) {
@@ -207,12 +212,9 @@ impl Polynomial {
                 }
             }
         }
-        for term in &a[i..] {
-            terms.push(term.clone());
-        }
-        for (m, c) in &b[j..] {
-            terms.push((m.clone(), factor * c));
-        }
+        terms.extend_from_slice(&a[i..]);
+        terms.extend(b[j..].iter().map(|(m, c)| (m.clone(), factor * c)));
+        let terms = terms.into();
         Polynomial { terms }
     }
 
@@ -272,13 +274,11 @@ impl Polynomial {
         if let [(m, c)] = self.terms.as_slice() {
             return Ok(other.times_term(m, c));
         }
-        let mut terms = Terms::with_capacity(self.len() * other.len());
+        let mut terms = Vec::with_capacity(self.len() * other.len());
         for (m, c) in &self.terms {
-            for (n, d) in &other.terms {
-                terms.push((m.times(n), c * d));
-            }
+            terms.extend(other.terms.iter().map(|(n, d)| (m.times(n), c * d)));
         }
-        Ok(Polynomial::collect(terms))
+        Ok(Polynomial::collect(terms.into()))
     }
 
     /// The power, within bounds.

@@ -633,8 +633,9 @@ pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
 
 /// The symbols that name sequences, declared or not.
 pub(super) fn sequences(claim: &Claim) -> Set<Symbol> {
-    let mentioned = claim.formulas().flat_map(Formula::sequences);
-    claim.sequences.keys().cloned().chain(mentioned).collect()
+    let mut all = Formula::sequences_of(claim.formulas());
+    all.extend(claim.sequences.keys().cloned());
+    all
 }
 
 /// A derivative by what is always a whole number: there is none.
