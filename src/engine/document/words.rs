@@ -50,12 +50,14 @@ impl Words {
         (letters & 31, length)
     }
 
+    #[inline]
     fn may_have(&self, word: &str) -> bool {
         let (letters, length) = Words::look(word);
         self.lengths[letters] & length != 0
     }
 
     /// Whether a word is on the list as it is written.
+    #[inline]
     pub(super) fn has(&self, word: &str) -> bool {
         self.may_have(word) && self.all.contains(&word)
     }

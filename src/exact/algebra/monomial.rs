@@ -46,14 +46,20 @@ impl Powers {
 
     #[inline]
     fn push(&mut self, power: Power) {
+        if let Powers::Few(length, powers) = self
+            && let Some(slot) = powers.get_mut(usize::from(*length))
+        {
+            *slot = power;
+            *length += 1;
+        } else {
+            self.push_to_heap(power);
+        }
+    }
+
+    #[cold]
+    fn push_to_heap(&mut self, power: Power) {
         match self {
-            Powers::Few(length, powers) => match powers.get_mut(usize::from(*length)) {
-                Some(slot) => {
-                    *slot = power;
-                    *length += 1;
-                }
-                None => *self = Powers::Many(powers.iter().copied().chain([power]).collect()),
-            },
+            Powers::Few(_, powers) => *self = Powers::Many([&powers[..], &[power]].concat()),
             Powers::Many(powers) => powers.push(power),
         }
     }
@@ -119,6 +125,7 @@ impl Monomial {
     }
 
     /// The exponent of one unknown.
+    #[inline]
     pub fn exponent(&self, var: Var) -> u32 {
         let own = self.powers().iter().find(|p| p.0 >= var);
         own.map_or(0, |p| if p.0 == var { p.1 } else { 0 })

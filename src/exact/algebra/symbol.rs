@@ -4,11 +4,14 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
+/// So many bytes of a name are looked at first.
+const START: usize = 8;
+
 /// A symbol by its whole name in canonical LaTeX: `v'_1`, `E^*`, `\rho_{\text{air}}`, `\dot{\delta}`.
 ///
 /// Two symbols are the same when their canonical names are; they are ordered by name, so no output
 /// depends on the order in which a document happened to mention them.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, Eq)]
 pub struct Symbol {
     /// The first bytes of the name as a number: most names differ in these, and their order is that of the names.
     start: u64,
@@ -21,9 +24,20 @@ impl Ord for Symbol {
     fn cmp(&self, other: &Symbol) -> Ordering {
         match self.start.cmp(&other.start) {
             Ordering::Equal if Arc::ptr_eq(&self.name, &other.name) => Ordering::Equal,
+            // Of names that are no longer than their starts only the lengths can differ.
+            Ordering::Equal if self.name.len().max(other.name.len()) <= START => {
+                self.name.len().cmp(&other.name.len())
+            }
             Ordering::Equal => self.name.cmp(&other.name),
             order => order,
         }
+    }
+}
+
+impl PartialEq for Symbol {
+    #[inline]
+    fn eq(&self, other: &Symbol) -> bool {
+        self.cmp(other).is_eq()
     }
 }
 
@@ -44,7 +58,7 @@ impl Symbol {
     /// The symbol of this canonical name. The notation reader makes names canonical; nothing here does.
     pub fn new(name: impl Into<Arc<str>>) -> Self {
         let name = name.into();
-        let mut start = [0; 8];
+        let mut start = [0; START];
         for (slot, byte) in start.iter_mut().zip(name.bytes()) {
             *slot = byte;
         }
