@@ -8,6 +8,7 @@ use anstyle::AnsiColor;
 
 use super::args::{Args, Color};
 use super::{Failure, file};
+use crate::document::next_command;
 use crate::report::uncoloured;
 
 impl From<Color> for ColorChoice {
@@ -63,28 +64,18 @@ pub fn deliver(content: &Content, args: &Args) -> Result<bool, Failure> {
 /// Text in which nothing commands a terminal but colours: a tag or a heading may hold any character, and what clears the
 /// screen or rings the bell shows as `\u{fffd}`.
 fn tamed(text: &str) -> Cow<'_, str> {
-    let wild = |(at, c): (usize, char)| match c {
-        '\n' | '\t' => None,
-        '\u{1b}' if is_color(&text[at..]) => None,
-        c => c.is_control().then_some(at),
-    };
-    if text.char_indices().find_map(wild).is_none() {
+    let mut tamed = String::new();
+    let mut kept = 0;
+    while let Some(at) = next_command(text, kept) {
+        tamed += &text[kept..at];
+        tamed.push(char::REPLACEMENT_CHARACTER);
+        kept = at + text[at..].chars().next().map_or(1, char::len_utf8);
+    }
+    if kept == 0 {
         return Cow::Borrowed(text);
     }
-    let kept = text.char_indices().map(|(at, c)| match wild((at, c)) {
-        Some(_) => char::REPLACEMENT_CHARACTER,
-        None => c,
-    });
-    Cow::Owned(kept.collect())
-}
-
-/// Whether text starts with a sequence that sets colours: `ESC [ digits and semicolons m`.
-fn is_color(text: &str) -> bool {
-    let Some(rest) = text.strip_prefix("\u{1b}[") else {
-        return false;
-    };
-    let inside = |c: char| c.is_ascii_digit() || c == ';';
-    rest.trim_start_matches(inside).starts_with('m')
+    tamed += &text[kept..];
+    Cow::Owned(tamed)
 }
 
 /// Writes text to standard output, with its colours where they are wanted; whether anybody reads on.

@@ -155,7 +155,14 @@ pub(super) fn repaired(refuted: &ScalesNot, repair: &Repair) -> String {
 
 /// The quantities that have another exponent on the right side of what follows.
 fn differing(refuted: &ScalesNot, repair: &Repair) -> Vec<Expr> {
-    let right = |claim: &Claim| Rows::new(claim).map(|rows| rows.sides.1.exponents);
+    // The sides are read without the premises.
+    let right = |claim: &Claim| {
+        let bare = Claim {
+            hypotheses: Vec::new(),
+            ..claim.clone()
+        };
+        Rows::new(&bare).map(|rows| rows.sides.1.exponents)
+    };
     let (Ok(own), Ok(meant)) = (right(refuted.claim()), right(repair.proven.claim())) else {
         return Vec::new();
     };

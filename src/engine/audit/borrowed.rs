@@ -1,8 +1,10 @@
 //! What stands before and is not cited: what a step follows from in the place of what it cites, or besides.
 
+use std::cell::OnceCell;
+
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source, unconditional, values_at};
-use crate::kernel::{Assignment, Obligation, Reject};
+use crate::kernel::{Assignment, Obligation};
 use crate::search::{self, Effort, InChain};
 
 use super::judge::{Found, Judge, NEARBY, sources};
@@ -33,8 +35,17 @@ pub(super) struct Attempt {
     cited: Vec<Assumed>,
     /// The likeliest first.
     others: Vec<Assumed>,
-    /// The goal from all of them.
-    posed: Result<Obligation, Reject>,
+    witness: Option<Assignment>,
+    whole: OnceCell<Whole>,
+}
+
+/// The goal from all that a step may be tried with.
+enum Whole {
+    Posed(Box<Obligation>),
+    /// The kernel cannot read it.
+    Unread,
+    /// All of it is true somewhere where the goal is not, so that no part of it will do.
+    Doomed,
 }
 
 impl Judge<'_> {
@@ -213,10 +224,6 @@ impl Judge<'_> {
         others: &[Vec<Assumed>],
     ) -> Vec<Attempt> {
         let mut attempts = Vec::new();
-        let hints: Vec<Assignment> = witness
-            .into_iter()
-            .chain(self.auditor.hints().iter().cloned())
-            .collect();
         let failing = self.failing(premises);
         let sound = self.sound(assumed, &failing);
         let against = self.refuted_from(&failing);
@@ -234,20 +241,31 @@ impl Judge<'_> {
             if !harmless.is_empty() {
                 choices.push((assumed.to_vec(), harmless));
             }
-            for (cited, others) in choices {
-                let all: Vec<Assumed> = cited.iter().chain(&others).cloned().collect();
-                let posed = search::pose(self.derivation.claim(self.at, &all, &goal.formula));
-                // Where all of it is true and the goal is not, no part of it will do.
-                if !posed.as_ref().is_ok_and(|p| search::is_doomed(p, &hints)) {
-                    attempts.push(Attempt {
-                        cited,
-                        others,
-                        posed,
-                    });
-                }
-            }
+            attempts.extend(choices.into_iter().map(|(cited, others)| Attempt {
+                cited,
+                others,
+                witness: witness.clone(),
+                whole: OnceCell::new(),
+            }));
         }
         attempts
+    }
+
+    /// The goal from all of an attempt, once it is asked for.
+    fn whole<'a>(&self, goal: &Goal, attempt: &'a Attempt) -> &'a Whole {
+        attempt.whole.get_or_init(|| {
+            let Attempt { cited, others, .. } = attempt;
+            let all: Vec<Assumed> = cited.iter().chain(others).cloned().collect();
+            let claim = self.derivation.claim(self.at, &all, &goal.formula);
+            let Ok(posed) = search::pose(claim) else {
+                return Whole::Unread;
+            };
+            let known = self.auditor.hints();
+            match search::is_doomed(&posed, attempt.witness.iter().chain(&*known)) {
+                true => Whole::Doomed,
+                false => Whole::Posed(posed.into()),
+            }
+        })
     }
 
     /// What is cited and does not fail: what does can stand in the way of what follows.
@@ -285,17 +303,30 @@ impl Judge<'_> {
         for attempt in attempts {
             let Attempt { cited, others, .. } = attempt;
             let mut last = None;
-            for &(most, effort) in stages {
+            for (stage, &(most, effort)) in stages.iter().enumerate() {
                 // Where there are no more of them, the same would be tried again.
                 let most = most.min(others.len());
                 if last.replace((most, effort)) == Some((most, effort)) {
                     continue;
                 }
+                // To try the nearest is less work than to look at all of them.
+                let looked_at = attempt.whole.get().is_some();
+                let is_few = stage == 0 && most < others.len();
+                if (looked_at || !is_few) && matches!(self.whole(goal, attempt), Whole::Doomed) {
+                    break;
+                }
                 let near = others.iter().take(most);
                 let all: Vec<Assumed> = cited.iter().chain(near).cloned().collect();
                 let fewer = (most < others.len())
                     .then(|| search::pose(self.derivation.claim(self.at, &all, &goal.formula)));
-                let Ok(posed) = fewer.as_ref().unwrap_or(&attempt.posed) else {
+                let posed = match &fewer {
+                    Some(fewer) => fewer.as_ref().ok(),
+                    None => match self.whole(goal, attempt) {
+                        Whole::Posed(posed) => Some(&**posed),
+                        _ => None,
+                    },
+                };
+                let Some(posed) = posed else {
                     continue;
                 };
                 let Some(derived) = search::prove_posed(posed, effort) else {

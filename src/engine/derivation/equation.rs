@@ -331,8 +331,21 @@ impl Equation {
 
     /// The symbols and sequences that it speaks of.
     pub fn symbols(&self) -> Set<Symbol> {
-        let formulas = self.statements().iter().flat_map(formulas);
-        formulas.flat_map(|formula| formula.names()).collect()
+        let clauses = || self.statements().iter().flat_map(|own| &own.clauses);
+        let terms = clauses().flat_map(|clause| {
+            let (to, sides) = match clause {
+                Clause::Chain { sides, .. } => (None, sides.as_slice()),
+                Clause::AllEqual { to, value, .. } => (Some(to), value.as_slice()),
+            };
+            to.into_iter().chain(sides.iter().map(|side| &side.expr))
+        });
+        let sequences = clauses().filter_map(|clause| match clause {
+            Clause::AllEqual { sequence, .. } => Some(sequence.clone()),
+            Clause::Chain { .. } => None,
+        });
+        let mut names = Formula::names_in(terms);
+        names.extend(sequences);
+        names
     }
 
     /// Every relation of the equation: its two sides and what is said of them.

@@ -33,7 +33,7 @@ use crate::document::{Citation, Document, Extent, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing, running_in};
 use crate::notation::{Spanned, measured, read_formulas};
 use crate::parallel::in_order;
-use crate::sorted::{Map, Tree};
+use crate::sorted::{Map, Set, Tree};
 
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
@@ -373,10 +373,7 @@ impl Derivation {
     /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a
     /// symbol, then the rest, each the nearest first.
     pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {
-        let mut wanted = self.equations[at].symbols();
-        let mut found: BTreeSet<usize> = BTreeSet::new();
-        // Twice: what defines the symbols, and what defines those of the definitions.
-        for _ in 0..2 {
+        let speaking = |wanted: Set<Symbol>| {
             let mut fresh: BTreeSet<usize> = BTreeSet::new();
             for symbol in &wanted {
                 for page in self.speaking_of(symbol, at) {
@@ -385,12 +382,12 @@ impl Derivation {
                     fresh.extend(before.iter().rev().take(most));
                 }
             }
-            wanted = fresh
-                .difference(&found)
-                .flat_map(|&other| self.equations[other].symbols())
-                .collect();
-            found.extend(fresh);
-        }
+            fresh
+        };
+        // What defines the symbols, and what defines those of the definitions.
+        let mut found = speaking(self.equations[at].symbols());
+        let symbols = (found.iter()).flat_map(|&other| self.equations[other].symbols());
+        found.extend(speaking(symbols.collect()));
         let mut order: Vec<usize> = found.into_iter().rev().take(most).collect();
         let solved = |at: &usize| {
             let mut relations = self.equations[*at].relations().into_iter();
@@ -612,8 +609,7 @@ impl Derivation {
             }
         }
         claim.domains = domains;
-        let sequences: BTreeSet<Symbol> = claim.formulas().flat_map(Formula::sequences).collect();
-        for sequence in sequences {
+        for sequence in Formula::sequences_of(claim.formulas()) {
             let mut declared = pages
                 .iter()
                 .filter_map(|&p| self.pages[p].element_domain(&sequence));

@@ -209,7 +209,8 @@ impl Page {
             let mut values = local.values().into_iter();
             // A reason is so throughout: "Since $\mu = m_2/m_1$".
             let reason = local.is_told && is_reason(source, local.span);
-            local.is_special = !explains && !reason && values.any(|symbol| known.speaks_of(&symbol));
+            local.is_special =
+                !explains && !reason && values.any(|symbol| known.speaks_of(&symbol));
             let is_meaning = |formula: &Arc<Formula>| match formula.as_equation() {
                 Some((Expr::Symbol(_) | Expr::Apply(..), value)) => {
                     is_term(value) || reason && matches!(value, Expr::Symbol(_))

@@ -28,7 +28,7 @@ pub(super) fn introduces(word: &str) -> Option<Introduction> {
     if word.len() > 9 {
         return None;
     }
-    match word.to_lowercase().as_str() {
+    match &*prose::in_lower_case(word) {
         "equation" | "eq" | "eqn" => Some(Introduction::Singular),
         "equations" | "eqs" | "eqns" => Some(Introduction::Plural),
         "formula" | "formulas" | "formulae" | "relation" | "relations" => Some(Introduction::Word),

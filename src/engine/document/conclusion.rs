@@ -1,10 +1,11 @@
 //! Whether prose says that what is displayed next follows: "Hence", "Substituting (3) into (4) gives".
 
-use super::prose::{Placed, Token, ends_sentence};
+use super::prose::{Placed, Token, ends_sentence, in_lower_case};
 use super::supposition::relates;
+use super::words::Words;
 
 /// What comes after these is drawn from what was said before. With one of them a sentence no longer supposes anything, either.
-const DRAWN: [&str; 36] = [
+static DRAWN: Words = Words::of(&[
     "then",
     "so",
     "hence",
@@ -41,9 +42,9 @@ const DRAWN: [&str; 36] = [
     "conclude",
     "consequently",
     "accordingly",
-];
+]);
 /// What is done with equations that stand already; and words for what is true of itself.
-const WORKED: [&str; 62] = [
+static WORKED: Words = Words::of(&[
     "obtained",
     "gets",
     "gave",
@@ -106,10 +107,10 @@ const WORKED: [&str; 62] = [
     "always",
     "must",
     "deduced",
-];
+]);
 
 /// What comes after these is what something is meant by.
-const DEFINING: [&str; 18] = [
+static DEFINING: Words = Words::of(&[
     "define",
     "defines",
     "defined",
@@ -128,12 +129,12 @@ const DEFINING: [&str; 18] = [
     "setting",
     "put",
     "notation",
-];
+]);
 
 /// Rules for slopes that nobody needs for a factor that is constant.
 const OF_FACTORS: [&str; 3] = ["product", "quotient", "leibniz"];
 /// What physics brings along, and no equation before need have said.
-const LAWS: [&str; 14] = [
+static LAWS: Words = Words::of(&[
     "law",
     "laws",
     "conservation",
@@ -148,7 +149,7 @@ const LAWS: [&str; 14] = [
     "balance",
     "equilibrium",
     "symmetry",
-];
+]);
 /// Between what is done and the law that it is done by: "we obtain from energy conservation".
 const LEADING: [&str; 8] = [
     "from", "by", "using", "with", "through", "via", "applying", "of",
@@ -158,7 +159,7 @@ const BECAUSE: [&str; 2] = ["since", "because"];
 /// Between a reason in words and what follows from it: "No heat is lost, so".
 const THEREFORE: [&str; 5] = ["so", "hence", "thus", "therefore", "whence"];
 /// A reason that speaks of these is worked out of equations: "The masses cancel, so".
-const OF_ALGEBRA: [&str; 31] = [
+static OF_ALGEBRA: Words = Words::of(&[
     "cancel",
     "cancels",
     "drop",
@@ -190,7 +191,7 @@ const OF_ALGEBRA: [&str; 31] = [
     "coefficients",
     "discriminant",
     "exponents",
-];
+]);
 /// A reason has no fewer words.
 const LEAST_REASON: usize = 3;
 /// With these a sentence whose end stands after a display says what that comes from.
@@ -211,7 +212,7 @@ const FROM: [&str; 12] = [
 
 /// Whether a word, in lower case, draws a conclusion.
 pub(super) fn draws(word: &str) -> bool {
-    DRAWN.contains(&word)
+    DRAWN.has(word)
 }
 
 /// Whether what is before a verb points back: "this means" draws a conclusion, "break-even means" says what is meant.
@@ -281,10 +282,10 @@ pub(super) fn reasons_in_words(source: &str, tokens: &[Placed<'_>]) -> bool {
 fn names_a_law(sentence: &[Placed<'_>]) -> bool {
     let among = |words: &'static [&str]| move |(token, _): &Placed<'_>| token.is_among(words);
     let concludes = |(token, _): &Placed<'_>| match token {
-        Token::Word(word) => draws(&word.to_lowercase()) || token.is_among(&["derived", "derive"]),
+        Token::Word(word) => draws(&in_lower_case(word)) || token.is_among(&["derived", "derive"]),
         _ => false,
     };
-    let mut laws = (0..sentence.len()).filter(|&at| among(&LAWS)(&sentence[at]));
+    let mut laws = (0..sentence.len()).filter(|&at| sentence[at].0.is_among(&LAWS));
     laws.any(|law| {
         let verb = sentence[..law].iter().rposition(concludes);
         verb.is_none_or(|verb| sentence[verb..law].iter().any(among(&LEADING)))
@@ -301,9 +302,9 @@ fn concludes_from_words(sentence: &[Placed<'_>]) -> bool {
     };
     let works = |(token, _): &Placed<'_>| match token {
         Token::Word(word) => {
-            let word = word.to_lowercase();
-            let worked = draws(&word) || WORKED.contains(&word.as_str());
-            worked || OF_ALGEBRA.contains(&word.as_str())
+            let word = in_lower_case(word);
+            let worked = draws(&word) || WORKED.has(&word);
+            worked || OF_ALGEBRA.has(&word)
         }
         _ => false,
     };
@@ -353,13 +354,13 @@ pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
                 "from" | "From" | "since" | "only" | "till" | "until"
             ))
         );
-        let word = word.to_lowercase();
+        let word = in_lower_case(word);
         // "Momentum is conserved, and so is the energy"
         let next = last.get(at + 1).map(|(token, _)| *token);
         let adds =
-            word == "so" && next.is_some_and(|next| next.is_among(&["is", "are", "does", "do"]));
-        let defines = word == "means" && !refers(&last[..at]);
-        let otherwise = adds || defines || word == "then" && tells_when;
-        draws(&word) && !otherwise || WORKED.contains(&word.as_str())
+            &*word == "so" && next.is_some_and(|next| next.is_among(&["is", "are", "does", "do"]));
+        let defines = &*word == "means" && !refers(&last[..at]);
+        let otherwise = adds || defines || &*word == "then" && tells_when;
+        draws(&word) && !otherwise || WORKED.has(&word)
     }))
 }

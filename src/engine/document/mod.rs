@@ -28,6 +28,7 @@ mod qualities;
 mod source;
 mod span;
 mod supposition;
+mod words;
 pub(crate) use supposition::is_reason;
 
 use std::sync::Arc;
@@ -43,7 +44,7 @@ pub use nearest::nearest;
 pub use notebook::NotANotebook;
 pub use origin::{Cell, File, Origin};
 pub use outline::front_matter;
-pub use source::{NotUtf8, Position};
+pub use source::{NotUtf8, Position, next_command};
 pub use span::Span;
 
 /// A document, read.

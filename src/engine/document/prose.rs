@@ -1,10 +1,13 @@
 //! Prose in words, tags and inline math: what citations and suppositions are read from.
 
+use std::borrow::Cow;
+
 use super::circumstance;
 use super::citation;
 use super::conclusion;
 use super::qualities;
 use super::supposition;
+use super::words::Listed;
 use super::{Citation, Inline, Prose, Span};
 
 /// A piece of prose.
@@ -33,11 +36,19 @@ pub(super) enum Token<'a> {
 
 impl Token<'_> {
     /// Whether it is one of these words, which are in lower case.
-    pub(super) fn is_among(self, words: &[&str]) -> bool {
+    pub(super) fn is_among(self, words: &(impl Listed + ?Sized)) -> bool {
         match self {
-            Token::Word(word) => words.iter().any(|own| own.eq_ignore_ascii_case(word)),
+            Token::Word(word) => words.has_in_any_case(word),
             _ => false,
         }
+    }
+}
+
+/// A word in lower case; most words are written so.
+pub(super) fn in_lower_case(word: &str) -> Cow<'_, str> {
+    match word.bytes().all(|byte| byte.is_ascii_lowercase()) {
+        true => word.into(),
+        false => word.to_lowercase().into(),
     }
 }
 
@@ -50,7 +61,7 @@ pub(super) fn ends_sentence(source: &str, (token, span): &Placed<'_>) -> bool {
 }
 
 /// Whether the first word of a sentence is one of these.
-pub(super) fn begins_with(sentence: &[Placed<'_>], words: &[&str]) -> bool {
+pub(super) fn begins_with(sentence: &[Placed<'_>], words: &(impl Listed + ?Sized)) -> bool {
     let mut tokens = sentence.iter().map(|(token, _)| token);
     let first = tokens.find(|token| matches!(token, Token::Word(_)));
     first.is_some_and(|token| token.is_among(words))

@@ -6,6 +6,7 @@
 
 use super::conclusion;
 use super::prose::{Placed, Token, begins_with, ends_sentence};
+use super::words::Words;
 use super::{Attribute, Bound, Qualities, Span};
 use crate::algebra::BigRational;
 
@@ -114,7 +115,7 @@ const OF_ANOTHER: [&str; 36] = [
 /// After a comma these go on with what was said.
 const QUALIFYING: [&str; 6] = ["which", "that", "for", "with", "as", "times"];
 /// In a sentence with one of these nothing is told for a fact.
-const DOUBTFUL: [&str; 108] = [
+static DOUBTFUL: Words = Words::of(&[
     "if",
     "when",
     "whenever",
@@ -223,9 +224,9 @@ const DOUBTFUL: [&str; 108] = [
     "promote",
     "held",
     "longer",
-];
+]);
 /// These say that something changes.
-const CHANGING: [&str; 27] = [
+static CHANGING: Words = Words::of(&[
     "vary",
     "varies",
     "varying",
@@ -253,7 +254,7 @@ const CHANGING: [&str; 27] = [
     "loses",
     "shrinks",
     "function",
-];
+]);
 /// These deny what a sentence says.
 const DENYING: [&str; 8] = [
     "not",
@@ -278,7 +279,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Qualities>, Vec<
     for sentence in sentences {
         let next = following.next().unwrap_or_default();
         let has = |words: &[&str]| sentence.iter().any(|token| token.0.is_among(words));
-        let changes = has(&CHANGING);
+        let changes = sentence.iter().any(|token| token.0.is_among(&CHANGING));
         if (changes || has(&["constant", "constants"])) && changes != has(&DENYING) {
             changing.extend(sentence.iter().filter_map(|token| match token.0 {
                 Token::Math(body) => Some(body),
@@ -449,7 +450,7 @@ fn named_after(before: &[Placed<'_>], own: Vec<Attribute>, after: &[Placed<'_>])
     // "A spring with spring constant $k$ stores"
     let goes_on = rest.first().is_some_and(|own| {
         let qualifies = [&OF_ANOTHER[..], &OF_A_PART, &LINKING, &QUALIFYING];
-        matches!(own.0, Token::Word(_)) && !qualifies.iter().any(|words| own.0.is_among(words))
+        matches!(own.0, Token::Word(_)) && !qualifies.iter().any(|words| own.0.is_among(*words))
     });
     (goes_on || ends_clause(rest)).then_some(Said {
         bodies,

@@ -29,6 +29,28 @@ impl fmt::Display for NotUtf8 {
 
 impl std::error::Error for NotUtf8 {}
 
+/// Where the next character stands, from an offset on, by which a text commands who shows it: line ends and tabs do not, nor what sets
+/// colours.
+pub fn next_command(text: &str, mut from: usize) -> Option<usize> {
+    let commands = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    loop {
+        let at = from + text.get(from..)?.find(commands)?;
+        match is_color(&text[at..]) {
+            true => from = at + 1,
+            false => return Some(at),
+        }
+    }
+}
+
+/// Whether text starts with a sequence that sets colours: `ESC [ digits and semicolons m`.
+fn is_color(text: &str) -> bool {
+    let Some(rest) = text.strip_prefix("\u{1b}[") else {
+        return false;
+    };
+    let inside = |c: char| c.is_ascii_digit() || c == ';';
+    rest.trim_start_matches(inside).starts_with('m')
+}
+
 /// The bytes as text.
 pub(super) fn decode(bytes: &[u8]) -> Result<&str, NotUtf8> {
     std::str::from_utf8(bytes).map_err(|error| {

@@ -24,7 +24,8 @@ use self::words::{
 };
 use super::circumstance;
 use super::conclusion;
-use super::prose::{Placed, Token, ends_sentence};
+use super::prose::{Placed, Token, ends_sentence, in_lower_case};
+use super::words::{Listed, Words};
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
 
@@ -67,7 +68,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     for (index, &(token, span)) in tokens[..end].iter().enumerate() {
         match token {
             Token::Stop => reader.stop(span),
-            Token::Word(word) => reader.word(index, &word.to_lowercase(), span),
+            Token::Word(word) => reader.word(index, &in_lower_case(word), span),
             Token::Math(body) => reader.mathematics(index, body),
             token => reader.mark(token),
         }
@@ -160,31 +161,30 @@ impl Reader<'_> {
     }
 
     fn word(&mut self, index: usize, word: &str, span: Span) {
-        let among = |words: &[&str]| words.contains(&word);
+        let among = |words: &Words| words.has(word);
         if !self.sentence.begun {
             self.sentence.first = index;
         }
-        let of_a_case = among(OF_CASES) || among(REGIMES);
+        let of_a_case = among(&OF_CASES) || among(&REGIMES);
         self.sentence.special |= !self.sentence.begun && of_a_case;
         if self.is_silent()
             && let Some(kind) = generalizes(word, index, self.tokens)
         {
             self.found.push(Supposition { kind, body: span });
         }
-        let denies = self.sentence.careful && among(DENYING);
-        let unsaid = self.sentence.active.is_some() && self.is_silent() && among(NEGATING);
+        let denies = self.sentence.careful && among(&DENYING);
+        let unsaid = self.sentence.active.is_some() && self.is_silent() && among(&NEGATING);
         // A "non-trivial" solution is none of the trivial ones.
         let compound = index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
         let conditional = is_condition(self.source, index, self.tokens);
-        if denies || unsaid || !compound && !conditional && among(DOUBTFUL) {
+        if denies || unsaid || !compound && !conditional && among(&DOUBTFUL) {
             self.withdraw();
             self.sentence.doubtful = true;
         }
         let next = self.tokens.get(index + 1).map(|(token, _)| *token);
         // "The masses were measured to be" denies nothing.
-        let told =
-            word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.contains(&next));
-        if among(UNDECIDED) || among(DENYING) && !told {
+        let told = word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.has(next));
+        if among(&UNDECIDED) || among(&DENYING) && !told {
             self.sentence.factual = false;
             // "A ball of radius $r = 2 a$ rolls without slipping": only what comes after it is denied.
             if word != "without" {
@@ -193,12 +193,12 @@ impl Reader<'_> {
         }
         let draws = conclusion::draws(word);
         // "The bars have the lengths $a > b > 0$" concludes nothing.
-        let we_have = word == "have" && follows(index, self.tokens, HAVING);
+        let we_have = word == "have" && follows(index, self.tokens, &HAVING);
         self.sentence.concluded |= draws || we_have || matches!(word, "show" | "shows");
         let introduced = introduced(self.source, word, index, self.tokens, self.sentence.begun);
         self.sentence.active = match (self.sentence.active, introduced) {
             _ if self.sentence.doubtful => None,
-            (Some(_), _) if draws || among(CONCLUDING) => None,
+            (Some(_), _) if draws || among(&CONCLUDING) => None,
             (_, Some(introduced)) => {
                 self.sentence.careful = !matches!(word, "let" | "assume" | "suppose");
                 Some(introduced)
@@ -206,7 +206,7 @@ impl Reader<'_> {
             (Some((kind, reach)), None) => reach.past_word(word).map(|reach| (kind, reach)),
             (None, None) => None,
         };
-        self.sentence.named = among(NAMING) || self.sentence.named && word == "and";
+        self.sentence.named = among(&NAMING) || self.sentence.named && word == "and";
         self.sentence.begun = true;
     }
 
@@ -260,7 +260,7 @@ impl Reader<'_> {
         if before.len() > LONGEST_SENTENCE {
             return true;
         }
-        let mut named = before.iter().map(|(token, _)| token.is_among(MOMENTARY));
+        let mut named = before.iter().map(|(token, _)| token.is_among(&MOMENTARY));
         named.any(|is| is) || circumstance::of_sentence(before) == Extent::Moment
     }
 
@@ -276,7 +276,7 @@ impl Reader<'_> {
             true => {
                 let before = &self.tokens[own.first..index];
                 let says = matches!(before.last(), Some((Token::Word(_) | Token::Mark(','), _)));
-                let is_place = follows(index, self.tokens, NAMED_BEFORE);
+                let is_place = follows(index, self.tokens, &NAMED_BEFORE);
                 says && !is_place && circumstance::of_sentence(before) == Extent::Moment
             }
             false => self.joins(index, |kind| kind == SuppositionKind::Moment),
@@ -309,7 +309,7 @@ impl Reader<'_> {
         let mut others = self.found[own.start..].iter();
         let follows_here =
             own.concluded || others.any(|s| !is_fact(s.kind) && !s.kind.leaves_cases());
-        if follows_here && !follows(index, self.tokens, REASONS) {
+        if follows_here && !follows(index, self.tokens, &REASONS) {
             return false;
         }
         // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
@@ -320,7 +320,7 @@ impl Reader<'_> {
         };
         // "The magnification $M = f/s$ is": what is no number is no origin.
         let is_name = is_number(text) && is_named(index, self.tokens);
-        plainly && !is_name && !follows(index, self.tokens, NAMED_BEFORE)
+        plainly && !is_name && !follows(index, self.tokens, &NAMED_BEFORE)
     }
 
     /// A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
@@ -384,11 +384,11 @@ pub fn is_reason(source: &str, body: Span) -> bool {
     let before = source.get(..body.start).unwrap_or_default();
     let before = before.trim_end_matches(|c: char| !c.is_alphabetic());
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next();
-    word.is_some_and(|word| REASONS.iter().any(|own| own.eq_ignore_ascii_case(word)))
+    word.is_some_and(|word| REASONS.has_in_any_case(word))
 }
 
 /// Whether one of these words, in lower case, stands before what is at `index`.
-fn follows(index: usize, tokens: &[Placed<'_>], words: &[&str]) -> bool {
+fn follows(index: usize, tokens: &[Placed<'_>], words: &(impl Listed + ?Sized)) -> bool {
     let before = index.checked_sub(1).and_then(|before| tokens.get(before));
     before.is_some_and(|(token, _)| token.is_among(words))
 }
@@ -399,7 +399,7 @@ fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
         Some((Token::Word(word), _)) => word.to_lowercase(),
         _ => String::new(),
     };
-    let is_known = |by: usize| KNOWN.contains(&word(by).as_str());
+    let is_known = |by: usize| KNOWN.has(&word(by));
     match word(1).as_str() {
         "that" => (2..=MOST_DESCRIBING + 2)
             .take_while(|&by| !word(by).is_empty())
@@ -426,7 +426,7 @@ fn is_plain(index: usize, tokens: &[Placed<'_>]) -> bool {
 ///
 /// "With $g = G M/R^2$ at the surface" is a value: an origin is a number.
 fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> bool {
-    let starts = || reach == Reach::Sentence && follows(index, tokens, NAMED_BEFORE);
+    let starts = || reach == Reach::Sentence && follows(index, tokens, &NAMED_BEFORE);
     let after = tokens.get(index + 1).map(|(token, _)| *token);
     let placed = matches!(after, Some(Token::Word("at" | "when"))) && !is_number(math);
     // "Let $v > 0$ be the speed" names it and says its sign, "Let $\mu = a b$ be the reduced mass" what it is.
@@ -437,7 +437,7 @@ fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> b
 /// Whether what comes after the mathematics at `index` makes it a name.
 fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
     match tokens.get(index + 1) {
-        Some((Token::Word(word), _)) => NAMED_AFTER.contains(word),
+        Some((Token::Word(word), _)) => NAMED_AFTER.has(word),
         _ => false,
     }
 }
@@ -474,7 +474,7 @@ fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<Suppos
         "later" | "otherwise" | "else" | "elsewhere" | "meanwhile" => {
             is(last.is_empty(), Elsewhere)
         }
-        word if REGIMES.contains(&word) => is(last.is_empty(), Elsewhere),
+        word if REGIMES.has(word) => is(last.is_empty(), Elsewhere),
         _ => None,
     }
 }

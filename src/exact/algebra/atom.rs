@@ -61,8 +61,11 @@ impl Atoms {
     }
 
     fn place(&self, atom: &Atom) -> Result<usize, usize> {
-        self.sorted
-            .binary_search_by(|var| self.list[var.position()].cmp(atom))
+        (self.sorted).binary_search_by(|var| match (&self.list[var.position()], atom) {
+            // Most atoms are symbols, and compared in few steps.
+            (Atom::Symbol(own), Atom::Symbol(other)) => own.cmp(other),
+            (own, other) => own.cmp(other),
+        })
     }
 
     /// The unknown of an atom, if it has been met.

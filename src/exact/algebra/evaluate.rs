@@ -238,8 +238,11 @@ impl Values {
                 Ok(sum)
             }
             Expr::Product(factors) => {
-                let mut product = along.constant(BigRational::one());
-                for factor in factors {
+                let Some((first, rest)) = factors.split_first() else {
+                    return Ok(along.constant(BigRational::one()));
+                };
+                let mut product = self.series(first, along)?;
+                for factor in rest {
                     product = multiply(&product, &self.series(factor, along)?);
                 }
                 Ok(product)
@@ -505,10 +508,18 @@ fn add(sum: &mut Series, other: &Series) {
 fn multiply(a: &Series, b: &Series) -> Series {
     // A sum that began at 0 would cost as much again: every sum is brought to lowest terms.
     let sum = |n: usize| {
-        let products = (0..=n).map(|k| &a[k] * &b[n - k]);
+        let products = (0..=n).map(|k| times(&a[k], &b[n - k]));
         products.reduce(|sum, product| sum + product)
     };
     (0..a.len()).map(|n| sum(n).unwrap_or_default()).collect()
+}
+
+/// The product. To bring it to lowest terms is most of the work, and nothing to do where both are whole.
+fn times(a: &BigRational, b: &BigRational) -> BigRational {
+    match a.is_integer() && b.is_integer() {
+        true => BigRational::from_integer(a.numer() * b.numer()),
+        false => a * b,
+    }
 }
 
 /// $$ c_0 = 1/a_0, \qquad c_n = -c_0 \sum_{k=1}^n a_k c_{n-k} $$

@@ -205,33 +205,53 @@ impl Formula {
 
     /// The symbols that have a value of their own, and the sequences.
     pub fn names(&self) -> Set<Symbol> {
-        let mut names = self.free_symbols();
-        names.append(&mut self.sequences());
+        let mut names = Formula::names_in(self.terms().into_iter());
+        if let Formula::AllEqual { sequence, .. } = self {
+            names.insert(sequence.clone());
+        }
         names
+    }
+
+    /// The same for terms.
+    pub fn names_in<'a>(terms: impl Iterator<Item = &'a Expr>) -> Set<Symbol> {
+        let (mut free, mut sequences) = (Vec::new(), Set::new());
+        for term in terms {
+            term.collect_free(&mut Vec::new(), &mut free);
+            collect_sequences(term, &mut sequences);
+        }
+        free.into_iter().cloned().chain(sequences).collect()
     }
 
     /// The sequences that occur.
     pub fn sequences(&self) -> Set<Symbol> {
-        fn collect(expr: &Expr, found: &mut Set<Symbol>) {
-            match expr {
-                Expr::Element { sequence, .. } => {
-                    found.insert(sequence.clone());
-                }
-                // Most terms are one of these four.
-                Expr::Symbol(_) | Expr::Number(_) => {}
-                Expr::Sum(terms) | Expr::Product(terms) => {
-                    terms.iter().for_each(|child| collect(child, found));
-                }
-                _ => expr.children().for_each(|child| collect(child, found)),
+        Formula::sequences_of(std::iter::once(self))
+    }
+
+    /// The same for several formulas at once.
+    pub fn sequences_of<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Set<Symbol> {
+        let mut found = Set::new();
+        for formula in formulas {
+            for term in formula.terms() {
+                collect_sequences(term, &mut found);
+            }
+            if let Formula::AllEqual { sequence, .. } = formula {
+                found.insert(sequence.clone());
             }
         }
-        let mut found = Set::new();
-        self.terms()
-            .into_iter()
-            .for_each(|term| collect(term, &mut found));
-        if let Formula::AllEqual { sequence, .. } = self {
+        found
+    }
+}
+
+fn collect_sequences(expr: &Expr, found: &mut Set<Symbol>) {
+    match expr {
+        Expr::Element { sequence, .. } => {
             found.insert(sequence.clone());
         }
-        found
+        // Most terms are one of these four.
+        Expr::Symbol(_) | Expr::Number(_) => {}
+        Expr::Sum(terms) | Expr::Product(terms) => {
+            (terms.iter()).for_each(|child| collect_sequences(child, found));
+        }
+        _ => (expr.children()).for_each(|child| collect_sequences(child, found)),
     }
 }

@@ -57,6 +57,9 @@ impl Fraction {
         if is_spent() {
             return Err(TooLarge);
         }
+        if let (Some(a), Some(b)) = (self.as_polynomial(), other.as_polynomial()) {
+            return Ok(a.plus(b).into());
+        }
         if self.denominator == other.denominator {
             let sum = Fraction {
                 numerator: self.numerator.plus(&other.numerator),
@@ -80,8 +83,8 @@ impl Fraction {
 
     /// The difference.
     pub fn minus(&self, other: &Self) -> Result<Self, TooLarge> {
-        if self.denominator.is_empty() && other.denominator.is_empty() {
-            return Ok(self.numerator.minus(&other.numerator).into());
+        if let (Some(a), Some(b)) = (self.as_polynomial(), other.as_polynomial()) {
+            return Ok(a.minus(b).into());
         }
         self.plus(&other.negated())
     }
@@ -94,6 +97,9 @@ impl Fraction {
 
     /// The product.
     pub fn times(&self, other: &Self) -> Result<Self, TooLarge> {
+        if let (Some(a), Some(b)) = (self.as_polynomial(), other.as_polynomial()) {
+            return Ok(a.times(b)?.into());
+        }
         let mut denominator = self.denominator.clone();
         for (factor, exponent) in other.denominator() {
             let slot = denominator.entry(factor.clone()).or_insert(0);

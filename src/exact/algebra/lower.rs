@@ -154,7 +154,7 @@ impl Lowering<'_> {
     /// The value of a term; [`Lowering::conditions`] grows by what it needs.
     pub fn lower(&mut self, expr: &Expr) -> Lowered {
         match expr {
-            Expr::Number(value) => Ok(value.clone().into()),
+            Expr::Number(value) => Ok(Rational::from(value).into()),
             Expr::Symbol(symbol) => {
                 let power = self.symbol_power(symbol, 1);
                 Ok(Polynomial::term(power, Rational::one()).into())
@@ -273,6 +273,9 @@ impl Lowering<'_> {
 
     /// `u_3` is an element where `u` is a sequence.
     pub(super) fn atom_of_symbol(&self, symbol: &Symbol) -> Atom {
+        if self.sequences.is_empty() {
+            return Atom::Symbol(symbol.clone());
+        }
         let element = element_name(symbol)
             .and_then(|(name, position)| Some((self.sequences.get(name)?.clone(), position)));
         match element {

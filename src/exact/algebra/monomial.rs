@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
-
-use smallvec::{SmallVec, smallvec};
+use std::fmt;
+use std::hash::{Hash, Hasher};
 
 /// An unknown of a polynomial: the position of its [`Atom`](super::Atom) in an [`Atoms`](super::Atoms) table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -14,24 +14,82 @@ impl Var {
 }
 
 /// A product of powers of unknowns, ordered by total degree and then lexicographically.
-#[derive(Debug, PartialEq, Eq, Hash, Default)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Monomial {
     degree: u32,
     /// Sorted by unknown; no exponent is zero.
     powers: Powers,
 }
 
-/// Few products have more than four unknowns; those that do go to the heap.
-type Powers = SmallVec<[(Var, u32); 4]>;
+type Power = (Var, u32);
 
-// Copied whole rather than power by power, which is what deriving would do.
-impl Clone for Monomial {
+/// Few products have more than so many unknowns.
+const FEW: usize = 4;
+
+/// A list of powers; those that are not few go to the heap.
+///
+/// Nothing else is done as often as copying, comparing and dropping these: where they are few that takes no call.
+#[derive(Clone)]
+enum Powers {
+    Few(u8, [Power; FEW]),
+    Many(Vec<Power>),
+}
+
+impl Powers {
     #[inline]
-    fn clone(&self) -> Self {
-        Monomial {
-            degree: self.degree,
-            powers: Powers::from_slice(&self.powers),
+    fn as_slice(&self) -> &[Power] {
+        match self {
+            Powers::Few(length, powers) => &powers[..usize::from(*length)],
+            Powers::Many(powers) => powers,
         }
+    }
+
+    #[inline]
+    fn push(&mut self, power: Power) {
+        if let Powers::Few(length, powers) = self
+            && let Some(slot) = powers.get_mut(usize::from(*length))
+        {
+            *slot = power;
+            *length += 1;
+        } else {
+            self.push_to_heap(power);
+        }
+    }
+
+    #[cold]
+    fn push_to_heap(&mut self, power: Power) {
+        match self {
+            Powers::Few(_, powers) => *self = Powers::Many([&powers[..], &[power]].concat()),
+            Powers::Many(powers) => powers.push(power),
+        }
+    }
+}
+
+impl Default for Powers {
+    #[inline]
+    fn default() -> Self {
+        Powers::Few(0, [(Var(0), 0); FEW])
+    }
+}
+
+impl PartialEq for Powers {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.as_slice() == other.as_slice()
+    }
+}
+
+impl Eq for Powers {}
+
+impl Hash for Powers {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.as_slice().hash(state);
+    }
+}
+
+impl fmt::Debug for Powers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.as_slice().fmt(f)
     }
 }
 
@@ -44,13 +102,9 @@ impl Monomial {
 
     /// `var^exponent`.
     pub fn power(var: Var, exponent: u32) -> Self {
-        if exponent == 0 {
-            return Monomial::one();
-        }
-        Monomial {
-            degree: exponent,
-            powers: smallvec![(var, exponent)],
-        }
+        let mut power = Monomial::one();
+        power.push(var, exponent);
+        power
     }
 
     /// The total degree.
@@ -67,54 +121,57 @@ impl Monomial {
     /// The unknowns with their exponents, in order.
     #[inline]
     pub fn powers(&self) -> &[(Var, u32)] {
-        &self.powers
+        self.powers.as_slice()
     }
 
     /// The exponent of one unknown.
+    #[inline]
     pub fn exponent(&self, var: Var) -> u32 {
         let own = self.powers().iter().find(|p| p.0 >= var);
         own.map_or(0, |p| if p.0 == var { p.1 } else { 0 })
     }
 
-    fn from_powers(powers: Powers) -> Self {
-        Monomial {
-            degree: powers.iter().map(|p| p.1).sum(),
-            powers,
+    /// Multiplies by a power of an unknown that comes after all that are in it.
+    #[inline]
+    fn push(&mut self, var: Var, exponent: u32) {
+        if exponent > 0 {
+            self.degree += exponent;
+            self.powers.push((var, exponent));
         }
     }
 
     /// Merges the two exponent lists; `join` says what becomes of the two exponents of one unknown.
     fn merge(&self, other: &Self, join: impl Fn(u32, u32) -> u32) -> Self {
-        let (a, b) = (self.powers(), other.powers());
-        let mut out = Powers::new();
-        let (mut i, mut j) = (0, 0);
-        while i < a.len() || j < b.len() {
-            let order = match (a.get(i), b.get(j)) {
-                (Some(x), Some(y)) => x.0.cmp(&y.0),
-                (Some(_), None) => Ordering::Less,
-                _ => Ordering::Greater,
-            };
-            let (var, exponent) = match order {
-                Ordering::Less => (a[i].0, join(a[i].1, 0)),
-                Ordering::Greater => (b[j].0, join(0, b[j].1)),
-                Ordering::Equal => (a[i].0, join(a[i].1, b[j].1)),
-            };
-            if order.is_le() {
-                i += 1;
-            }
-            if order.is_ge() {
-                j += 1;
-            }
-            if exponent > 0 {
-                out.push((var, exponent));
+        let (mut a, mut b) = (self.powers(), other.powers());
+        let mut out = Monomial::one();
+        while let ([x, after_x @ ..], [y, after_y @ ..]) = (a, b) {
+            match x.0.cmp(&y.0) {
+                Ordering::Less => {
+                    out.push(x.0, join(x.1, 0));
+                    a = after_x;
+                }
+                Ordering::Greater => {
+                    out.push(y.0, join(0, y.1));
+                    b = after_y;
+                }
+                Ordering::Equal => {
+                    out.push(x.0, join(x.1, y.1));
+                    (a, b) = (after_x, after_y);
+                }
             }
         }
-        Monomial::from_powers(out)
+        a.iter().for_each(|&(v, e)| out.push(v, join(e, 0)));
+        b.iter().for_each(|&(v, e)| out.push(v, join(0, e)));
+        out
     }
 
     /// The product.
     pub fn times(&self, other: &Self) -> Self {
-        self.merge(other, |a, b| a + b)
+        match (self.is_one(), other.is_one()) {
+            (true, _) => other.clone(),
+            (_, true) => self.clone(),
+            _ => self.merge(other, |a, b| a + b),
+        }
     }
 
     /// The least common multiple.
@@ -129,6 +186,9 @@ impl Monomial {
 
     /// `self / other`, where it divides.
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
+        if other.is_one() {
+            return Some(self.clone());
+        }
         let mut own = self.powers().iter();
         let divides = other.powers().iter().all(|&(v, e)| {
             let at_least = own.find(|p| p.0 >= v);
@@ -139,17 +199,22 @@ impl Monomial {
 
     /// The monomial with one unknown left out.
     pub fn without(&self, var: Var) -> Self {
-        let mut rest = self.clone();
-        if let Ok(at) = rest.powers.binary_search_by_key(&var, |p| p.0) {
-            rest.degree -= rest.powers.remove(at).1;
-        }
+        let mut rest = Monomial::one();
+        let others = self.powers().iter().filter(|power| power.0 != var);
+        others.for_each(|&(v, e)| rest.push(v, e));
         rest
     }
 
     /// The square root, where every exponent is even.
     pub fn sqrt(&self) -> Option<Self> {
-        let even = self.powers.iter().all(|p| p.1 % 2 == 0);
-        even.then(|| Monomial::from_powers(self.powers.iter().map(|&(v, e)| (v, e / 2)).collect()))
+        let mut root = Monomial::one();
+        for &(v, e) in self.powers() {
+            if e % 2 == 1 {
+                return None;
+            }
+            root.push(v, e / 2);
+        }
+        Some(root)
     }
 }
 

@@ -1,7 +1,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
 use super::effort::{is_spent, spend};
 use super::{Monomial, Rational, Var};
@@ -33,12 +33,33 @@ type Terms = SmallVec<[(Monomial, Rational); 1]>;
 ///
 /// Canonical by construction: the terms are sorted, none occurs twice and no coefficient is zero, so two
 /// polynomials are equal exactly when their lists of terms are.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Polynomial {
     terms: Terms,
 }
 
+impl Clone for Polynomial {
+    fn clone(&self) -> Self {
+        self.mapped(|m, c| (m.clone(), c.clone()))
+    }
+}
+
 impl Polynomial {
+    /// Each term changed to one that stands in the same place and is not 0.
+    #[inline]
+    fn mapped(&self, change: impl Fn(&Monomial, &Rational) -> (Monomial, Rational)) -> Self {
+        let terms = match self.terms.as_slice() {
+            [] => Terms::new(),
+            [(m, c)] => Terms::from_buf([change(m, c)]),
+            several => several
+                .iter()
+                .map(|(m, c)| change(m, c))
+                .collect::<Vec<_>>()
+                .into(),
+        };
+        Polynomial { terms }
+    }
+
     /// 0.
     pub fn zero() -> Self {
         Polynomial::default()
@@ -63,7 +84,7 @@ impl Polynomial {
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
         let terms = match coefficient.is_zero() {
             true => Terms::new(),
-            false => smallvec![(monomial, coefficient)],
+            false => Terms::from_buf([(monomial, coefficient)]),
         };
         Polynomial { terms }
     }
@@ -92,7 +113,7 @@ impl Polynomial {
     pub fn as_constant(&self) -> Option<Rational> {
         match self.terms.len() {
             0 => Some(Rational::zero()),
-            1 => self.coefficient(&Monomial::one()).cloned(),
+            1 if self.terms[0].0.is_one() => Some(self.terms[0].1.clone()),
             _ => None,
         }
     }
@@ -118,8 +139,13 @@ impl Polynomial {
         let mut vars = Vars::new();
         for (monomial, _) in &self.terms {
             for &(var, _) in monomial.powers() {
-                if let Err(at) = vars.binary_search(&var) {
-                    vars.insert(at, var);
+                match vars.last() {
+                    Some(last) if *last >= var => {
+                        if let Err(at) = vars.binary_search(&var) {
+                            vars.insert(at, var);
+                        }
+                    }
+                    _ => vars.push(var),
                 }
             }
         }
@@ -137,15 +163,19 @@ impl Polynomial {
 
     /// From terms in any order, equal monomials added up.
     fn collect(mut terms: Terms) -> Self {
-        terms.sort_by(|a, b| a.0.cmp(&b.0));
-        terms.dedup_by(|next, kept| {
-            let same = next.0 == kept.0;
-            if same {
-                kept.1 += next.1.clone();
-            }
-            same
-        });
-        terms.retain(|term| !term.1.is_zero());
+        if !terms.is_sorted_by(|a, b| a.0 < b.0) {
+            terms.sort_by(|a, b| a.0.cmp(&b.0));
+            terms.dedup_by(|next, kept| {
+                let same = next.0 == kept.0;
+                if same {
+                    kept.1 += &next.1;
+                }
+                same
+            });
+        }
+        if terms.iter().any(|term| term.1.is_zero()) {
+            terms.retain(|term| !term.1.is_zero());
+        }
         Polynomial { terms }
     }
 
@@ -160,7 +190,7 @@ impl Polynomial {
         }
         let (a, b) = (self.terms.as_slice(), other.terms.as_slice());
         spend(a.len() + b.len());
-        let mut terms = Terms::with_capacity(a.len() + b.len());
+        let mut terms = Vec::with_capacity(a.len() + b.len());
         let (mut i, mut j) = (0, 0);
         while i < a.len() && j < b.len() {
             match a[i].0.cmp(&b[j].0) {
@@ -182,12 +212,9 @@ impl Polynomial {
                 }
             }
         }
-        for term in &a[i..] {
-            terms.push(term.clone());
-        }
-        for (m, c) in &b[j..] {
-            terms.push((m.clone(), factor * c));
-        }
+        terms.extend_from_slice(&a[i..]);
+        terms.extend(b[j..].iter().map(|(m, c)| (m.clone(), factor * c)));
+        let terms = terms.into();
         Polynomial { terms }
     }
 
@@ -218,11 +245,10 @@ impl Polynomial {
         if factor.is_zero() {
             return Polynomial::zero();
         }
-        let mut terms = Terms::with_capacity(self.len());
-        for (m, c) in &self.terms {
-            terms.push((m.clone(), c * factor));
+        if factor.is_one() {
+            return self.clone();
         }
-        Polynomial { terms }
+        self.mapped(|m, c| (m.clone(), c * factor))
     }
 
     /// `coefficient · monomial · self`.
@@ -230,11 +256,7 @@ impl Polynomial {
         if coefficient.is_zero() {
             return Polynomial::zero();
         }
-        let mut terms = Terms::with_capacity(self.len());
-        for (m, c) in &self.terms {
-            terms.push((m.times(monomial), c * coefficient));
-        }
-        Polynomial { terms }
+        self.mapped(|m, c| (m.times(monomial), c * coefficient))
     }
 
     /// The product, within bounds.
@@ -252,13 +274,11 @@ impl Polynomial {
         if let [(m, c)] = self.terms.as_slice() {
             return Ok(other.times_term(m, c));
         }
-        let mut terms = Terms::with_capacity(self.len() * other.len());
+        let mut terms = Vec::with_capacity(self.len() * other.len());
         for (m, c) in &self.terms {
-            for (n, d) in &other.terms {
-                terms.push((m.times(n), c * d));
-            }
+            terms.extend(other.terms.iter().map(|(n, d)| (m.times(n), c * d)));
         }
-        Ok(Polynomial::collect(terms))
+        Ok(Polynomial::collect(terms.into()))
     }
 
     /// The power, within bounds.
@@ -332,7 +352,19 @@ impl Polynomial {
         for (m, c) in &self.terms {
             coefficients[m.exponent(var) as usize].push((m.without(var), c.clone()));
         }
-        coefficients.into_iter().map(Polynomial::collect).collect()
+        // What is left of terms with the same power is in the same order.
+        let coefficients = coefficients.into_iter();
+        coefficients.map(|terms| Polynomial { terms }).collect()
+    }
+
+    /// The coefficient of one power of an unknown.
+    pub fn coefficient_of_power(&self, var: Var, exponent: u32) -> Polynomial {
+        let own = self
+            .terms
+            .iter()
+            .filter(|(m, _)| m.exponent(var) == exponent);
+        let terms = own.map(|(m, c)| (m.without(var), c.clone())).collect();
+        Polynomial { terms }
     }
 
     /// The greatest monomial that divides every term.
@@ -385,8 +417,14 @@ impl Polynomial {
                 if is_spent() {
                     return Err(TooLarge);
                 }
-                let power = value.pow(m.exponent(var), LONGEST_NUMBER).ok_or(TooLarge)?;
-                terms.push((m.without(var), c * power));
+                match m.exponent(var) {
+                    0 => terms.push((m.clone(), c.clone())),
+                    _ if value.is_zero() => {}
+                    exponent => {
+                        let power = value.pow(exponent, LONGEST_NUMBER).ok_or(TooLarge)?;
+                        terms.push((m.without(var), c * power));
+                    }
+                }
             }
             return Ok(Polynomial::collect(terms));
         }

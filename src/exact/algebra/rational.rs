@@ -33,6 +33,13 @@ impl Rational {
         if denominator == 1 {
             return Rational::whole(numerator);
         }
+        // Most parts fit in a machine word before they are reduced.
+        if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator))
+            && n != i64::MIN
+        {
+            let gcd = n.gcd(&d);
+            return Rational::small(n / gcd, d / gcd);
+        }
         let gcd = gcd(numerator.unsigned_abs(), denominator.unsigned_abs());
         // A gcd of numbers below 2^127 is below 2^127.
         let (n, d) = match i128::try_from(gcd) {
@@ -53,10 +60,16 @@ impl Rational {
     }
 
     fn from_big(value: BigRational) -> Self {
-        match (i64::try_from(value.numer()), i64::try_from(value.denom())) {
-            (Ok(n), Ok(d)) if n != i64::MIN => Rational::small(n, d),
-            _ => Rational(Form::Big(value.into())),
-        }
+        Rational::if_small(&value).unwrap_or_else(|| Rational(Form::Big(value.into())))
+    }
+
+    /// The same number where it is small.
+    fn if_small(value: &BigRational) -> Option<Self> {
+        let (n, d) = (
+            value.numer().try_into().ok()?,
+            value.denom().try_into().ok()?,
+        );
+        (n != i64::MIN).then(|| Rational::small(n, d))
     }
 
     /// As a [`BigRational`].
@@ -158,7 +171,10 @@ impl Rational {
 
     /// The power, unless it would be longer than `bits`.
     pub(super) fn pow(&self, exponent: u32, bits: u64) -> Option<Self> {
-        if self.is_zero() || self.abs().is_one() {
+        if exponent == 1 && matches!(self.0, Form::Small(..)) {
+            return Some(self.clone());
+        }
+        if matches!(self.0, Form::Small(-1..=1, 1)) {
             return Some(match exponent {
                 0 => Rational::one(),
                 _ if exponent % 2 == 1 || self.is_zero() => self.clone(),
@@ -215,7 +231,7 @@ impl From<BigRational> for Rational {
 
 impl From<&BigRational> for Rational {
     fn from(value: &BigRational) -> Self {
-        Rational::from_big(value.clone())
+        Rational::if_small(value).unwrap_or_else(|| Rational(Form::Big(value.clone().into())))
     }
 }
 
@@ -274,7 +290,7 @@ impl Add for &Rational {
     fn add(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
             (Form::Small(a, 1), Form::Small(c, 1)) => {
-                Rational::reduced(i128::from(*a) + i128::from(*c), 1)
+                Rational::whole(i128::from(*a) + i128::from(*c))
             }
             // Below 2^126 each, so below 2^127 together.
             (Form::Small(a, b), Form::Small(c, d)) => {
@@ -305,6 +321,9 @@ impl Mul for &Rational {
         match (&self.0, &other.0) {
             (Form::Small(1, 1), _) => other.clone(),
             (_, Form::Small(1, 1)) => self.clone(),
+            (Form::Small(a, 1), Form::Small(c, 1)) => {
+                Rational::whole(i128::from(*a) * i128::from(*c))
+            }
             (Form::Small(a, b), Form::Small(c, d)) => Rational::reduced(
                 i128::from(*a) * i128::from(*c),
                 i128::from(*b) * i128::from(*d),

@@ -1,22 +1,50 @@
 use std::borrow::Borrow;
 use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
+
+/// So many bytes of a name are looked at first.
+const START: usize = 8;
 
 /// A symbol by its whole name in canonical LaTeX: `v'_1`, `E^*`, `\rho_{\text{air}}`, `\dot{\delta}`.
 ///
 /// Two symbols are the same when their canonical names are; they are ordered by name, so no output
 /// depends on the order in which a document happened to mention them.
-#[derive(Clone, PartialEq, Eq, Hash)]
-pub struct Symbol(Arc<str>);
+#[derive(Clone, Eq)]
+pub struct Symbol {
+    /// The first bytes of the name as a number: most names differ in these, and their order is that of the names.
+    start: u64,
+    name: Arc<str>,
+}
 
-/// Most symbols that are compared are copies of one another: then no letter has to be looked at.
+/// Most symbols that are compared differ at the start or are copies of one another: then no letter has to be looked at.
 impl Ord for Symbol {
+    #[inline]
     fn cmp(&self, other: &Symbol) -> Ordering {
-        match Arc::ptr_eq(&self.0, &other.0) {
-            true => Ordering::Equal,
-            false => self.0.cmp(&other.0),
+        match self.start.cmp(&other.start) {
+            Ordering::Equal if Arc::ptr_eq(&self.name, &other.name) => Ordering::Equal,
+            // Of names that are no longer than their starts only the lengths can differ.
+            Ordering::Equal if self.name.len().max(other.name.len()) <= START => {
+                self.name.len().cmp(&other.name.len())
+            }
+            Ordering::Equal => self.name.cmp(&other.name),
+            order => order,
         }
+    }
+}
+
+impl PartialEq for Symbol {
+    #[inline]
+    fn eq(&self, other: &Symbol) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+/// As its name is hashed, which a symbol can be asked for by.
+impl Hash for Symbol {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
     }
 }
 
@@ -29,12 +57,18 @@ impl PartialOrd for Symbol {
 impl Symbol {
     /// The symbol of this canonical name. The notation reader makes names canonical; nothing here does.
     pub fn new(name: impl Into<Arc<str>>) -> Self {
-        Symbol(name.into())
+        let name = name.into();
+        let mut start = [0; START];
+        for (slot, byte) in start.iter_mut().zip(name.bytes()) {
+            *slot = byte;
+        }
+        let start = u64::from_be_bytes(start);
+        Symbol { start, name }
     }
 
     /// The canonical LaTeX name.
     pub fn name(&self) -> &str {
-        &self.0
+        &self.name
     }
 
     /// `M`, of `M_{\max}`.
@@ -44,26 +78,26 @@ impl Symbol {
 
     /// Whether it stands for a unit of measurement: `\unit{m}`.
     pub fn is_unit(&self) -> bool {
-        self.0.starts_with("\\unit{")
+        self.name.starts_with("\\unit{")
     }
 }
 
 /// Symbols are compared by name, so a set of them can be asked for a name.
 impl Borrow<str> for Symbol {
     fn borrow(&self) -> &str {
-        &self.0
+        &self.name
     }
 }
 
 impl fmt::Display for Symbol {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.name)
     }
 }
 
 impl fmt::Debug for Symbol {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.name)
     }
 }
 

@@ -20,8 +20,6 @@ pub use term::{Compared, Figures, NoInterval};
 
 /// Ends are rounded outwards by at most one part in 2 to this power, where they are rounded at all.
 pub const PRECISION: u64 = 40;
-/// Ends that take more bits than this are rounded.
-const LONGEST: u64 = 64;
 
 /// All real numbers from one rational number to another.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -114,14 +112,19 @@ impl Interval {
     }
 }
 
-/// A number of bounded length below or above `over / under`, which need not be in lowest terms; `under` is positive.
+/// A number below or above `over / under`, which need not be in lowest terms, or that number where both parts of it fit in 64 bits;
+/// `under` is positive.
 ///
 /// What is rounded is a whole number of some power of 2, and is brought to lowest terms by shifting: reducing first what is rounded
 /// anyway would be most of the work.
 fn rounded(over: BigInt, under: BigInt, side: Ordering) -> BigRational {
     let (above, below) = (over.bits(), under.bits());
-    if above.max(below) <= LONGEST {
-        return BigRational::new(over, under);
+    if let (Ok(above), Ok(below)) = (over.magnitude().try_into(), under.magnitude().try_into()) {
+        // What fits in a machine word is divided by its common divisor in few steps.
+        return match u64::gcd(&above, &below) {
+            1 => BigRational::new_raw(over, under),
+            common => BigRational::new_raw(over / common, under / common),
+        };
     }
     // So many binary places that `PRECISION` bits remain.
     let places = (PRECISION + 1 + below).saturating_sub(above);
@@ -131,11 +134,14 @@ fn rounded(over: BigInt, under: BigInt, side: Ordering) -> BigRational {
         Ordering::Less => over.div_floor(&under),
         _ => over.div_ceil(&under),
     };
+    let rounded = in_binary(steps, places);
+    BigRational::new_raw(rounded.numer() << excess, rounded.denom().clone())
+}
+
+/// So many steps of which `2^places` make 1, in lowest terms.
+fn in_binary(steps: BigInt, places: u64) -> BigRational {
     let spare = steps.trailing_zeros().unwrap_or(places).min(places);
-    BigRational::new_raw(
-        (steps >> spare) << excess,
-        BigInt::one() << (places - spare),
-    )
+    BigRational::new_raw(steps >> spare, BigInt::one() << (places - spare))
 }
 
 impl Add for &Interval {

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Interval, PRECISION};
+use super::{Interval, PRECISION, in_binary};
 use crate::algebra::{BigInt, BigRational};
 
 /// Exponents whose numerator or denominator is larger are not evaluated.
@@ -56,7 +56,6 @@ fn root(value: &BigRational, degree: u32) -> (BigRational, BigRational) {
     let places = PRECISION + missing + 2;
     let scaled: BigInt = (value.numer() << (places * u64::from(degree))) / value.denom();
     let below = scaled.nth_root(degree);
-    let unit = BigInt::one() << places;
-    let above = BigRational::new(&below + 1, unit.clone());
-    (BigRational::new(below, unit), above)
+    let above = in_binary(&below + 1, places);
+    (in_binary(below, places), above)
 }

@@ -4,6 +4,8 @@
 //! in which equal factors are put together; then each factor takes its values. Sums are not multiplied out: a sum that is a
 //! factor counts as one.
 
+use std::sync::LazyLock;
+
 use num_traits::{One, Signed, Zero};
 
 use super::Interval;
@@ -14,6 +16,15 @@ use crate::sorted::Map;
 const MOST_TERMS: usize = 256;
 /// Deeper terms are not evaluated.
 const DEEPEST: usize = 64;
+
+static PI: LazyLock<Interval> = LazyLock::new(|| {
+    let digits = BigInt::from(314_159_265_358_979_323_u64);
+    let unit = BigInt::from(100_000_000_000_000_000_u64);
+    Interval {
+        high: BigRational::new(&digits + 1, unit.clone()),
+        low: BigRational::new(digits, unit),
+    }
+});
 
 /// Why a term has no interval.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,15 +70,8 @@ impl FromIterator<(Symbol, Interval)> for Figures {
 impl Figures {
     /// What is known of a symbol; π is known to everybody.
     pub fn of(&self, symbol: &Symbol) -> Option<Interval> {
-        self.0.get(symbol).cloned().or_else(|| {
-            let digits = BigInt::from(314_159_265_358_979_323_u64);
-            let unit = BigInt::from(100_000_000_000_000_000_u64);
-            let above = BigRational::new(&digits + 1, unit.clone());
-            (symbol.name() == "\\pi").then(|| Interval {
-                low: BigRational::new(digits, unit),
-                high: above,
-            })
-        })
+        let pi = || (symbol.name() == "\\pi").then(|| PI.clone());
+        self.0.get(symbol).cloned().or_else(pi)
     }
 
     /// An interval with all values of a term.

@@ -30,10 +30,11 @@ pub(crate) fn pi_is_the_number(claim: &Claim) -> bool {
         let bound = formula.terms().iter().any(|term| term.any(&binds));
         bound || formula.sequences().contains(&pi)
     };
+    // Most claims do not speak of it at all.
+    let mentioned = |f: &Formula| f.terms().iter().any(|term| term.mentions(&pi));
+    let named = |f: &Formula| mentioned(f) && f.free_symbols().contains(&pi);
     let mut hypotheses = claim.hypotheses.iter().map(|h| &*h.formula);
-    claim.formulas().any(|f| f.free_symbols().contains(&pi))
-        && !hypotheses.any(given)
-        && !claim.formulas().any(something_else)
+    claim.formulas().any(named) && !hypotheses.any(given) && !claim.formulas().any(something_else)
 }
 
 /// What is below π, and what is above.

@@ -41,10 +41,11 @@ impl Knowledge {
         }
         if matches!(fact.sign, Sign::NonZero | Sign::Positive) {
             // A product that does not vanish has no factor that does.
-            let (content, rest) = polynomial.without_content();
-            self.nonzero_vars
-                .extend(content.powers().iter().map(|p| p.0));
+            let content = polynomial.content();
             if !content.is_one() {
+                self.nonzero_vars
+                    .extend(content.powers().iter().map(|p| p.0));
+                let (_, rest) = polynomial.without_content();
                 self.nonzero.insert(rest.monic());
             }
         }

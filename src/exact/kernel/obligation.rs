@@ -73,8 +73,12 @@ impl Obligation {
         let claim = || self.claim.clone();
         match candidate {
             Candidate::Proof(certificate) => {
-                let problem = self.problem.with_rates(&certificate.rates)?;
-                replay::State::new(&problem).certificate(&certificate)?;
+                let more = match certificate.rates.as_slice() {
+                    [] => None,
+                    rates => Some(self.problem.with_rates(rates)?),
+                };
+                let problem = more.as_ref().unwrap_or(&self.problem);
+                replay::State::new(problem).certificate(&certificate)?;
                 Ok(Checked::Proven(Proven {
                     claim: claim(),
                     certificate,

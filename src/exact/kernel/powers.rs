@@ -74,7 +74,10 @@ pub(super) fn powers_of<'a>(
 /// Whether there is a power with another exponent than an integer in a term.
 fn has_powers(term: &Expr) -> bool {
     term.any(&|part| match part {
-        Expr::Power(_, exponent) => constant(exponent).is_none_or(|e| !e.is_integer()),
+        Expr::Power(_, exponent) => match &**exponent {
+            Expr::Number(exponent) => !exponent.is_integer(),
+            exponent => constant(exponent).is_none_or(|e| !e.is_integer()),
+        },
         // Of what is positive a logarithm can be taken factor by factor.
         Expr::Call(Function::Ln, _) => true,
         // Sines and cosines of whole numbers of half turns.

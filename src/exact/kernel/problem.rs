@@ -191,29 +191,27 @@ impl Problem {
             }
         }
         // Elements of sums that were written out are named nowhere else.
-        let atoms: Vec<Atom> = problem.atoms.iter().map(|(_, atom)| atom.clone()).collect();
-        for atom in atoms {
-            let symbol = match atom {
-                Atom::Symbol(symbol) => symbol,
-                Atom::Element { sequence, position } => element_symbol(&sequence, position),
-                _ => continue,
-            };
-            let Some(domain) = claim
-                .domains
-                .get(&symbol)
-                .filter(|_| named.binary_search(&&symbol).is_err())
-            else {
-                continue;
-            };
-            let term = Expr::Symbol(symbol.clone());
-            problem.confine(&term, domain, &Origin::Domain(symbol))?;
+        let atoms = problem.atoms.iter().filter_map(|(_, atom)| match atom {
+            Atom::Symbol(symbol) => Some(symbol.clone()),
+            Atom::Element { sequence, position } => Some(element_symbol(sequence, *position)),
+            _ => None,
+        });
+        let unnamed: Vec<Symbol> = atoms
+            .filter(|symbol| named.binary_search(&symbol).is_err())
+            .collect();
+        for symbol in unnamed {
+            if let Some(domain) = claim.domains.get(&symbol) {
+                let term = Expr::Symbol(symbol.clone());
+                problem.confine(&term, domain, &Origin::Domain(symbol))?;
+            }
         }
         problem.add_facts_about_sums(claim)?;
-        let atoms: Vec<_> = problem.atoms.iter().map(|(v, a)| (v, a.clone())).collect();
-        for (var, atom) in atoms {
-            if let Atom::Root { of, .. } = atom {
-                problem.add(Polynomial::var(var), Sign::Positive, Origin::Domain(of));
-            }
+        let roots = problem.atoms.iter().filter_map(|(var, atom)| match atom {
+            Atom::Root { of, .. } => Some((var, of.clone())),
+            _ => None,
+        });
+        for (var, of) in roots.collect::<Vec<_>>() {
+            problem.add(Polynomial::var(var), Sign::Positive, Origin::Domain(of));
         }
         problem.add_facts_about_pi();
         problem.add_facts_about_powers()?;
@@ -392,6 +390,13 @@ impl Problem {
 
     /// Counts and even power sums are not negative; equal elements make every power sum a multiple of one power.
     fn add_facts_about_sums(&mut self, claim: &Claim) -> Result<(), Reject> {
+        let of_sums = |atom: &Atom| matches!(atom, Atom::PowerSum { .. } | Atom::Element { .. });
+        let all_equal = |own: &(Arc<Formula>, _)| matches!(*own.0, Formula::AllEqual { .. });
+        // Most claims have nothing of the kind.
+        if !self.atoms.iter().any(|(_, atom)| of_sums(atom)) && !self.formulas.iter().any(all_equal)
+        {
+            return Ok(());
+        }
         let sums: Set<(Symbol, Vec<(Symbol, u32)>)> = self
             .atoms
             .iter()
@@ -628,8 +633,9 @@ pub(crate) fn applied_definition(formula: &Formula) -> Option<(Expr, Expr)> {
 
 /// The symbols that name sequences, declared or not.
 pub(super) fn sequences(claim: &Claim) -> Set<Symbol> {
-    let mentioned = claim.formulas().flat_map(Formula::sequences);
-    claim.sequences.keys().cloned().chain(mentioned).collect()
+    let mut all = Formula::sequences_of(claim.formulas());
+    all.extend(claim.sequences.keys().cloned());
+    all
 }
 
 /// A derivative by what is always a whole number: there is none.

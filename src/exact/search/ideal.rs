@@ -213,11 +213,7 @@ fn best_pivot(
             if best.as_ref().is_some_and(|b| b.rank <= rank) {
                 continue;
             }
-            let coefficient = element
-                .polynomial
-                .in_powers_of(var)
-                .pop()
-                .unwrap_or_default();
+            let coefficient = element.polynomial.coefficient_of_power(var, power);
             let constant = coefficient.as_constant().is_some();
             let positive = constant || knowledge.is_positive(&coefficient);
             let negative = !positive && knowledge.is_positive(&coefficient.negated());

@@ -147,8 +147,8 @@ pub fn decide_within(
     } else {
         QUICK
     };
-    let mut points = refute::Points::new(obligation);
     let mut known = None;
+    let mut points = None;
     let quick = most.map_or(quick, |most| quick.min(most));
     let earnest = most.map_or(EARNEST, |most| most - quick);
     for (effort, budget) in [(Effort::Light, quick), (Effort::Full, earnest)] {
@@ -165,13 +165,16 @@ pub fn decide_within(
                 Err(reject) => return hopeless(reject),
             }
         }
+        if effort == Effort::Light
+            && let Some(decision) = rates::decide(obligation)
+        {
+            return decision;
+        }
+        let points = points.get_or_insert_with(|| refute::Points::new(obligation));
         if effort == Effort::Light {
-            if let Some(decision) = rates::decide(obligation) {
-                return decision;
-            }
             known = points.near(hints).find_map(|p| refuted(obligation, p));
         }
-        if let Some(refuted) = first(&mut points, budget, |point| refuted(obligation, point)) {
+        if let Some(refuted) = first(points, budget, |point| refuted(obligation, point)) {
             return Decision::Refuted(refuted);
         }
         stop.tried = points.tried;
@@ -277,7 +280,10 @@ fn contradiction(premises: &Obligation) -> Option<Proven> {
 
 /// Whether premises like those of a claim hold near one of the `hints` where its goal does not, so that
 /// no proof need be looked for.
-pub fn is_doomed(obligation: &Obligation, hints: &[Assignment]) -> bool {
+pub fn is_doomed<'a>(
+    obligation: &Obligation,
+    hints: impl IntoIterator<Item = &'a Assignment>,
+) -> bool {
     let points = refute::Points::new(obligation);
     points
         .near(hints)
@@ -565,11 +571,20 @@ fn does_not_vanish(polynomial: &Polynomial, atoms: &Atoms) -> Formula {
 
 fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
     let problem = obligation.problem();
+    if effort == Effort::Light && has_nothing_to_eliminate(problem) {
+        return Ok(Attempt::Nothing);
+    }
     let found = attempt_with(Prover::new(problem)?, obligation, problem, effort);
     if !matches!(found, Attempt::Nothing) || effort == Effort::Light {
         return Ok(found);
     }
     Ok(rates::attempt(obligation).unwrap_or(Attempt::Nothing))
+}
+
+/// Whether an equation is to be shown and none is known: then elimination leaves it as it is.
+fn has_nothing_to_eliminate(problem: &Problem) -> bool {
+    let says = |fact: &Fact| fact.sign == Sign::Zero && !fact.polynomial.is_zero();
+    says(&problem.goal) && !problem.facts.iter().any(says)
 }
 
 /// The goal proved from the facts of `problem`: those of the obligation, or more.

@@ -294,41 +294,52 @@ fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
 
 /// Drops columns with a monomial that nothing else can cancel.
 fn prune(columns: &mut Vec<Column>, goal: &Polynomial) {
+    let mut kept = kept(columns, goal).into_iter();
+    columns.retain(|_| kept.next().unwrap_or(false));
+}
+
+/// Which columns have no monomial that nothing else can cancel.
+fn kept(columns: &[Column], goal: &Polynomial) -> Vec<bool> {
+    let all = columns.iter().map(|column| &column.value).chain([goal]);
+    let mut monomials: Vec<&Monomial> = all.flat_map(|p| p.terms().map(|term| term.0)).collect();
+    monomials.sort_unstable();
+    monomials.dedup();
+    let place = |monomial: &Monomial| monomials.binary_search(&monomial).unwrap_or(0);
+    // Each term as the place of its monomial, and whether it can add to that, and take from it.
+    let signed = |(m, c): (&Monomial, &Rational)| (place(m), (c.is_positive(), c.is_negative()));
+    let terms = columns.iter().map(|column| match column.term {
+        Some(_) => column.value.terms().map(signed).collect(),
+        None => (column.value.terms())
+            .map(|(m, _)| (place(m), (true, true)))
+            .collect(),
+    });
+    let terms: Vec<Vec<(usize, (bool, bool))>> = terms.collect();
+    let mut kept = vec![true; columns.len()];
     loop {
-        // For each monomial, whether something can add to it, and take from it.
-        let mut balance: Map<Monomial, (bool, bool)> = Map::new();
-        for (monomial, coefficient) in goal.terms() {
-            // The goal stands on the other side.
-            let slot = balance.entry(monomial.clone()).or_default();
-            match coefficient.is_positive() {
-                true => slot.1 = true,
-                false => slot.0 = true,
-            }
+        let mut balance = vec![(false, false); monomials.len()];
+        let mut add = |at: usize, (adds, takes): (bool, bool)| {
+            balance[at].0 |= adds;
+            balance[at].1 |= takes;
+        };
+        // The goal stands on the other side.
+        for (at, (adds, takes)) in goal.terms().map(signed) {
+            add(at, (takes, adds));
         }
-        for column in columns.iter() {
-            for (monomial, coefficient) in column.value.terms() {
-                let slot = balance.entry(monomial.clone()).or_default();
-                let free = column.term.is_none();
-                slot.0 |= free || coefficient.is_positive();
-                slot.1 |= free || coefficient.is_negative();
-            }
+        let left = terms.iter().zip(&kept).filter(|(_, kept)| **kept);
+        for &(at, own) in left.flat_map(|(terms, _)| terms) {
+            add(at, own);
         }
-        let before = columns.len();
-        columns.retain(|column| {
-            let free = column.term.is_none();
-            column.value.terms().all(|(m, c)| {
-                let (adds, takes) = balance[m];
-                if free {
-                    adds && takes
-                } else if c.is_positive() {
-                    takes
-                } else {
-                    adds
-                }
-            })
-        });
-        if columns.len() == before {
-            return;
+        // What is added has to be taken, and the other way round.
+        let cancels = |&(at, (adds, takes)): &(usize, (bool, bool))| {
+            (!adds || balance[at].1) && (!takes || balance[at].0)
+        };
+        let mut dropped = false;
+        for (terms, kept) in terms.iter().zip(&mut kept).filter(|(_, kept)| **kept) {
+            *kept = terms.iter().all(cancels);
+            dropped |= !*kept;
+        }
+        if !dropped {
+            return kept;
         }
     }
 }

@@ -37,6 +37,8 @@ pub struct Prover {
     basis: Option<Vec<Tracked>>,
     /// The inequalities with the eliminated unknowns removed, by position.
     signed: Option<Vec<(usize, Fact)>>,
+    /// The sign that was sought in vain last, and how many facts there were then.
+    unproved: Option<(Fact, usize)>,
     /// What the domains of elements say of sums, until it is asked for.
     bounded: Vec<(Polynomial, BoundedSeries)>,
     /// Whether it has been asked for, so that there are many facts.
@@ -72,6 +74,7 @@ impl Prover {
             lemmas: Vec::new(),
             basis: None,
             signed: None,
+            unproved: None,
             bounded: elements::bounded(problem),
             has_bounded: false,
             has_simplified: false,
@@ -112,7 +115,7 @@ impl Prover {
     /// Reads the equations anew, with those that were added.
     fn read_equations(&mut self) -> Result<(), TooLarge> {
         self.ideal = Ideal::new(&self.facts, &self.knowledge)?;
-        (self.basis, self.signed) = (None, None);
+        (self.basis, self.signed, self.unproved) = (None, None, None);
         Ok(())
     }
 

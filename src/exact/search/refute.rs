@@ -111,8 +111,11 @@ impl<'a> Points<'a> {
     }
 
     /// Points that agree with one of the `hints` wherever these give a symbol a value.
-    pub fn near(&self, hints: &'a [Assignment]) -> impl Iterator<Item = Assignment> {
-        let found = hints.iter().map(|hint| {
+    pub fn near<'h>(
+        &self,
+        hints: impl IntoIterator<Item = &'h Assignment>,
+    ) -> impl Iterator<Item = Assignment> {
+        let found = hints.into_iter().map(|hint| {
             let size = |count: &Symbol| {
                 let value = hint.symbols.get(count)?.to_integer().to_i64()?;
                 (1..=MOST_ELEMENTS).contains(&value).then_some(value)

@@ -100,12 +100,10 @@ impl Tracked {
     /// Divides by what stands before a power of an unknown and is a factor of all: `(m + M) v² = (m + M) c`.
     pub fn divide_by_leads(&mut self, knowledge: &Knowledge) {
         for var in self.polynomial.vars() {
-            let powers = self.polynomial.in_powers_of(var);
-            let lead = powers.last().map(|lead| lead.without_content().1);
-            if let Some(factor) = lead
-                && (2..self.polynomial.len()).contains(&factor.len())
-                && knowledge.is_nonzero(&factor)
-            {
+            let highest = self.polynomial.degree_in(var);
+            let lead = self.polynomial.coefficient_of_power(var, highest);
+            let factor = lead.without_content().1;
+            if (2..self.polynomial.len()).contains(&factor.len()) && knowledge.is_nonzero(&factor) {
                 self.divide_out(&factor.monic());
             }
         }
@@ -151,12 +149,15 @@ impl Tracked {
 
     /// Removes the power of an unknown in which `pivot` is linear, by multiplying with its coefficient.
     pub fn eliminate(&self, pivot: &Pivot) -> Result<Self, TooLarge> {
-        let mut current = self.clone();
-        while let Some(quotient) = pivot.quotient(&current.polynomial) {
-            current = current.combine(&pivot.coefficient, &pivot.element, &quotient)?;
+        let mut done: Option<Tracked> = None;
+        loop {
+            let current = done.as_ref().unwrap_or(self);
+            let Some(quotient) = pivot.quotient(&current.polynomial) else {
+                return Ok(done.unwrap_or_else(|| self.clone()));
+            };
             // The element is a consequence up to its own coefficient, which does not vanish.
+            done = Some(current.combine(&pivot.coefficient, &pivot.element, &quotient)?);
         }
-        Ok(current)
     }
 }
 
@@ -173,10 +174,13 @@ pub struct Pivot {
 impl Pivot {
     /// How often the element goes into the highest power of the unknown, the coefficient aside; `None` where that is too low.
     fn quotient(&self, polynomial: &Polynomial) -> Option<Polynomial> {
-        let left = polynomial.degree_in(self.var).checked_sub(self.power)?;
-        let powers = polynomial.in_powers_of(self.var);
-        let lead = powers.last().cloned().unwrap_or_default();
-        Some(lead.times_term(&Monomial::power(self.var, left), &Rational::one()))
+        let highest = polynomial.degree_in(self.var);
+        let left = highest.checked_sub(self.power)?;
+        let lead = polynomial.coefficient_of_power(self.var, highest);
+        match left {
+            0 => Some(lead),
+            _ => Some(lead.times_term(&Monomial::power(self.var, left), &Rational::one())),
+        }
     }
 }
 

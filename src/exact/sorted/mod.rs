@@ -18,11 +18,11 @@ use std::{iter, mem, slice, vec};
 use serde::{Serialize, Serializer};
 
 /// A map, its entries in the order of their keys.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Map<K, V>(Vec<(K, V)>);
 
 /// A set, its elements in order.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Set<T>(Vec<T>);
 
 /// The entries of a [`Map`], or a part of each.
@@ -394,6 +394,27 @@ impl<T: Ord> Set<T> {
     pub fn union<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = &'a T> {
         let all: Set<&T> = self.iter().chain(other).collect();
         all.into_iter()
+    }
+}
+
+// Most of what is copied is empty: then there is nothing to ask memory for.
+impl<K: Clone, V: Clone> Clone for Map<K, V> {
+    #[inline]
+    fn clone(&self) -> Self {
+        match self.0.is_empty() {
+            true => Map::new(),
+            false => Map(self.0.clone()),
+        }
+    }
+}
+
+impl<T: Clone> Clone for Set<T> {
+    #[inline]
+    fn clone(&self) -> Self {
+        match self.0.is_empty() {
+            true => Set::new(),
+            false => Set(self.0.clone()),
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 //! Such a sentence leads on to a display, which is said of that case.
 
 use super::super::prose::{Placed, Token};
+use super::super::words::Words;
 use super::super::{Supposition, SuppositionKind};
 use super::mathematics::{is_value, relates};
 use super::words::{BESIDE, DISPUTING, KNOWN};
@@ -23,10 +24,10 @@ const BEGINNING: &[&str] = &[
 /// What is said then: "this becomes", "we have", "one gets", "it is", "equation (1) reads".
 const GOING_ON: &[&str] = &["this", "we", "one", "it", "then", "equation", "the"];
 /// A sentence with one of these speaks of another case than the one that it names.
-pub(super) const COMPARED: &[&str] = &[
+pub(super) static COMPARED: Words = Words::of(&[
     "not", "unlike", "contrast", "contrary", "except", "unless", "only", "whether", "or", "than",
     "never", "opposed", "figure",
-];
+]);
 /// So many words may say what the case is.
 const MOST_WORDS: usize = 8;
 
@@ -59,17 +60,18 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {
             token.is_among(GOING_ON) || matches!(token, Token::Tag(_) | Token::Keys(_))
         }
     };
-    let among = |words: &[&str]| sentence.iter().any(|(token, _)| token.is_among(words));
+    let among = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
     // "For equal springs, $a = b$, (1) says" disputes nothing.
     let mut named = sentence.iter().take(words + 1);
-    let disputed = named.any(|(token, _)| token.is_among(DISPUTING));
+    let disputed = named.any(|(token, _)| token.is_among(&DISPUTING));
     let states = |(token, _): &Placed<'_>| match token {
         Token::Math(other) => source.get(other.range()).is_some_and(relates),
         _ => false,
     };
     let is_case = first.is_among(BEGINNING) && (1..=MOST_WORDS).contains(&words);
-    let is_sure =
-        ![COMPARED, BESIDE, KNOWN].into_iter().any(among) && !disputed && !rest.iter().any(states);
+    let is_sure = ![&COMPARED, &BESIDE, &KNOWN].into_iter().any(among)
+        && !disputed
+        && !rest.iter().any(states);
     let value = source.get(body.range()).is_some_and(is_value);
     (is_case && goes_on && is_sure && value).then_some(Supposition {
         kind: SuppositionKind::Case { runs_on: true },

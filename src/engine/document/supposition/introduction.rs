@@ -51,7 +51,7 @@ pub(super) fn introduced(
             _ => false,
         }
     };
-    let negated = || follows(index, tokens, NEGATING);
+    let negated = || follows(index, tokens, &NEGATING);
     let by_us = || !begun || follows(index, tokens, &["we", "us", "now", "and"]);
     // "From (1) with $a = b$ …"
     let cites =
@@ -109,7 +109,7 @@ pub(super) fn introduced(
             Some((case, joined(true)))
         }
         "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
-        word if DEFINING.contains(&word) && by_us() && value() => {
+        word if DEFINING.has(word) && by_us() && value() => {
             Some((SuppositionKind::Let, joined(true)))
         }
         "where" | "with" | "for" if (value() || next(is_bound)) && goes_on() => {
@@ -144,7 +144,7 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
         );
     let describes = |(token, _): &&Placed<'_>| match token {
         Token::Word(word) => {
-            !conclusion::draws(word) && !token.is_among(NEGATING) && !token.is_among(CONCLUDING)
+            !conclusion::draws(word) && !token.is_among(&NEGATING) && !token.is_among(&CONCLUDING)
         }
         token => *token == Token::Mark(','),
     };
@@ -161,7 +161,7 @@ fn is_compared(index: usize, tokens: &[Placed<'_>]) -> bool {
         Token::Word(word) => Some(word.to_lowercase()),
         _ => None,
     });
-    words.any(|word| COMPARING.contains(&word.as_str()))
+    words.any(|word| COMPARING.has(&word))
 }
 
 /// Whether nothing else is said between the value after a word and a display: "For $N = 3$ the value is", "By (1), for $e = 1$".
@@ -169,7 +169,7 @@ fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
     let rest = tokens.get(index + 2..).unwrap_or_default();
     let says = |(token, _): &Placed<'_>| match token {
         Token::Math(body) => source.get(body.range()).is_some_and(relates),
-        Token::Word(word) => NEGATING.contains(word) || matches!(*word, "and" | "or"),
+        Token::Word(word) => NEGATING.has(word) || matches!(*word, "and" | "or"),
         token => *token == Token::Stop,
     };
     !rest.iter().any(says)

@@ -5,12 +5,13 @@
 
 use super::super::Span;
 use super::super::prose::{Placed, Token, ends_sentence};
+use super::super::words::Words;
 use super::cases::COMPARED;
 use super::mathematics::relates;
 use super::words::{BESIDE, DISPUTING, KNOWN, RETRACTING};
 
 /// In a sentence with one of these, what is named is not so, or one of several.
-const ELSEWHERE: &[&str] = &[
+static ELSEWHERE: Words = Words::of(&[
     "either",
     "neither",
     "nor",
@@ -27,9 +28,9 @@ const ELSEWHERE: &[&str] = &[
     "might",
     "until",
     "before",
-];
+]);
 /// A sentence that begins with one of these goes on with the one before.
-const GOING_ON: &[&str] = &["there", "then", "here", "hence", "thus", "therefore", "so"];
+static GOING_ON: Words = Words::of(&["there", "then", "here", "hence", "thus", "therefore", "so"]);
 /// No more is taken up.
 const MOST_NAMED: usize = 4;
 
@@ -40,14 +41,21 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Span
     let last = sentences.next().unwrap_or_default();
     let goes_on = last
         .first()
-        .is_some_and(|(token, _)| token.is_among(GOING_ON));
+        .is_some_and(|(token, _)| token.is_among(&GOING_ON));
     let before = sentences.next().filter(|_| goes_on).unwrap_or_default();
     let mut named = Vec::new();
     for sentence in [before, last] {
-        let among = |words: &[&str]| sentence.iter().any(|(token, _)| token.is_among(words));
-        if [COMPARED, DISPUTING, RETRACTING, BESIDE, KNOWN, ELSEWHERE]
-            .into_iter()
-            .any(among)
+        let among = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
+        if [
+            &COMPARED,
+            &DISPUTING,
+            &RETRACTING,
+            &BESIDE,
+            &KNOWN,
+            &ELSEWHERE,
+        ]
+        .into_iter()
+        .any(among)
         {
             continue;
         }

@@ -1,6 +1,7 @@
 //! What a text takes back: what it tells and then calls wrong, disputes, or says otherwise.
 
 use super::super::prose::{Placed, Token, begins_with, ends_sentence};
+use super::super::words::Words;
 use super::super::{Span, Supposition, SuppositionKind};
 use super::mathematics::is_bound;
 use super::words::{BESIDE, DISPUTING, HEADING, REFERRING, RETRACTING};
@@ -27,10 +28,10 @@ pub(super) fn take_back(
         let words = sentence
             .iter()
             .filter(|(token, _)| matches!(token, Token::Word(_)));
-        let has = |among: &[&str]| sentence.iter().any(|(token, _)| token.is_among(among));
+        let has = |among: &Words| sentence.iter().any(|(token, _)| token.is_among(among));
         let denied = next.next().is_some_and(retracts);
-        let disputed = denied || heads || has(DISPUTING);
-        heads = words.count() <= 2 && has(HEADING);
+        let disputed = denied || heads || has(&DISPUTING);
+        heads = words.count() <= 2 && has(&HEADING);
         let Some((_, last)) = sentence.last() else {
             continue;
         };
@@ -38,7 +39,7 @@ pub(super) fn take_back(
         let beside = |body: Span| {
             let before = sentence.partition_point(|(_, span)| span.end <= body.start);
             let near = &sentence[before.saturating_sub(MOST_BESIDE)..before];
-            near.iter().any(|(token, _)| token.is_among(BESIDE))
+            near.iter().any(|(token, _)| token.is_among(&BESIDE))
         };
         let is_taken_back = |own: &Supposition| {
             let supposes = supposes(own);
@@ -93,5 +94,5 @@ fn sides(source: &str, body: Span) -> Option<(&str, &str)> {
 /// "This is wrong."
 fn retracts(sentence: &[Placed<'_>]) -> bool {
     let mut tokens = sentence.iter().map(|(token, _)| token);
-    begins_with(sentence, REFERRING) && tokens.any(|token| token.is_among(RETRACTING))
+    begins_with(sentence, &REFERRING) && tokens.any(|token| token.is_among(&RETRACTING))
 }

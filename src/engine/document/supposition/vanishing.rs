@@ -1,6 +1,7 @@
 //! What is said to be zero and not written as an equation: "Setting the derivative to zero gives", "which vanishes at $x = a$".
 
 use super::super::prose::{Placed, Token};
+use super::super::words::Listed;
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
 use super::follows;
 use super::mathematics::is_value;
@@ -34,7 +35,7 @@ fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
     let is_doubtful = |at: usize| {
         // "If we set the derivative to zero, we find" does so.
         let set_by_us = || among(sentence, at, &["if"]) && among(sentence, at + 1, &["we"]);
-        among(sentence, at, DENYING) || among(sentence, at, DOUBTFUL) && !set_by_us()
+        among(sentence, at, &DENYING) || among(sentence, at, &DOUBTFUL) && !set_by_us()
     };
     let zero = (0..sentence.len()).find(|&at| is_zero(source, sentence[at].0))?;
     if (0..sentence.len()).any(is_doubtful) {
@@ -102,7 +103,7 @@ fn of_display(source: &str, sentence: &[Placed<'_>]) -> Vec<Supposition> {
     }
 }
 
-fn among(sentence: &[Placed<'_>], at: usize, words: &[&str]) -> bool {
+fn among(sentence: &[Placed<'_>], at: usize, words: &(impl Listed + ?Sized)) -> bool {
     sentence
         .get(at)
         .is_some_and(|(token, _)| token.is_among(words))

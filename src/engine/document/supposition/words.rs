@@ -1,7 +1,9 @@
 //! The words by which a sentence supposes, names, denies or concludes, in lower case.
 
+use super::super::words::Words;
+
 /// After these, too, a sentence no longer supposes.
-pub(super) const CONCLUDING: &[&str] = &[
+pub(super) static CONCLUDING: Words = Words::of(&[
     "show",
     "shows",
     "have",
@@ -22,9 +24,9 @@ pub(super) const CONCLUDING: &[&str] = &[
     "average",
     "square",
     "equation",
-];
+]);
 /// Who or what comes before a "have" with which a sentence concludes: "we have".
-pub(super) const HAVING: &[&str] = &[
+pub(super) static HAVING: Words = Words::of(&[
     "we",
     "you",
     "one",
@@ -37,9 +39,9 @@ pub(super) const HAVING: &[&str] = &[
     "hence",
     "also",
     "therefore",
-];
+]);
 /// With these, a sentence supposes nothing that could be used.
-pub(super) const DOUBTFUL: &[&str] = &[
+pub(super) static DOUBTFUL: Words = Words::of(&[
     "or",
     "either",
     "if",
@@ -75,19 +77,19 @@ pub(super) const DOUBTFUL: &[&str] = &[
     "elsewhere",
     "rather",
     "stop",
-];
+]);
 /// With these besides, a sentence supposes nothing by a mere "with" or "taking": they may deny what it names.
-pub(super) const DENYING: &[&str] = &[
+pub(super) static DENYING: Words = Words::of(&[
     "not", "never", "no", "cannot", "would", "were", "without", "could", "might", "nothing",
     "little", "only", "tried", "leads",
-];
+]);
 /// What comes between these and the next word is an origin or a name and no value: "Let $t = 0$ be the moment of release".
-pub(super) const NAMED_AFTER: &[&str] = &[
+pub(super) static NAMED_AFTER: Words = Words::of(&[
     "be", "is", "denote", "denotes", "mark", "marks", "when", "at", "only", "onwards",
-];
+]);
 /// What a sentence with one of these says is not told for a fact: it is denied, doubted, somebody else's, to be shown, near the truth,
 /// or compared.
-pub(super) const DISPUTING: &[&str] = &[
+pub(super) static DISPUTING: Words = Words::of(&[
     // Of "isn't" and its like.
     "isn",
     "wasn",
@@ -191,11 +193,11 @@ pub(super) const DISPUTING: &[&str] = &[
     "students",
     "wrong",
     "false",
-];
+]);
 /// A sentence that begins with one of these is about the one before.
-pub(super) const REFERRING: &[&str] = &["it", "this", "that", "they", "these", "the"];
+pub(super) static REFERRING: Words = Words::of(&["it", "this", "that", "they", "these", "the"]);
 /// In such a sentence these take back what that one says.
-pub(super) const RETRACTING: &[&str] = &[
+pub(super) static RETRACTING: Words = Words::of(&[
     "wrong",
     "false",
     "untrue",
@@ -213,9 +215,9 @@ pub(super) const RETRACTING: &[&str] = &[
     "rejects",
     "refuted",
     "refutes",
-];
+]);
 /// Just before a relation these say that it is not so there.
-pub(super) const BESIDE: &[&str] = &[
+pub(super) static BESIDE: Words = Words::of(&[
     "exception",
     "below",
     "above",
@@ -230,9 +232,9 @@ pub(super) const BESIDE: &[&str] = &[
     "about",
     "twice",
     "half",
-];
+]);
 /// A sentence that is no more than one of these says what the next one is.
-pub(super) const HEADING: &[&str] = &[
+pub(super) static HEADING: Words = Words::of(&[
     "theorem",
     "claim",
     "lemma",
@@ -244,9 +246,9 @@ pub(super) const HEADING: &[&str] = &[
     "problem",
     "task",
     "question",
-];
+]);
 /// In a sentence with one of these a fact is told of one moment or place.
-pub(super) const MOMENTARY: &[&str] = &[
+pub(super) static MOMENTARY: Words = Words::of(&[
     "initially",
     "initial",
     "finally",
@@ -270,9 +272,9 @@ pub(super) const MOMENTARY: &[&str] = &[
     "collision",
     "zero",
     "once",
-];
+]);
 /// With these a sentence tells no fact that could be used, whatever it names.
-pub(super) const UNDECIDED: &[&str] = &[
+pub(super) static UNDECIDED: Words = Words::of(&[
     "whether",
     "distinguish",
     "case",
@@ -301,19 +303,20 @@ pub(super) const UNDECIDED: &[&str] = &[
     "away",
     "than",
     "before",
-];
+]);
 /// After these a fact is named also where a conclusion is drawn: "Hence, since $a = 2 c$".
-pub(super) const REASONS: &[&str] = &[
+pub(super) static REASONS: Words = Words::of(&[
     "with", "since", "as", "because", "using", "where", "for", "by",
-];
+]);
 /// After these it is where something begins: "Suppose the motion starts at $t = 0$".
-pub(super) const NAMED_BEFORE: &[&str] = &["from", "at", "until", "after", "before"];
+pub(super) static NAMED_BEFORE: Words = Words::of(&["from", "at", "until", "after", "before"]);
 /// A sentence that begins with one of these, or of [`REGIMES`], is about a special case.
-pub(super) const OF_CASES: &[&str] = &["for", "when", "if", "at"];
+pub(super) static OF_CASES: Words = Words::of(&["for", "when", "if", "at"]);
 /// A sentence that begins with one of these is about another place than what was told before.
-pub(super) const REGIMES: &[&str] = &["inside", "outside", "within", "above", "below", "beyond"];
+pub(super) static REGIMES: Words =
+    Words::of(&["inside", "outside", "within", "above", "below", "beyond"]);
 /// After "we" these give a name: "We set $a = 2 c$".
-pub(super) const DEFINING: &[&str] = &[
+pub(super) static DEFINING: Words = Words::of(&[
     "set",
     "put",
     "write",
@@ -322,9 +325,9 @@ pub(super) const DEFINING: &[&str] = &[
     "choose",
     "denote",
     "abbreviate",
-];
+]);
 /// Before these, a value is named: supposed or not.
-pub(super) const NAMING: &[&str] = &[
+pub(super) static NAMING: Words = Words::of(&[
     "with",
     "where",
     "for",
@@ -345,13 +348,13 @@ pub(super) const NAMING: &[&str] = &[
     "choosing",
     "case",
     "let",
-];
+]);
 /// Before these, an introductory word means its opposite.
-pub(super) const NEGATING: &[&str] = &[
+pub(super) static NEGATING: Words = Words::of(&[
     "not", "without", "never", "cannot", "nor", "don", "can", "needn",
-];
+]);
 /// After these, "that" or "to be" tells what is known: "It is known that $v = 3$", "was measured to be $m = 2$".
-pub(super) const KNOWN: &[&str] = &[
+pub(super) static KNOWN: Words = Words::of(&[
     "know",
     "known",
     "told",
@@ -364,9 +367,9 @@ pub(super) const KNOWN: &[&str] = &[
     "stated",
     "reported",
     "remember",
-];
+]);
 /// Near before "the case", these compare with it: "In contrast to the case $a = 0$".
-pub(super) const COMPARING: &[&str] = &[
+pub(super) static COMPARING: Words = Words::of(&[
     "contrast",
     "unlike",
     "opposed",
@@ -387,4 +390,4 @@ pub(super) const COMPARING: &[&str] = &[
     "beyond",
     "excluding",
     "besides",
-];
+]);

@@ -15,7 +15,16 @@ const DEEPEST_SQUARES: usize = 2;
 impl Prover {
     /// A proof of a sign from what is known as it stands.
     pub(super) fn sign(&mut self, fact: &Fact) -> Option<Proof> {
-        self.sign_within(fact, DEEPEST_SQUARES)
+        // Of 1 what is asked of its square was asked already; until something is learnt, the answer is the same.
+        let asked = |(own, known): &(Fact, usize)| own == fact && *known == self.facts.len();
+        if self.unproved.as_ref().is_some_and(asked) {
+            return None;
+        }
+        let found = self.sign_within(fact, DEEPEST_SQUARES);
+        if found.is_none() {
+            self.unproved = Some((fact.clone(), self.facts.len()));
+        }
+        found
     }
 
     /// The same for a sign that is asked for itself: with what is known put in other words, too.
