@@ -12,6 +12,7 @@ use crate::document::{File, Span};
 use crate::sorted;
 
 use super::remark::{Known, Subject};
+use super::words::plain_statement;
 use super::{Report, codes};
 
 /// One finding, before it is laid out.
@@ -145,8 +146,11 @@ impl Report<'_> {
         if entry.verdict == Verdict::Undecided && self.level_of_verdict(entry) >= Some(least) {
             all.push(self.left_open(entry));
         }
+        let understood = self.statement(entry).map(plain_statement);
+        let understood = understood.map(|own| (Level::NOTE.with_name("understood"), own));
         for finding in &mut all {
             self.level_out(finding);
+            finding.said.splice(0..0, understood.clone());
         }
         all
     }
