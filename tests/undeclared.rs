@@ -610,3 +610,48 @@ fn nothing_is_defined_by_what_follows_from_what_could_not_be_read() {
     let defined = page.replace("From (1) it follows that", "The field is called");
     assert_eq!(verdicts(&defined)[1], "given");
 }
+
+#[test]
+fn laws_are_stated_in_more_ways_than_one() {
+    let last = |page: &str| *verdicts(page).last().unwrap();
+    let before = "$$ E = \\frac12 m v^2 \\tag{1} $$\n\n";
+    // A law that goes on with what is so anyway, or is converted.
+    let value = |own: &str| last(&format!("{before}The car drives at\n\n$$ v = {own} $$\n"));
+    assert_eq!(value(r"\qty{18}{km/h} = \qty{5}{m/s}"), "given");
+    assert_eq!(value(r"\qty{18}{km/h} = \qty{6}{m/s}"), "fails");
+    // What a chain speaks of by the way.
+    let chain = |end: &str| {
+        let ratio = r"\eta = \frac{E_2}{E} = \frac{\frac12 m_2 w^2}{\frac12 m v^2}";
+        last(&format!(
+            "{before}The efficiency is\n\n$$ {ratio} = {end} $$\n"
+        ))
+    };
+    assert_eq!(chain(r"\frac{m_2 w^2}{m v^2}"), "given");
+    assert_eq!(chain(r"\frac{m_2 w}{m v}"), "fails");
+    let words = |words: &str, law: &str| {
+        last(&format!(
+            "{before}$$ E = V q $$\n\n{words}\n\n$$ {law} $$\n"
+        ))
+    };
+    assert_eq!(words("We assume equal masses:", "m = q"), "given");
+    assert_eq!(words("where the velocity is", "v = 2 m q"), "given");
+    assert_eq!(
+        words("The charge is proportional to the mass:", r"q \propto m"),
+        "given"
+    );
+    assert_eq!(words("Hence by (1)", r"v \propto m"), "fails");
+    // What must not vanish is no more than what is divided out.
+    assert_eq!(words("It is", r"2 v \neq 4 v"), "holds");
+}
+
+#[test]
+fn set_equal_to_zero() {
+    let page = |end: &str| {
+        verdicts(&format!(
+            "$$ \\frac{{d\\eta}}{{d\\mu}} = \\frac{{4 (1-\\mu)}}{{(1+\\mu)^3}} \\tag{{1}} $$\n\nSet equal to zero:\n\n\
+             $$ \\frac{{4 (1-\\mu)}}{{(1+\\mu)^3}} = 0 \\Rightarrow {end} $$\n"
+        ))[1]
+    };
+    assert_eq!(page(r"1 - \mu = 0"), "holds");
+    assert_eq!(page(r"1 + \mu = 0"), "fails");
+}

@@ -18,7 +18,10 @@ impl Judge<'_> {
         named.retain(|own| !assumed.iter().any(|known| known.formula == own.formula));
         // What is put in is gone: "with $V = V_0$ at $t = 0$" is no reason for what still speaks of the time.
         let names = goal.formula.names();
-        if named.is_empty() || named.iter().any(|own| leaves(&own.formula, &names)) {
+        let all = assumed.iter().chain(&named);
+        let is_put = |name: &Symbol| all.clone().any(|own| gives_a_number(&own.formula, name));
+        let leaves = || named.iter().any(|own| leaves(&own.formula, &names));
+        if named.is_empty() || !names.iter().all(is_put) && leaves() {
             return None;
         }
         let alone = self.derivation.claim(self.at, &named, &goal.formula);
@@ -69,6 +72,12 @@ impl Judge<'_> {
         }
         Some(all)
     }
+}
+
+/// Whether words say what number a symbol is.
+fn gives_a_number(named: &Formula, symbol: &Symbol) -> bool {
+    let sides = named.as_equation();
+    matches!(sides, Some((Expr::Symbol(own), Expr::Number(_))) if own == symbol)
 }
 
 /// Whether a step still speaks of a symbol that is given a value, and of what it is said to be.

@@ -27,10 +27,17 @@ impl Judge<'_> {
         let momentary = matches!(equation.extent, Extent::Moment | Extent::Condition);
         let settled = |judged: &&Judged| defines(judged) || momentary && judged.outcome.is_proven();
         let defined = entry.judged.iter().take_while(settled).count();
-        let [judged] = &entry.judged[defined..] else {
+        let [judged, rest @ ..] = &entry.judged[defined..] else {
             return None;
         };
-        if defined > 0 && !momentary && self.some_constant(&judged.goal, &[]).is_none() {
+        // "Momentum is conserved: $n v_0 = u_1 + \dots + u_k = \sum_i u_i$" goes on with what is so anyway.
+        if !rest.iter().all(|judged| judged.outcome.is_proven()) {
+            return None;
+        }
+        // `\eta = E_2 / E_0 = m_2 w^2 / (m_1 v^2)` says what `E_2` is as well.
+        let brings_more = || self.brings_by_the_way(&judged.goal.formula);
+        let is_constant = || self.some_constant(&judged.goal, &[]).is_some();
+        if defined > 0 && !momentary && !is_constant() && !brings_more() {
             return None;
         }
         if !equation.uncited {
@@ -53,7 +60,10 @@ impl Judge<'_> {
             return None;
         };
         // What is not proved of something new can hardly follow from what does not speak of it.
-        let is_open = matches!(outcome, Outcome::Refuted(_) | Outcome::Open(_));
+        let is_open = matches!(
+            outcome,
+            Outcome::Refuted(_) | Outcome::ScalesNot(..) | Outcome::Open(_)
+        );
         if !is_open || goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
@@ -106,6 +116,10 @@ impl Judge<'_> {
         {
             return None;
         }
+        // Which scales as which is said of nothing else.
+        if matches!(outcome, Outcome::ScalesNot(..)) && !(equation.bare && silent) {
+            return None;
+        }
         // What is wrong itself contradicts others already.
         let [sound, _] = self.others(&[]);
         let right = |a: &&Assumed| match a.source {
@@ -127,6 +141,17 @@ impl Judge<'_> {
 }
 
 impl Judge<'_> {
+    /// Whether the display is the first to speak of something on the left of a link alone.
+    fn brings_by_the_way(&self, link: &Formula) -> bool {
+        let introduced = &self.derivation.equations[self.at].introduces;
+        let Some((left, right)) = link.as_equation() else {
+            return false;
+        };
+        let (left, right) = (quantities(left), quantities(right));
+        left.iter()
+            .any(|own| introduced.contains(own) && !right.contains(own))
+    }
+
     /// What to say of a definition that words before it announce as a step: nothing, where it is one and `M_{\max}` is what the
     /// premises give for `M`.
     pub(super) fn unchecked(&self, entry: &Entry) -> Option<Note> {
@@ -298,9 +323,11 @@ pub(super) fn quantities(term: &Expr) -> Set<Symbol> {
     symbols
 }
 
-/// The entry of a statement that is taken as given.
+/// The entry of a statement that is taken as given; what it goes on with has been proved.
 pub(super) fn given(mut entry: Entry, symbols: Vec<Symbol>) -> Entry {
-    for judged in &mut entry.judged {
+    let is_open = |judged: &Judged| !judged.outcome.is_proven();
+    let stated = entry.judged.iter().rposition(is_open);
+    for judged in &mut entry.judged[..=stated.unwrap_or_default()] {
         judged.assumed.clear();
         judged.outcome = Outcome::Stated;
     }

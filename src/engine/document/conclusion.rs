@@ -149,6 +149,16 @@ static LAWS: Words = Words::of(&[
     "balance",
     "equilibrium",
     "symmetry",
+    "assume",
+    "assumes",
+    "assuming",
+    "assumption",
+    "assumptions",
+    "suppose",
+    "require",
+    "requires",
+    "demand",
+    "demands",
 ]);
 /// Between what is done and the law that it is done by: "we obtain from energy conservation".
 const LEADING: [&str; 8] = [
@@ -229,13 +239,30 @@ pub(super) fn is_relative(tokens: &[Placed<'_>]) -> bool {
     matches!(first, Some((Token::Word("which"), _)))
 }
 
-/// Whether nothing but a "where" or "with" leads on to the display: it says what is meant in the one before.
+/// With one of these a clause ends that says what something is.
+const NAMES: [&str; 4] = ["is", "are", "denotes", "means"];
+
+/// Whether nothing but a "where" or "with" leads on to the display, or a "where" with the name of something: "where the initial energy
+/// is". It says what is meant in the one before.
 pub(super) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
     let mut said = tokens
         .iter()
         .filter(|(token, _)| !matches!(token, Token::Mark(',' | ';' | ':')));
     let first = said.next().map(|(token, _)| *token);
-    matches!(first, Some(Token::Word("where" | "with"))) && said.next().is_none()
+    let names = |token: Option<&Placed<'_>>| token.is_some_and(|own| own.0.is_among(&NAMES));
+    let plain = |(token, _): &&Placed<'_>| match token {
+        Token::Word(word) => !draws(&word.to_lowercase()),
+        _ => false,
+    };
+    match first {
+        Some(Token::Word("where")) => {
+            let mut rest = said.clone();
+            rest.all(|own| plain(&own))
+                && (said.clone().next().is_none() || names(said.next_back()))
+        }
+        Some(Token::Word("with")) => said.next().is_none(),
+        _ => false,
+    }
 }
 
 /// Whether the last sentence says what is meant by what comes after it.

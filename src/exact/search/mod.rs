@@ -347,6 +347,12 @@ pub fn missing_conditions(
             }
         }
     }
+    // What a product says that does not vanish, no factor of it may.
+    if problem.goal.sign == Sign::NonZero {
+        let factors = factors(&problem.goal.polynomial).into_keys();
+        let terms = factors.map(|factor| expr_of(&factor, &problem.atoms));
+        candidates.extend(terms.filter(|term| matches!(term, Expr::Symbol(_))));
+    }
     // What speaks of one symbol is likelier meant than what ties several.
     sorted::sort_by_key(&mut candidates, |term| term.free_symbols().len());
     candidates.truncate(MOST_DIVISORS);

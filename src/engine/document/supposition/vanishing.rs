@@ -48,13 +48,16 @@ fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
     let sets = near.clone().find(|&at| among(sentence, at, SETTING));
     let (at, kind) = match (sets, slope) {
         (_, Some(slope)) => (slope, Vanishing::Slope),
-        (Some(sets), None) => (sets + 1..zero).find_map(|at| match sentence[at].0 {
-            Token::Math(_) => Some((at, Vanishing::Term)),
-            Token::Word("this" | "it") | Token::Tag(_) | Token::Keys(_) => {
-                Some((at, Vanishing::Display))
-            }
-            _ => None,
-        })?,
+        (Some(sets), None) => (sets + 1..zero)
+            .find_map(|at| match sentence[at].0 {
+                Token::Math(_) => Some((at, Vanishing::Term)),
+                Token::Word("this" | "it") | Token::Tag(_) | Token::Keys(_) => {
+                    Some((at, Vanishing::Display))
+                }
+                _ => None,
+            })
+            // "Set equal to zero:"
+            .or_else(|| (sets == 0).then_some((sets, Vanishing::Display)))?,
         (None, None) => return None,
     };
     let body = match sentence[at] {
