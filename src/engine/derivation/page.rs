@@ -16,7 +16,7 @@ use super::beside::{Beside, Clash, Place};
 use super::equation::each_side;
 use super::reader::Reader;
 use super::supposed::Local;
-use super::{Equation, counts, names};
+use super::{Equation, counts, doubts, names};
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -114,6 +114,7 @@ pub(super) fn read_page(
     let declared =
         |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
     names::refuse(&mut equations, declared);
+    doubts::refuse(&mut equations, declared);
     names::refuse_differentials(&mut equations, declared);
     if let Some(beside) = page.beside.clone() {
         page.give(&beside, &mut equations, &derived);

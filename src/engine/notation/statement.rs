@@ -31,6 +31,8 @@ pub struct Statement {
     pub others: Vec<Other>,
     /// The names that stand before a parenthesis or as a unit after a number, in order.
     pub before: Vec<Before>,
+    /// What may be no power and no product, in order.
+    pub doubts: Vec<Doubt>,
     /// What is said beside it of what runs through whole numbers: `n = 1, 2, \dots`.
     pub runs: Vec<Run>,
 }
@@ -92,6 +94,27 @@ pub enum BeforeKind {
     Unit,
     /// The number π, which degrees bring in, `30^\circ`.
     Degrees,
+}
+
+/// A place that is read as a power or a product, and may be meant otherwise: the page tells.
+#[derive(Clone, Debug)]
+pub struct Doubt {
+    /// The place.
+    pub span: Span,
+    /// What is in doubt there.
+    pub kind: DoubtKind,
+}
+
+/// What may be meant otherwise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DoubtKind {
+    /// A name with nothing but letters for its exponent, which may be indices: `T^{\mu\nu}`.
+    Raised {
+        /// The name without its exponent, with its subscript.
+        name: Symbol,
+        /// The letters above it.
+        letters: Vec<Symbol>,
+    },
 }
 
 /// A clause of a statement.

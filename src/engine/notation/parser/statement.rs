@@ -263,6 +263,7 @@ impl<'s> Parser<'s> {
             span: self.since(start),
             others: Vec::new(),
             before: std::mem::take(&mut self.before),
+            doubts: std::mem::take(&mut self.doubts),
             runs: std::mem::take(&mut self.runs),
         })
     }

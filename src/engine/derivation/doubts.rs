@@ -1,0 +1,73 @@
+//! What is read as a power or a product and may be meant otherwise: decided here, where the whole page is known, and refused where nothing
+//! on it says that the reading is what was meant.
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::notation::{Doubt, DoubtKind, Statement, SyntaxError};
+use crate::sorted::Set;
+
+use super::Equation;
+use super::equation::{conditions, formulas};
+use super::indices::{self, Letters};
+
+/// Refuses the equations of a page in which something is no power or no product, as far as the page lets one see that.
+pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
+    let all = || equations.iter().flat_map(Equation::statements);
+    if all().all(|statement| statement.doubts.is_empty()) {
+        return;
+    }
+    let standing = standing_in(all());
+    for equation in equations {
+        if let Some(error) = doubtful(equation.statements(), &declared, &standing) {
+            equation.statements = Err(error);
+        }
+    }
+}
+
+/// Why statements that stand together cannot be read as they are, if they cannot; `standing` is what stands for itself on the page.
+pub(super) fn doubtful(
+    statements: &[Statement],
+    declared: &dyn Fn(&Symbol) -> bool,
+    standing: &Set<Symbol>,
+) -> Option<SyntaxError> {
+    let mut doubts = statements.iter().flat_map(|own| &own.doubts).peekable();
+    doubts.peek()?;
+    let letters = Letters::of(statements, declared, standing);
+    doubts.find_map(|doubt| refusal(doubt, &letters))
+}
+
+fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
+    match &doubt.kind {
+        DoubtKind::Raised {
+            name,
+            letters: above,
+        } => letters.refusal(name, above, doubt.span),
+    }
+}
+
+/// The symbols that stand for quantities in statements: all but those that are seen in exponents of names alone, where they may be indices.
+pub(super) fn standing_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol> {
+    let mut found = Set::new();
+    for statement in statements {
+        let all = formulas(statement).into_iter();
+        let all: Vec<Formula> = all.chain(conditions(statement)).collect();
+        for term in all.iter().flat_map(Formula::terms) {
+            indices::standing(term, &mut found);
+        }
+        found.extend(statement.runs.iter().map(|run| run.symbol.clone()));
+    }
+    found
+}
+
+/// All symbols of statements, those with scripts among them.
+pub(super) fn symbols_in(statements: &[Statement], see: &mut impl FnMut(&Symbol)) {
+    fn look(term: &Expr, see: &mut impl FnMut(&Symbol)) {
+        match term {
+            Expr::Symbol(symbol) | Expr::Apply(symbol, _) => see(symbol),
+            _ => {}
+        }
+        term.children().for_each(|child| look(child, see));
+    }
+    for formula in statements.iter().flat_map(formulas) {
+        formula.terms().into_iter().for_each(|term| look(term, see));
+    }
+}

@@ -1,0 +1,43 @@
+//! What reads as a power or a product and may be neither: remembered here, and decided where the whole page is known.
+
+use super::name::Name;
+use super::{Doubt, DoubtKind, Parser};
+use crate::algebra::{Expr, Symbol};
+use crate::document::Span;
+
+impl Parser<'_> {
+    /// Remembers a name whose exponent is nothing but letters. Those of Euler's number, and what a sum runs over, are no indices.
+    pub(super) fn doubt_power(&mut self, name: &Name, span: Span) {
+        let Some(letters) = name.power.as_ref().and_then(letters) else {
+            return;
+        };
+        let symbol = Symbol::new(name.canonical());
+        let bound = |letter: &Symbol| self.bound.iter().any(|own| own == letter.name());
+        if !matches!(symbol.name(), "e" | "\\text{e}") && !letters.iter().any(bound) {
+            let kind = DoubtKind::Raised {
+                name: symbol,
+                letters,
+            };
+            self.doubts.push(Doubt { span, kind });
+        }
+    }
+}
+
+/// The letters that an exponent consists of, side by side.
+fn letters(exponent: &Expr) -> Option<Vec<Symbol>> {
+    let parts = match exponent {
+        Expr::Product(factors) => factors.as_slice(),
+        single => std::slice::from_ref(single),
+    };
+    let letter = |part: &Expr| match part {
+        Expr::Symbol(symbol) if is_letter(symbol.name()) => Some(symbol.clone()),
+        _ => None,
+    };
+    parts.iter().map(letter).collect()
+}
+
+/// Whether a name is one letter, without accents and scripts.
+fn is_letter(name: &str) -> bool {
+    let greek = |name: &str| name.chars().all(|c| c.is_ascii_alphabetic());
+    name.len() == 1 || name.strip_prefix('\\').is_some_and(greek)
+}

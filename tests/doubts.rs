@@ -1,0 +1,79 @@
+//! What reads as a power or a product and may be neither: refused at its place where the page does not say what it is, and left alone elsewhere.
+
+use cradle_verify::derivation::Derivation;
+use cradle_verify::document::Document;
+
+/// Whether the last display of a page is read; `Err` is what is said of it, and the place.
+fn last(text: &str) -> Result<(), String> {
+    let derivation = Derivation::new(vec![Document::markdown("page.md", text)]);
+    let last = derivation.equations.last().unwrap();
+    let source = &derivation.pages[0].document.source;
+    match &last.statements {
+        Ok(_) => Ok(()),
+        Err(error) => Err(format!(
+            "{}: {}",
+            &source[error.span.range()],
+            error.message
+        )),
+    }
+}
+
+fn display(math: &str) -> String {
+    format!("$$ {math} $$\n")
+}
+
+#[test]
+fn what_can_only_be_an_index_is_refused_at_its_place() {
+    let refused = [
+        (r"T^{\mu\nu} = T^{\nu\mu}", r"^{\mu\nu}"),
+        (r"s^2 = g_{\mu\nu} x^\mu x^\nu", r"^\mu"),
+        (r"C^\mu = T^\mu_{\;\;\nu} A^\mu", r"^\mu"),
+        (r"F^{ij} = -F^{ji}", r"^{ij}"),
+        (r"\delta^i_j = a", r"^i"),
+        (r"p^\mu p_\mu = m^2", r"^\mu"),
+        (r"P = v_k w^k", r"^k"),
+        (r"B_i = T^k_i A_k", r"^k"),
+        (r"\Gamma^\lambda_{\mu\nu} = 0", r"^\lambda"),
+        (r"\bar F^{\mu\nu} = 0", r"^{\mu\nu}"),
+        (r"m^{eff} = m", r"^{eff}"),
+    ];
+    for (math, place) in refused {
+        let error = last(&display(math)).expect_err(math);
+        let (at, message) = error.split_once(": ").unwrap();
+        assert_eq!(
+            (at, message.starts_with("this may be an index")),
+            (place, true),
+            "{math}"
+        );
+    }
+}
+
+#[test]
+fn powers_stay_powers() {
+    let read = [
+        r"y = A e^{kx} + e^{i\omega t} + \mathrm e^{ab} + 2^{mn} + r^{n-1} + x^{2n}",
+        r"p_1 V_1^\gamma = p_2 V_2^\gamma",
+        r"p_i V_i^\gamma = p_f V_f^\gamma",
+        r"u_n = u_0 r^n",
+        r"x^{nk} = y",
+        r"S = \sum_{i=1}^{n} a_i x^i",
+        r"x_{in}^n = y",
+        r"n v_n x^n = 1",
+        r"(a + b)^{cd} = 1",
+    ];
+    for math in read {
+        assert_eq!(last(&display(math)), Ok(()), "{math}");
+    }
+}
+
+#[test]
+fn a_letter_that_is_a_quantity_on_the_page_is_an_exponent() {
+    let power = display("y = a^{bc}");
+    assert!(last(&power).is_err());
+    assert_eq!(last(&format!("{}\n{power}", display("b + c = 1"))), Ok(()));
+    let declared = "<!-- check: symbols b, c: real -->\n\n";
+    assert_eq!(last(&format!("{declared}{power}")), Ok(()));
+    // The unit of imaginary numbers is no exponent.
+    let complex = display(r"y = e^{i \omega t}");
+    assert!(last(&format!("{complex}\n{}", display(r"\delta^i_j = a"))).is_err());
+}
