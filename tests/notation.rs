@@ -447,6 +447,43 @@ fn spellings_of_one_term() {
         ),
         (
             &[
+                r"l \cos\theta\dot\theta",
+                r"l \cos\theta\,\dot{\theta}",
+                r"l \cos(\theta) \cdot \dot\theta",
+            ],
+            r"l \cos\left( \theta \right) \dot{\theta}",
+        ),
+        (
+            &[r"\sin^2\theta\dot\phi^2"],
+            r"\left( \sin\left( \theta \right) \right)^2 \dot{\phi}^2",
+        ),
+        (
+            &[r"\sin 2\dot\theta t"],
+            r"\sin\left( 2 \dot{\theta} t \right)",
+        ),
+        (
+            &[r"\cos\theta\,\theta'", r"\cos\theta \theta'"],
+            r"\cos\left( \theta \right) \theta'",
+        ),
+        (&[r"\cos\omega' t'"], r"\cos\left( \omega' t' \right)"),
+        (
+            &[
+                r"\cos\theta\frac{d\theta}{dt}",
+                r"\cos\theta \, \frac{\mathrm d\theta}{\mathrm dt}",
+            ],
+            r"\cos\left( \theta \right) \frac{d\theta}{dt}",
+        ),
+        (
+            &[r"\sin\theta\,d\phi", r"\sin(\theta) d \phi"],
+            r"\sin\left( \theta \right) d \cdot \phi",
+        ),
+        (
+            &[r"\sin\theta d\theta"],
+            r"\sin\left( \theta \right) d \cdot \theta",
+        ),
+        (&[r"\cos k d"], r"\cos\left( k d \right)"),
+        (
+            &[
                 r"\sum_{i=1}^k u_i",
                 r"\sum^{k}_{i=1} u_i",
                 r"u_1 + u_2 + \cdots + u_k",
