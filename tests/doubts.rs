@@ -77,3 +77,69 @@ fn a_letter_that_is_a_quantity_on_the_page_is_an_exponent() {
     let complex = display(r"y = e^{i \omega t}");
     assert!(last(&format!("{complex}\n{}", display(r"\delta^i_j = a"))).is_err());
 }
+
+#[test]
+fn letters_that_spell_something_are_refused() {
+    let refused = [
+        (r"x = A cos \omega t", "cos", r"write `\cos`"),
+        (r"x = Acos(\omega t)", "Acos", r"write `\cos`"),
+        (r"E = exp(-x)", "exp", r"write `\exp`"),
+        (r"S = n RTln 2", "RTln", r"write `\ln`"),
+        (r"y = sinkx", "sinkx", r"write `\sin`"),
+        (r"v = sqrt(2 g h)", "sqrt", r"write `\sqrt{…}`"),
+        (r"a = e^{tanx}", "tanx", r"write `\tan`"),
+        (r"f = L + c \ or\ L", "or", r"write `\text{ or }`"),
+        (r"f = L \quad if c > 0", "if", r"write `\text{ if }`"),
+        (r"f = L if c > 0", "if", r"write `\text{ if }`"),
+        (r"f = L or R", "or", r"write `\text{ or }`"),
+        (
+            r"I_0 = intensity",
+            "intensity",
+            r"write `\mathrm{intensity}`",
+        ),
+        (r"F = mass \cdot a", "mass", r"write `\mathrm{mass}`"),
+        (r"x = y for all z", "for", r"write `\mathrm{for}`"),
+    ];
+    for (math, place, help) in refused {
+        let derivation = Derivation::new(vec![Document::markdown("page.md", display(math))]);
+        let error = derivation.equations[0].statements.as_ref().expect_err(math);
+        let source = &derivation.pages[0].document.source;
+        assert_eq!(&source[error.span.range()], place, "{math}");
+        assert!(
+            error.help.as_ref().unwrap().starts_with(help),
+            "{math}: {error:?}"
+        );
+    }
+}
+
+#[test]
+fn letters_side_by_side_are_products() {
+    let read = [
+        "E = mgh + mv + RT + abc + IRt + ABCD",
+        r"V = \int_0^a xydx + lcm",
+        "v = at = is",
+        r"\eta_{max} = \rho_{water} v_{escape}",
+        r"x = \text{area}",
+        "y = bcghk",
+        "W = m a x",
+        "W = m if + n or = 1",
+    ];
+    for math in read {
+        assert_eq!(last(&display(math)), Ok(()), "{math}");
+    }
+    let force = display("F = max");
+    assert!(last(&force).is_err());
+    assert_eq!(last(&format!("{}\n{force}", display("m + a = x"))), Ok(()));
+    assert_eq!(
+        last(&format!("where $m$, $a$ and $x$ are measured\n\n{force}")),
+        Ok(())
+    );
+    // What another word spells does not count.
+    assert!(last(&format!("{}\n{force}", display("p = max"))).is_err());
+    // Three letters that spell a function are a product where all are declared.
+    let function = display("y = ln");
+    let factors = display("l + n = 1");
+    assert!(last(&format!("{factors}\n{function}")).is_err());
+    let declared = "<!-- check: symbols l, n: real -->\n\n";
+    assert_eq!(last(&format!("{declared}{function}")), Ok(()));
+}

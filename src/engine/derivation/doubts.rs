@@ -2,7 +2,8 @@
 //! on it says that the reading is what was meant.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::notation::{Doubt, DoubtKind, Statement, SyntaxError};
+use crate::document::Span;
+use crate::notation::{Doubt, DoubtKind, Spelt, Statement, SyntaxError};
 use crate::sorted::Set;
 
 use super::Equation;
@@ -10,12 +11,21 @@ use super::equation::{conditions, formulas};
 use super::indices::{self, Letters};
 
 /// Refuses the equations of a page in which something is no power or no product, as far as the page lets one see that.
-pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
+///
+/// `spoken_of` are the symbols that stand by themselves in the text.
+pub(super) fn refuse(
+    equations: &mut [Equation],
+    declared: impl Fn(&Symbol) -> bool,
+    spoken_of: impl Iterator<Item = Symbol>,
+) {
     let all = || equations.iter().flat_map(Equation::statements);
     if all().all(|statement| statement.doubts.is_empty()) {
         return;
     }
-    let standing = standing_in(all());
+    // What stands in words says nothing of its letters.
+    let is_worded = |doubt: &Doubt| !matches!(doubt.kind, DoubtKind::Raised { .. });
+    let mut standing = standing_in(all().filter(|own| !own.doubts.iter().any(is_worded)));
+    standing.extend(spoken_of);
     for equation in equations {
         if let Some(error) = doubtful(equation.statements(), &declared, &standing) {
             equation.statements = Err(error);
@@ -41,6 +51,33 @@ fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
             name,
             letters: above,
         } => letters.refusal(name, above, doubt.span),
+        DoubtKind::Letters { word, spelt } => {
+            let mut own = word.chars().map(|letter| Symbol::new(letter.to_string()));
+            let product = match spelt {
+                Spelt::Word => own.all(|letter| letters.is_known(&letter)),
+                Spelt::Function(_) | Spelt::Between => {
+                    own.all(|letter| letters.is_declared(&letter))
+                }
+            };
+            (!product).then(|| no_product(word, spelt, doubt.span))
+        }
+    }
+}
+
+/// The refusal of letters that spell something.
+fn no_product(word: &str, spelt: &Spelt, span: Span) -> SyntaxError {
+    let help = match spelt {
+        Spelt::Function("sqrt") => "write `\\sqrt{…}`".to_owned(),
+        Spelt::Function(name) => format!("write `\\{name}`"),
+        Spelt::Between => format!("write `\\text{{ {word} }}`"),
+        Spelt::Word => format!("write `\\mathrm{{{word}}}` for a name, `\\text{{…}}` for words"),
+    };
+    SyntaxError {
+        span,
+        message: format!("TeX sets `{word}` as a product of single letters, which is hardly meant"),
+        help: Some(format!(
+            "{help}; for a product leave spaces between the factors"
+        )),
     }
 }
 

@@ -58,6 +58,15 @@ impl<'p> Letters<'p> {
         }
     }
 
+    pub(super) fn is_declared(&self, symbol: &Symbol) -> bool {
+        (self.declared)(symbol)
+    }
+
+    /// Whether a symbol is declared, or stands for something on the page.
+    pub(super) fn is_known(&self, symbol: &Symbol) -> bool {
+        self.on_page.contains(symbol) || self.is_declared(symbol)
+    }
+
     /// Why these letters above a name are no exponent, if they are none.
     pub(super) fn refusal(
         &self,
@@ -82,7 +91,7 @@ impl<'p> Letters<'p> {
             || !counts(letter) || self.contracted.contains(letter) || !below(name).is_empty();
         let below = self.in_company.contains(letter) || self.alone.contains(letter) && sure();
         let elsewhere = !is_greek(letter) && self.is_elsewhere(letter);
-        below && !elsewhere && !self.here.contains(letter) && !(self.declared)(letter)
+        below && !elsewhere && !self.here.contains(letter) && !self.is_declared(letter)
     }
 
     /// Whether a letter stands for a quantity on the page. That `i` or `j` runs, or is the imaginary unit, makes no exponent of it.
@@ -92,7 +101,7 @@ impl<'p> Letters<'p> {
 
     /// Whether a letter that nothing else speaks of is one of several indices of a name: `T^{\mu\nu}`, `\delta^i_j`.
     fn is_one_of(&self, name: &Symbol, above: &[Symbol], letter: &Symbol) -> bool {
-        let is_known = counts(letter) || self.is_elsewhere(letter) || (self.declared)(letter);
+        let is_known = counts(letter) || self.is_elsewhere(letter) || self.is_declared(letter);
         let below = below(name);
         let like = |own: &Symbol| match is_greek(letter) {
             true => is_greek(own),

@@ -115,6 +115,24 @@ pub enum DoubtKind {
         /// The letters above it.
         letters: Vec<Symbol>,
     },
+    /// Letters written without a space between them, which TeX sets as a product, and which spell something: `cos`, `intensity`.
+    Letters {
+        /// The letters.
+        word: String,
+        /// What they spell.
+        spelt: Spelt,
+    },
+}
+
+/// What letters side by side spell.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Spelt {
+    /// The function of this name, perhaps with other letters: `cos`, `Acos`.
+    Function(&'static str),
+    /// A word between two statements: `or`, `if`.
+    Between,
+    /// A word.
+    Word,
 }
 
 /// A clause of a statement.

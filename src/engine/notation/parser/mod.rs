@@ -1,7 +1,7 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
 //! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
-//! symbol names, `doubt` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits,
+//! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits,
 //! `between` what a term grows by from one limit to another, `both` what is said with `\pm`.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -24,6 +24,7 @@ mod statement;
 mod term;
 mod unit;
 mod vector;
+mod word;
 
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;

@@ -254,6 +254,7 @@ impl<'s> Parser<'s> {
             }
         }
         let under = self.trailing_conditions(&clauses)?;
+        self.doubt_letters(start);
         Ok(Statement {
             label,
             clauses,
