@@ -143,3 +143,51 @@ fn letters_side_by_side_are_products() {
     let declared = "<!-- check: symbols l, n: real -->\n\n";
     assert_eq!(last(&format!("{declared}{function}")), Ok(()));
 }
+
+#[test]
+fn differences_and_sums_are_no_products() {
+    let refused = [
+        (r"F t = \Delta(mv)", r"\Delta(mv)"),
+        (
+            r"L = \Delta\left(I\omega\right)",
+            r"\Delta\left(I\omega\right)",
+        ),
+        (r"E = 2 \Delta\{m v\}", r"\Delta\{m v\}"),
+        (r"k = \Delta\frac{1}{\lambda}", r"\Delta"),
+        (r"\Sigma F = m a", r"\Sigma"),
+        (r"P = \Sigma_i m_i v_i", r"\Sigma_i"),
+        (r"\Sigma (F + G) = m a", r"\Sigma (F + G)"),
+    ];
+    for (math, place) in refused {
+        let error = last(&display(math)).expect_err(math);
+        let (at, message) = error.split_once(": ").unwrap();
+        assert_eq!(
+            (at, message.starts_with("whether `")),
+            (place, true),
+            "{math}"
+        );
+        // In a supposition it is refused, too.
+        let supposed = format!("<!-- check: let {math} -->\n\n{}", display("a = b"));
+        let derivation = Derivation::new(vec![Document::markdown("page.md", supposed)]);
+        assert_eq!(derivation.pages[0].problems.len(), 1, "{math}");
+    }
+    let read = [
+        r"\Delta \cdot (a + b) = \Delta \cdot c",
+        r"\Delta p = \Delta E/c",
+        r"x = \frac{-b + \sqrt{\Delta}}{2 a}",
+        r"\Sigma_a \phi = 1",
+    ];
+    for math in read {
+        assert_eq!(last(&display(math)), Ok(()), "{math}");
+    }
+    let product = display(r"y = \Delta (a + b)");
+    assert!(last(&product).is_err());
+    let others = [
+        display(r"\Delta = b^2 - 4 a c"),
+        "<!-- check: symbols \\Delta: real -->\n".to_owned(),
+        "where $\\Delta$ is a length\n".to_owned(),
+    ];
+    for other in others {
+        assert_eq!(last(&format!("{other}\n{product}")), Ok(()), "{other}");
+    }
+}

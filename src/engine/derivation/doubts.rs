@@ -61,6 +61,25 @@ fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
             };
             (!product).then(|| no_product(word, spelt, doubt.span))
         }
+        DoubtKind::Operator(name) => (!letters.is_known(name)).then(|| no_factor(name, doubt.span)),
+    }
+}
+
+/// The refusal of a `\\Delta` or `\\Sigma` that nothing says to be a quantity.
+fn no_factor(name: &Symbol, span: Span) -> SyntaxError {
+    let (what, help) = match name.name().starts_with("\\Sigma") {
+        true => ("a sum", "give the sum a name, `F_{\\text{net}}`"),
+        false => (
+            "a difference",
+            "write the difference out, or give it a name, `\\Delta p`",
+        ),
+    };
+    SyntaxError {
+        span,
+        message: format!("whether `{name}` is {what} of what follows, or a factor, is not clear"),
+        help: Some(format!(
+            "{help}; for a product write `{name} \\cdot`, or declare `{name}`"
+        )),
     }
 }
 

@@ -115,6 +115,8 @@ pub enum DoubtKind {
         /// The letters above it.
         letters: Vec<Symbol>,
     },
+    /// `\Delta` or `\Sigma` right before what it would multiply: a difference, `\Delta(m v)`, or a sum, `\Sigma F`.
+    Operator(Symbol),
     /// Letters written without a space between them, which TeX sets as a product, and which spell something: `cos`, `intensity`.
     Letters {
         /// The letters.

@@ -1,9 +1,18 @@
 //! What reads as a power or a product and may be neither: remembered here, and decided where the whole page is known.
 
 use super::name::Name;
-use super::{Doubt, DoubtKind, Parser};
+use super::{Doubt, DoubtKind, Kind, Parser};
 use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
+
+/// What is written for a sum; `\Sigma_a` is a cross section.
+const SUMS: [&str; 5] = [
+    "\\Sigma",
+    "\\Sigma_i",
+    "\\Sigma_j",
+    "\\Sigma_k",
+    "\\Sigma_n",
+];
 
 impl Parser<'_> {
     /// Remembers a name whose exponent is nothing but letters. Those of Euler's number, and what a sum runs over, are no indices.
@@ -19,6 +28,22 @@ impl Parser<'_> {
                 letters,
             };
             self.doubts.push(Doubt { span, kind });
+        }
+    }
+
+    /// Remembers a `\Delta` or `\Sigma`, which began at `start`, right before what it would multiply.
+    pub(super) fn doubt_operator(&mut self, start: usize, read: &Expr) {
+        let Expr::Symbol(symbol) = read else { return };
+        let is_operator = match self.kind(start) {
+            Kind::Command("Delta") => symbol.name() == "\\Delta",
+            Kind::Command("Sigma") => SUMS.contains(&symbol.name()),
+            _ => false,
+        };
+        if is_operator && (self.pending.is_some() || self.starts_factor()) {
+            self.doubts.push(Doubt {
+                span: self.since(start),
+                kind: DoubtKind::Operator(symbol.clone()),
+            });
         }
     }
 }
