@@ -643,6 +643,18 @@ fn statements_and_what_separates_them() {
             "a = b + c",
         ),
         (r"a = b \iff c = d", r"a = b \iff c = d"),
+        (
+            r"\left\{ \begin{aligned} a &= b \\ c &= d \end{aligned} \right.",
+            "a = b ;; c = d",
+        ),
+        (
+            r"\left\lbrace\begin{array}{l} a = b \\ c < d \end{array}\right. \quad (3)",
+            "a = b ;; c < d",
+        ),
+        (
+            r"\left\{\begin{array}{rcl} a & = & b, \\[2mm] c & \leq & d \\ \end{array}\right.",
+            r"a = b ;; c \leq d",
+        ),
         (r"u_1 = \cdots = u_k = v_0", r"u_1 = \dots = u_k = v_0"),
         (
             r"x \stackrel{?}{\leq} y \quad ✗",
@@ -941,6 +953,11 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\begin{cases} a = b & c > 0 \end{cases}",
         "&",
         "a second column is read only beside the cases",
+    ),
+    (
+        r"\left\{ \begin{array}{ll} a = b & c > 0 \end{array} \right.",
+        r"\begin{array}",
+        "the environment `array` cannot start here",
     ),
     (
         r"a = b \Rightarrow c = \begin{cases} d & e > 0 \end{cases}",
