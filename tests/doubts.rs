@@ -32,6 +32,7 @@ fn what_can_only_be_an_index_is_refused_at_its_place() {
         (r"\delta^i_j = a", r"^i"),
         (r"p^\mu p_\mu = m^2", r"^\mu"),
         (r"P = v_k w^k", r"^k"),
+        (r"P = \sum_{\mu=1}^{4} v_\mu w^\mu", r"^\mu"),
         (r"B_i = T^k_i A_k", r"^k"),
         (r"\Gamma^\lambda_{\mu\nu} = 0", r"^\lambda"),
         (r"\bar F^{\mu\nu} = 0", r"^{\mu\nu}"),
@@ -73,6 +74,14 @@ fn a_letter_that_is_a_quantity_on_the_page_is_an_exponent() {
     assert_eq!(last(&format!("{}\n{power}", display("b + c = 1"))), Ok(()));
     let declared = "<!-- check: symbols b, c: real -->\n\n";
     assert_eq!(last(&format!("{declared}{power}")), Ok(()));
+    // What the text speaks of may be an index.
+    let tensor = display(r"T^{\mu\nu} = T^{\nu\mu}");
+    assert!(
+        last(&format!(
+            "where $\\mu$ and $\\nu$ run from 0 to 3\n\n{tensor}"
+        ))
+        .is_err()
+    );
     // The unit of imaginary numbers is no exponent.
     let complex = display(r"y = e^{i \omega t}");
     assert!(last(&format!("{complex}\n{}", display(r"\delta^i_j = a"))).is_err());

@@ -10,6 +10,15 @@ use super::Equation;
 use super::equation::{conditions, formulas};
 use super::indices::{self, Letters};
 
+/// The symbols that stand for something on a page.
+#[derive(Default)]
+pub(super) struct OnPage {
+    /// Those of which displays speak as quantities.
+    pub quantities: Set<Symbol>,
+    /// Those that stand by themselves in the text, as indices may: "where $\mu$ runs from 0 to 3".
+    pub spoken_of: Set<Symbol>,
+}
+
 /// Refuses the equations of a page in which something is no power or no product, as far as the page lets one see that.
 ///
 /// `spoken_of` are the symbols that stand by themselves in the text.
@@ -24,8 +33,10 @@ pub(super) fn refuse(
     }
     // What stands in words says nothing of its letters.
     let is_worded = |doubt: &Doubt| !matches!(doubt.kind, DoubtKind::Raised { .. });
-    let mut standing = standing_in(all().filter(|own| !own.doubts.iter().any(is_worded)));
-    standing.extend(spoken_of);
+    let standing = OnPage {
+        quantities: standing_in(all().filter(|own| !own.doubts.iter().any(is_worded))),
+        spoken_of: spoken_of.collect(),
+    };
     for equation in equations {
         if let Some(error) = doubtful(equation.statements(), &declared, &standing) {
             equation.statements = Err(error);
@@ -37,7 +48,7 @@ pub(super) fn refuse(
 pub(super) fn doubtful(
     statements: &[Statement],
     declared: &dyn Fn(&Symbol) -> bool,
-    standing: &Set<Symbol>,
+    standing: &OnPage,
 ) -> Option<SyntaxError> {
     let mut doubts = statements.iter().flat_map(|own| &own.doubts).peekable();
     doubts.peek()?;
@@ -65,7 +76,7 @@ fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
     }
 }
 
-/// The refusal of a `\\Delta` or `\\Sigma` that nothing says to be a quantity.
+/// The refusal of a `\Delta` or `\Sigma` that nothing says to be a quantity.
 fn no_factor(name: &Symbol, span: Span) -> SyntaxError {
     let (what, help) = match name.name().starts_with("\\Sigma") {
         true => ("a sum", "give the sum a name, `F_{\\text{net}}`"),
@@ -119,6 +130,9 @@ pub(super) fn symbols_in(statements: &[Statement], see: &mut impl FnMut(&Symbol)
     fn look(term: &Expr, see: &mut impl FnMut(&Symbol)) {
         match term {
             Expr::Symbol(symbol) | Expr::Apply(symbol, _) => see(symbol),
+            Expr::Element { sequence, index } => {
+                see(&Symbol::new(format!("{sequence}_{{{index}}}")))
+            }
             _ => {}
         }
         term.children().for_each(|child| look(child, see));

@@ -6,7 +6,7 @@ use crate::document::Span;
 use crate::notation::{Statement, SyntaxError};
 use crate::sorted::Set;
 
-use super::doubts::{standing_in, symbols_in};
+use super::doubts::{OnPage, standing_in, symbols_in};
 use super::equation::formulas;
 
 /// The letters that mostly count something, so that `r^n` beside `u_n` is a power.
@@ -17,8 +17,8 @@ const WORDS: [&str; 5] = ["in", "min", "kin", "lim", "nm"];
 /// What the letters of a display are, as far as it and its page tell.
 pub(super) struct Letters<'p> {
     declared: &'p dyn Fn(&Symbol) -> bool,
-    /// Those that stand for quantities on the page.
-    on_page: &'p Set<Symbol>,
+    /// Those that stand for something on the page.
+    on_page: &'p OnPage,
     /// Those that do so in the display.
     here: Set<Symbol>,
     /// Those that are a whole subscript in it: `v_i`.
@@ -33,7 +33,7 @@ impl<'p> Letters<'p> {
     pub(super) fn of(
         statements: &[Statement],
         declared: &'p dyn Fn(&Symbol) -> bool,
-        on_page: &'p Set<Symbol>,
+        on_page: &'p OnPage,
     ) -> Self {
         let (mut alone, mut in_company) = (Set::new(), Set::new());
         symbols_in(statements, &mut |symbol| {
@@ -64,7 +64,11 @@ impl<'p> Letters<'p> {
 
     /// Whether a symbol is declared, or stands for something on the page.
     pub(super) fn is_known(&self, symbol: &Symbol) -> bool {
-        self.on_page.contains(symbol) || self.is_declared(symbol)
+        let OnPage {
+            quantities,
+            spoken_of,
+        } = self.on_page;
+        quantities.contains(symbol) || spoken_of.contains(symbol) || self.is_declared(symbol)
     }
 
     /// Why these letters above a name are no exponent, if they are none.
@@ -96,7 +100,7 @@ impl<'p> Letters<'p> {
 
     /// Whether a letter stands for a quantity on the page. That `i` or `j` runs, or is the imaginary unit, makes no exponent of it.
     fn is_elsewhere(&self, letter: &Symbol) -> bool {
-        !matches!(letter.name(), "i" | "j") && self.on_page.contains(letter)
+        !matches!(letter.name(), "i" | "j") && self.on_page.quantities.contains(letter)
     }
 
     /// Whether a letter that nothing else speaks of is one of several indices of a name: `T^{\mu\nu}`, `\delta^i_j`.
@@ -186,14 +190,20 @@ pub(super) fn standing(term: &Expr, found: &mut Set<Symbol>) {
         Expr::Symbol(symbol) => {
             found.insert(symbol.clone());
         }
-        Expr::Element { index, .. } => {
-            found.insert(index.clone());
-        }
+        Expr::Element { index, .. } => found.extend(counted(index)),
         term => {
-            found.extend(term.binder().cloned());
+            match term {
+                Expr::Series { index, .. } => found.extend(counted(index)),
+                term => found.extend(term.binder().cloned()),
+            }
             term.children().for_each(|child| standing(child, found));
         }
     }
+}
+
+/// What a sum runs over, unless it is a Greek letter, as indices of tensors are.
+fn counted(index: &Symbol) -> Option<Symbol> {
+    (!is_greek(index)).then(|| index.clone())
 }
 
 /// Whether this is a name that may have indices; Euler's number has none.

@@ -15,13 +15,15 @@ const SUMS: [&str; 5] = [
 ];
 
 impl Parser<'_> {
-    /// Remembers a name whose exponent is nothing but letters. Those of Euler's number, and what a sum runs over, are no indices.
+    /// Remembers a name whose exponent is nothing but letters. Those of Euler's number are no indices, nor is the Latin letter that a sum
+    /// runs over, as in a power series.
     pub(super) fn doubt_power(&mut self, name: &Name, span: Span) {
         let Some(letters) = name.power.as_ref().and_then(letters) else {
             return;
         };
         let symbol = Symbol::new(name.canonical());
-        let bound = |letter: &Symbol| self.bound.iter().any(|own| own == letter.name());
+        let runs = |letter: &Symbol| self.bound.iter().any(|own| own == letter.name());
+        let bound = |letter: &Symbol| runs(letter) && !letter.name().starts_with('\\');
         if !matches!(symbol.name(), "e" | "\\text{e}") && !letters.iter().any(bound) {
             let kind = DoubtKind::Raised {
                 name: symbol,
