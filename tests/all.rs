@@ -14,6 +14,7 @@ mod cradle;
 mod derivation;
 mod dimension;
 mod document;
+mod doubts;
 mod examples;
 mod figures;
 mod formats;

@@ -35,6 +35,23 @@ fn premises_of_last(derivation: &Derivation) -> (Vec<usize>, Vec<String>) {
 }
 
 #[test]
+fn a_myst_block_may_hold_its_equation_on_its_first_line_and_its_options_between_dashes() {
+    let derivation = read(
+        "```{math} x = y + 1\n```\n\n~~~{math} a = b\n:label: ab\n~~~\n\n```{math}\n---\nlabel: \"mom\"\nnowrap: true\n---\np = m v\n```\n\n\
+         ```{math} z = w\nu = v\n```\n\n```{math} never = closed\n",
+    );
+    let expected = ["-: x = y + 1", "ab: a = b", "mom: p = m v"];
+    assert_eq!(equations(&derivation), expected);
+    let problems = &derivation.pages[0].problems;
+    let told: Vec<&str> = problems.iter().map(|own| own.message.as_str()).collect();
+    let expected = [
+        "an equation on the line of `{math}` is read only where none stands below it",
+        "this `math` block is never closed",
+    ];
+    assert_eq!(told, expected);
+}
+
+#[test]
 fn keys_are_written_as_myst_and_as_quarto_write_them_and_cited_so() {
     let derivation = read(
         "```{math}\n:label: mom\n\np = m v\n```\n\n:::{math}\n:label: work\nW = F s\n:::\n\n$$ E = T + V $$ (energy)\n\n$$\nF = m a\n$$ {#eq-force}\n\n\

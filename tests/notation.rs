@@ -447,6 +447,43 @@ fn spellings_of_one_term() {
         ),
         (
             &[
+                r"l \cos\theta\dot\theta",
+                r"l \cos\theta\,\dot{\theta}",
+                r"l \cos(\theta) \cdot \dot\theta",
+            ],
+            r"l \cos\left( \theta \right) \dot{\theta}",
+        ),
+        (
+            &[r"\sin^2\theta\dot\phi^2"],
+            r"\left( \sin\left( \theta \right) \right)^2 \dot{\phi}^2",
+        ),
+        (
+            &[r"\sin 2\dot\theta t"],
+            r"\sin\left( 2 \dot{\theta} t \right)",
+        ),
+        (
+            &[r"\cos\theta\,\theta'", r"\cos\theta \theta'"],
+            r"\cos\left( \theta \right) \theta'",
+        ),
+        (&[r"\cos\omega' t'"], r"\cos\left( \omega' t' \right)"),
+        (
+            &[
+                r"\cos\theta\frac{d\theta}{dt}",
+                r"\cos\theta \, \frac{\mathrm d\theta}{\mathrm dt}",
+            ],
+            r"\cos\left( \theta \right) \frac{d\theta}{dt}",
+        ),
+        (
+            &[r"\sin\theta\,d\phi", r"\sin(\theta) d \phi"],
+            r"\sin\left( \theta \right) d \cdot \phi",
+        ),
+        (
+            &[r"\sin\theta d\theta"],
+            r"\sin\left( \theta \right) d \cdot \theta",
+        ),
+        (&[r"\cos k d"], r"\cos\left( k d \right)"),
+        (
+            &[
                 r"\sum_{i=1}^k u_i",
                 r"\sum^{k}_{i=1} u_i",
                 r"u_1 + u_2 + \cdots + u_k",
@@ -606,6 +643,18 @@ fn statements_and_what_separates_them() {
             "a = b + c",
         ),
         (r"a = b \iff c = d", r"a = b \iff c = d"),
+        (
+            r"\left\{ \begin{aligned} a &= b \\ c &= d \end{aligned} \right.",
+            "a = b ;; c = d",
+        ),
+        (
+            r"\left\lbrace\begin{array}{l} a = b \\ c < d \end{array}\right. \quad (3)",
+            "a = b ;; c < d",
+        ),
+        (
+            r"\left\{\begin{array}{rcl} a & = & b, \\[2mm] c & \leq & d \\ \end{array}\right.",
+            r"a = b ;; c \leq d",
+        ),
         (r"u_1 = \cdots = u_k = v_0", r"u_1 = \dots = u_k = v_0"),
         (
             r"x \stackrel{?}{\leq} y \quad ✗",
@@ -904,6 +953,11 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\begin{cases} a = b & c > 0 \end{cases}",
         "&",
         "a second column is read only beside the cases",
+    ),
+    (
+        r"\left\{ \begin{array}{ll} a = b & c > 0 \end{array} \right.",
+        r"\begin{array}",
+        "the environment `array` cannot start here",
     ),
     (
         r"a = b \Rightarrow c = \begin{cases} d & e > 0 \end{cases}",

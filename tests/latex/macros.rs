@@ -118,6 +118,18 @@ fn macros_without_end_and_macros_that_grow_are_told_at_their_use() {
 }
 
 #[test]
+fn what_is_written_ends_with_the_brace_of_a_macro_at_its_end() {
+    let source = "\\documentclass{article}\n\\newcommand{\\paren}[1]{\\left( #1 \\right)}\n\\begin{document}\n\
+                  \\[ t = \\gamma \\paren{t' + \\frac{vx'}{c^2}} \\]\n\\[ a = \\paren b \\]\n\\end{document}\n";
+    let derivation = read(source);
+    let document = &derivation.pages[0].document;
+    let written = derivation.equations.iter();
+    let written: Vec<&str> = written.map(|own| document.written(own.body)).collect();
+    let expected = [r"t = \gamma \paren{t' + \frac{vx'}{c^2}}", r"a = \paren b"];
+    assert_eq!(written, expected);
+}
+
+#[test]
 fn a_place_in_a_macro_is_where_it_is_used_and_one_in_its_argument_is_its_own() {
     let source = "\\documentclass{article}\n\\newcommand{\\f}[1]{\\frac{#1}{\\foo}}\n\\begin{document}\n\
                   \\[ a = \\f{b} \\]\n\\[ a = \\f{\\bar} \\]\n\\end{document}\n";
@@ -132,7 +144,7 @@ fn a_place_in_a_macro_is_where_it_is_used_and_one_in_its_argument_is_its_own() {
             (place.line, place.column, document.written(error.span))
         })
         .collect();
-    assert_eq!(places[0], (4, 8, r"\f{b"));
+    assert_eq!(places[0], (4, 8, r"\f{b}"));
     assert_eq!((places[1].0, places[1].1), (5, 11));
 }
 

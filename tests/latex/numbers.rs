@@ -32,6 +32,18 @@ $$ m = 1 $$
 }
 
 #[test]
+fn words_between_rows_end_the_row_before_them() {
+    let source = article(
+        r"
+\begin{align} a &= b + c \intertext{and with it} d &= e \\ \intertext{so} f &= g \shortintertext{or} g &= h \end{align}",
+    );
+    assert_eq!(
+        equations(&read(&source)),
+        ["1: a = b + c", "2: d = e", "3: f = g", "4: g = h"]
+    );
+}
+
+#[test]
 fn numbers_follow_sections_appendices_and_subequations() {
     let source = r"\documentclass{article}
 \numberwithin{equation}{section}

@@ -6,7 +6,7 @@ use num_traits::Zero;
 use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
 use crate::dimension;
 use crate::document::{
-    Attribute, Bound, Citation, Directive, Document, Item, Premise, Problem, Span, nearest,
+    Attribute, Bound, Citation, Directive, Document, Inline, Item, Premise, Problem, Span, nearest,
 };
 use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
@@ -16,7 +16,7 @@ use super::beside::{Beside, Clash, Place};
 use super::equation::each_side;
 use super::reader::Reader;
 use super::supposed::Local;
-use super::{Equation, counts, names};
+use super::{Equation, counts, doubts, names};
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -114,6 +114,12 @@ pub(super) fn read_page(
     let declared =
         |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
     names::refuse(&mut equations, declared);
+    let prose = items.iter().filter_map(|item| match item {
+        Item::Prose(prose) => Some(&prose.math),
+        _ => None,
+    });
+    let alone = |math: &Inline| read_symbol(page.document.text(math.body)).ok();
+    doubts::refuse(&mut equations, declared, prose.flatten().filter_map(alone));
     names::refuse_differentials(&mut equations, declared);
     if let Some(beside) = page.beside.clone() {
         page.give(&beside, &mut equations, &derived);

@@ -279,6 +279,7 @@ fn taken_apart(
                         mark: None,
                         others: Vec::new(),
                         before: Vec::new(),
+                        doubts: Vec::new(),
                         runs: statement.runs.clone(),
                         span: pair[0].span.to(pair[1].span),
                     },
@@ -298,6 +299,9 @@ fn taken_apart(
         let own = statement.before.iter();
         let own = own.filter(|before| within(share.span, before.span));
         share.before = own.cloned().collect();
+        let own = statement.doubts.iter();
+        let own = own.filter(|doubt| within(share.span, doubt.span));
+        share.doubts = own.cloned().collect();
     }
     for other in others {
         let shares = taken_apart(other.statement, group_of);

@@ -9,6 +9,7 @@ use crate::kernel::Standing;
 use crate::notation::{Clause, Statement, SyntaxError, read_expr, read_formulas, read_symbol};
 
 use super::definition::Known;
+use super::doubts::{OnPage, doubtful};
 use super::equation::{Equation, formulas};
 use super::page::Page;
 use super::rows::Part;
@@ -173,6 +174,10 @@ impl Page {
                 return Ok(vec![(bounds, body)]);
             }
         };
+        let declared = |name: &Symbol| self.is_declared(name);
+        if let Some(error) = doubtful(&statements, &declared, &OnPage::default()) {
+            return Err(error);
+        }
         self.read_exponentials(statements.iter_mut());
         match statements.iter().find(|s| !s.under.is_empty()) {
             Some(conditional) => Err(SyntaxError {

@@ -45,7 +45,7 @@ pub(super) struct Excluded {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Kind {
     Code,
-    /// A fenced block in the language `math`, or MyST's `{math}`: an equation after all.
+    /// A fenced block in the language `math`, or MyST's `{math}`, which may hold an equation on its first line: an equation after all.
     MathFence {
         body: Span,
     },
@@ -97,7 +97,7 @@ impl Outline {
                 }
                 Event::End(TagEnd::Heading(_)) => outline.headings.extend(title.take()),
                 Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language)))
-                    if matches!(language.trim(), "math" | "{math}") =>
+                    if language.trim() == "math" || language.trim().starts_with("{math}") =>
                 {
                     math = Some((span, None));
                 }

@@ -8,6 +8,8 @@
 //! - `&` goes. A row that starts with a relation or a connective continues the statement before it, and so does a
 //!   row whose first cell is empty and that starts with a sign; any other row is a statement of its own.
 
+mod system;
+
 use super::commands;
 use super::lexer::{Kind, Token};
 use super::{Connective, Mark};
@@ -18,7 +20,7 @@ const LONGEST_REMARK: usize = 20;
 
 /// Folds the raw tokens. Linear in their number.
 pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
-    let mut raw = bare_words(raw);
+    let mut raw = system::without_braces(bare_words(raw));
     part_inner_columns(&mut raw);
     part_from_boxes(&mut raw);
     let folder = Folder {

@@ -7,7 +7,7 @@
 //! - `/` binds like a product and runs from left to right: `1/2m` is `(1/2)m`.
 //! - A symbol directly before parentheses that hold only bare symbols, `P(t)`, is a function; `v_0(1-\mu)` is a product.
 //! - `\sum`, `\lim` and `\frac{d}{dx}` take the product that follows them; `\frac{d}{dx}[f] g` is refused.
-//! - `\sin` without parentheses takes the plain factors side by side that follow; a group or a sign of multiplication
+//! - `\sin` without parentheses takes the plain factors side by side that follow, up to a rate (`\dot\theta`) or a differential; a group or a sign of multiplication
 //!   right after them is refused.
 //! - Braces do not show on the page, so `{a + b} c` is refused.
 //! - `\times` with nothing after it is the author's ✗.
@@ -32,8 +32,8 @@ pub use printer::{
 };
 pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
 pub use statement::{
-    Before, BeforeKind, Choice, Clause, Connective, Display, Link, Mark, Other, Run, Side, Spanned,
-    Statement, SyntaxError,
+    Before, BeforeKind, Choice, Clause, Connective, Display, Doubt, DoubtKind, Link, Mark, Other,
+    Run, Side, Spanned, Spelt, Statement, SyntaxError,
 };
 pub use typeset::typeset;
 pub use unit::measured;

@@ -31,6 +31,8 @@ pub struct Statement {
     pub others: Vec<Other>,
     /// The names that stand before a parenthesis or as a unit after a number, in order.
     pub before: Vec<Before>,
+    /// What may be no power and no product, in order.
+    pub doubts: Vec<Doubt>,
     /// What is said beside it of what runs through whole numbers: `n = 1, 2, \dots`.
     pub runs: Vec<Run>,
 }
@@ -92,6 +94,47 @@ pub enum BeforeKind {
     Unit,
     /// The number π, which degrees bring in, `30^\circ`.
     Degrees,
+}
+
+/// A place that is read as a power or a product, and may be meant otherwise: the page tells.
+#[derive(Clone, Debug)]
+pub struct Doubt {
+    /// The place.
+    pub span: Span,
+    /// What is in doubt there.
+    pub kind: DoubtKind,
+}
+
+/// What may be meant otherwise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DoubtKind {
+    /// A name with nothing but letters for its exponent, which may be indices: `T^{\mu\nu}`.
+    Raised {
+        /// The name without its exponent, with its subscript.
+        name: Symbol,
+        /// The letters above it.
+        letters: Vec<Symbol>,
+    },
+    /// `\Delta` or `\Sigma` right before what it would multiply: a difference, `\Delta(m v)`, or a sum, `\Sigma F`.
+    Operator(Symbol),
+    /// Letters written without a space between them, which TeX sets as a product, and which spell something: `cos`, `intensity`.
+    Letters {
+        /// The letters.
+        word: String,
+        /// What they spell.
+        spelt: Spelt,
+    },
+}
+
+/// What letters side by side spell.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Spelt {
+    /// The function of this name, perhaps with other letters: `cos`, `Acos`.
+    Function(&'static str),
+    /// A word between two statements: `or`, `if`.
+    Between,
+    /// A word.
+    Word,
 }
 
 /// A clause of a statement.

@@ -59,11 +59,11 @@ impl Assembler<'_> {
             arguments.push(self.optional().unwrap_or_else(|| default.clone()));
         }
         while arguments.len() < meaning.parameters {
-            let Some(argument) = self.argument() else {
+            let Some((argument, last)) = self.argument_to_its_end() else {
                 let message = format!("an argument of `\\{name}` is missing, or never closed");
                 return self.problem(token.origin, message, "give it in braces");
             };
-            if let (Some(last), true) = (argument.last(), token.origin == token.text) {
+            if token.origin == token.text {
                 origin = origin.to(last.origin);
             }
             arguments.push(argument);
@@ -124,15 +124,20 @@ impl Assembler<'_> {
 
     /// An argument: the inside of braces, or a single token.
     pub(super) fn argument(&mut self) -> Option<Vec<Token>> {
+        self.argument_to_its_end().map(|(inside, _)| inside)
+    }
+
+    /// An argument, and the token that it ends with: the brace, if it is in braces.
+    fn argument_to_its_end(&mut self) -> Option<(Vec<Token>, Token)> {
         self.skip_blank();
         let first = self.next_token()?;
         match self.text(first) {
-            "{" => self.group_after(first),
+            "{" => self.until(first, "}"),
             "}" => {
                 self.put_back(first);
                 None
             }
-            _ => Some(vec![first]),
+            _ => Some((vec![first], first)),
         }
     }
 
@@ -144,15 +149,16 @@ impl Assembler<'_> {
             self.put_back(open);
             return None;
         }
-        self.until(open, "]")
+        self.until(open, "]").map(|(inside, _)| inside)
     }
 
     /// The inside of a group whose `{` has been taken, without its `}`.
     pub(super) fn group_after(&mut self, open: Token) -> Option<Vec<Token>> {
-        self.until(open, "}")
+        self.until(open, "}").map(|(inside, _)| inside)
     }
 
-    fn until(&mut self, open: Token, close: &str) -> Option<Vec<Token>> {
+    /// What stands before the token that closes what was opened, and that token.
+    fn until(&mut self, open: Token, close: &str) -> Option<(Vec<Token>, Token)> {
         if self.runaways >= RUNAWAYS {
             return None;
         }
@@ -165,7 +171,7 @@ impl Assembler<'_> {
         let mut inside = Vec::new();
         while let Some(token) = self.next_token() {
             match self.text(token) {
-                text if text == close && depth == 0 => return Some(inside),
+                text if text == close && depth == 0 => return Some((inside, token)),
                 "{" => depth += 1,
                 "}" => {
                     depth = depth

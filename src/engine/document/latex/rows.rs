@@ -122,6 +122,10 @@ pub(super) fn rows(text: &str, body: Span, kind: Rows) -> Vec<Found> {
                     continue;
                 };
                 cut(text, &mut rows, from, at);
+                // It ends the row that it stands in, as if `\\\\` stood before it.
+                if rows.last().is_some_and(|row| !row.pieces.is_empty()) {
+                    rows.push(Found::default());
+                }
                 if let Some(row) = rows.last_mut() {
                     row.before.push(Before::Words(inside));
                 }

@@ -251,11 +251,17 @@ impl Scanner<'_> {
         let after = after.trim_matches(|c: char| c.is_whitespace() || c == '>');
         let closed = after.len() >= fence && after.chars().all(|c| c == mark);
         let quoted = self.quoted(span);
+        let argument = self.argument_of_directive(span);
         let (key, body) = self.options(body);
-        let body = self.trimmed(body);
+        let below = self.trimmed(body);
+        let empty_below = below.start >= below.end;
+        let body = match empty_below {
+            true => argument,
+            false => below,
+        };
         let empty = body.start >= body.end;
         let span = self.trimmed(span);
-        let bare = empty && written.len() > fence && written.ends_with(mark);
+        let bare = empty_below && written.len() > fence && written.ends_with(mark);
         if !closed && !bare {
             let fence = Span::new(span.start, span.start + fence);
             self.problem(
@@ -269,6 +275,12 @@ impl Scanner<'_> {
                 "this display is empty",
                 "write the equation, or remove it",
             );
+        } else if !empty_below && argument.start < argument.end {
+            self.problem(
+                argument,
+                "an equation on the line of `{math}` is read only where none stands below it",
+                "write all of it below that line",
+            );
         } else if quoted && self.source[body.range()].contains(['\n', '\r']) {
             self.quoted_lines(span);
         } else {
@@ -279,10 +291,33 @@ impl Scanner<'_> {
         self.prose_from = self.at;
     }
 
-    /// The lines `:label: mom` that a MyST block may begin with: the key, and the rest of the block.
+    /// What stands behind `{math}` on the first line of a MyST block.
+    fn argument_of_directive(&self, block: Span) -> Span {
+        let text = self.source.get(block.range()).unwrap_or_default();
+        let line = text.split(['\n', '\r']).next().unwrap_or_default();
+        let end = block.start + line.len();
+        let start = line
+            .find("{math}")
+            .map(|at| block.start + at + "{math}".len());
+        self.trimmed(Span::new(start.unwrap_or(end), end))
+    }
+
+    /// The options that a MyST block may begin with, `:label: mom` or `label: mom` between lines of `---`: the key, and the rest of the
+    /// block.
     pub(super) fn options(&self, body: Span) -> (Option<String>, Span) {
         let (mut key, mut from) = (None, body.start);
         let text = self.source.get(body.range()).unwrap_or_default();
+        if let Some((options, rest)) = fenced_options(text) {
+            let named = options.lines().filter_map(|line| line.split_once(':'));
+            let mut keys = named.filter(|(name, _)| matches!(name.trim(), "label" | "name"));
+            let key = keys
+                .next()
+                .map(|(_, value)| value.trim().trim_matches(['"', '\'']));
+            return (
+                key.map(str::to_owned),
+                Span::new(body.end - rest.len(), body.end),
+            );
+        }
         for line in text.split_inclusive('\n') {
             let Some((name, value)) = line
                 .trim()
@@ -385,6 +420,21 @@ impl Scanner<'_> {
         let suspects = self.displays.iter().rev().take_while(paragraphs);
         Some(suspects.last().map_or(last, |display| display.start))
     }
+}
+
+/// The options between two lines of `---`, and what stands below them.
+fn fenced_options(text: &str) -> Option<(&str, &str)> {
+    let is_fence = |line: &str| line.trim() == "---";
+    let mut lines = text.split_inclusive('\n');
+    let first = lines.next().filter(|line| is_fence(line))?;
+    let mut end = first.len();
+    for line in lines {
+        if is_fence(line) {
+            return Some((&text[first.len()..end], &text[end + line.len()..]));
+        }
+        end += line.len();
+    }
+    None
 }
 
 /// The layout of a display that has a key.

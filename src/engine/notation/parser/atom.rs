@@ -184,6 +184,7 @@ impl<'s> Parser<'s> {
         let start = self.at;
         let name = self.name()?;
         let factor = self.finish_name(start, name)?;
+        self.doubt_operator(start, &factor.expr);
         if let Kind::Operator(text) = self.kind(start)
             && (self.pending.is_some() || self.starts_factor())
         {

@@ -27,6 +27,18 @@ impl Parser<'_> {
         self.is_d(self.at) && self.starts_name(self.at + 1)
     }
 
+    /// Whether a fraction begins here that is a derivative: `\frac{d`, and `{d name` below.
+    pub(super) fn at_derivative(&self) -> bool {
+        let over = self.at + 1;
+        if self.kind(over) != Kind::Open || !self.is_d(over + 1) {
+            return false;
+        }
+        let is_under = |at: usize| {
+            self.kind(at) == Kind::Open && self.is_d(at + 1) && self.starts_name(at + 2)
+        };
+        self.after_group(over).is_some_and(is_under)
+    }
+
     /// Whether the differential of the integrand that is being read stood above a stroke.
     pub(super) fn has_differential(&self) -> bool {
         self.integrand && self.differential.is_some()

@@ -213,6 +213,7 @@ impl Parser<'_> {
             span,
             others: Vec::new(),
             before: Vec::new(),
+            doubts: Vec::new(),
             runs: Vec::new(),
         };
         if !links.is_empty() {
@@ -227,6 +228,7 @@ impl Parser<'_> {
         if let Some(first) = all.first_mut() {
             first.label = statement.label;
             first.before = statement.before;
+            first.doubts = statement.doubts;
             first.runs = statement.runs;
         }
         Ok(all)

@@ -311,6 +311,9 @@ impl Parser<'_> {
         while self.starts_factor() && !self.at_delimiter() && self.is_plain() {
             // Nobody takes `\sin 2x` for `(\sin 2) x`.
             if !matches!(factors.as_slice(), [] | [Expr::Number(_)]) {
+                if self.is_rate(start) {
+                    break;
+                }
                 self.choices
                     .push((Choice::FirstName, self.since(start.saturating_sub(1))));
                 if self.choice == Some(Choice::FirstName) {
@@ -362,6 +365,28 @@ impl Parser<'_> {
                 ),
                 _ => self.no_term(),
             },
+        }
+    }
+
+    /// Whether a rate or a differential stands here, beside an argument that began at `start`: nobody means it in
+    /// `\cos\theta\dot\theta`, `\cos\theta\,d\theta`, `\cos\theta\,\theta'`.
+    fn is_rate(&self, start: usize) -> bool {
+        let here = self.peek();
+        let prime = |at: usize| self.kind(at) == Kind::Char('\'');
+        let has = |letter: Kind| {
+            let before = start..self.at;
+            let mut same = before.filter(|&at| self.is_letter(at) && self.kind(at) == letter);
+            same.any(|at| !prime(at + 1))
+        };
+        match here {
+            Kind::Command("dot" | "ddot") => true,
+            Kind::Command(name) if commands::is_fraction(name) => self.at_derivative(),
+            _ if self.at_differential() => {
+                let upright = !matches!(here, Kind::Letter(_));
+                let spaced = self.tokens.get(self.at).is_some_and(|token| token.spaced);
+                upright || spaced || has(self.kind(self.at + 1))
+            }
+            letter => prime(self.at + 1) && has(letter),
         }
     }
 

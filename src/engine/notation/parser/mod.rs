@@ -1,7 +1,7 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
 //! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
-//! symbol names, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits,
+//! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits,
 //! `between` what a term grows by from one limit to another, `both` what is said with `\pm`.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -14,6 +14,7 @@ mod both;
 mod calculus;
 mod cases;
 mod count;
+mod doubt;
 mod function;
 mod group;
 mod name;
@@ -23,6 +24,7 @@ mod statement;
 mod term;
 mod unit;
 mod vector;
+mod word;
 
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;
@@ -31,7 +33,7 @@ use std::convert::Infallible;
 
 use super::commands;
 use super::lexer::{Kind, Token};
-use super::{Before, BeforeKind, Choice, Clause, Run, Side, SyntaxError};
+use super::{Before, BeforeKind, Choice, Clause, Doubt, DoubtKind, Run, Side, SyntaxError};
 use between::Limits;
 
 use crate::algebra::{Expr, Symbol};
@@ -84,6 +86,8 @@ pub(super) struct Parser<'s> {
     choices: Vec<(Choice, Span)>,
     /// The names that stand before a parenthesis.
     before: Vec<Before>,
+    /// The places that may be no power and no product.
+    doubts: Vec<Doubt>,
     /// What runs through whole numbers, as is said after the statement that is being read.
     runs: Vec<Run>,
     /// The cases of the clause that was read last.
@@ -183,6 +187,7 @@ impl<'s> Parser<'s> {
             choice: None,
             choices: Vec::new(),
             before: Vec::new(),
+            doubts: Vec::new(),
             cases: Vec::new(),
             runs: Vec::new(),
             pending: None,

@@ -281,6 +281,7 @@ impl Parser<'_> {
     /// Primes, subscript and superscripts, in whatever order they come.
     pub(super) fn suffixes(&mut self, mut name: Name, start: usize) -> Read<Name> {
         let mut raised = false;
+        let mut raised_at = None;
         loop {
             let at = self.at;
             match self.peek() {
@@ -323,8 +324,14 @@ impl Parser<'_> {
                     name.primes += script.primes;
                     name.marks.push_str(&script.marks);
                     name.power = script.power;
+                    raised_at = Some(self.since(at));
                 }
-                _ => return Ok(name),
+                _ => {
+                    if let Some(span) = raised_at {
+                        self.doubt_power(&name, span);
+                    }
+                    return Ok(name);
+                }
             }
         }
     }

@@ -254,6 +254,7 @@ impl<'s> Parser<'s> {
             }
         }
         let under = self.trailing_conditions(&clauses)?;
+        self.doubt_letters(start);
         Ok(Statement {
             label,
             clauses,
@@ -263,6 +264,7 @@ impl<'s> Parser<'s> {
             span: self.since(start),
             others: Vec::new(),
             before: std::mem::take(&mut self.before),
+            doubts: std::mem::take(&mut self.doubts),
             runs: std::mem::take(&mut self.runs),
         })
     }

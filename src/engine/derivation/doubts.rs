@@ -1,0 +1,143 @@
+//! What is read as a power or a product and may be meant otherwise: decided here, where the whole page is known, and refused where nothing
+//! on it says that the reading is what was meant.
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::document::Span;
+use crate::notation::{Doubt, DoubtKind, Spelt, Statement, SyntaxError};
+use crate::sorted::Set;
+
+use super::Equation;
+use super::equation::{conditions, formulas};
+use super::indices::{self, Letters};
+
+/// The symbols that stand for something on a page.
+#[derive(Default)]
+pub(super) struct OnPage {
+    /// Those of which displays speak as quantities.
+    pub quantities: Set<Symbol>,
+    /// Those that stand by themselves in the text, as indices may: "where $\mu$ runs from 0 to 3".
+    pub spoken_of: Set<Symbol>,
+}
+
+/// Refuses the equations of a page in which something is no power or no product, as far as the page lets one see that.
+///
+/// `spoken_of` are the symbols that stand by themselves in the text.
+pub(super) fn refuse(
+    equations: &mut [Equation],
+    declared: impl Fn(&Symbol) -> bool,
+    spoken_of: impl Iterator<Item = Symbol>,
+) {
+    let all = || equations.iter().flat_map(Equation::statements);
+    if all().all(|statement| statement.doubts.is_empty()) {
+        return;
+    }
+    // What stands in words says nothing of its letters.
+    let is_worded = |doubt: &Doubt| !matches!(doubt.kind, DoubtKind::Raised { .. });
+    let standing = OnPage {
+        quantities: standing_in(all().filter(|own| !own.doubts.iter().any(is_worded))),
+        spoken_of: spoken_of.collect(),
+    };
+    for equation in equations {
+        if let Some(error) = doubtful(equation.statements(), &declared, &standing) {
+            equation.statements = Err(error);
+        }
+    }
+}
+
+/// Why statements that stand together cannot be read as they are, if they cannot; `standing` is what stands for itself on the page.
+pub(super) fn doubtful(
+    statements: &[Statement],
+    declared: &dyn Fn(&Symbol) -> bool,
+    standing: &OnPage,
+) -> Option<SyntaxError> {
+    let mut doubts = statements.iter().flat_map(|own| &own.doubts).peekable();
+    doubts.peek()?;
+    let letters = Letters::of(statements, declared, standing);
+    doubts.find_map(|doubt| refusal(doubt, &letters))
+}
+
+fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
+    match &doubt.kind {
+        DoubtKind::Raised {
+            name,
+            letters: above,
+        } => letters.refusal(name, above, doubt.span),
+        DoubtKind::Letters { word, spelt } => {
+            let mut own = word.chars().map(|letter| Symbol::new(letter.to_string()));
+            let product = match spelt {
+                Spelt::Word => own.all(|letter| letters.is_known(&letter)),
+                Spelt::Function(_) | Spelt::Between => {
+                    own.all(|letter| letters.is_declared(&letter))
+                }
+            };
+            (!product).then(|| no_product(word, spelt, doubt.span))
+        }
+        DoubtKind::Operator(name) => (!letters.is_known(name)).then(|| no_factor(name, doubt.span)),
+    }
+}
+
+/// The refusal of a `\Delta` or `\Sigma` that nothing says to be a quantity.
+fn no_factor(name: &Symbol, span: Span) -> SyntaxError {
+    let (what, help) = match name.name().starts_with("\\Sigma") {
+        true => ("a sum", "give the sum a name, `F_{\\text{net}}`"),
+        false => (
+            "a difference",
+            "write the difference out, or give it a name, `\\Delta p`",
+        ),
+    };
+    SyntaxError {
+        span,
+        message: format!("whether `{name}` is {what} of what follows, or a factor, is not clear"),
+        help: Some(format!(
+            "{help}; for a product write `{name} \\cdot`, or declare `{name}`"
+        )),
+    }
+}
+
+/// The refusal of letters that spell something.
+fn no_product(word: &str, spelt: &Spelt, span: Span) -> SyntaxError {
+    let help = match spelt {
+        Spelt::Function("sqrt") => "write `\\sqrt{…}`".to_owned(),
+        Spelt::Function(name) => format!("write `\\{name}`"),
+        Spelt::Between => format!("write `\\text{{ {word} }}`"),
+        Spelt::Word => format!("write `\\mathrm{{{word}}}` for a name, `\\text{{…}}` for words"),
+    };
+    SyntaxError {
+        span,
+        message: format!("TeX sets `{word}` as a product of single letters, which is hardly meant"),
+        help: Some(format!(
+            "{help}; for a product leave spaces between the factors"
+        )),
+    }
+}
+
+/// The symbols that stand for quantities in statements: all but those that are seen in exponents of names alone, where they may be indices.
+pub(super) fn standing_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol> {
+    let mut found = Set::new();
+    for statement in statements {
+        let all = formulas(statement).into_iter();
+        let all: Vec<Formula> = all.chain(conditions(statement)).collect();
+        for term in all.iter().flat_map(Formula::terms) {
+            indices::standing(term, &mut found);
+        }
+        found.extend(statement.runs.iter().map(|run| run.symbol.clone()));
+    }
+    found
+}
+
+/// All symbols of statements, those with scripts among them.
+pub(super) fn symbols_in(statements: &[Statement], see: &mut impl FnMut(&Symbol)) {
+    fn look(term: &Expr, see: &mut impl FnMut(&Symbol)) {
+        match term {
+            Expr::Symbol(symbol) | Expr::Apply(symbol, _) => see(symbol),
+            Expr::Element { sequence, index } => {
+                see(&Symbol::new(format!("{sequence}_{{{index}}}")))
+            }
+            _ => {}
+        }
+        term.children().for_each(|child| look(child, see));
+    }
+    for formula in statements.iter().flat_map(formulas) {
+        formula.terms().into_iter().for_each(|term| look(term, see));
+    }
+}
