@@ -100,7 +100,8 @@ impl Judge<'_> {
         // What is said to follow may bring in something new, and cannot follow then. A second law may speak of nothing new, where nobody
         // could have said that it is one; a value of something known is none, if no reason is given that is no equation.
         let silent = self.derivation.pages[equation.page].declared.is_empty();
-        let is_law = || equation.reasons || silent && !matches!(left, Expr::Symbol(_));
+        let scales = matches!(outcome, Outcome::ScalesNot(..));
+        let is_law = || equation.reasons || silent && (scales || !matches!(left, Expr::Symbol(_)));
         // "For a solid cylinder the moment of inertia is": of what nobody has said anything else.
         let is_case = silent && equation.extent == Extent::Circumstances && !self.is_explicit(left);
         let is_value = matches!(left, Expr::Symbol(symbol) if !is_new(symbol));
@@ -117,7 +118,7 @@ impl Judge<'_> {
             return None;
         }
         // Which scales as which is said of nothing else.
-        if matches!(outcome, Outcome::ScalesNot(..)) && !(equation.bare && silent) {
+        if scales && !(equation.bare && silent) {
             return None;
         }
         // What is wrong itself contradicts others already.
