@@ -655,3 +655,20 @@ fn set_equal_to_zero() {
     assert_eq!(page(r"1 - \mu = 0"), "holds");
     assert_eq!(page(r"1 + \mu = 0"), "fails");
 }
+
+#[test]
+fn letters_of_another_page_are_not_those_of_a_page_that_stands_alone() {
+    let two = |second: &str| {
+        let pages = [
+            ("a.md", "$$ A = 3 F $$\n\n$$ P = I V \\tag{9} $$\n"),
+            ("b.md", second),
+        ];
+        let pages =
+            pages.map(|(path, text)| cradle_verify::document::Document::markdown(path, text));
+        let audit = Audit::of(&Derivation::new(pages.to_vec()));
+        audit.entries.last().unwrap().verdict.word()
+    };
+    assert_eq!(two("The pressure is\n\n$$ P = \\frac{F}{A} $$\n"), "given");
+    // What goes on from another page means the same by them.
+    assert_eq!(two("By (9) it is\n\n$$ P = \\frac{F}{A} $$\n"), "fails");
+}

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Place, Relation, Symbol, split_subscript};
-use crate::document::Span;
+use crate::document::{Citation, Span};
 use crate::notation::{Clause, Connective, Spanned, Statement, read_expr, read_formulas};
 
-use super::equation::{conditions, formulas};
-use super::page::Page;
+use super::equation::{conditions, formulas, of_page};
+use super::page::{Page, Premises};
 use super::running::family;
 use super::supposed::Local;
 use super::{Equation, Kind, counts};
@@ -19,8 +19,18 @@ use crate::sorted::{Set, Tree};
 pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTreeSet<Symbol>) {
     let mut seen = BTreeSet::new();
     let mut sequences = Sequences::default();
-    for equation in equations {
-        let page = &pages[equation.page];
+    // What other pages have said, while a page is read that does not go on from them.
+    let mut elsewhere: Option<BTreeSet<Symbol>> = None;
+    let mut last = None;
+    for at in 0..equations.len() {
+        let number = equations[at].page;
+        let page = &pages[number];
+        if last.replace(number) != Some(number) {
+            seen.append(&mut elsewhere.take().unwrap_or_default());
+            let own = &equations[of_page(number, equations)];
+            elsewhere = stands_alone(page, own).then(|| std::mem::take(&mut seen));
+        }
+        let equation = &mut equations[at];
         let locals = equation.locals.iter().map(|&local| &page.locals[local]);
         let supposed = locals.flat_map(|local| &local.formulas);
         let supposed = supposed.filter(|formula| formula.as_equation().is_some());
@@ -63,6 +73,21 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
         (equation.defines, equation.introduces) = (defines, introduces);
         equation.explains = explains;
     }
+}
+
+/// Whether a page goes on from no other: it declares nothing and cites nothing that is not its own. Its letters are its own, too.
+fn stands_alone(page: &Page, own: &[Equation]) -> bool {
+    let is_silent = page.declared.is_empty() && page.beside.is_none();
+    let labels = own.iter().flat_map(|e| e.keys.iter().chain(&e.tag));
+    let labels: BTreeSet<&String> = labels.collect();
+    let is_own = |citation: &Citation| labels.contains(&citation.tag);
+    let mut cited = own.iter().map(|equation| &equation.premises);
+    is_silent
+        && !page.document.is_latex
+        && cited.all(|cited| match cited {
+            Premises::Cited(cited) => cited.iter().all(is_own),
+            Premises::Named(_) => false,
+        })
 }
 
 /// Whether the text has told in passing what a symbol is, or something of all that a statement about it speaks of.
