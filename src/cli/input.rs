@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use crate::derivation::{Beside, Derivation};
-use crate::document::{Document, Library, decode};
+use crate::document::{Document, Library, Problem, Span, decode};
 
 use super::Failure;
 use super::config::Configs;
@@ -83,7 +83,11 @@ pub fn derivation(
     let beside: Vec<Option<Arc<Beside>>> = beside.collect::<Result<_, Failure>>()?;
     let read = in_order(&files, |file| {
         let disk = Disk::default();
-        let documents = read(file, stdin, &disk)?;
+        let documents = match read(file, stdin, &disk) {
+            // What a directory holds besides is audited all the same.
+            Err(failure) if !paths.contains(file) => vec![unreadable(file, failure)],
+            read => read?,
+        };
         Ok((documents, disk.opened.into_inner().unwrap_or_default()))
     });
     let read: Vec<(Vec<Document>, BTreeSet<PathBuf>)> =
@@ -223,6 +227,17 @@ fn read(path: &Path, stdin: &str, disk: &Disk) -> Result<Vec<Document>, Failure>
         _ if name == STANDARD_INPUT && is_latex(text) => Ok(Document::latex(name, text, disk)),
         _ => Ok(vec![Document::markdown(name, text)]),
     }
+}
+
+/// A document of which only that it could not be read is known.
+fn unreadable(path: &Path, failure: Failure) -> Document {
+    let mut document = Document::markdown(path.display().to_string(), "");
+    document.problems.push(Problem {
+        span: Span::default(),
+        message: failure.message,
+        help: failure.help,
+    });
+    document
 }
 
 /// Whether a text without a name is a LaTeX document: it begins with a command or a comment of TeX, and says where the document begins
