@@ -83,9 +83,10 @@ pub fn derivation(
     let beside: Vec<Option<Arc<Beside>>> = beside.collect::<Result<_, Failure>>()?;
     let read = in_order(&files, |file| {
         let disk = Disk::default();
-        let documents = match read(file, stdin, &disk) {
+        let (name, bytes) = bytes(file, stdin)?;
+        let documents = match read(&name, &bytes, &disk) {
             // What a directory holds besides is audited all the same.
-            Err(failure) if !paths.contains(file) => vec![unreadable(file, failure)],
+            Err(failure) if !paths.contains(file) => vec![unreadable(name, failure)],
             read => read?,
         };
         Ok((documents, disk.opened.into_inner().unwrap_or_default()))
@@ -201,7 +202,8 @@ fn ending(path: &Path) -> Option<String> {
     path.extension().map(|e| e.to_string_lossy().to_lowercase())
 }
 
-fn read(path: &Path, stdin: &str, disk: &Disk) -> Result<Vec<Document>, Failure> {
+/// What a file holds, with the name that it is called by.
+fn bytes(path: &Path, stdin: &str) -> Result<(String, Vec<u8>), Failure> {
     let mut bytes = Vec::new();
     let is_stdin = path == Path::new("-");
     if is_stdin {
@@ -216,12 +218,16 @@ fn read(path: &Path, stdin: &str, disk: &Disk) -> Result<Vec<Document>, Failure>
         true => stdin.to_owned(),
         false => path.display().to_string(),
     };
-    let text = decode(&bytes).map_err(|error| {
+    Ok((name, bytes))
+}
+
+fn read(name: &str, bytes: &[u8], disk: &Disk) -> Result<Vec<Document>, Failure> {
+    let text = decode(bytes).map_err(|error| {
         Failure::new(format!("`{name}` is {error}")).help("save it as UTF-8 and try again")
     })?;
-    match ending(Path::new(&name)).as_deref() {
+    match ending(Path::new(name)).as_deref() {
         Some("tex" | "ltx" | "latex") => Ok(Document::latex(name, text, disk)),
-        Some("ipynb") => Document::notebook(name.clone(), text)
+        Some("ipynb") => Document::notebook(name.to_owned(), text)
             .map(|document| vec![document])
             .map_err(|error| Failure::new(format!("`{name}` is {error}"))),
         _ if name == STANDARD_INPUT && is_latex(text) => Ok(Document::latex(name, text, disk)),
@@ -230,8 +236,8 @@ fn read(path: &Path, stdin: &str, disk: &Disk) -> Result<Vec<Document>, Failure>
 }
 
 /// A document of which only that it could not be read is known.
-fn unreadable(path: &Path, failure: Failure) -> Document {
-    let mut document = Document::markdown(path.display().to_string(), "");
+fn unreadable(name: String, failure: Failure) -> Document {
+    let mut document = Document::markdown(name, "");
     document.problems.push(Problem {
         span: Span::default(),
         message: failure.message,

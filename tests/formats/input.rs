@@ -211,6 +211,23 @@ fn a_link_that_leads_nowhere_is_told() {
 }
 
 #[test]
+fn what_is_no_text_keeps_nothing_else_of_a_directory_from_its_audit() {
+    let (folder, _) = well("no-text");
+    std::fs::write(folder.join("old.tex"), b"Gr\xf6\xdfe \\[ a = b \\]").unwrap();
+    std::fs::write(folder.join("old.ipynb"), "{}").unwrap();
+    let output = run_in(&folder, &["check", ".", "--format", "short"]);
+    let text = out(&output);
+    let told = |own: &str| text.lines().any(|line| line.starts_with(own));
+    assert_eq!(code(&output), 1);
+    assert!(told("well.md:33:27: error[fails]"), "{text}");
+    assert!(told("old.tex:1:1: error[unreadable]"), "{text}");
+    assert!(told("old.ipynb:1:1: error[unreadable]"), "{text}");
+    // Who names it is told that it cannot be done.
+    let output = run_in(&folder, &["check", "old.tex", "well.md"]);
+    assert_eq!((code(&output), out(&output)), (2, String::new()));
+}
+
+#[test]
 fn an_unnumbered_equation_is_explained_by_its_place() {
     let folder = super::folder("places");
     let page = "# t\n\n$$ k = 3 $$\n\nHence\n\n$$ 2 k = 7 $$\n\n$$ r = k $$ {#eq-sum}\n";
