@@ -579,6 +579,9 @@ fn a_step_may_follow_from_what_its_sentence_names() {
         "Students claim that $g = 2 f$ is thus imaged at",
         "An object is never at $g = 2 f$ and is imaged at",
         "The image $b = 2 f$ is at",
+        "The condition $g = 2 f$ is violated, hence the image is at",
+        "After the case $g = 2 f$ we turn to",
+        "The object, which was at $g = 2 f$, is now imaged at",
     ] {
         assert_ne!(lens(words, "b = 2 f"), "holds", "{words}");
     }

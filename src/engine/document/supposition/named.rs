@@ -7,8 +7,9 @@ use super::super::Span;
 use super::super::prose::{Placed, Token, ends_sentence};
 use super::super::words::Words;
 use super::cases::COMPARED;
-use super::mathematics::relates;
-use super::words::{BESIDE, DISPUTING, KNOWN, RETRACTING};
+use super::follows;
+use super::mathematics::{is_number, relates};
+use super::words::{BESIDE, DISPUTING, KNOWN, NAMED_BEFORE, RETRACTING};
 
 /// In a sentence with one of these, what is named is not so, or one of several.
 static ELSEWHERE: Words = Words::of(&[
@@ -28,6 +29,24 @@ static ELSEWHERE: Words = Words::of(&[
     "might",
     "until",
     "before",
+    "after",
+    "although",
+    "but",
+    "difference",
+    "earlier",
+    "forgot",
+    "however",
+    "last",
+    "neglected",
+    "previous",
+    "previously",
+    "though",
+    "violated",
+    "violates",
+    "was",
+    "were",
+    "whereas",
+    "while",
 ]);
 /// A sentence that begins with one of these goes on with the one before.
 static GOING_ON: Words = Words::of(&["there", "then", "here", "hence", "thus", "therefore", "so"]);
@@ -43,6 +62,7 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Span
         .first()
         .is_some_and(|(token, _)| token.is_among(&GOING_ON));
     let before = sentences.next().filter(|_| goes_on).unwrap_or_default();
+    let text = |body: Span| source.get(body.range()).unwrap_or_default();
     let mut named = Vec::new();
     for sentence in [before, last] {
         let among = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
@@ -59,12 +79,16 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Span
         {
             continue;
         }
-        named.extend(sentence.iter().filter_map(|&(token, _)| match token {
+        named.extend((0..sentence.len()).filter_map(|at| match sentence[at].0 {
+            // "The derivative at $t = 0$" is of that moment alone.
+            Token::Math(body) if follows(at, sentence, &NAMED_BEFORE) && is_number(text(body)) => {
+                None
+            }
             Token::Math(body) => Some(body),
             _ => None,
         }));
     }
-    named.retain(|body| source.get(body.range()).is_some_and(relates));
+    named.retain(|body| relates(text(*body)));
     named.truncate(MOST_NAMED);
     named
 }
