@@ -146,6 +146,9 @@ impl Report<'_> {
         if entry.verdict == Verdict::Undecided && self.level_of_verdict(entry) >= Some(least) {
             all.push(self.left_open(entry));
         }
+        if all.is_empty() {
+            return all;
+        }
         let understood = self.statement(entry).map(plain_statement);
         let understood = understood.map(|own| (Level::NOTE.with_name("understood"), own));
         for finding in &mut all {

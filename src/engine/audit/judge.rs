@@ -194,6 +194,12 @@ impl Judge<'_> {
         }
         let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
         let obligation = search::pose(claim);
+        let named = OnceCell::new();
+        let named = || {
+            named
+                .get_or_init(|| self.with_what_is_named(goal, &assumed))
+                .as_deref()
+        };
         let decision = match &obligation {
             Ok(posed) => search::decide_within(posed, &self.auditor.hints(), self.points()),
             Err(reject) => search::hopeless(reject.clone()),
@@ -255,7 +261,9 @@ impl Judge<'_> {
                 let settled = marked && goal.questioned || {
                     let attempts = self.attempts(goal, &assumed, premises, Some(witness));
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
-                        || self.follows_from_words(goal, &assumed, premises, &mut found)
+                        || named().is_some_and(|all| {
+                            self.follows_from_words(goal, all, premises, &mut found)
+                        })
                         || self.unstated(goal, &assumed, premises, &mut found)
                         || {
                             strong = self.strengthen(goal, &assumed, premises, &mut found);
@@ -272,11 +280,13 @@ impl Judge<'_> {
                                   decides it with that";
                     found.judged.outcome = Outcome::open(reason);
                 } else if !settled {
-                    let all = self.heed_what_is_named(goal, &assumed, &mut found);
-                    let assumed = all.unwrap_or(assumed);
-                    self.instead(goal, &assumed, premises, &mut found);
-                    self.heed_what_varies(goal, &assumed, premises, &mut found);
-                    self.heed_what_is_open(goal, &assumed, premises, &mut found);
+                    if let Some(all) = named() {
+                        self.heed_what_is_named(goal, all, &mut found);
+                    }
+                    let all = named().unwrap_or(&assumed);
+                    self.instead(goal, all, premises, &mut found);
+                    self.heed_what_varies(goal, all, premises, &mut found);
+                    self.heed_what_is_open(goal, all, premises, &mut found);
                 }
             }
             Decision::Open(stop) => {
@@ -286,7 +296,9 @@ impl Judge<'_> {
                     let attempts = self.attempts(goal, &assumed, premises, None);
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
                         || self.rescue(goal, &attempts, &FARTHER, &mut found)
-                        || self.follows_from_words(goal, &assumed, premises, &mut found)
+                        || named().is_some_and(|all| {
+                            self.follows_from_words(goal, all, premises, &mut found)
+                        })
                         || self.rescue_from_open(goal, &assumed, premises, &mut found)
                         || self.unstated(goal, &assumed, premises, &mut found)
                         || self.follows_from_open(goal, &assumed, premises, &mut found)

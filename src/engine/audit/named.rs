@@ -13,13 +13,20 @@ use crate::sorted::Set;
 
 impl Judge<'_> {
     /// What a step may be taken from, with what the words before it name; nothing where they name nothing, or what cannot be so.
-    fn with_what_is_named(&self, goal: &Goal, assumed: &[Assumed]) -> Option<Vec<Assumed>> {
+    pub(super) fn with_what_is_named(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+    ) -> Option<Vec<Assumed>> {
         let mut named = self.derivation.named(self.at);
         named.retain(|own| !assumed.iter().any(|known| known.formula == own.formula));
         // What is put in is gone: "with $V = V_0$ at $t = 0$" is no reason for what still speaks of the time.
         let names = goal.formula.names();
         let all = assumed.iter().chain(&named);
-        let is_put = |name: &Symbol| all.clone().any(|own| gives_a_number(&own.formula, name));
+        let is_put = |name: &Symbol| {
+            all.clone()
+                .any(|own| own.formula.set_to_number() == Some(name))
+        };
         let leaves = || named.iter().any(|own| leaves(&own.formula, &names));
         if named.is_empty() || !names.iter().all(is_put) && leaves() {
             return None;
@@ -32,21 +39,20 @@ impl Judge<'_> {
         (!self.is_contradictory(&named, goal)).then_some(named)
     }
 
-    /// Whether the step follows with what the words before it name.
+    /// Whether the step follows from `all`: what it may be taken from, with what the words before it name.
     pub(super) fn follows_from_words(
         &self,
         goal: &Goal,
-        assumed: &[Assumed],
+        all: &[Assumed],
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        let Some(all) = self.with_what_is_named(goal, assumed) else {
-            return false;
-        };
-        let attempts = self.attempts(goal, &all, premises, None);
-        let follows = self.holds_under(goal, all.clone(), &[], Effort::Light, found)
-            || self.rescue(goal, &attempts, &NEARBY, found)
-            || self.under_conditions(goal, all, None, (false, Effort::Light), found);
+        let follows = self.holds_under(goal, all.to_vec(), &[], Effort::Light, found)
+            || {
+                let attempts = self.attempts(goal, all, premises, None);
+                self.rescue(goal, &attempts, &NEARBY, found)
+            }
+            || self.under_conditions(goal, all.to_vec(), None, (false, Effort::Light), found);
         if follows {
             found.may_follow = true;
         }
@@ -54,30 +60,19 @@ impl Judge<'_> {
     }
 
     /// Refutes a step where what the words name is so, too, and says from what; where that is not found, leaves it open.
-    pub(super) fn heed_what_is_named(
-        &self,
-        goal: &Goal,
-        assumed: &[Assumed],
-        found: &mut Found,
-    ) -> Option<Vec<Assumed>> {
-        let all = self.with_what_is_named(goal, assumed)?;
-        let claim = self.derivation.claim(self.at, &all, &goal.formula);
-        let posed = search::pose(claim).ok()?;
+    pub(super) fn heed_what_is_named(&self, goal: &Goal, all: &[Assumed], found: &mut Found) {
+        let claim = self.derivation.claim(self.at, all, &goal.formula);
+        let Ok(posed) = search::pose(claim) else {
+            return;
+        };
         match search::decide_within(&posed, &self.auditor.hints(), self.points()) {
             Decision::Refuted(refuted) => {
                 found.judged.outcome = Outcome::Refuted(refuted.into());
-                found.judged.assumed.clone_from(&all);
+                found.judged.assumed = all.to_vec();
             }
             _ => found.leave_open("it may follow with what the sentence before it names"),
         }
-        Some(all)
     }
-}
-
-/// Whether words say what number a symbol is.
-fn gives_a_number(named: &Formula, symbol: &Symbol) -> bool {
-    let sides = named.as_equation();
-    matches!(sides, Some((Expr::Symbol(own), Expr::Number(_))) if own == symbol)
 }
 
 /// Whether a step still speaks of a symbol that is given a value, and of what it is said to be.

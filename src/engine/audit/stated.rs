@@ -60,10 +60,13 @@ impl Judge<'_> {
             return None;
         };
         // What is not proved of something new can hardly follow from what does not speak of it.
-        let is_open = matches!(
-            outcome,
-            Outcome::Refuted(_) | Outcome::ScalesNot(..) | Outcome::Open(_)
-        );
+        let silent = self.derivation.pages[equation.page].declared.is_empty();
+        let scales = matches!(outcome, Outcome::ScalesNot(..));
+        let is_open = match outcome {
+            // Which scales as which is said of nothing else.
+            Outcome::ScalesNot(..) => equation.bare && silent,
+            outcome => matches!(outcome, Outcome::Refuted(_) | Outcome::Open(_)),
+        };
         if !is_open || goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
@@ -99,8 +102,6 @@ impl Judge<'_> {
         };
         // What is said to follow may bring in something new, and cannot follow then. A second law may speak of nothing new, where nobody
         // could have said that it is one; a value of something known is none, if no reason is given that is no equation.
-        let silent = self.derivation.pages[equation.page].declared.is_empty();
-        let scales = matches!(outcome, Outcome::ScalesNot(..));
         let is_law = || equation.reasons || silent && (scales || !matches!(left, Expr::Symbol(_)));
         // "For a solid cylinder the moment of inertia is": of what nobody has said anything else.
         let is_case = silent && equation.extent == Extent::Circumstances && !self.is_explicit(left);
@@ -115,10 +116,6 @@ impl Judge<'_> {
             && !has_value
             && self.is_explicit(body)
         {
-            return None;
-        }
-        // Which scales as which is said of nothing else.
-        if scales && !(equation.bare && silent) {
             return None;
         }
         // What is wrong itself contradicts others already.

@@ -239,9 +239,8 @@ impl Judge<'_> {
             return None;
         }
         let is_number = |symbol: &Symbol| {
-            let mut equations = set.iter().filter_map(|a| a.formula.as_equation());
-            equations
-                .any(|sides| matches!(sides, (Expr::Symbol(own), Expr::Number(_)) if own == symbol))
+            set.iter()
+                .any(|a| a.formula.set_to_number() == Some(symbol))
         };
         let open = unbounded.iter().filter(|symbol| !is_number(symbol));
         let mut conditions: Vec<Formula> = open

@@ -19,18 +19,26 @@ use crate::sorted::{Set, Tree};
 pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTreeSet<Symbol>) {
     let mut seen = BTreeSet::new();
     let mut sequences = Sequences::default();
-    // What other pages have said, while a page is read that does not go on from them.
-    let mut elsewhere: Option<BTreeSet<Symbol>> = None;
-    let mut last = None;
-    for at in 0..equations.len() {
-        let number = equations[at].page;
-        let page = &pages[number];
-        if last.replace(number) != Some(number) {
-            seen.append(&mut elsewhere.take().unwrap_or_default());
-            let own = &equations[of_page(number, equations)];
-            elsewhere = stands_alone(page, own).then(|| std::mem::take(&mut seen));
-        }
-        let equation = &mut equations[at];
+    for (number, page) in pages.iter().enumerate() {
+        let own = of_page(number, equations);
+        let own = &mut equations[own];
+        let mut here = BTreeSet::new();
+        let alone = stands_alone(page, own);
+        let known = if alone { &mut here } else { &mut seen };
+        settle_page(own, page, known, &mut sequences, constants);
+        seen.extend(here);
+    }
+}
+
+/// The same on a page, after what was `seen` before.
+fn settle_page(
+    equations: &mut [Equation],
+    page: &Page,
+    seen: &mut BTreeSet<Symbol>,
+    sequences: &mut Sequences,
+    constants: &BTreeSet<Symbol>,
+) {
+    for equation in equations {
         let locals = equation.locals.iter().map(|&local| &page.locals[local]);
         let supposed = locals.flat_map(|local| &local.formulas);
         let supposed = supposed.filter(|formula| formula.as_equation().is_some());
@@ -41,10 +49,10 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
         let mut explains = false;
         for (part, statement) in equation.statements().iter().enumerate() {
             // All cases of a definition define the same symbol.
-            let defined = defined_symbol(statement, &seen, case.as_ref());
+            let defined = defined_symbol(statement, seen, case.as_ref());
             // `\text{const} = p V` says something of `p V`.
             let defined = defined
-                .filter(|symbol| !sequences.know(symbol, &seen) && !constants.contains(symbol));
+                .filter(|symbol| !sequences.know(symbol, seen) && !constants.contains(symbol));
             // "The magnification $M = -s'/s$ is": the display says what comes of it.
             let told =
                 (defined.as_ref()).is_some_and(|symbol| is_told(symbol, statement, equation, page));
@@ -77,17 +85,17 @@ pub(super) fn settle(equations: &mut [Equation], pages: &[Page], constants: &BTr
 
 /// Whether a page goes on from no other: it declares nothing and cites nothing that is not its own. Its letters are its own, too.
 fn stands_alone(page: &Page, own: &[Equation]) -> bool {
-    let is_silent = page.declared.is_empty() && page.beside.is_none();
+    if !page.declared.is_empty() || page.beside.is_some() || page.document.is_latex {
+        return false;
+    }
     let labels = own.iter().flat_map(|e| e.keys.iter().chain(&e.tag));
     let labels: BTreeSet<&String> = labels.collect();
     let is_own = |citation: &Citation| labels.contains(&citation.tag);
     let mut cited = own.iter().map(|equation| &equation.premises);
-    is_silent
-        && !page.document.is_latex
-        && cited.all(|cited| match cited {
-            Premises::Cited(cited) => cited.iter().all(is_own),
-            Premises::Named(_) => false,
-        })
+    cited.all(|cited| match cited {
+        Premises::Cited(cited) => cited.iter().all(is_own),
+        Premises::Named(_) => false,
+    })
 }
 
 /// Whether the text has told in passing what a symbol is, or something of all that a statement about it speaks of.

@@ -249,16 +249,14 @@ pub(super) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
         .iter()
         .filter(|(token, _)| !matches!(token, Token::Mark(',' | ';' | ':')));
     let first = said.next().map(|(token, _)| *token);
-    let names = |token: Option<&Placed<'_>>| token.is_some_and(|own| own.0.is_among(&NAMES));
-    let plain = |(token, _): &&Placed<'_>| match token {
-        Token::Word(word) => !draws(&word.to_lowercase()),
+    let plain = |(token, _): &Placed<'_>| match token {
+        Token::Word(word) => !draws(&in_lower_case(word)),
         _ => false,
     };
     match first {
         Some(Token::Word("where")) => {
-            let mut rest = said.clone();
-            rest.all(|own| plain(&own))
-                && (said.clone().next().is_none() || names(said.next_back()))
+            let last = said.clone().next_back();
+            said.all(plain) && last.is_none_or(|(last, _)| last.is_among(&NAMES))
         }
         Some(Token::Word("with")) => said.next().is_none(),
         _ => false,

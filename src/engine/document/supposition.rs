@@ -17,7 +17,6 @@ mod words;
 use self::introduction::{MOST_DESCRIBING, introduced, is_condition};
 pub(super) use self::mathematics::relates;
 use self::mathematics::{differs, equals_a_name, is_bound, is_number, is_value};
-
 use self::words::{
     CONCLUDING, DENYING, DOUBTFUL, HAVING, KNOWN, MOMENTARY, NAMED_AFTER, NAMED_BEFORE, NAMING,
     NEGATING, OF_CASES, REASONS, REGIMES, UNDECIDED,

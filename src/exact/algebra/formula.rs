@@ -105,6 +105,14 @@ impl Formula {
         matches!(relation, Less | LessOrEqual | Greater | GreaterOrEqual)
     }
 
+    /// The symbol of which this says what number it is: `n = 3`.
+    pub fn set_to_number(&self) -> Option<&Symbol> {
+        match self.as_equation() {
+            Some((Expr::Symbol(symbol), Expr::Number(_))) => Some(symbol),
+            _ => None,
+        }
+    }
+
     /// Both sides, where this is an equation.
     pub fn as_equation(&self) -> Option<(&Expr, &Expr)> {
         match self {

@@ -462,10 +462,8 @@ fn assuming(claim: &Claim, formulas: &[Formula]) -> Claim {
 /// The symbols of which a claim speaks and no hypothesis gives a number for a value.
 fn nowhere_put(claim: &Claim) -> Vec<Symbol> {
     let is_put = |symbol: &Symbol| {
-        let hypotheses = claim.hypotheses.iter();
-        let mut equations = hypotheses.filter_map(|own| own.formula.as_equation());
-        equations
-            .any(|sides| matches!(sides, (Expr::Symbol(own), Expr::Number(_)) if own == symbol))
+        let mut hypotheses = claim.hypotheses.iter();
+        hypotheses.any(|own| own.formula.set_to_number() == Some(symbol))
     };
     let named = Formula::free_symbols_of(claim.formulas()).into_iter();
     named.filter(|symbol| !is_put(symbol)).cloned().collect()
