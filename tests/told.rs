@@ -32,9 +32,6 @@ fn laws_in_words_link_what_the_displays_say() {
     let right = ["given", "given", "holds", "holds"];
     assert_eq!(page(r"\frac{k d^2}{2 m g}"), right);
     assert_eq!(page(r"\frac{k d^2}{m g}")[3], "fails");
-    // "At $x = h$" says where.
-    let place = "$$ m g x = \\frac12 m v^2 \\tag{1} $$\n\nAt $x = h$ we stop. By (1)\n\n$$ h = \\frac{v^2}{2 g} $$\n";
-    assert_ne!(verdicts(place)[1], "holds");
 }
 
 #[test]
@@ -70,4 +67,128 @@ fn bounds_of_what_is_introduced_and_meanings_outlast_the_section() {
     };
     assert_eq!(ratio("", r"\frac{v^2}{(1 + b/a)^2}"), "holds");
     assert_eq!(ratio("", r"\frac{v^2}{(1 + a/b)^2}"), "fails");
+}
+
+/// What is said between displays without a sentence that could be cited.
+#[test]
+fn words_that_lead_on_draw_or_announce() {
+    let page = |laws: &str, lead: &str, end: &str| {
+        verdicts(&format!("{laws}\n\n{lead}\n\n$$ {end} $$\n"))
+            .pop()
+            .unwrap()
+    };
+    let law = "The current is\n\n$$ I = \\frac{U}{R + r} \\tag{1} $$";
+    // The same in other words.
+    for lead in ["i.e.", "that is,", "or", "or, equivalently,"] {
+        assert_eq!(page(law, lead, "U = I (R + r)"), "holds", "{lead}");
+        assert_eq!(page(law, lead, "U = I (R - r)"), "fails", "{lead}");
+    }
+    // Laws that are written one below the other are one premise.
+    let two = "Momentum and energy are conserved:\n\n$$ m u = m v + M w $$\n\n$$ m u^2 = m v^2 + M w^2 $$";
+    assert_eq!(page(two, "Therefore", "w = u + v"), "holds");
+    assert_eq!(page(two, "Therefore", "w = u - v"), "fails");
+    // A label of an exercise cites nothing.
+    let parts =
+        "(a) The momentum is\n\n$$ p = m v $$\n\n(b) The energy is\n\n$$ E = \\frac{p^2}{2 m} $$";
+    assert_eq!(page(parts, "so that", "E = \\frac12 m v^2"), "holds");
+    // What is done with the display before, and with what.
+    let energy = "$$ m v = p \\tag{1} $$\n\nThe energy is\n\n$$ E = \\frac12 m v^2 \\tag{2} $$";
+    assert_eq!(
+        page(energy, "Rearranging with the help of (1),", "2 E = p v"),
+        "holds"
+    );
+}
+
+#[test]
+fn several_laws_are_announced_together() {
+    let page = |announced: &str| {
+        verdicts(&format!(
+            "{announced}\n\n$$ N + M = m g $$\n\nand\n\n$$ N a = M b $$\n\nHence\n\n$$ N (a + b) = m g b $$\n"
+        ))
+    };
+    let right = ["given", "given", "holds"];
+    assert_eq!(page("The two conditions of equilibrium are"), right);
+    assert_eq!(page("We have the following equations."), right);
+}
+
+/// A case is over where another of the same is set.
+#[test]
+fn rival_cases_leave_one_another() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "The current is\n\n$$ I = \\frac{{U}}{{R + r}} \\tag{{1}} $$\n\nIf $R = r$, (1) becomes\n\n$$ I = \\frac{{U}}{{2 r}} $$\n\n\
+             {lead}\n\n$$ {end} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("If $r = 0$, (1) becomes", r"I = \frac{U}{R}"), "holds");
+    assert_eq!(
+        page("If $r = 0$, (1) becomes", r"I = \frac{U}{2 R}"),
+        "fails"
+    );
+    assert_eq!(
+        page("- If $R = 2 r$, (1) becomes", r"I = \frac{U}{3 r}"),
+        "holds"
+    );
+}
+
+/// What a sentence bounds in passing, and what would be called something.
+#[test]
+fn bounds_and_names_in_passing() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "$$ M u = M v \\tag{{1}} $$\n\n{lead}\n\n$$ {end} $$\n"
+        ))
+    };
+    let stated = ("holds", vec![]);
+    assert_eq!(page("With $M > 0$ we get from (1)", "u = v"), stated);
+    assert_eq!(page("For every $M > 0$, (1) gives", "u = v"), stated);
+    assert_eq!(
+        page("(1) gives", "u = v"),
+        ("holds", vec!["unstated-condition"])
+    );
+    let named = |would: &str| {
+        verdicts(&format!(
+            "The price is\n\n$$ p = a - b q \\tag{{1}} $$\n\nA monopolist {would} the quantity $Q = a/(2 b)$. At $q = Q$ we have, by (1),\n\n\
+             $$ p = \\frac{{a}}{{2}} $$\n"
+        ))[1]
+    };
+    assert_eq!(named("would choose"), "holds");
+}
+
+/// "The velocity vanishes" is said of the letter that the text calls so; of what has no letter, nothing is refuted.
+#[test]
+fn what_has_a_name_vanishes() {
+    let page = |law: &str, lead: &str, end: &str| {
+        last(&format!(
+            "{law}\n\n$$ v = u - g t \\tag{{1}} $$\n\n{lead}\n\n$$ t = {end} $$\n"
+        ))
+        .0
+    };
+    let (velocity, top) = (
+        "The velocity of the ball is",
+        "At the highest point the velocity vanishes, so",
+    );
+    assert_eq!(page(velocity, top, r"\frac{u}{g}"), "holds");
+    assert_eq!(page(velocity, top, r"\frac{2 u}{g}"), "fails");
+    assert_eq!(page("We know that", top, r"\frac{u}{g}"), "undecided");
+    for lead in [
+        "The velocity never vanishes, so",
+        "If the velocity vanishes, then",
+        "Thus the acceleration is not zero, so",
+    ] {
+        assert_ne!(page(velocity, lead, r"\frac{u}{g}"), "holds", "{lead}");
+    }
+}
+
+/// A letter that a section introduces anew is not the one of the sections above.
+#[test]
+fn letters_of_another_section_are_others() {
+    let page = |between: &str| {
+        verdicts(&format!(
+            "# Speed\n\nThe force is\n\n$$ F = c v \\tag{{1}} $$\n\n# Volume\n\n{between}\n\n$$ P = F v $$\n\nso\n\n$$ P = c v^2 $$\n"
+        ))[2]
+    };
+    assert_eq!(page("The power is"), "holds");
+    assert_ne!(page("Here $v$ denotes the volume. We set"), "holds");
 }

@@ -333,7 +333,12 @@ impl Judge<'_> {
                 if self.is_contradictory(&kept, goal) {
                     continue;
                 }
-                found.instead = sources(&kept);
+                let from = sources(&kept);
+                if let Some(reason) = self.in_other_letters(&from) {
+                    found.leave_open(reason);
+                    return true;
+                }
+                found.instead = from;
                 found.conditions.clear();
                 found.judged.assumed = kept;
                 found.judged.outcome = Outcome::Proven(least.into());
@@ -371,7 +376,12 @@ impl Judge<'_> {
         let cites = !premises.is_empty() || !unknown.is_empty();
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
             let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
-            if entries.iter().any(|e| e.is_wrong()) || !self.may_borrow(other, cites) {
+            let is_wrong = entries.iter().any(|e| e.is_wrong());
+            let is_given = entries.iter().any(|e| e.verdict == Verdict::Given);
+            if is_wrong
+                || is_given && self.is_of_other_circumstances(other)
+                || !self.may_borrow(other, cites)
+            {
                 continue;
             }
             let conditional = |n: &Note| matches!(n, Note::UnstatedCondition(_));
@@ -407,6 +417,38 @@ impl Judge<'_> {
         let mut gathered: Vec<Assumed> = told.chain(offered).filter(|a| !own.contains(a)).collect();
         gathered.truncate(own.len() + MOST_BORROWED);
         gathered
+    }
+
+    /// Whether the words before a step say that it is of other circumstances than an equation was said under.
+    fn is_of_other_circumstances(&self, other: usize) -> bool {
+        let equations = &self.derivation.equations;
+        let (own, other) = (&equations[self.at], &equations[other]);
+        let first = self.derivation.equations_of(own.page).start;
+        own.page == other.page
+            && other.circumstances.is_some()
+            && own.circumstances == Some(self.at - own.row.min(self.at) - first)
+    }
+
+    /// An equation of a section above that speaks of a letter which the section of this one introduces anew.
+    fn in_other_letters(&self, sources: &[Source]) -> Option<String> {
+        let own = &self.derivation.equations[self.at];
+        if own.anew.is_empty() {
+            return None;
+        }
+        let page = self.derivation.equations_of(own.page);
+        let (cited, ..) = self.derivation.premises(self.at);
+        let mut above = sources.iter().filter_map(|source| match *source {
+            Source::Equation(other) if other < page.start + own.section_start => Some(other),
+            _ => None,
+        });
+        let letter = above.find_map(|other| {
+            let spoken_of = self.derivation.equations[other].symbols();
+            let mut anew = own.anew.iter().filter(|_| !cited.contains(&other));
+            anew.find(|&letter| spoken_of.contains(letter))
+        })?;
+        Some(format!(
+            "it follows from what stands above, where `{letter}` may mean something else"
+        ))
     }
 
     /// Whether all that an earlier equation was shown under is supposed here too: what is not cited brings no special case with it.

@@ -61,7 +61,8 @@ impl Judge<'_> {
         };
         // What is not proved of something new can hardly follow from what does not speak of it.
         let silent = self.derivation.pages[equation.page].declared.is_empty();
-        let scales = matches!(outcome, Outcome::ScalesNot(..));
+        let scales = matches!(outcome, Outcome::ScalesNot(..))
+            || matches!(relation, Relation::Scales | Relation::Proportional);
         let is_open = match outcome {
             // Which scales as which is said of nothing else.
             Outcome::ScalesNot(..) => equation.bare && silent,
@@ -102,10 +103,16 @@ impl Judge<'_> {
         };
         // What is said to follow may bring in something new, and cannot follow then. A second law may speak of nothing new, where nobody
         // could have said that it is one; a value of something known is none, if no reason is given that is no equation.
-        let is_law = || equation.reasons || silent && (scales || !matches!(left, Expr::Symbol(_)));
+        let is_law = || {
+            equation.reasons
+                || equation.is_law
+                || silent && (scales || !matches!(left, Expr::Symbol(_)))
+        };
         // "For a solid cylinder the moment of inertia is": of what nobody has said anything else.
         let is_case = silent && equation.extent == Extent::Circumstances && !self.is_explicit(left);
-        let is_value = matches!(left, Expr::Symbol(symbol) if !is_new(symbol));
+        // A value in what nobody has spoken of is a second law: "If a column is connected, then $F = m g h$".
+        let in_others = !equation.drawn && !others.is_empty() && others.iter().all(is_new);
+        let is_value = matches!(left, Expr::Symbol(symbol) if !is_new(symbol)) && !in_others;
         let brings = !is_value && symbols.iter().any(is_new);
         let may_be_law = || equation.meant || !symbols.is_empty() || is_law() || is_case || put;
         if !(brings || equation.bare && may_be_law()) {
@@ -162,7 +169,8 @@ impl Judge<'_> {
         };
         // What goes on with the name in the same display defines it.
         let alone = equation.statements().len() == 1;
-        if !equation.drawn || !alone || quantities(value).is_empty() {
+        let named = quantities(value);
+        if !equation.drawn || !alone || named.is_empty() {
             return None;
         }
         let assumed = &self.usable.assumed;
@@ -331,6 +339,7 @@ pub(super) fn given(mut entry: Entry, symbols: Vec<Symbol>) -> Entry {
     }
     (entry.kind, entry.verdict) = (Kind::Given, Verdict::Given);
     (entry.implied, entry.mended) = (None, None);
+    entry.missing.clear();
     entry.notes = vec![Note::TakenAsGiven(symbols)];
     entry
 }

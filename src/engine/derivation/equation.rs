@@ -42,6 +42,8 @@ pub struct Equation {
     pub relative: bool,
     /// Whether words introduce it, and none of them cites anything or says that it follows.
     pub bare: bool,
+    /// Whether nothing is said between it and what is introduced with it just before.
+    pub joined: bool,
     /// Whether nothing is cited for it, whatever words say.
     pub uncited: bool,
     /// Whether the reason that words give for it is no equation: a law by its name, "since the string does not slip".
@@ -50,6 +52,14 @@ pub struct Equation {
     pub all_vary: bool,
     /// Whether a mere "where" or "with" introduces it.
     pub meant: bool,
+    /// It is one of several laws that the text announces.
+    pub is_law: bool,
+    /// The display, by position on the page, with which the circumstances begin that it is said under: "For an elastic collision".
+    pub circumstances: Option<usize>,
+    /// The letters that its section introduces anew: "Here $v$ denotes the volume".
+    pub anew: Set<Symbol>,
+    /// The first display of its section, by position on the page.
+    pub section_start: usize,
     /// Of how much words say that it is said, where none say that it follows.
     pub extent: Extent,
     /// Whether the text before it speaks of one moment, cite it what it may.

@@ -62,8 +62,8 @@ impl Reader<'_> {
             let bounds_new = bounded.all(|symbol| symbol.is_some_and(is_new));
             let assumes = kind == SuppositionKind::Assume && !local.of_case && bounds_new;
             local.lasts = local.moment.is_none() && (local.means || assumes);
-            // "With $\mu = m_2/m_1$ we divide" begins no case.
-            local.of_case &= !local.means;
+            // "With $\mu = m_2/m_1$ we divide" begins no case, "For $x = 2 a$ the force vanishes" does.
+            local.of_case &= !local.means || matches!(kind, SuppositionKind::Fact { .. });
         }
     }
 
@@ -86,6 +86,7 @@ impl Reader<'_> {
         let anew = spoken_of(&self.page.document.source, body);
         self.forget_lasting(|local| !local.names().is_disjoint(&anew));
         self.sayings.forget_above(&anew, self.begins);
+        self.anew.extend(anew);
     }
 
     /// What a display says afresh of a letter, `E = \dots`, takes the place of the meaning that it had in sections above.

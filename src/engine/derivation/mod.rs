@@ -358,6 +358,10 @@ impl Derivation {
             while !self.equations[first].moments.is_empty() && first > 0 {
                 first -= (self.equations[first].row + 1).min(first);
             }
+            // Laws that are written one below the other are one.
+            while self.equations[first].joined && first > 0 {
+                first -= 1;
+            }
             let near = (first..at).rev().take(MOST_ROWS);
             found.extend(near.filter(|&p| self.equations[p].page == equation.page));
             found.sort_unstable();

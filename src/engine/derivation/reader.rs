@@ -5,7 +5,7 @@ use std::vec;
 
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::document::{
-    Attribute, Citation, Directive, Extent, Item, Layout, Premise, Prose, Qualities, Span,
+    Attribute, Citation, Directive, Extent, Item, Layout, Named, Premise, Prose, Qualities, Span,
     Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
 };
 use crate::notation::{Spanned, SyntaxError, read_formulas};
@@ -51,6 +51,8 @@ struct Between {
     all_vary: bool,
     /// Whether they are a mere "where" or "with".
     meant: bool,
+    /// Whether they announce several laws.
+    laws: bool,
     /// Of how much the display is said.
     extent: Option<Extent>,
     /// Where a slope is said to be zero that nobody has written yet.
@@ -81,6 +83,16 @@ pub(super) struct Reader<'p> {
     between: Between,
     /// Whether nothing that introduces the next display makes it a step: at the beginning and after a heading nothing does.
     bare: bool,
+    /// Whether the next display, where nothing more than an "and" is said before it, is one of several laws.
+    laws: bool,
+    /// The display with which the circumstances begin that the text is about.
+    circumstances: Option<usize>,
+    /// Where the text came to another place: "Outside".
+    elsewhere: Option<usize>,
+    /// The letters that this section introduces anew.
+    pub(super) anew: Set<Symbol>,
+    /// The first display of the section.
+    first_here: usize,
     /// Of how much the display before is said.
     extent: Extent,
     /// The same where something is cited, too.
@@ -113,6 +125,11 @@ impl<'p> Reader<'p> {
             running: Vec::new(),
             between: Between::default(),
             bare: true,
+            laws: false,
+            circumstances: None,
+            elsewhere: None,
+            anew: Set::new(),
+            first_here: 0,
             extent: Extent::Throughout,
             told_extent: Extent::Throughout,
             last: 0..0,
@@ -146,7 +163,9 @@ impl<'p> Reader<'p> {
             self.page.title = title.to_owned();
         }
         (self.level, self.section) = (level, title.to_owned());
-        (self.last, self.bare) = (0..0, true);
+        (self.last, self.bare, self.laws) = (0..0, true, false);
+        (self.circumstances, self.first_here) = (None, self.equations.len());
+        (self.elsewhere, self.anew) = (None, Set::new());
         (self.extent, self.told_extent) = (Extent::Throughout, Extent::Throughout);
         self.leave_section();
         self.begins = span.start;
@@ -181,17 +200,28 @@ impl<'p> Reader<'p> {
         }
         self.between.mentioned.extend(mentioned);
         self.between.mentioned.truncate(MOST_MENTIONED);
-        self.between.named = self.named(&prose.named, before);
+        // "For $x = 2 a$ the force vanishes. In general" leaves what it named.
+        let left = prose
+            .suppositions
+            .iter()
+            .filter(|own| own.kind.leaves_cases());
+        let left = left.map(|own| own.body.start).max().unwrap_or_default();
+        let named = prose.named.iter().filter(|own| own.body.start >= left);
+        self.between.named = self.named(named, before);
     }
 
     /// Takes up what a sentence names and does not suppose. What displays say already is a value of it, or has to be shown.
-    fn named(&mut self, bodies: &[Span], before: usize) -> Vec<usize> {
+    fn named<'a>(
+        &mut self,
+        relations: impl Iterator<Item = &'a Named>,
+        before: usize,
+    ) -> Vec<usize> {
         let mut named = Vec::new();
-        for &body in bodies {
+        for &Named { body, is_drawn } in relations {
             let mut own = self.page.locals[before..].iter();
             let within =
                 |local: &Local| body.start <= local.span.start && local.span.end <= body.end;
-            if !own.any(within) && (self.is_value(body) || !self.is_said(body)) {
+            if !own.any(within) && (!is_drawn || self.is_value(body) || !self.is_said(body)) {
                 let kind = SuppositionKind::Known;
                 self.page.suppose(body, kind, self.level, &mut named, false);
             }
@@ -276,6 +306,12 @@ impl<'p> Reader<'p> {
                 let all = kind == SuppositionKind::General;
                 active.retain(|&at| !page.locals[at].is_left_by(all));
                 self.forget_cases();
+                // "Inside, $E = k Q r/R^3$. Outside" leaves what was said of the place before.
+                if let Some(from) = self.elsewhere.take() {
+                    let locals = &self.page.locals;
+                    self.told.retain(|&at| locals[at].span.start < from);
+                }
+                self.elsewhere = (!all).then_some(body.start);
             }
             SuppositionKind::Moment => {
                 page.begin_moment(passage, false, &[], active);
@@ -309,6 +345,8 @@ impl<'p> Reader<'p> {
                     active.push(page.suppose_zero(term, body, Some(passage)));
                 }
                 None if what == Vanishing::Slope => self.between.slope = Some(body),
+                // Of what has no letter nobody knows what it is to be zero.
+                None if what == Vanishing::Named => self.between.unread.push(body),
                 None => {}
             },
             // "…, where $m = 2 a$" of what more than that display speaks of: told in passing.
@@ -357,6 +395,9 @@ impl<'p> Reader<'p> {
 
     /// Takes up what is told in passing, or supposed, and returns where it stands.
     fn take_up(&mut self, kind: SuppositionKind, body: Span) -> Range<usize> {
+        if matches!(kind, SuppositionKind::Case { .. }) {
+            self.leave_rivals(body);
+        }
         let before = self.page.locals.len();
         self.spoken_of.learn(&self.equations, &self.page.locals);
         let among = match kind {
@@ -368,6 +409,20 @@ impl<'p> Reader<'p> {
         let new = before..self.page.locals.len();
         self.keep(new.clone(), kind);
         new
+    }
+
+    /// Leaves the cases before the last display that speak of the same: "If $R = r$, $$…$$ If $r = 0$, $$…$$".
+    fn leave_rivals(&mut self, body: Span) {
+        let Some(last) = self.equations.last() else {
+            return;
+        };
+        let mut own = qualities::spoken_of(&self.page.document.source, body);
+        own.retain(|symbol| !symbol.is_unit());
+        let locals = &self.page.locals;
+        let is_rival = |local: &Local| {
+            local.of_case && local.span.start < last.span.start && !local.names().is_disjoint(&own)
+        };
+        self.active.retain(|&at| !is_rival(&locals[at]));
     }
 
     fn suppose(&mut self, kind: SuppositionKind, body: Span) {
@@ -437,6 +492,11 @@ impl<'p> Reader<'p> {
                 // Where nothing is said between two displays, they are introduced together.
                 None => self.bare,
             };
+        let goes_on = said.concludes.is_none() || said.extent == Some(Extent::AsBefore);
+        self.laws = said.laws || self.laws && goes_on;
+        if said.extent == Some(Extent::Circumstances) {
+            self.circumstances = Some(self.equations.len());
+        }
         let or_before = |before: Extent| match said.extent {
             None | Some(Extent::AsBefore) => before,
             Some(extent) => extent,
@@ -446,15 +506,16 @@ impl<'p> Reader<'p> {
             true => or_before(self.extent),
             false => Extent::Throughout,
         };
+        // Where the display before ends.
+        let before = self.equations.last().map_or(0, |last| last.span.end);
         let at_moment = self.said_of_moment(&read);
         let passage = self.passage(&said, &read, &at_moment);
-        self.running.clear();
         self.page.forget_moments(&self.active, &mut self.told);
         self.last = self.equations.len()..self.equations.len() + of_display;
         let alone = self.equations.is_empty() && said.announces_all(&read) && said.from.is_none();
         for (row, (part, at_moment)) in read.into_iter().zip(at_moment).enumerate() {
             let display = (self.equations.len(), part.body);
-            let mut equation = self.equation(&said, part, row);
+            let mut equation = self.equation(&said, part, row, drawn);
             // A claim is one display; where that has several numbers the name is that of the last.
             if row + 1 == of_display {
                 equation.name = said.name.clone();
@@ -465,6 +526,7 @@ impl<'p> Reader<'p> {
             equation.opens &= alone;
             equation.drawn &= drawn;
             self.derived.push(said.derives);
+            self.leave_announced(&mut equation);
             if let Some(passage) = passage {
                 let active = &mut self.active;
                 equation.moments =
@@ -472,9 +534,33 @@ impl<'p> Reader<'p> {
             }
             self.equations.push(equation);
         }
-        // What has a number for a value is told of one display.
+        self.running.clear();
+        self.leave_told(&said, before);
+    }
+
+    /// What the words before a display announce is no case that it is said of: "With $x \geq a$ always, (1) gives $$x \geq a$$".
+    fn leave_announced(&self, equation: &mut Equation) {
+        if self.running.is_empty() {
+            return;
+        }
+        let said: Vec<Formula> = equation.statements().iter().flat_map(formulas).collect();
         let locals = &self.page.locals;
-        self.told.retain(|&at| locals[at].set.is_empty());
+        let is_said = |at: &usize| locals[*at].formulas.iter().all(|own| said.contains(own));
+        let running = &self.running;
+        equation
+            .locals
+            .retain(|at| !running.contains(at) || !is_said(at));
+    }
+
+    /// Leaves what was told of one display: what has a number for a value. What was told of a case is not told of laws after it.
+    fn leave_told(&mut self, said: &Between, before: usize) {
+        let is_law = self.bare && said.is_uncited();
+        let locals = &self.page.locals;
+        self.told.retain(|&at| {
+            let local = &locals[at];
+            let is_over = is_law && local.of_case && local.span.start < before;
+            local.set.is_empty() && !is_over
+        });
     }
 
     /// What a display says of one moment, row by row.
@@ -512,7 +598,7 @@ impl<'p> Reader<'p> {
     }
 
     /// A row of a display, as far as it can be told without the others.
-    fn equation(&self, said: &Between, part: Part, row: usize) -> Equation {
+    fn equation(&self, said: &Between, part: Part, row: usize, drawn: bool) -> Equation {
         let statements = || part.statements.iter().flatten();
         let mark = statements().any(|s| s.mark.is_some());
         let kind = match () {
@@ -525,6 +611,7 @@ impl<'p> Reader<'p> {
         let by_cases = by_cases.filter(|_| said.numeric.is_some()).map(|s| s.span);
         let stated = said.derived || said.numeric.is_some();
         let is_derived = kind == Kind::Derived;
+        let opened = row == 0 && self.first_here == self.equations.len();
         let may_define = is_derived && !stated && said.from.is_none();
         Equation {
             page: self.number,
@@ -549,10 +636,15 @@ impl<'p> Reader<'p> {
             opens: is_derived && !stated,
             relative: said.relative,
             bare: self.bare && is_derived && part.continues == 0,
+            joined: self.bare && !opened && (row > 0 || said.concludes.is_none()),
             uncited: said.is_uncited() && is_derived && part.continues == 0,
             reasons: said.reasons,
             all_vary: said.all_vary,
             meant: said.meant,
+            is_law: self.laws && said.is_uncited() && !drawn,
+            circumstances: self.circumstances,
+            anew: self.anew.clone(),
+            section_start: self.first_here,
             extent: self.extent,
             at_moment: self.told_extent == Extent::Moment,
             moments: 0..0,
@@ -585,6 +677,7 @@ impl Between {
         self.reasons |= prose.reasons;
         self.all_vary |= prose.all_vary;
         self.meant |= prose.says_what_is_meant;
+        self.laws |= prose.announces_laws;
         self.extent = prose.extent.or(self.extent);
         self.cites |= prose.closing > 0;
         self.defines |= prose.defines;

@@ -120,6 +120,13 @@ fn shows_index(page: &Page, formula: &Formula, index: &Symbol) -> bool {
     }
 }
 
+/// Whether a formula says no more than the declared domain of an index: "For $n \geq 1$" of a natural number.
+fn is_declared(page: &Page, formula: &Formula, index: &Symbol) -> bool {
+    let domain = page.domains.get(index);
+    let own = Expr::Symbol(index.clone());
+    domain.is_some_and(|domain| domain.formulas(&own).contains(formula))
+}
+
 /// The symbols and sequences of a formula that are neither an index nor have it in their names.
 fn plain(formula: &Formula, index: &Symbol) -> Set<Symbol> {
     let all = formula.names().into_iter();
@@ -173,7 +180,7 @@ impl Derivation {
     }
 
     /// Whether something that is given is said of every value of an index: no hypothesis about the index is in effect
-    /// where it stands, and nothing in it may depend on the index without showing it.
+    /// where it stands but what is declared of it anyway, and nothing in it may depend on the index without showing it.
     pub fn is_given_throughout(&self, at: usize, formula: &Formula, running: &Running) -> bool {
         let equation = &self.equations[at];
         let page = &self.pages[equation.page];
@@ -183,7 +190,7 @@ impl Derivation {
             .flat_map(|&at| &page.locals[at].formulas);
         formula.depends_on(&running.index)
             && shows_index(page, formula, &running.index)
-            && !locals.any(|local| running.ties(local))
+            && !locals.any(|local| running.ties(local) && !is_declared(page, local, &running.index))
     }
 
     /// The claim that a goal follows for every value of an index, for each index that runs where it or its premises stand.

@@ -236,7 +236,8 @@ impl Page {
                 }
                 _ => false,
             };
-            let of_case = local.is_told && local.of_case;
+            // "For a uniform disk the density is $\sigma = M/(\pi R^2)$": of a new symbol that is said for good.
+            let of_case = local.is_told && local.of_case && local.is_special;
             let lasts = local.moment.is_none() && !local.is_special && !of_case;
             local.means = lasts && local.formulas.iter().all(is_meaning);
         }
@@ -374,7 +375,34 @@ impl Page {
                     .cloned()
             }
             Vanishing::Display | Vanishing::Told => before.next().and_then(left_side).cloned(),
+            Vanishing::Named => {
+                let noun = self.document.source.get(body.range())?;
+                let is_said = |own: &&Equation| self.says_what_is(noun, own.span);
+                let symbol = |side: &&Expr| matches!(side, Expr::Symbol(_));
+                before
+                    .find(is_said)
+                    .and_then(left_side)
+                    .filter(symbol)
+                    .cloned()
+            }
         }
+    }
+
+    /// Whether the words that lead on to a display say what something is that has a name: "The velocity of the ball is".
+    fn says_what_is(&self, noun: &str, display: Span) -> bool {
+        let before = self
+            .document
+            .source
+            .get(..display.start)
+            .unwrap_or_default();
+        let line = before.trim_end().rsplit("\n\n").next().unwrap_or_default();
+        let sentence = line.rsplit(". ").next().unwrap_or_default();
+        let words = sentence.split(|c: char| !c.is_alphanumeric());
+        let mut words = words.filter(|word| !word.is_empty());
+        // Of nothing else.
+        words.any(|word| word.eq_ignore_ascii_case("the"))
+            && words.next() == Some(noun)
+            && words.last() == Some("is")
     }
 
     /// Supposes that a term is zero, at a moment whose passage begins there; in passing where there is none.
@@ -649,5 +677,5 @@ fn assigned(formula: &Formula) -> Set<Symbol> {
 
 /// Whether a term says what a symbol means, "Let $u = 1/N$": of a mere name or number it may be told where something begins.
 fn is_term(value: &Expr) -> bool {
-    !matches!(value, Expr::Symbol(_) | Expr::Number(_))
+    !matches!(value, Expr::Symbol(_)) && !value.free_symbols().is_empty()
 }

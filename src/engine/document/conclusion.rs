@@ -72,6 +72,8 @@ static WORKED: Words = Words::of(&[
     "inserting",
     "eliminate",
     "eliminating",
+    "plugging",
+    "plug",
     "expand",
     "expanding",
     "factor",
@@ -236,7 +238,72 @@ pub(super) fn is_relative(tokens: &[Placed<'_>]) -> bool {
     let first = tokens
         .iter()
         .find(|(token, _)| !matches!(token, Token::Mark(',' | ';')));
-    matches!(first, Some((Token::Word("which"), _)))
+    matches!(first, Some((Token::Word("which"), _))) || works_on_it(tokens)
+}
+
+/// What is done with the display before where nothing else is named: "Differentiating with respect to time and using (1)".
+const WORKED_ON: [&str; 7] = [
+    "differentiating",
+    "integrating",
+    "squaring",
+    "rearranging",
+    "simplifying",
+    "expanding",
+    "solving",
+];
+/// Between what is done and what it is done with.
+const WORKED_WITH: [&str; 5] = ["using", "with", "by", "inserting", "substituting"];
+
+/// Whether the last sentence begins with what is done, names nothing that it is done to, and goes on with what is used for it.
+fn works_on_it(tokens: &[Placed<'_>]) -> bool {
+    let last = last_sentence(tokens).unwrap_or_default();
+    let Some(((first, _), rest)) = last.split_first() else {
+        return false;
+    };
+    // "with respect to" names no means.
+    let is_means = |at: usize| {
+        let of = rest
+            .get(at + 1)
+            .is_some_and(|(next, _)| next.is_among(&["respect"]));
+        rest[at].0.is_among(&WORKED_WITH) && !of
+    };
+    let Some(means) = (0..rest.len()).find(|&at| is_means(at)) else {
+        return false;
+    };
+    let is_object = |(token, _): &Placed<'_>| {
+        matches!(token, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..))
+    };
+    first.is_among(&WORKED_ON) && !rest[..means].iter().any(is_object)
+}
+
+/// Of these several are announced together: "The two conditions of equilibrium are".
+static SEVERAL: Words = Words::of(&[
+    "equations",
+    "relations",
+    "laws",
+    "conditions",
+    "constraints",
+    "formulas",
+    "formulae",
+    "principles",
+    "rules",
+    "balances",
+]);
+
+/// Whether the last sentence announces several laws, and draws them from nothing: "The two conditions are", "We have the following
+/// equations."
+pub(super) fn announces_laws(tokens: &[Placed<'_>]) -> bool {
+    let last = last_sentence(tokens).unwrap_or_default();
+    let has = |words: &[&'static str]| last.iter().any(|(token, _)| token.is_among(words));
+    let ends = last.iter().rev().find_map(|(token, _)| match token {
+        Token::Word(word) => Some(*word),
+        _ => None,
+    });
+    let cites = |(token, _): &Placed<'_>| matches!(token, Token::Tag(_) | Token::Keys(_));
+    last.iter().any(|(token, _)| token.is_among(&SEVERAL))
+        && (ends == Some("are") || has(&["following"]))
+        && read(tokens) == Some(false)
+        && !last.iter().any(cites)
 }
 
 /// With one of these a clause ends that says what something is.
@@ -363,10 +430,32 @@ pub(super) fn says_from(tail: &[Placed<'_>]) -> bool {
     matches!(first, Some(Token::Word(word)) if FROM.contains(&word))
 }
 
+/// What leads from a display to the same in other words.
+const IN_OTHER_WORDS: [&[&str]; 5] = [
+    &["i", "e"],
+    &["that", "is"],
+    &["in", "other", "words"],
+    &["or"],
+    &["or", "equivalently"],
+];
+
+/// Whether nothing else is said than that the next display says the same: "i.e.", "that is,".
+fn says_the_same(sentence: &[Placed<'_>]) -> bool {
+    let marks = |(token, _): &&Placed<'_>| !matches!(token, Token::Mark(_) | Token::Stop);
+    let words = || sentence.iter().filter(marks);
+    IN_OTHER_WORDS.iter().any(|said| {
+        let is = |((token, _), word): (&Placed<'_>, &&str)| token.is_among(&[*word]);
+        words().count() == said.len() && words().zip(*said).all(is)
+    })
+}
+
 /// Whether the last sentence says that what comes after it follows from something, as far as words tell; `None` where nothing
 /// is said.
 pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
     let last = last_sentence(tokens)?;
+    if says_the_same(last) {
+        return Some(true);
+    }
     Some(last.iter().enumerate().any(|(at, (token, _))| {
         let Token::Word(word) = token else {
             return false;

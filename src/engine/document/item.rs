@@ -90,8 +90,8 @@ pub struct Prose {
     pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
-    /// The relations in the sentence that goes on with the display after it, supposed or not, in order.
-    pub named: Vec<Span>,
+    /// The relations in the sentences that lead on to the display after it, supposed or not, the nearest sentence first.
+    pub named: Vec<Named>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
     pub concludes: Option<bool>,
     /// How many citations, the last of all, stand in its last sentence or after it.
@@ -110,6 +110,8 @@ pub struct Prose {
     pub is_relative: bool,
     /// It is a mere "where" or "with" between two displays.
     pub says_what_is_meant: bool,
+    /// Its last sentence announces several laws: "The two conditions of equilibrium are".
+    pub announces_laws: bool,
     /// Of how much the display after it is said; `None` where it says nothing.
     pub extent: Option<Extent>,
 }
@@ -167,6 +169,15 @@ pub struct Inline {
     pub span: Span,
     /// Without them.
     pub body: Span,
+}
+
+/// A relation that prose names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// The inside of the inline math.
+    pub body: Span,
+    /// The sentence draws a conclusion before it: "so that $a = b$".
+    pub is_drawn: bool,
 }
 
 /// An equation cited in prose.
@@ -242,6 +253,8 @@ pub enum Vanishing {
     Display,
     /// "which vanishes at $x = a$": the same, told in passing.
     Told,
+    /// "the velocity vanishes, so": what the text calls by this word.
+    Named,
 }
 
 impl SuppositionKind {

@@ -36,8 +36,8 @@ use std::sync::Arc;
 pub use attribute::declaration;
 pub(crate) use citation::above_signs;
 pub use item::{
-    Attribute, Bound, Citation, Directive, Extent, Inline, Item, Layout, Premise, Problem, Prose,
-    Qualities, Row, Supposition, SuppositionKind, Vanishing,
+    Attribute, Bound, Citation, Directive, Extent, Inline, Item, Layout, Named, Premise, Problem,
+    Prose, Qualities, Row, Supposition, SuppositionKind, Vanishing,
 };
 pub use latex::Library;
 pub use nearest::nearest;

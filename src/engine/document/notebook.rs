@@ -152,7 +152,8 @@ fn moved(item: Item, by: usize) -> Item {
             for citation in &mut prose.citations {
                 citation.span = at(citation.span);
             }
-            let spans = prose.mentions.iter_mut().chain(&mut prose.named);
+            let named = prose.named.iter_mut().map(|own| &mut own.body);
+            let spans = prose.mentions.iter_mut().chain(named);
             for span in spans.chain(&mut prose.changing) {
                 *span = at(*span);
             }

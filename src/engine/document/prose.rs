@@ -120,6 +120,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         defines: conclusion::defines(&tokens),
         is_relative: conclusion::is_relative(&tokens),
         says_what_is_meant: conclusion::says_what_is_meant(&tokens),
+        announces_laws: conclusion::announces_laws(&tokens),
         extent: circumstance::read(source, &tokens),
     }
 }
@@ -204,6 +205,7 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
             let key = rest[1..length].trim_end_matches(['.', ':', '-']);
             (Some(Token::Keys(key)), 1 + key.len())
         }
+        '(' if let Some(length) = part_label(rest, last) => (None, length),
         '(' => match parenthesis(rest) {
             Some(inside) if !glued(last, at) => (Some(Token::Tag(inside)), inside.len() + 2),
             _ => (Some(Token::Mark('(')), 1),
@@ -258,6 +260,21 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
         }
         _ => (Some(Token::Mark(first)), width),
     }
+}
+
+/// The length of a label before a part of an exercise, "(a) Energy conservation says", "(ii) Find": no citation.
+fn part_label(rest: &str, last: Option<&Placed<'_>>) -> Option<usize> {
+    if !matches!(last, None | Some((Token::Stop, _))) {
+        return None;
+    }
+    let (label, after) = rest[1..].split_once(')')?;
+    let is_letter = label.len() == 1 && label.bytes().all(|b| b.is_ascii_lowercase());
+    let is_roman =
+        !label.is_empty() && label.len() <= 4 && label.bytes().all(|b| b"ivx".contains(&b));
+    let begins = after
+        .trim_start_matches(['*', '_', ' ', '\t'])
+        .starts_with(|c: char| c.is_uppercase() || c == '$');
+    ((is_letter || is_roman) && begins).then_some(label.len() + 2)
 }
 
 fn run(rest: &str, belongs: fn(char) -> bool) -> usize {

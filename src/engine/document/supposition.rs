@@ -16,10 +16,10 @@ mod words;
 
 use self::introduction::{MOST_DESCRIBING, introduced, is_condition};
 pub(super) use self::mathematics::relates;
-use self::mathematics::{differs, equals_a_name, is_bound, is_number, is_value};
+use self::mathematics::{differs, equals_a_name, is_bound, is_letters, is_number, is_value};
 use self::words::{
-    CONCLUDING, DENYING, DOUBTFUL, HAVING, KNOWN, MOMENTARY, NAMED_AFTER, NAMED_BEFORE, NAMING,
-    NEGATING, OF_CASES, REASONS, REGIMES, UNDECIDED,
+    CONCLUDING, DENYING, DOUBTFUL, HAVING, HYPOTHETICAL, KNOWN, MOMENTARY, NAMED_AFTER,
+    NAMED_BEFORE, NAMING, NEGATING, OF_CASES, REASONS, REGIMES, UNDECIDED,
 };
 use super::circumstance;
 use super::conclusion;
@@ -83,8 +83,12 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     }));
     // What is supposed already, or told, is not a case besides.
     if let Some(case) = cases::read(source, &tokens[..end]) {
-        let is_own = |own: &Supposition| own.body == case.body && is_no_meaning(own);
-        if !found.iter().any(is_own) {
+        let is_own = |own: &&mut Supposition| own.body == case.body && is_no_meaning(own);
+        if let Some(own) = found.iter_mut().find(is_own) {
+            if let SuppositionKind::Fact { of_case, .. } = &mut own.kind {
+                *of_case = true;
+            }
+        } else {
             found.retain(|own| own.body != case.body);
             mentions.retain(|own| *own != case.body);
             found.push(case);
@@ -126,6 +130,8 @@ struct Sentence {
     careful: bool,
     /// It may still tell a fact in passing.
     factual: bool,
+    /// It may still tell what a new letter means: "A monopolist would choose the quantity $Q = a/(2 b)$".
+    means: bool,
     /// It has drawn a conclusion.
     concluded: bool,
     /// What was introduced last, as far as it reaches.
@@ -143,6 +149,7 @@ impl Sentence {
             named: false,
             careful: false,
             factual: true,
+            means: true,
             concluded: false,
             active: None,
         }
@@ -193,6 +200,7 @@ impl Reader<'_> {
         let told = word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.has(next));
         if among(&UNDECIDED) || among(&DENYING) && !told {
             self.sentence.factual = false;
+            self.sentence.means &= among(&HYPOTHETICAL);
             // "A ball of radius $r = 2 a$ rolls without slipping": only what comes after it is denied.
             if word != "without" {
                 self.withdraw_facts();
@@ -233,8 +241,7 @@ impl Reader<'_> {
             }
             self.sentence.active = reach.past_math(states).map(|reach| (kind, reach));
         }
-        let lets = matches!(active, Some((SuppositionKind::Let, _)));
-        if lets && !states && is_named(index, self.tokens) {
+        if !states && self.introduces(index) && is_letters(self.text(body)) {
             self.introduced.push(body);
         }
         if self.sentence.named && states {
@@ -254,13 +261,24 @@ impl Reader<'_> {
             self.found.push(Supposition { kind, body });
         } else if states {
             let own = &self.sentence;
-            let is_told = own.factual && !own.doubtful && !self.is_of_moment(index);
+            let is_told = own.means && !own.doubtful && !self.is_of_moment(index);
             if own.active.is_none() && is_told && !says_number && !is_place {
                 let kind = SuppositionKind::Meaning;
                 self.found.push(Supposition { kind, body });
             }
             // "For $N = 3$ the values are $a = b$."
             self.sentence.concluded = true;
+        }
+    }
+
+    /// Whether the sentence introduces the letter at `index`: "Let $v$ be", "Here $v$ denotes".
+    fn introduces(&self, index: usize) -> bool {
+        let lets = matches!(self.sentence.active, Some((SuppositionKind::Let, _)));
+        match self.tokens.get(index + 1) {
+            Some((Token::Word(word), _)) => {
+                lets && NAMED_AFTER.has(word) || matches!(*word, "denotes" | "denote")
+            }
+            _ => false,
         }
     }
 
@@ -414,6 +432,7 @@ fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
     };
     let is_known = |by: usize| KNOWN.has(&word(by));
     match word(1).as_str() {
+        "measured" => matches!(&*word(2), "we" | "i" | "have"),
         "that" => (2..=MOST_DESCRIBING + 2)
             .take_while(|&by| !word(by).is_empty())
             .any(is_known),

@@ -200,8 +200,8 @@ impl Lowering<'_> {
             }
             Expr::Negate(inner) => Ok(self.lower(inner)?.negated()),
             Expr::Quotient(above, below) => {
-                let (above, below) = (self.lower(above)?, self.lower(below)?);
-                Ok(above.times(&self.recip(&below)?)?)
+                let above = self.lower(above)?;
+                Ok(above.times(&self.inverse(below)?)?)
             }
             Expr::Power(base, exponent) => self.power(base, exponent),
             Expr::Series {
@@ -239,11 +239,14 @@ impl Lowering<'_> {
             Expr::Number(value) => return Some((Monomial::one(), value.into())),
             Expr::Symbol(symbol) => (symbol, 1),
             Expr::Power(base, exponent) => {
-                let (Expr::Symbol(symbol), Expr::Number(exponent)) = (&**base, &**exponent) else {
+                let Expr::Symbol(symbol) = &**base else {
                     return None;
                 };
-                let whole = exponent.is_integer().then(|| exponent.numer().to_u32())?;
-                (symbol, whole.filter(|e| (1..=SMALL_EXPONENT).contains(e))?)
+                let whole = natural(exponent)?;
+                (
+                    symbol,
+                    Some(whole).filter(|e| (1..=SMALL_EXPONENT).contains(e))?,
+                )
             }
             _ => return None,
         };
@@ -282,6 +285,34 @@ impl Lowering<'_> {
             Some((sequence, position)) => Atom::Element { sequence, position },
             None => Atom::Symbol(symbol.clone()),
         }
+    }
+
+    /// `1 / divisor`. Its factors are kept apart: `(x + y)^2` vanishes where `x + y` does.
+    fn inverse(&mut self, divisor: &Expr) -> Lowered {
+        let is_sum = |expr: &Expr| matches!(expr, Expr::Sum(_));
+        let may_part = |factor: &Expr| match factor {
+            Expr::Power(base, _) => is_sum(base),
+            factor => is_sum(factor),
+        };
+        match divisor {
+            Expr::Product(factors) if factors.iter().any(may_part) => {
+                let mut whole = Fraction::from(Rational::one());
+                for factor in factors {
+                    whole = whole.times(&self.inverse(factor)?)?;
+                }
+                Ok(whole)
+            }
+            Expr::Power(base, exponent) if is_sum(base) => match natural(exponent) {
+                Some(exponent) => Ok(self.inverse(base)?.pow(exponent)?),
+                None => self.inverted(divisor),
+            },
+            _ => self.inverted(divisor),
+        }
+    }
+
+    fn inverted(&mut self, divisor: &Expr) -> Lowered {
+        let divisor = self.lower(divisor)?;
+        self.recip(&divisor)
     }
 
     pub(super) fn recip(&mut self, value: &Fraction) -> Lowered {
@@ -533,6 +564,14 @@ impl Lowering<'_> {
                 !body.has_elements() && body.free_symbols().iter().all(constant)
             }
         }
+    }
+}
+
+/// An exponent that is a natural number or 0.
+fn natural(exponent: &Expr) -> Option<u32> {
+    match exponent {
+        Expr::Number(exponent) if exponent.is_integer() => exponent.numer().to_u32(),
+        _ => None,
     }
 }
 

@@ -1,6 +1,6 @@
 //! Laws differentiated: a law holds at all times, so its two sides change at the same rate.
 
-use super::course::said_to_move;
+use super::course::{self, said_to_move};
 use super::prove::Prover;
 use super::{
     Attempt, Decision, Derived, Effort, assuming, attempt_with, derived, pose, prove_posed, still,
@@ -16,9 +16,35 @@ const MOST_TIMES: usize = 2;
 /// Decides what follows from laws that are differentiated, with what is differentiated nowhere held still if need be. Before points
 /// are looked for: at them such things may move.
 pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
-    let (problem, _) = with_rates(obligation)?;
+    let held = |problem: &Problem| still::held_still(obligation, problem);
+    let narrow = || {
+        let (problem, _) = with_rates(obligation)?;
+        decide_by(obligation, &with_rates, held(&problem))
+    };
+    let wide = || {
+        let (problem, _) = with_rates_of_variables(obligation)?;
+        let mut still = held(&problem);
+        // What a goal does not speak of may well change with what it does: `I` with `R` in `P = I^2 R = a R`.
+        let named = obligation.claim().goal.names();
+        let is_named = |slope: &Expr| {
+            course::differentiated(slope).is_some_and(|(own, _)| named.contains(own))
+        };
+        still.retain(|own| own.as_equation().is_some_and(|(slope, _)| is_named(slope)));
+        decide_by(obligation, &with_rates_of_variables, still)
+    };
+    narrow().or_else(wide)
+}
+
+/// The problem of a claim with the slopes of some of its laws.
+type WithRates<'a> = dyn Fn(&Obligation) -> Option<(Problem, Vec<Rate>)> + 'a;
+
+fn decide_by(
+    obligation: &Obligation,
+    with_rates: &WithRates<'_>,
+    still: Vec<Formula>,
+) -> Option<Decision> {
     let claim = obligation.claim();
-    let still = still::held_still(obligation, &problem);
+    let attempt = |obligation: &Obligation| attempt_from(obligation, with_rates(obligation)?);
     let found = |conditions: &[Formula]| attempt(&pose(assuming(claim, conditions)).ok()?);
     let needs = match found(&still)? {
         Attempt::Needs(needs) => needs,
@@ -115,6 +141,17 @@ pub(super) fn with_rates(obligation: &Obligation) -> Option<(Problem, Vec<Rate>)
         all.extend(written.iter().cloned());
         all
     })
+}
+
+/// The same of the laws, too, that speak of what is differentiated by: `P = U I = a R`, and not of what moves.
+pub(super) fn with_rates_of_variables(obligation: &Obligation) -> Option<(Problem, Vec<Rate>)> {
+    let variables = variables(obligation.problem());
+    let moving = said_to_move(obligation.claim());
+    if moving.is_empty() || variables.is_subset(&moving) {
+        return None;
+    }
+    let moving = moving.into_iter().chain(variables.iter().cloned());
+    differentiated(obligation, moving.collect(), |_| variables.clone())
 }
 
 /// The same by these variables, of the laws that speak of what moves.

@@ -67,7 +67,8 @@ fn makes_vanish(claim: Claim) -> bool {
     let Ok(posed) = pose(claim) else {
         return false;
     };
-    let with_rates = rates::with_rates(&posed).map(|found| found.0);
+    let with_rates = rates::with_rates_of_variables(&posed).or_else(|| rates::with_rates(&posed));
+    let with_rates = with_rates.map(|found| found.0);
     let problem = with_rates.as_ref().unwrap_or(posed.problem());
     let square = |symbol| {
         let var = problem.atoms.find(&Atom::Symbol(symbol))?;
@@ -221,8 +222,15 @@ pub fn are_tied(
     });
     let speaking: Vec<(&Expr, &Expr, Set<Symbol>)> = speaking.collect();
     let by_itself = |left: &Expr, own: &Symbol| matches!(left, Expr::Symbol(left) if left == own);
-    // What the links of `z = a = b` are equal to.
-    let mut explicit: Vec<&Expr> = Vec::new();
+    // What the links of `z = a = b` are equal to, be it only the last that speaks of the variable.
+    let first_links = laws.iter().filter_map(|law| match law.as_equation()? {
+        (Expr::Symbol(own), right) => {
+            let silent = !law.free_symbols().contains(variable) && !is_constant(own);
+            (silent && !matches!(right, Expr::Symbol(_) | Expr::Number(_))).then_some(right)
+        }
+        _ => None,
+    });
+    let mut explicit: Vec<&Expr> = first_links.collect();
     let says: Vec<bool> = speaking
         .iter()
         .map(|(left, right, _)| {

@@ -39,6 +39,19 @@ pub(super) fn introduced(
         _ => false,
     };
     let value = || next(is_value);
+    // At the beginning of a clause.
+    let bounds = || {
+        let begins = !begun || matches!(tokens[..index].last(), Some((Token::Mark(','), _)));
+        let quantified = matches!(
+            after(1),
+            Some(Token::Word("every" | "all" | "any" | "each"))
+        );
+        begins
+            && match after(if quantified { 2 } else { 1 }) {
+                Some(Token::Math(body)) => is_bound(text(body)),
+                _ => false,
+            }
+    };
     // "For equal springs $k_1 = k_2$, …"
     let described = || {
         let words = |token: &&Placed<'_>| matches!(token.0, Token::Word(_));
@@ -115,6 +128,12 @@ pub(super) fn introduced(
         "where" | "with" | "for" if (value() || next(is_bound)) && goes_on() => {
             Some((SuppositionKind::Define, Reach::Sentence))
         }
+        // "With $M > 0$ and $w > 0$ we get", "For every $\mu > 0$,"
+        "with" | "for" | "since" | "as" | "because"
+            if bounds() && runs_on(&tokens[index + 1..]) =>
+        {
+            Some((case, joined(true)))
+        }
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
         "assume" | "suppose" | "assuming" | "supposing" | "taking" => {
             Some((SuppositionKind::Assume, joined(false)))
@@ -134,7 +153,13 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
         return false;
     };
     let before = index.checked_sub(1).map(|before| tokens[before].0);
-    let begins = matches!(before, None | Some(Token::Stop | Token::Mark(',')))
+    // A bullet.
+    let after_bullet = before == Some(Token::Dash)
+        && index
+            .checked_sub(2)
+            .is_none_or(|bullet| tokens[bullet].0 == Token::Stop);
+    let begins = after_bullet
+        || matches!(before, None | Some(Token::Stop | Token::Mark(',')))
         || follows(
             index,
             tokens,
@@ -173,6 +198,14 @@ fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
         token => *token == Token::Stop,
     };
     !rest.iter().any(says)
+}
+
+/// Whether the rest of a sentence leads on to a display, and denies nothing.
+fn runs_on(rest: &[Placed<'_>]) -> bool {
+    let stops = |(token, _): &Placed<'_>| {
+        *token == Token::Stop || token.is_among(&NEGATING) || token.is_among(&["or"])
+    };
+    !rest.iter().any(stops)
 }
 
 /// Whether a sentence goes on with these: "and".

@@ -20,6 +20,16 @@ pub(super) fn equals_a_name(math: &str) -> bool {
     matches!(value, Ok(Expr::Symbol(_)))
 }
 
+/// Whether inline math is nothing but letters, or functions of letters: "Let $x$, $u_1, \dots, u_n$ and $f(x)$".
+pub(super) fn is_letters(math: &str) -> bool {
+    let dots = |part: &str| matches!(part.trim(), "\\dots" | "\\ldots" | "\\cdots");
+    let letter = |part: &str| {
+        let term = read_expr(part, Span::new(0, part.len()));
+        matches!(term, Ok(Expr::Symbol(_) | Expr::Apply(..)))
+    };
+    math.split(',').all(|part| dots(part) || letter(part))
+}
+
 /// Whether inline math is one equation. "For $x > 0$, … For $x < 0$, …" goes through cases: neither holds from there on.
 pub(super) fn is_value(math: &str) -> bool {
     relates(math) && math.matches('=').count() == 1 && !relates(&math.replace('=', " "))

@@ -1,11 +1,12 @@
-//! What the sentence that leads on to a display names without supposing it plainly: "An object at $g = 2 f$ is thus imaged at", "only
-//! the decaying term survives, $C = 0$, and".
+//! What the text that leads on to a display names without supposing it plainly: "An object at $g = 2 f$ is thus imaged at", "only
+//! the decaying term survives, $C = 0$, and", "Rolling means $a = r b$. Adding (1) and (2),".
 //!
 //! A step that does not follow otherwise is tried with it. It is said of that display alone.
 
-use super::super::Span;
-use super::super::prose::{Placed, Token, ends_sentence};
+use super::super::conclusion;
+use super::super::prose::{Placed, Token, begins_with, ends_sentence, in_lower_case};
 use super::super::words::Words;
+use super::super::{Named, Span};
 use super::cases::COMPARED;
 use super::follows;
 use super::mathematics::{is_number, relates};
@@ -27,17 +28,13 @@ static ELSEWHERE: Words = Words::of(&[
     "would",
     "could",
     "might",
-    "although",
-    "but",
     "difference",
     "earlier",
     "forgot",
-    "however",
     "last",
     "neglected",
     "previous",
     "previously",
-    "though",
     "violated",
     "violates",
     "was",
@@ -50,48 +47,75 @@ static ELSEWHERE: Words = Words::of(&[
 static AT_ANOTHER_TIME: Words = Words::of(&["until", "before", "after"]);
 /// A sentence that begins with one of these goes on with the one before.
 static GOING_ON: Words = Words::of(&["there", "then", "here", "hence", "thus", "therefore", "so"]);
-/// No more is taken up.
+/// No more is taken up, of no more sentences.
 const MOST_NAMED: usize = 4;
+const MOST_SENTENCES: usize = 4;
 
-/// The relations in the last sentence, if that goes on with the display after it, and in the one before that it goes on with.
-pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Span> {
+/// What these say is near the truth is what one goes on with.
+static NEAR_THE_TRUTH: Words = Words::of(&[
+    "approximation",
+    "approximate",
+    "approximately",
+    "hypothesis",
+    "should",
+]);
+
+/// The relations that the text before a display names, the nearest sentences first.
+pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Named> {
     let ends = |token: &Placed<'_>| ends_sentence(source, token) || token.0 == Token::Stop;
-    let mut sentences = tokens.rsplit(ends);
-    let last = sentences.next().unwrap_or_default();
-    let goes_on = last
-        .first()
-        .is_some_and(|(token, _)| token.is_among(&GOING_ON));
-    let before = sentences.next().filter(|_| goes_on).unwrap_or_default();
-    let text = |body: Span| source.get(body.range()).unwrap_or_default();
-    let mut named = Vec::new();
-    for sentence in [before, last] {
-        let among = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
-        if [
-            &COMPARED,
-            &DISPUTING,
-            &RETRACTING,
-            &BESIDE,
-            &KNOWN,
-            &ELSEWHERE,
-        ]
-        .into_iter()
-        .any(among)
-        {
-            continue;
-        }
-        let elsewhen = among(&AT_ANOTHER_TIME);
-        named.extend((0..sentence.len()).filter_map(|at| match sentence[at].0 {
-            Token::Math(_) if elsewhen && !is_taken_up(at, sentence) => None,
-            // "The derivative at $t = 0$" is of that moment alone.
-            Token::Math(body) if follows(at, sentence, &NAMED_BEFORE) && is_number(text(body)) => {
-                None
-            }
-            Token::Math(body) => Some(body),
-            _ => None,
-        }));
+    let is_value = |own: &Named| source.get(own.body.range()).is_some_and(is_number);
+    let (mut named, mut runs_on) = (Vec::new(), true);
+    for (back, sentence) in tokens.rsplit(ends).take(MOST_SENTENCES).enumerate() {
+        // A number is said in its sentence, and in the one that goes on from there.
+        let own = of_sentence(source, sentence).into_iter();
+        named.extend(own.filter(|own| runs_on || !is_value(own)));
+        runs_on = back == 0 && begins_with(sentence, &GOING_ON);
     }
-    named.retain(|body| relates(text(*body)));
     named.truncate(MOST_NAMED);
+    // "Let $y = x^3$ in the first case and $y = x^2$ in the second": neither.
+    let parts = |own: &Named| source.get(own.body.range())?.split_once('=');
+    let rivals = |a: &Named, b: &Named| match (parts(a), parts(b)) {
+        (Some(a), Some(b)) => a.0.trim() == b.0.trim() && a.1.trim() != b.1.trim(),
+        _ => false,
+    };
+    let all = named.clone();
+    named.retain(|own| !all.iter().any(|other| rivals(own, other)));
+    named
+}
+
+/// The relations that a sentence names, in order.
+fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
+    let text = |body: Span| source.get(body.range()).unwrap_or_default();
+    let has = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
+    let disputes =
+        |(token, _): &Placed<'_>| token.is_among(&DISPUTING) && !token.is_among(&NEAR_THE_TRUTH);
+    if [&COMPARED, &RETRACTING, &KNOWN, &ELSEWHERE]
+        .into_iter()
+        .any(has)
+        || sentence.iter().any(disputes)
+    {
+        return Vec::new();
+    }
+    let elsewhen = has(&AT_ANOTHER_TIME);
+    let mut named = Vec::new();
+    let mut is_drawn = false;
+    for (at, (token, _)) in sentence.iter().enumerate() {
+        match *token {
+            Token::Word(word) => is_drawn |= conclusion::draws(&in_lower_case(word)),
+            Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..) => is_drawn = true,
+            Token::Math(body) => {
+                // "The derivative at $t = 0$" is of that moment alone.
+                let is_place = follows(at, sentence, &NAMED_BEFORE) && is_number(text(body));
+                let is_then = !elsewhen || is_taken_up(at, sentence);
+                // "But $a = b$" goes on, "all but $a = b$" leaves out.
+                let is_beside = at > 1 && follows(at, sentence, &BESIDE);
+                if relates(text(body)) && !is_place && !is_beside && is_then {
+                    named.push(Named { body, is_drawn });
+                }
+            }
+            _ => {}
+        }
+    }
     named
 }
 

@@ -1,5 +1,6 @@
 //! What is said to be zero and not written as an equation: "Setting the derivative to zero gives", "which vanishes at $x = a$".
 
+use super::super::conclusion;
 use super::super::prose::{Placed, Token};
 use super::super::words::Listed;
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
@@ -21,7 +22,10 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
     let mut found = Vec::new();
     for (number, sentence) in tokens.split(|(token, _)| *token == Token::Stop).enumerate() {
         let relative = || of_display(source, sentence);
-        match set(source, sentence) {
+        // What leads on to a display is said of it.
+        let leads = sentence.as_ptr_range().end == tokens.as_ptr_range().end;
+        let named = || leads.then(|| named(sentence)).flatten();
+        match set(source, sentence).or_else(named) {
             Some(own) => found.push(own),
             None if number == 0 => found.extend(relative()),
             None => {}
@@ -65,6 +69,27 @@ fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
         (_, span) => span,
     };
     let kind = SuppositionKind::Vanishes(kind);
+    Some(Supposition { kind, body })
+}
+
+/// "At the highest point the velocity vanishes, so": what has a name, and is not concluded to be zero.
+fn named(sentence: &[Placed<'_>]) -> Option<Supposition> {
+    let zero = (1..sentence.len()).find(|&at| {
+        among(sentence, at, &["vanishes", "vanish"])
+            || among(sentence, at, &["is", "are", "becomes"])
+                && among(sentence, at + 1, &["zero", "nought"])
+    })?;
+    let before = &sentence[..zero];
+    let is_doubtful = |at: usize| among(sentence, at, &DENYING) || among(sentence, at, &DOUBTFUL);
+    let (Token::Word(noun), body) = sentence[zero - 1] else {
+        return None;
+    };
+    let is_noun = zero >= 2 && among(sentence, zero - 2, &["the", "its", "their"]);
+    let says = is_noun && noun.bytes().all(|b| b.is_ascii_lowercase());
+    if !says || (0..sentence.len()).any(is_doubtful) || conclusion::read(before) == Some(true) {
+        return None;
+    }
+    let kind = SuppositionKind::Vanishes(Vanishing::Named);
     Some(Supposition { kind, body })
 }
 

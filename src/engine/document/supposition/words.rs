@@ -83,6 +83,8 @@ pub(super) static DENYING: Words = Words::of(&[
     "not", "never", "no", "cannot", "would", "were", "without", "could", "might", "nothing",
     "little", "only", "tried", "leads",
 ]);
+/// What is so under other conditions is called something all the same.
+pub(super) static HYPOTHETICAL: Words = Words::of(&["would", "could", "might"]);
 /// What comes between these and the next word is an origin or a name and no value: "Let $t = 0$ be the moment of release".
 pub(super) static NAMED_AFTER: Words = Words::of(&[
     "be", "is", "denote", "denotes", "mark", "marks", "when", "at", "only", "onwards",
