@@ -3,14 +3,16 @@ use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
+use crate::algebra::{
+    BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, element_symbol,
+};
 use crate::dimension;
 use crate::document::{
     Attribute, Bound, Citation, Directive, Document, Inline, Item, Premise, Problem, Span, nearest,
 };
 use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
-use crate::sorted::{self, Tree};
+use crate::sorted::{self, Set, Tree};
 
 use super::beside::{Beside, Clash, Place};
 use super::equation::each_side;
@@ -111,6 +113,9 @@ pub(super) fn read_page(
     let mut reader = Reader::new(&mut page, number, &items);
     items.iter().for_each(|item| reader.item(item));
     let (mut equations, derived) = reader.finish();
+    for equation in &mut equations {
+        leave_values_of_quantified(equation, &page.locals);
+    }
     let declared =
         |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
     names::refuse(&mut equations, declared);
@@ -128,6 +133,31 @@ pub(super) fn read_page(
     sorted::sort_by_key(&mut page.problems, |p| p.span);
     page.document.items = items;
     (page, equations)
+}
+
+/// What is said for all `x` is not said of the `x = 1` that is supposed around it.
+fn leave_values_of_quantified(equation: &mut Equation, locals: &[Local]) {
+    let quantified = equation.statements().iter().map(|own| &own.quantified);
+    let quantified: Set<Symbol> = quantified.flatten().cloned().collect();
+    if quantified.is_empty() {
+        return;
+    }
+    let is_number = |formula: &Arc<Formula>| match &**formula {
+        Formula::Relation {
+            left: Expr::Symbol(symbol),
+            relation: Relation::Equal,
+            ..
+        } => quantified.contains(symbol) && formula.names().len() == 1,
+        _ => false,
+    };
+    let stays = |local: &usize| !locals[*local].formulas.iter().any(is_number);
+    for own in [
+        &mut equation.locals,
+        &mut equation.told,
+        &mut equation.named,
+    ] {
+        own.retain(stays);
+    }
 }
 
 /// The pages of each document: what LaTeX puts together from several files is one, and so is all else that is read together.
