@@ -14,7 +14,7 @@ use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
 use crate::sorted::{self, Set, Tree};
 
-use super::beside::{Beside, Clash, Place};
+use super::beside::{About, Beside, Clash, Place};
 use super::equation::each_side;
 use super::reader::Reader;
 use super::supposed::Local;
@@ -100,15 +100,17 @@ pub(super) fn read_page(
     let items = std::mem::take(&mut page.document.items);
     if let Some(beside) = page.beside.clone() {
         let mut own = page.clone();
-        own.declarations(&inherited);
-        own.declarations(&items);
+        let mut bounded = Tree::new();
+        own.declarations(&inherited, &mut bounded);
+        own.declarations(&items, &mut bounded);
         page.take_up(&beside, &own);
     }
-    page.declarations(&inherited);
+    let mut bounded = Tree::new();
+    page.declarations(&inherited, &mut bounded);
     page.figures(&inherited);
     page.problems.clone_from(&page.document.problems);
     page.document.inherited = inherited;
-    page.declarations(&items);
+    page.declarations(&items, &mut bounded);
     page.figures(&items);
     let mut reader = Reader::new(&mut page, number, &items);
     items.iter().for_each(|item| reader.item(item));
@@ -195,7 +197,8 @@ impl Page {
         });
     }
 
-    fn declarations(&mut self, items: &[Item]) {
+    /// Takes up what a document declares; where each symbol that it bounds was bounded first is in `bounded`.
+    fn declarations(&mut self, items: &[Item], bounded: &mut Tree<Symbol, (Domain, Span)>) {
         for item in items {
             let Item::Directives { clauses, .. } = item else {
                 continue;
@@ -208,12 +211,46 @@ impl Page {
                 for &span in names {
                     match read_symbol(self.document.text(span)) {
                         Ok(symbol) => {
-                            self.declare(symbol.clone(), span, attributes);
+                            match self.bounded_otherwise(&symbol, span, attributes, bounded) {
+                                true => self.declare(symbol.clone(), span, &unbounded(attributes)),
+                                false => self.declare(symbol.clone(), span, attributes),
+                            }
                             self.declare_dimension(symbol, span, dimension.as_ref());
                         }
                         Err(error) => self.complain_at(span, error),
                     }
                 }
+            }
+        }
+    }
+
+    /// Whether a declaration says that a symbol lies elsewhere than the document has said before; that is told.
+    ///
+    /// Put together, the two would prove of one quantity what is so of another that has the same letter.
+    fn bounded_otherwise(
+        &mut self,
+        symbol: &Symbol,
+        own: Span,
+        attributes: &[Spanned<Attribute>],
+        bounded: &mut Tree<Symbol, (Domain, Span)>,
+    ) -> bool {
+        let mut domain = Domain::default();
+        narrow(&mut domain, attributes);
+        domain.constant = false;
+        if domain == Domain::default() {
+            return false;
+        }
+        match bounded.get(symbol) {
+            Some((before, first)) if *before != domain => {
+                let about = About::TwoDomains(symbol.clone());
+                let beside = *first;
+                self.clashes.push(Clash { about, own, beside });
+                true
+            }
+            Some(_) => false,
+            None => {
+                bounded.insert(symbol.clone(), (domain, own));
+                false
             }
         }
     }
@@ -290,7 +327,9 @@ impl Page {
         if before.is_some_and(|before| before != dimension) {
             self.problems.push(Problem::new(
                 span,
-                format!("`{symbol}` is declared with two dimensions on this page"),
+                format!(
+                    "`{symbol}` is declared with two dimensions on this page: does it stand for two quantities?"
+                ),
                 "give one of the two another name; until then the first counts",
             ));
             return;
@@ -405,6 +444,15 @@ pub(super) fn narrow(domain: &mut Domain, attributes: &[Spanned<Attribute>]) {
             }
         }
     }
+}
+
+/// A declaration without what it says of where symbols lie.
+fn unbounded(attributes: &[Spanned<Attribute>]) -> Vec<Spanned<Attribute>> {
+    use Attribute::{Constant, Dimension, Euler, Real};
+    let kept = |own: &&Spanned<Attribute>| {
+        matches!(own.value, Dimension(_) | Constant | Euler | Real)
+    };
+    attributes.iter().filter(kept).cloned().collect()
 }
 
 /// Whether the bounds of a domain leave no number between them.
