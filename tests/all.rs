@@ -33,4 +33,5 @@ mod repairs;
 mod report;
 mod robust;
 mod sorted;
+mod told;
 mod undeclared;

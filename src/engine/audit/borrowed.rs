@@ -65,7 +65,7 @@ impl Judge<'_> {
                 self.refuted_from(if is_joined { &failing } else { &[] })
             }
         };
-        let near = others.iter().filter(|own| !is_of(own, &against));
+        let near = others.iter().filter(|own| !against.contains(&own.source));
         let near = near.take(NEARBY[1].0).cloned();
         let all: Vec<Assumed> = assumed.iter().cloned().chain(near).collect();
         (all.len() > assumed.len()).then_some(all)
@@ -233,7 +233,7 @@ impl Judge<'_> {
             }
             // Together with what it was refuted from, what fails would prove nearly anything.
             let mut harmless = others.clone();
-            harmless.retain(|own| !is_of(own, &against));
+            harmless.retain(|own| !against.contains(&own.source));
             let mut choices = Vec::new();
             if sound.len() < assumed.len() {
                 choices.push((sound.clone(), others.clone()));
@@ -280,16 +280,12 @@ impl Judge<'_> {
         self.auditor.failing(self.at, &premises)
     }
 
-    /// The equations at a common point of which failing ones were found to be false.
-    fn refuted_from(&self, failing: &[usize]) -> Set<usize> {
+    /// What was true at a point at which failing equations were found to be false.
+    fn refuted_from(&self, failing: &[usize]) -> Set<Source> {
         let entries = failing.iter().flat_map(|&at| self.auditor.entries_of(at));
         let refuted = entries.filter_map(|entry| entry.refuted());
         let premises = refuted.flat_map(|(judged, _)| sources(&judged.assumed));
-        let equations = premises.filter_map(|source| match source {
-            Source::Equation(at) => Some(at),
-            _ => None,
-        });
-        equations.collect()
+        premises.collect()
     }
 
     /// Tries again with what stands before, cited or not.
@@ -499,11 +495,6 @@ impl Judge<'_> {
             _ => false,
         })
     }
-}
-
-/// Whether a hypothesis is what one of some equations says.
-fn is_of(assumed: &Assumed, equations: &Set<usize>) -> bool {
-    matches!(assumed.source, Source::Equation(at) if equations.contains(&at))
 }
 
 /// Whether hypotheses say something of each symbol of a goal: one of which nothing at all is said can have any value.

@@ -101,11 +101,16 @@ fn stands_alone(page: &Page, own: &[Equation]) -> bool {
 /// Whether the text has told in passing what a symbol is, or something of all that a statement about it speaks of.
 fn is_told(symbol: &Symbol, statement: &Statement, equation: &Equation, page: &Page) -> bool {
     // What is gathered here costs something for each equation.
-    if equation.told.is_empty() {
+    if equation.told.is_empty() && equation.named.is_empty() {
         return false;
     }
-    let told = equation.told.iter().map(|&local| &page.locals[local]);
-    let mut told = told.flat_map(|local| &local.formulas);
+    let formulas_of = |&local: &usize| &page.locals[local].formulas;
+    // "The block rises until $m g h = K$, which gives": its height is drawn from that.
+    let mut named = equation.named.iter().flat_map(formulas_of);
+    if equation.drawn && named.any(|formula| formula.names().contains(symbol)) {
+        return true;
+    }
+    let mut told = equation.told.iter().flat_map(formulas_of);
     let said: Set<Symbol> = formulas(statement)
         .iter()
         .flat_map(Formula::names)

@@ -16,6 +16,7 @@ mod equation;
 mod euler;
 mod imaginary;
 mod indices;
+mod lasting;
 mod names;
 mod page;
 mod qualities;

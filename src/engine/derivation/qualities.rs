@@ -179,6 +179,13 @@ impl Sayings {
         self.0.retain(|own| own.level < level);
     }
 
+    /// What was said of these symbols before a place in the text.
+    pub fn forget_above(&mut self, symbols: &Set<Symbol>, place: usize) {
+        let is_above = |own: &Saying| own.attribute.span.start < place;
+        self.0
+            .retain(|own| !(symbols.contains(&own.symbol) && is_above(own)));
+    }
+
     /// Nothing is said any more.
     pub fn forget(&mut self) {
         self.0.clear();

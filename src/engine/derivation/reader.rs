@@ -59,21 +59,23 @@ struct Between {
 
 /// What has been read of a page.
 pub(super) struct Reader<'p> {
-    page: &'p mut Page,
+    pub(super) page: &'p mut Page,
     number: usize,
     /// The displays that are still to come, read.
     ahead: vec::IntoIter<Vec<Part>>,
-    equations: Vec<Equation>,
+    pub(super) equations: Vec<Equation>,
     /// Of each equation, what says that it is derived.
     derived: Vec<Option<Span>>,
     level: u8,
     section: String,
+    /// Where the section begins.
+    pub(super) begins: usize,
     /// What is supposed here, as positions in the page's locals.
-    active: Vec<usize>,
+    pub(super) active: Vec<usize>,
     /// What is told in passing.
-    told: Vec<usize>,
+    pub(super) told: Vec<usize>,
     /// What is said of symbols by adjectives.
-    sayings: Sayings,
+    pub(super) sayings: Sayings,
     /// The cases whose sentence goes on with the next display.
     running: Vec<usize>,
     between: Between,
@@ -89,6 +91,8 @@ pub(super) struct Reader<'p> {
     known: Known,
     /// The same with the last display.
     spoken_of: Known,
+    /// What displays speak of so far.
+    pub(super) displayed: Known,
 }
 
 impl<'p> Reader<'p> {
@@ -102,6 +106,7 @@ impl<'p> Reader<'p> {
             derived: Vec::new(),
             level: 0,
             section: String::new(),
+            begins: 0,
             active: Vec::new(),
             told: Vec::new(),
             sayings: Sayings::default(),
@@ -113,6 +118,7 @@ impl<'p> Reader<'p> {
             last: 0..0,
             known: Known::default(),
             spoken_of: Known::default(),
+            displayed: Known::default(),
         }
     }
 
@@ -124,7 +130,7 @@ impl<'p> Reader<'p> {
     /// Reads on.
     pub fn item(&mut self, item: &Item) {
         match item {
-            Item::Heading { level, title, .. } => self.heading(*level, title),
+            Item::Heading { level, title, span } => self.heading(*level, title, *span),
             Item::Prose(prose) => self.prose(prose),
             Item::Directives { clauses, .. } => {
                 for clause in clauses {
@@ -135,17 +141,19 @@ impl<'p> Reader<'p> {
         }
     }
 
-    fn heading(&mut self, level: u8, title: &str) {
+    fn heading(&mut self, level: u8, title: &str, span: Span) {
         if self.page.title.is_empty() {
             self.page.title = title.to_owned();
         }
         (self.level, self.section) = (level, title.to_owned());
         (self.last, self.bare) = (0..0, true);
         (self.extent, self.told_extent) = (Extent::Throughout, Extent::Throughout);
+        self.leave_section();
+        self.begins = span.start;
         let locals = &self.page.locals;
-        self.active
-            .retain(|&at| locals[at].level < level && !locals[at].is_momentary());
-        self.told.retain(|&at| locals[at].level < level);
+        self.active.retain(|&at| locals[at].outlasts(level));
+        let stays = |at: &usize| locals[*at].lasts || locals[*at].level < level;
+        self.told.retain(stays);
         self.sayings.below(level);
     }
 
@@ -224,6 +232,7 @@ impl<'p> Reader<'p> {
     }
 
     fn quality(&mut self, quality: &Qualities) {
+        self.displayed.learn(&self.equations, &[]);
         let named = qualities::named(&self.page.document.source, quality.body);
         let attributes = quality.attributes.iter().cloned();
         let attributes: Vec<Spanned<Attribute>> = attributes
@@ -234,7 +243,9 @@ impl<'p> Reader<'p> {
             .collect();
         for symbol in &named {
             for attribute in &attributes {
-                let (level, of_case) = (self.level, quality.of_case);
+                let of_case = quality.of_case;
+                let introduces = !of_case && !self.displayed.speaks_of(symbol);
+                let level = if introduces { 0 } else { self.level };
                 self.sayings.take(symbol, attribute.clone(), level, of_case);
             }
             if quality.goes_on {
@@ -254,6 +265,7 @@ impl<'p> Reader<'p> {
 
     /// Takes up what prose supposes; what it only names is returned.
     fn supposition(&mut self, &Supposition { kind, body }: &Supposition) -> Option<Span> {
+        let kind = self.as_introduced(kind, body);
         let (new, passage) = (self.page.locals.len().., self.equations.len());
         if matches!(kind, SuppositionKind::Fact { of_case: false, .. }) && self.is_said(body) {
             return Some(body);
@@ -281,10 +293,12 @@ impl<'p> Reader<'p> {
             SuppositionKind::Meaning => {
                 self.spoken_of.learn(&self.equations, &page.locals);
                 let known = &self.spoken_of;
-                if page.explains(body, |symbol| !known.speaks_of(symbol)) {
+                let is_new = |symbol: &Symbol| !known.speaks_of(symbol);
+                if page.explains(body, is_new) || page.links(body, is_new) {
                     self.take_up(kind, body);
                 }
             }
+            SuppositionKind::Anew => self.introduce_anew(body),
             SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
             SuppositionKind::Vanishes(what) => match page.vanishing(what, body, &self.equations) {
                 Some(term) if what == Vanishing::Told => {
@@ -309,14 +323,24 @@ impl<'p> Reader<'p> {
         None
     }
 
-    /// Whether displays say already what the text says something is: that it is something else they would have to show.
-    fn is_said(&self, body: Span) -> bool {
+    /// Whether displays say already what the text says something is: that it is something else they would have to show. Of what
+    /// nobody spoke of before they can show nothing: "All of it becomes kinetic energy, $U = K$".
+    fn is_said(&mut self, body: Span) -> bool {
         let source = &self.page.document.source;
         if is_reason(source, body) {
             return false;
         }
         let said = read_formulas(source, body).unwrap_or_default();
         let said: Vec<Formula> = said.iter().flat_map(formulas).collect();
+        self.spoken_of.learn(&self.equations, &self.page.locals);
+        let known = |symbol: &Symbol| self.spoken_of.speaks_of(symbol);
+        let values = said.iter().filter_map(|own| Some(own.as_equation()?.1));
+        if values
+            .into_iter()
+            .any(|value| !value.free_symbols().iter().all(known))
+        {
+            return false;
+        }
         let mut left = said.iter().filter_map(|own| Some(own.as_equation()?.0));
         let before = self.equations.iter().rev().take(MOST_BEFORE);
         let statements = before.flat_map(|own| own.statements()).flat_map(formulas);
@@ -341,7 +365,9 @@ impl<'p> Reader<'p> {
         };
         self.page.suppose(body, kind, self.level, among, false);
         self.page.restrict(before.., kind, &self.spoken_of);
-        before..self.page.locals.len()
+        let new = before..self.page.locals.len();
+        self.keep(new.clone(), kind);
+        new
     }
 
     fn suppose(&mut self, kind: SuppositionKind, body: Span) {
@@ -391,6 +417,10 @@ impl<'p> Reader<'p> {
         self.page.read_exponentials(statements.flatten());
         self.page
             .leave_cases(&read, &self.running, &mut self.active);
+        let drawn = said.draws(&read);
+        if !drawn {
+            self.redefine(&read);
+        }
         if let Some(span) = said.slope
             && let Some(slope) = slope_by(&read, &self.equations)
         {
@@ -422,7 +452,6 @@ impl<'p> Reader<'p> {
         self.page.forget_moments(&self.active, &mut self.told);
         self.last = self.equations.len()..self.equations.len() + of_display;
         let alone = self.equations.is_empty() && said.announces_all(&read) && said.from.is_none();
-        let drawn = said.draws(&read);
         for (row, (part, at_moment)) in read.into_iter().zip(at_moment).enumerate() {
             let display = (self.equations.len(), part.body);
             let mut equation = self.equation(&said, part, row);

@@ -39,7 +39,9 @@ pub struct Local {
     /// It lets something that was spoken of before have a value.
     is_special: bool,
     /// It says what a new symbol means: "Let $u = 1/N$".
-    means: bool,
+    pub(super) means: bool,
+    /// It is said for good: headings do not end it.
+    pub(super) lasts: bool,
     /// It is so at one moment alone.
     pub(super) moment: Option<Moment>,
     pub(super) level: u8,
@@ -158,6 +160,7 @@ impl Page {
                 is_told: is_fact,
                 is_special: false,
                 means: false,
+                lasts: false,
                 moment: None,
                 level,
             });
@@ -165,7 +168,7 @@ impl Page {
     }
 
     /// What a text says that is supposed, statement by statement.
-    fn supposed(&self, body: Span) -> Result<Vec<(Vec<Formula>, Span)>, SyntaxError> {
+    pub(super) fn supposed(&self, body: Span) -> Result<Vec<(Vec<Formula>, Span)>, SyntaxError> {
         let source = &self.document.source;
         let mut statements = match read_formulas(source, body) {
             Ok(statements) => statements,
@@ -203,6 +206,17 @@ impl Page {
             _ => false,
         };
         said.clone().next().is_some() && said.all(explains)
+    }
+
+    /// Whether a text says of a quantity that it is another one, such as these: "All of it becomes kinetic energy, $U = K$".
+    pub(super) fn links(&self, body: Span, such: impl Fn(&Symbol) -> bool) -> bool {
+        let said = self.supposed(body).unwrap_or_default();
+        let mut said = said.iter().flat_map(|own| &own.0);
+        let links = |formula: &Formula| match formula.as_equation() {
+            Some((Expr::Symbol(one), Expr::Symbol(other))) => !such(one) && such(other),
+            _ => false,
+        };
+        said.clone().next().is_some() && said.all(links)
     }
 
     /// What gives a value to what was spoken of before is a special case; what gives a new symbol its meaning is none.
@@ -334,6 +348,7 @@ impl Page {
                 is_told: false,
                 is_special: false,
                 means: false,
+                lasts: false,
                 level: 0,
             });
         }
@@ -379,6 +394,7 @@ impl Page {
             is_told: passage.is_none(),
             is_special: false,
             means: false,
+            lasts: false,
             moment: passage.map(|passage| Moment {
                 passage,
                 display: None,

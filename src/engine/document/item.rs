@@ -219,6 +219,8 @@ pub enum SuppositionKind {
     Known,
     /// "Setting the derivative to zero gives": zero, and not written as an equation.
     Vanishes(Vanishing),
+    /// "Let $x$ be a real number": a letter is introduced. It supposes nothing.
+    Anew,
     /// "In general": all special cases are left. It supposes nothing.
     General,
     /// "Later", "In between": the cases that were gone through and the moments are left, but not what was let.

@@ -61,6 +61,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         tokens: &tokens[..end],
         found: Vec::new(),
         mentions: Vec::new(),
+        introduced: Vec::new(),
         open: 0,
         sentence: Sentence::from(0),
     };
@@ -72,9 +73,14 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
             token => reader.mark(token),
         }
     }
+    let introduced = std::mem::take(&mut reader.introduced);
     let (mut found, mut mentions) = reader.finish();
     retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));
+    found.extend(introduced.into_iter().map(|body| Supposition {
+        kind: SuppositionKind::Anew,
+        body,
+    }));
     // What is supposed already, or told, is not a case besides.
     if let Some(case) = cases::read(source, &tokens[..end]) {
         let is_own = |own: &Supposition| own.body == case.body && is_no_meaning(own);
@@ -96,6 +102,8 @@ struct Reader<'a> {
     tokens: &'a [Placed<'a>],
     found: Vec<Supposition>,
     mentions: Vec<Span>,
+    /// The letters that it introduces.
+    introduced: Vec<Span>,
     /// From here on, what was supposed runs on into the display after the text.
     open: usize,
     sentence: Sentence,
@@ -214,6 +222,8 @@ impl Reader<'_> {
         let text = self.text(body);
         let (states, is_zero) = (relates(text), text.trim_end().ends_with("= 0"));
         let says_number = is_number(text);
+        // "At $x = h$" says where.
+        let is_place = follows(index, self.tokens, &NAMED_BEFORE) && equals_a_name(text);
         let active = self.sentence.active;
         if let Some((kind, reach)) = active {
             let may_begin = kind != SuppositionKind::Define || is_zero;
@@ -222,6 +232,10 @@ impl Reader<'_> {
                 self.sentence.named = false;
             }
             self.sentence.active = reach.past_math(states).map(|reach| (kind, reach));
+        }
+        let lets = matches!(active, Some((SuppositionKind::Let, _)));
+        if lets && !states && is_named(index, self.tokens) {
+            self.introduced.push(body);
         }
         if self.sentence.named && states {
             self.mentions.push(body);
@@ -241,7 +255,7 @@ impl Reader<'_> {
         } else if states {
             let own = &self.sentence;
             let is_told = own.factual && !own.doubtful && !self.is_of_moment(index);
-            if own.active.is_none() && is_told && !says_number {
+            if own.active.is_none() && is_told && !says_number && !is_place {
                 let kind = SuppositionKind::Meaning;
                 self.found.push(Supposition { kind, body });
             }

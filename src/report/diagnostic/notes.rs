@@ -28,10 +28,14 @@ impl Report<'_> {
         let first = equations[0];
         let verb = |number: usize| if number == 1 { "rests" } else { "rest" };
         let fails = self.how_they_fail(on);
-        let mut said = vec![(
-            Level::NOTE,
-            "each step follows from what it cites; what it comes from is false".to_owned(),
-        )];
+        let is_borrowed = |note: &Note| matches!(note, Note::Miscited { .. } | Note::Uncited(_));
+        let own = |e: &&Entry| e.rests_on == on;
+        let mut notes = (self.audit.entries.iter().filter(own)).flat_map(|e| &e.notes);
+        let said = match notes.any(is_borrowed) {
+            true => "each step follows from what it was judged from; some of that is false",
+            false => "each step follows from what it cites; what it comes from is false",
+        };
+        let mut said = vec![(Level::NOTE, said.to_owned())];
         for &at in &equations[1..] {
             said.push((
                 Level::NOTE.with_name("likewise"),

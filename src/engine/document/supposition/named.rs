@@ -27,9 +27,6 @@ static ELSEWHERE: Words = Words::of(&[
     "would",
     "could",
     "might",
-    "until",
-    "before",
-    "after",
     "although",
     "but",
     "difference",
@@ -48,6 +45,9 @@ static ELSEWHERE: Words = Words::of(&[
     "whereas",
     "while",
 ]);
+/// What comes after one of these is so at another time, unless the sentence goes on from it: "The block rises until $m g h = K$, which
+/// gives".
+static AT_ANOTHER_TIME: Words = Words::of(&["until", "before", "after"]);
 /// A sentence that begins with one of these goes on with the one before.
 static GOING_ON: Words = Words::of(&["there", "then", "here", "hence", "thus", "therefore", "so"]);
 /// No more is taken up.
@@ -79,7 +79,9 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Span
         {
             continue;
         }
+        let elsewhen = among(&AT_ANOTHER_TIME);
         named.extend((0..sentence.len()).filter_map(|at| match sentence[at].0 {
+            Token::Math(_) if elsewhen && !is_taken_up(at, sentence) => None,
             // "The derivative at $t = 0$" is of that moment alone.
             Token::Math(body) if follows(at, sentence, &NAMED_BEFORE) && is_number(text(body)) => {
                 None
@@ -91,4 +93,13 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Span
     named.retain(|body| relates(text(*body)));
     named.truncate(MOST_NAMED);
     named
+}
+
+/// Whether the sentence goes on from the mathematics at `index`: "…, which with (2) gives".
+fn is_taken_up(index: usize, sentence: &[Placed<'_>]) -> bool {
+    let mut after = sentence[index + 1..].iter().map(|(token, _)| *token);
+    match after.next() {
+        Some(Token::Mark(',')) => matches!(after.next(), Some(Token::Word("which" | "whence"))),
+        _ => false,
+    }
 }
