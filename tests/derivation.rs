@@ -25,3 +25,37 @@ fn distance_is_no_differential() {
     // In the middle of a chain it stands once.
     assert_eq!(read("$$ W = q d E = F $$"), [true]);
 }
+
+#[test]
+fn one_symbol_does_not_lie_in_two_places() {
+    let clashes = |first: &str, second: &str| {
+        let page = format!(
+            "<!-- check: symbols k: {first} -->\n\n# A\n\n<!-- check: symbols k: {second} -->\n"
+        );
+        Derivation::from_markdown("page.md", &page).pages[0]
+            .clashes
+            .len()
+    };
+    assert_eq!(clashes("natural", "positive"), 1);
+    assert_eq!(clashes("mass, in [0, 1]", "positive"), 1);
+    assert_eq!(clashes("integer", ">= 1"), 1);
+    // The same again, or something else about it.
+    for (first, second) in [
+        ("positive", "positive, constant"),
+        ("mass", "positive"),
+        ("positive", "mass"),
+        ("real", "positive"),
+        ("positive", "constant"),
+        ("constant", "positive"),
+    ] {
+        assert_eq!(clashes(first, second), 0, "{first}; {second}");
+    }
+}
+
+#[test]
+fn of_two_places_the_first_counts() {
+    let page = "# A\n\n<!-- check: symbols k: positive -->\n\n$$ n = k + 1 \\tag{1} $$\n\n# B\n\n<!-- check: symbols k: natural -->\n";
+    let page = Derivation::from_markdown("page.md", page).pages.remove(0);
+    let domain = page.domains.iter().next().unwrap().1;
+    assert!(!domain.integer);
+}

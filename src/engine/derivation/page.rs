@@ -31,6 +31,9 @@ pub struct Page {
     pub domains: Tree<Symbol, Domain>,
     /// The declared dimension of each symbol.
     pub dimensions: Tree<Symbol, Dimension>,
+    /// Whether directives, or the file beside the document, say of equations that they are given or what they follow from. Where
+    /// none does, the text alone says which are laws, however many symbols are declared.
+    pub directs: bool,
     /// The figures for each symbol that has some.
     pub data: Tree<Symbol, Datum>,
     /// The symbols that stand for Euler's number: their powers are read as exponentials.
@@ -84,6 +87,7 @@ pub(super) fn read_page(
         title: String::new(),
         domains: Tree::new(),
         dimensions: Tree::new(),
+        directs: false,
         data: Tree::new(),
         euler: BTreeSet::new(),
         complex: BTreeSet::new(),
@@ -112,6 +116,11 @@ pub(super) fn read_page(
     page.document.inherited = inherited;
     page.declarations(&items, &mut bounded);
     page.figures(&items);
+    page.directs = items.iter().any(directs)
+        || page
+            .beside
+            .as_ref()
+            .is_some_and(|beside| !beside.given.is_empty());
     let mut reader = Reader::new(&mut page, number, &items);
     items.iter().for_each(|item| reader.item(item));
     let (mut equations, derived) = reader.finish();
@@ -135,6 +144,16 @@ pub(super) fn read_page(
     sorted::sort_by_key(&mut page.problems, |p| p.span);
     page.document.items = items;
     (page, equations)
+}
+
+/// Whether a directive says of an equation that it is given, or what it follows from.
+fn directs(item: &Item) -> bool {
+    use Directive::{Derived, From, Given};
+    let Item::Directives { clauses, .. } = item else {
+        return false;
+    };
+    let says_so = |clause: &Spanned<Directive>| matches!(clause.value, Given | Derived | From(_));
+    clauses.iter().any(says_so)
 }
 
 /// What is said for all `x` is not said of the `x = 1` that is supposed around it.
@@ -449,9 +468,8 @@ pub(super) fn narrow(domain: &mut Domain, attributes: &[Spanned<Attribute>]) {
 /// A declaration without what it says of where symbols lie.
 fn unbounded(attributes: &[Spanned<Attribute>]) -> Vec<Spanned<Attribute>> {
     use Attribute::{Constant, Dimension, Euler, Real};
-    let kept = |own: &&Spanned<Attribute>| {
-        matches!(own.value, Dimension(_) | Constant | Euler | Real)
-    };
+    let kept =
+        |own: &&Spanned<Attribute>| matches!(own.value, Dimension(_) | Constant | Euler | Real);
     attributes.iter().filter(kept).cloned().collect()
 }
 

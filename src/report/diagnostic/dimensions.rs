@@ -169,7 +169,9 @@ impl Report<'_> {
         }
         let two = match &open[..] {
             [symbol] if self.is_across_sections(conflict) => {
-                format!("; or does {symbol} stand for two quantities? Then give one of them another letter or a subscript")
+                format!(
+                    "; or does {symbol} stand for two quantities? Then give one of them another letter or a subscript"
+                )
             }
             _ => String::new(),
         };
