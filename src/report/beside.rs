@@ -48,7 +48,7 @@ impl Report<'_> {
                     words::symbol(symbol)
                 ),
                 "until they agree the first counts",
-                "give one of two quantities another letter or a subscript; of one quantity declare in one place where it may lie",
+                "declare the second of two quantities below a heading of its own, for that section; of one quantity declare in one place where it may lie",
             ),
             About::Euler(symbol) => (
                 format!(

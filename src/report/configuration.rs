@@ -78,7 +78,7 @@ pub fn configuration_with(
     });
     let at = match table {
         Some(header) => {
-            let next = lines[header + 1..].iter().position(|line| is_header(&line));
+            let next = lines[header + 1..].iter().position(is_header);
             let end = next.map_or(lines.len(), |length| header + 1 + length);
             let said = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
             let last = lines[header..end].iter().rposition(said);

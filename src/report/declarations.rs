@@ -138,7 +138,7 @@ fn of_page(
         .iter()
         .map(|symbol| {
             let (path, at) = document.place(symbol.span);
-            let name = symbol.name.name().to_owned();
+            let name = words::key(&symbol.name);
             (
                 name,
                 format!("{path}:{}", at.line),
@@ -273,7 +273,7 @@ fn settled(symbols: &[Found]) -> Option<String> {
     if chosen.is_empty() {
         return None;
     }
-    let named = |s: &Found| format!("`{}`", s.name);
+    let named = |s: &Found| format!("`{}`", words::key(&s.name));
     let first: Vec<String> = chosen.iter().map(|&at| named(open[at])).collect();
     let others = (0..open.len()).filter(|at| !chosen.contains(at));
     let others: Vec<String> = others.map(|at| named(open[at])).collect();

@@ -246,7 +246,7 @@ fn found(places: &[Place], dimension: bool) -> Option<Span> {
 
 /// Whether all that a document says of a symbol can be added to what the file says: no bound is wider, and there is
 /// room between them.
-fn narrows(own: &Domain, beside: &Domain) -> bool {
+pub(super) fn narrows(own: &Domain, beside: &Domain) -> bool {
     type End = Option<(crate::algebra::BigRational, bool)>;
     let within = |ours: &End, theirs: &End, tighter: bool| match (ours, theirs) {
         (Some((own, strict)), Some((other, other_strict))) => match own == other {

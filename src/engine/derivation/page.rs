@@ -4,7 +4,7 @@ use std::sync::Arc;
 use num_traits::Zero;
 
 use crate::algebra::{
-    BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, element_symbol,
+    BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, as_printed, element_symbol,
 };
 use crate::dimension;
 use crate::document::{
@@ -14,8 +14,9 @@ use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
 use crate::sorted::{self, Set, Tree};
 
-use super::beside::{About, Beside, Clash, Place};
+use super::beside::{About, Beside, Clash, Place, narrows};
 use super::equation::each_side;
+use super::meanings::{Meanings, section_ends};
 use super::reader::Reader;
 use super::supposed::Local;
 use super::{Equation, counts, doubts, names};
@@ -104,18 +105,18 @@ pub(super) fn read_page(
     let items = std::mem::take(&mut page.document.items);
     if let Some(beside) = page.beside.clone() {
         let mut own = page.clone();
-        let mut bounded = Tree::new();
-        own.declarations(&inherited, &mut bounded);
-        own.declarations(&items, &mut bounded);
+        let mut meanings = Meanings::default();
+        own.declarations(&inherited, &mut meanings);
+        own.declarations(&items, &mut meanings);
         page.take_up(&beside, &own);
     }
-    let mut bounded = Tree::new();
-    page.declarations(&inherited, &mut bounded);
-    page.figures(&inherited);
+    let mut meanings = Meanings::default();
+    page.declarations(&inherited, &mut meanings);
+    page.figures(&inherited, &meanings);
     page.problems.clone_from(&page.document.problems);
     page.document.inherited = inherited;
-    page.declarations(&items, &mut bounded);
-    page.figures(&items);
+    page.declarations(&items, &mut meanings);
+    page.figures(&items, &meanings);
     page.directs = items.iter().any(directs)
         || page
             .beside
@@ -124,6 +125,7 @@ pub(super) fn read_page(
     let mut reader = Reader::new(&mut page, number, &items);
     items.iter().for_each(|item| reader.item(item));
     let (mut equations, derived) = reader.finish();
+    meanings.settle(&mut equations, &mut page.locals);
     for equation in &mut equations {
         leave_values_of_quantified(equation, &page.locals);
     }
@@ -216,9 +218,13 @@ impl Page {
         });
     }
 
-    /// Takes up what a document declares; where each symbol that it bounds was bounded first is in `bounded`.
-    fn declarations(&mut self, items: &[Item], bounded: &mut Tree<Symbol, (Domain, Span)>) {
-        for item in items {
+    /// Takes up what a document declares, and what that makes of its letters.
+    fn declarations(&mut self, items: &[Item], meanings: &mut Meanings) {
+        let mut section = None;
+        for (item, end) in items.iter().zip(section_ends(items)) {
+            if let Item::Heading { span, .. } = item {
+                section = Some(Span::new(span.start, end));
+            }
             let Item::Directives { clauses, .. } = item else {
                 continue;
             };
@@ -229,7 +235,10 @@ impl Page {
                 let dimension = dimension_of(attributes, &mut self.problems);
                 for &span in names {
                     match read_symbol(self.document.text(span)) {
-                        Ok(symbol) => {
+                        Ok(letter) => {
+                            let said = (&attributes[..], dimension.as_ref());
+                            let symbol = self.declared_as(&letter, span, said, section, meanings);
+                            let bounded = &mut meanings.bounded;
                             match self.bounded_otherwise(&symbol, span, attributes, bounded) {
                                 true => self.declare(symbol.clone(), span, &unbounded(attributes)),
                                 false => self.declare(symbol.clone(), span, attributes),
@@ -253,14 +262,10 @@ impl Page {
         attributes: &[Spanned<Attribute>],
         bounded: &mut Tree<Symbol, (Domain, Span)>,
     ) -> bool {
-        let mut domain = Domain::default();
-        narrow(&mut domain, attributes);
-        domain.constant = false;
-        if domain == Domain::default() {
-            return false;
-        }
+        let domain = bounds_in(attributes);
         match bounded.get(symbol) {
-            Some((before, first)) if *before != domain => {
+            _ if domain == Domain::default() => false,
+            Some((before, first)) if !adds_to(&domain, before) => {
                 let about = About::TwoDomains(symbol.clone());
                 let beside = *first;
                 self.clashes.push(Clash { about, own, beside });
@@ -281,7 +286,7 @@ impl Page {
     }
 
     /// The `data` clauses.
-    fn figures(&mut self, items: &[Item]) {
+    fn figures(&mut self, items: &[Item], meanings: &Meanings) {
         for item in items {
             let Item::Directives { clauses, .. } = item else {
                 continue;
@@ -304,7 +309,9 @@ impl Page {
                 };
                 for &span in names {
                     match read_symbol(self.document.text(span)) {
-                        Ok(symbol) => self.figure(symbol, span, datum.clone()),
+                        Ok(letter) => {
+                            self.figure(meanings.at(&letter, span.start), span, datum.clone());
+                        }
                         Err(error) => self.complain_at(span, error),
                     }
                 }
@@ -316,17 +323,18 @@ impl Page {
     fn figure(&mut self, symbol: Symbol, span: Span, datum: Datum) {
         let domain = self.domains.get(&symbol);
         let within = domain.is_none_or(|d| d.contains(&datum.low) && d.contains(&datum.high));
+        let shown = as_printed(symbol.name()).0.into_owned();
         let (message, help) = match (within, self.data.contains_key(&symbol)) {
             (true, false) => {
                 self.data.insert(symbol, datum);
                 return;
             }
             (true, true) => (
-                format!("`{symbol}` has figures already on this page"),
+                format!("`{shown}` has figures already on this page"),
                 "give one of the two another name; until then the first counts",
             ),
             (false, _) => (
-                format!("the figures of `{symbol}` leave its declared domain"),
+                format!("the figures of `{shown}` leave its declared domain"),
                 "make the declaration wider, or the figures narrower",
             ),
         };
@@ -347,9 +355,10 @@ impl Page {
             self.problems.push(Problem::new(
                 span,
                 format!(
-                    "`{symbol}` is declared with two dimensions on this page: does it stand for two quantities?"
+                    "`{}` is declared with two dimensions on this page: does it stand for two quantities?",
+                    as_printed(symbol.name()).0
                 ),
-                "give one of the two another name; until then the first counts",
+                "give one of the two another name, or declare it below a heading of its own; until then the first counts",
             ));
             return;
         }
@@ -465,6 +474,19 @@ pub(super) fn narrow(domain: &mut Domain, attributes: &[Spanned<Attribute>]) {
     }
 }
 
+/// Where attributes say that a symbol lies, whether or not it changes.
+pub(super) fn bounds_in(attributes: &[Spanned<Attribute>]) -> Domain {
+    let mut domain = Domain::default();
+    narrow(&mut domain, attributes);
+    domain.constant = false;
+    domain
+}
+
+/// Whether a domain is the same as another or says more of the same numbers: `> 1` after `positive`, but not `natural`.
+pub(super) fn adds_to(own: &Domain, before: &Domain) -> bool {
+    own == before || own.integer == before.integer && narrows(own, before)
+}
+
 /// A declaration without what it says of where symbols lie.
 fn unbounded(attributes: &[Spanned<Attribute>]) -> Vec<Spanned<Attribute>> {
     use Attribute::{Constant, Dimension, Euler, Real};
@@ -485,7 +507,8 @@ pub(super) fn is_empty(domain: &Domain) -> bool {
 
 /// What is said of a symbol that no number is declared to be.
 pub(super) fn no_value(symbol: &Symbol, span: Span) -> Problem {
-    let message = format!("no number is all that `{symbol}` is declared to be");
+    let shown = as_printed(symbol.name()).0;
+    let message = format!("no number is all that `{shown}` is declared to be");
     let help =
         "let its bounds leave room between them; until then nothing is known of where it lies";
     Problem::new(span, message, help)

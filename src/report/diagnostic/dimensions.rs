@@ -170,7 +170,7 @@ impl Report<'_> {
         let two = match &open[..] {
             [symbol] if self.is_across_sections(conflict) => {
                 format!(
-                    "; or does {symbol} stand for two quantities? Then give one of them another letter or a subscript"
+                    "; or does {symbol} stand for two quantities? Then declare one of them below its heading, for that section"
                 )
             }
             _ => String::new(),
