@@ -742,4 +742,8 @@ fn what_is_quantified_over_and_not_understood_is_refused() {
         let derivation = Derivation::from_markdown("page.md", &format!("$$ {formula} $$\n"));
         assert!(derivation.equations[0].statements.is_err(), "{formula}");
     }
+    let many = ["x"; 5000].join(", ");
+    let page = format!("$$ x \\geq 0 \\quad \\forall {many} > 0 $$\n");
+    let derivation = Derivation::from_markdown("page.md", &page);
+    assert!(derivation.equations[0].statements.is_err());
 }

@@ -22,6 +22,8 @@ const TRAILING: &[&str] = &[
     "provided that",
     "as long as",
 ];
+/// Nobody states more conditions of one statement; each is a hypothesis, with which all others are tried.
+const MOST_CONDITIONS: usize = 64;
 /// Words for where none of the other cases holds.
 const OTHERWISE: &[&str] = &["otherwise", "else", "elsewhere"];
 
@@ -124,6 +126,7 @@ impl Parser<'_> {
                 return refuse(self.since(start), "this is not read as a condition");
             }
             under.push(clause);
+            self.few_conditions(under)?;
             let end = self.at;
             self.skip_wide();
             match self.peek() {
@@ -133,6 +136,17 @@ impl Parser<'_> {
                     return Ok(());
                 }
             }
+        }
+    }
+
+    /// Refuses conditions that are too many to be judged under.
+    pub(super) fn few_conditions(&self, under: &[Clause]) -> Read<()> {
+        match under.len() > MOST_CONDITIONS {
+            true => refuse(
+                self.span(),
+                "this is said under too many conditions to be judged",
+            ),
+            false => Ok(()),
         }
     }
 

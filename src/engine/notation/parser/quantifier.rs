@@ -116,6 +116,7 @@ impl Parser<'_> {
         loop {
             self.skip_wide();
             self.quantified_names(&kinds, under)?;
+            self.few_conditions(under)?;
             let end = self.at;
             self.skip_wide();
             match self.peek() {
