@@ -1,5 +1,6 @@
 //! Derivations: which names can be told apart.
 
+use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 
 fn read(page: &str) -> Vec<bool> {
@@ -24,4 +25,101 @@ fn distance_is_no_differential() {
     assert_eq!(read("$$ F = q d E $$"), [true]);
     // In the middle of a chain it stands once.
     assert_eq!(read("$$ W = q d E = F $$"), [true]);
+}
+
+#[test]
+fn one_symbol_does_not_lie_in_two_places() {
+    let clashes = |first: &str, second: &str| {
+        let declared = |own: &str| format!("<!-- check: symbols k: {own} -->\n\n");
+        let page = format!("# A\n\n{}Words.\n\n{}", declared(first), declared(second));
+        Derivation::from_markdown("page.md", &page).pages[0]
+            .clashes
+            .len()
+    };
+    assert_eq!(clashes("natural", "positive"), 1);
+    assert_eq!(clashes("mass, in (0, 1]", "nonnegative"), 1);
+    assert_eq!(clashes("integer", ">= 1"), 1);
+    // The same again, or something else about it.
+    for (first, second) in [
+        ("positive", "positive, constant"),
+        ("mass", "positive"),
+        ("positive", "mass"),
+        ("positive", "> 1"),
+        ("real", "positive"),
+        ("positive", "constant"),
+        ("constant", "positive"),
+    ] {
+        assert_eq!(clashes(first, second), 0, "{first}; {second}");
+    }
+}
+
+/// Two sections in which `k` is a number of balls and a stiffness, the latter with an equation, and a third one.
+fn two_meanings(second: &str, third: &str) -> Audit {
+    Audit::of(&Derivation::from_markdown(
+        "page.md",
+        &format!(
+            "# Balls\n\n<!-- check: symbols k: natural -->\n\n$$ n = k + 1 \\tag{{1}} $$\n\nHence\n\n$$ n \\geq 2 \\tag{{2}} $$\n\n\
+             # Springs\n\n<!-- check: symbols k: positive -->\n\nA spring of stiffness $k$:\n\n$$ F = k x \\tag{{3}} $$\n\n{second}\n\n\
+             # Balls again\n\n{third}\n"
+        ),
+    ))
+}
+
+fn last_verdict(audit: &Audit) -> &'static str {
+    audit.entries.last().unwrap().verdict.word()
+}
+
+#[test]
+fn a_letter_may_mean_something_else_in_a_section() {
+    let second = |words: &str, formula: &str| {
+        let audit = two_meanings(&format!("{words}\n\n$$ {formula} \\tag{{4}} $$"), "");
+        assert_eq!(audit.entries[1].verdict.word(), "holds");
+        last_verdict(&audit)
+    };
+    // It is what it is declared to be here.
+    assert_eq!(second("Hence", "k > 0"), "holds");
+    assert_eq!(second("Hence", "k \\geq 1"), "fails");
+    assert_eq!(second("By (3)", "2 F = 2 k x"), "holds");
+    // What is cited from above speaks of the number of balls.
+    assert_eq!(second("By (1) and (3)", "F = (n - 1) x"), "fails");
+    assert_eq!(second("By (1)", "n \\geq 2"), "holds");
+    // Subsections belong to the section.
+    assert_eq!(second("## More\n\nBy (3)", "F/2 = k x/2"), "holds");
+}
+
+#[test]
+fn behind_its_section_a_letter_means_what_it_meant() {
+    let third = |words: &str, formula: &str| {
+        let formula = format!("{words}\n\n$$ {formula} \\tag{{4}} $$");
+        last_verdict(&two_meanings("", &formula))
+    };
+    assert_eq!(third("By (1)", "k \\geq 1"), "holds");
+    assert_eq!(third("By (1) and (3)", "F = (n - 1) x"), "fails");
+}
+
+#[test]
+fn a_dimension_is_that_of_the_section() {
+    let page = "<!-- check: symbols \\mu: dimensionless, in [0, 1]; symbols F, N: force -->\n\n# Friction\n\n$$ F = \\mu N \\tag{1} $$\n\n\
+                # Two bodies\n\n<!-- check: symbols \\mu, m_1, m_2: mass, positive -->\n\nThe reduced mass is\n\n$$ \\mu = \\frac{m_1 m_2}{m_1 + m_2} \\tag{2} $$\n\n\
+                Hence\n\n$$ \\mu < m_1 \\tag{3} $$\n";
+    let derivation = Derivation::from_markdown("page.md", page);
+    assert!(derivation.pages[0].problems.is_empty());
+    assert!(derivation.pages[0].clashes.is_empty());
+    let audit = Audit::of(&derivation);
+    let verdicts: Vec<&str> = audit.entries.iter().map(|e| e.verdict.word()).collect();
+    assert_eq!(verdicts, ["given", "given", "holds"]);
+}
+
+#[test]
+fn a_letter_is_printed_as_it_is_written_and_told_apart_where_both_occur() {
+    let second = "By (1) and (3)\n\n$$ F = (n - 1) x \\tag{4} $$";
+    let page = format!(
+        "# Balls\n\n<!-- check: symbols k: natural -->\n\n$$ n = k + 1 \\tag{{1}} $$\n\n# Springs\n\n<!-- check: symbols k: positive -->\n\n\
+         The force is\n\n$$ F = k x \\tag{{3}} $$\n\n{second}\n"
+    );
+    let derivation = Derivation::from_markdown("page.md", &page);
+    let text = crate::common::reported(&derivation, |report| report.human(false));
+    assert!(text.contains("(3): F = k x"), "{text}");
+    assert!(text.contains("k (line 9) = "), "{text}");
+    assert!(!text.contains('\u{1f}'), "{text}");
 }

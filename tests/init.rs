@@ -87,6 +87,85 @@ fn nor_of_any_page_of_the_tests() {
 }
 
 #[test]
+fn nor_of_texts_with_bare_laws_and_counts() {
+    for body in [
+        "The drag scales as\n\n$$ F \\sim v^2 A $$\n\nThe radiated power is approximately [3]\n\n$$ P \\sim A^2 a^2 $$\n",
+        "# A\n\nFriction is proportional to the normal force:\n\n$$ F = \\mu N $$\n\nThe work is\n\n$$ W = F s $$\n\nHence\n\n$$ W = \\mu N s $$\n",
+        "The sum is\n\n$$ S = \\sum_{i=1}^{k} u_i $$\n\nBelow\n\n$$ E_{n+1} = q E_n $$\n\nso\n\n$$ E_{n+2} = q^2 E_n $$\n",
+    ] {
+        round_trip(Path::new("page.md"), body);
+        // Nor does a declaration of anything else.
+        let declared = format!("<!-- check: symbols e: dimensionless, positive -->\n\n{body}");
+        let own = |source: &str| {
+            let derivation = read(Path::new("page.md"), source);
+            said(&derivation, &Audit::of(&derivation))
+        };
+        assert_eq!(own(&declared), own(body), "{body}");
+    }
+}
+
+#[test]
+fn what_is_declared_alike_stands_in_one_line_and_counts_are_natural() {
+    let page = "The sum is\n\n$$ S = \\sum_{i=1}^{k} u_i $$\n\n$$ a = b + c $$\n";
+    let text = declarations(&Derivation::from_markdown("page.md", page));
+    let (_, clauses) = text.split_once("check:\n").unwrap();
+    assert_eq!(
+        clauses, "symbols k: dimensionless, natural\nsymbols S, u_i, a, b, c: real\n-->\n",
+        "{text}"
+    );
+}
+
+#[test]
+fn a_configuration_is_added_to_and_nothing_in_it_is_lost() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("init-update");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let page = folder.join("page.md");
+    let config = folder.join("cradle.toml");
+    let [page_path, config_path] = [&page, &config].map(|path| path.to_str().unwrap().to_owned());
+    let init = |more: &[&str]| {
+        let args = ["init", &page_path, "--toml", "-o", &config_path];
+        let done = run(&[&args[..], more].concat());
+        let said = String::from_utf8(done.stderr).unwrap();
+        (
+            done.status.code(),
+            said,
+            std::fs::read_to_string(&config).unwrap(),
+        )
+    };
+    std::fs::write(&page, "$$ v = a t $$\n").unwrap();
+    assert_eq!(init(&["--update"]).0, Some(0));
+    let written = "# Mine.\n[symbols]\nv = 'velocity' # the author's own\n\"a, t\" = \"positive\"\n\n# Also mine.\n[severity]\nuncited = \"off\"\n";
+    std::fs::write(&config, written).unwrap();
+    let (code, said, text) = init(&[]);
+    assert_eq!((code, &text[..]), (Some(2), written));
+    assert!(said.contains("--update"), "{said}");
+    let (code, said, text) = init(&["--update"]);
+    assert_eq!((code, &text[..]), (Some(0), written), "{said}");
+    std::fs::write(&page, "$$ v = a t $$\n\n$$ w = \\mu u $$\n").unwrap();
+    let (code, said, text) = init(&["--update"]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("added 3 symbols"), "{said}");
+    let added: Vec<&str> = text
+        .lines()
+        .filter(|line| !written.lines().any(|own| own == *line))
+        .collect();
+    let names: Vec<&str> = added
+        .iter()
+        .map(|line| line.split(' ').next().unwrap())
+        .collect();
+    assert_eq!(names, ["w", "'\\mu'", "u"], "{text}");
+    for line in written.lines() {
+        assert!(text.lines().any(|own| own == line), "{line}: {text}");
+    }
+    assert_eq!(init(&["--update"]).2, text);
+    // A file that is no configuration is left alone.
+    std::fs::write(&config, "words\n").unwrap();
+    let (code, _, text) = init(&["--update"]);
+    assert_eq!((code, &text[..]), (Some(2), "words\n"));
+}
+
+#[test]
 fn what_is_left_open_is_named_with_what_settles_it() {
     let source = "<!-- check: symbols g: acceleration -->\n\nA tram:\n\n$$ v = u + a t \\tag{1} $$\n\n\
                   $$ h = \\frac{u^2}{2 g} \\tag{2} $$\n";

@@ -675,3 +675,75 @@ fn letters_of_another_page_are_not_those_of_a_page_that_stands_alone() {
     // What goes on from another page means the same by them.
     assert_eq!(two("By (9) it is\n\n$$ P = \\frac{F}{A} $$\n"), "fails");
 }
+
+#[test]
+fn what_is_said_for_all_is_said_under_the_bounds_that_are_named() {
+    let judged = |formula: &str| verdicts(&format!("Hence\n\n$$ {formula} $$\n"))[0];
+    let cases = [
+        (r"x^2 \geq 0 \quad \text{for all } x", "holds"),
+        (r"x^2 \geq 0 \quad \text{for any } x", "holds"),
+        (r"x^2 \geq 0 \ \forall x \in \mathbb{R}", "holds"),
+        (r"\forall x \in \mathbb{R}: x^2 \geq 0", "holds"),
+        (r"\text{For all $x > 1$:}\quad x^2 > x", "holds"),
+        (r"x^2 > x \quad \text{for all $x > 1$}", "holds"),
+        (r"x^2 > x \quad \text{for all $x < 1$}", "fails"),
+        (r"n^2 \geq n \quad \text{for every } n \ge 1", "holds"),
+        (r"n^2 \geq n \quad \forall n \in \mathbb{N}", "holds"),
+        (
+            r"n \geq 1 \quad \text{for all positive integers } n",
+            "holds",
+        ),
+        (r"x + 1 > 1 \qquad \forall x > 0", "holds"),
+        (r"x y > 0 \quad (\forall x, y > 0)", "holds"),
+        (r"x y > 0 \quad (\forall x, y \neq 0)", "fails"),
+        (
+            r"x y \geq 0 \quad \text{for all } x \in [0, 1] \text{ and } y \in [0, \infty)",
+            "holds",
+        ),
+        (r"x > -1 \quad \text{for all nonnegative } x", "holds"),
+        (
+            r"x \leq y \quad \text{for all } x \text{ with } x < y",
+            "holds",
+        ),
+        (
+            r"\sin^2 t + \cos^2 t = 1 \quad \text{for all times $t$.}",
+            "holds",
+        ),
+    ];
+    for (formula, verdict) in cases {
+        assert_eq!(judged(formula), verdict, "{formula}");
+    }
+}
+
+#[test]
+fn what_is_said_for_all_is_not_said_of_the_one_that_is_supposed() {
+    let page = "# A\n\nLet $x = 1$. Then\n\n$$ x^2 = x \\tag{1} $$\n\n$$ x^2 = x \\quad \\text{for all } x \\tag{2} $$\n";
+    assert_eq!(verdicts(page), ["holds", "fails"]);
+}
+
+#[test]
+fn what_is_quantified_over_and_not_understood_is_refused() {
+    let refused = [
+        r"x^2 \geq 0 \quad \text{for all solutions } x",
+        r"x^2 \geq 0 \quad \forall x \in S",
+        r"x^2 > 0 \quad \forall x \in \mathbb{R}_+",
+        r"x^2 > 0 \quad \forall x \in \mathbb{C}",
+        r"x^2 \geq 0 \quad \text{for all times}",
+        r"x^2 \geq 0 \quad \forall",
+        r"x^2 \geq \forall x",
+        r"\forall x",
+        r"\forall",
+        r"x \geq 0 \quad \forall x \in [0, 1",
+        r"x \geq 0 \quad \forall x \in [",
+        r"x \geq 0 \quad \text{for all $x$ and $}",
+        r"x \geq 0 \quad \text{for all $$ $x$ $}",
+    ];
+    for formula in refused {
+        let derivation = Derivation::from_markdown("page.md", &format!("$$ {formula} $$\n"));
+        assert!(derivation.equations[0].statements.is_err(), "{formula}");
+    }
+    let many = ["x"; 5000].join(", ");
+    let page = format!("$$ x \\geq 0 \\quad \\forall {many} > 0 $$\n");
+    let derivation = Derivation::from_markdown("page.md", &page);
+    assert!(derivation.equations[0].statements.is_err());
+}

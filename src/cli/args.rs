@@ -225,6 +225,9 @@ pub enum Command {
         /// Write a `cradle.toml` instead of comments.
         #[arg(long)]
         toml: bool,
+        /// Add to the `cradle.toml` that is there, `--toml -o cradle.toml`, what it does not declare yet; all else in it stays.
+        #[arg(long, requires_all = ["toml", "output"])]
+        update: bool,
         /// What standard input is called, and what it is written in.
         #[arg(long, value_name = "NAME")]
         stdin_filename: Option<String>,

@@ -106,10 +106,15 @@ pub(super) fn run(args: &Args) -> Done {
             paths,
             stdin_filename,
             toml,
+            update,
         }) => {
-            init::possible(args, *toml)?;
+            init::possible(args, *toml && !*update)?;
             let (derivation, _) = read(args, paths, stdin_filename.as_deref())?;
-            Ok((init::init(&derivation, &shown(paths), *toml).into(), false))
+            let text = match args.output.as_ref().filter(|_| *update) {
+                Some(file) => init::update(&derivation, &shown(paths), file)?,
+                None => init::init(&derivation, &shown(paths), *toml),
+            };
+            Ok((text.into(), false))
         }
         Some(Command::Completions { shell }) => Ok((manual::completions(*shell).into(), false)),
         Some(Command::Man { command }) => Ok((manual::page(command)?.into(), false)),
@@ -229,7 +234,10 @@ fn read(
         derivation,
         files: mut read,
     } = input::derivation(&files, stdin_filename, &mut configs)?;
-    read.extend(configs.files());
+    // What `init --update` writes has all in it that it reads there.
+    if !matches!(args.command, Some(Command::Init { update: true, .. })) {
+        read.extend(configs.files());
+    }
     for target in targets(args) {
         file::spare(target, &read)?;
     }

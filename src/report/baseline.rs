@@ -1,21 +1,23 @@
 //! What was found once, written down, and how what is found now differs from it.
 //!
-//! A baseline has a line for each statement with its verdict and the codes of what is remarked on it. Statements are known
-//! by their fingerprints, so that lines may move; the path and the text of a statement are there for who reads a diff.
+//! A baseline has a line for each statement with its verdict and the codes of what is remarked on it. Which statement of
+//! today is which line is found by `matching`.
 
-use std::collections::BTreeMap;
+mod matching;
+
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
 use super::Report;
 use super::codes::Level;
+use super::fingerprint::fingerprint;
 use super::place::relative;
 use super::remark::{Known, Subject};
 use super::words::count;
 
-/// The version of the layout.
-const VERSION: u32 = 1;
+/// The version of the layout. In the first the number of a statement was part of its fingerprint, and there were no labels.
+const VERSION: u32 = 2;
 
 /// A baseline.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -32,6 +34,10 @@ struct Line {
     path: String,
     /// The number or name; empty where there is none.
     equation: String,
+    /// The name that the author gave it: of a claim, or its first key. Numbers change where something is put in before them,
+    /// names do not. Empty where there is none.
+    #[serde(skip_serializing_if = "String::is_empty", default)]
+    label: String,
     /// Absent for what is no equation.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     verdict: Option<String>,
@@ -78,6 +84,8 @@ pub enum Change {
         /// What it is.
         is: String,
     },
+    /// It has another text under the same name or number.
+    Edited,
     /// The statement was not there.
     Added,
     /// The statement is not there any more.
@@ -124,6 +132,7 @@ impl Report<'_> {
                 let line = Line {
                     path: remark.path,
                     equation: String::new(),
+                    label: String::new(),
                     verdict: None,
                     codes: vec![remark.code.to_owned()],
                     fingerprint: remark.fingerprint,
@@ -132,18 +141,18 @@ impl Report<'_> {
                 lines.push((vec![(remark.subject, remark.code)], line));
             }
         }
-        let fingerprints = self.fingerprints().into_iter();
-        for (at, fingerprint) in fingerprints.enumerate() {
-            let entry = &self.audit.entries[at];
+        for (at, entry) in self.audit.entries.iter().enumerate() {
+            let statement = self.content(at);
             let page = self.equation(entry.equation).page;
             let codes = self.codes(entry);
             let line = Line {
                 path: relative(&self.derivation.pages[page].document.path, here),
                 equation: self.key(at),
+                label: self.given_name(at),
                 verdict: Some(entry.verdict.word().to_owned()),
                 codes: codes.iter().map(|code| (*code).to_owned()).collect(),
-                fingerprint,
-                statement: self.content(at),
+                fingerprint: fingerprint(&[&statement]),
+                statement,
             };
             let subject = Subject::Entry(at);
             lines.push((codes.into_iter().map(|c| (subject, c)).collect(), line));
@@ -153,17 +162,20 @@ impl Report<'_> {
 
     /// How what is found differs from a baseline.
     pub fn compared(&self, with: &Baseline, here: &Path) -> Comparison {
-        let recorded = with.statements.iter();
-        let mut recorded: BTreeMap<&str, &Line> =
-            recorded.map(|l| (l.fingerprint.as_str(), l)).collect();
+        let (remarks, lines): (Vec<_>, Vec<_>) = self.lines_now(here).into_iter().unzip();
+        let partners = matching::partners(&lines, &with.statements);
+        let mut left = vec![true; with.statements.len()];
         let mut comparison = Comparison {
             known: 0,
             differences: Vec::new(),
             remarks: Known::new(),
         };
         let mut changed: Vec<(Line, Change, Option<Level>)> = Vec::new();
-        for (remarks, now) in self.lines_now(here) {
-            let was = recorded.remove(now.fingerprint.as_str());
+        for ((remarks, now), partner) in remarks.into_iter().zip(lines).zip(partners) {
+            let was = partner.map(|at| {
+                left[at] = false;
+                &with.statements[at]
+            });
             let before = was.map_or(&[][..], |was| &was.codes);
             let new = without(&now.codes, before);
             let mut gravest = None;
@@ -177,12 +189,9 @@ impl Report<'_> {
                 }
             }
             let gone = without(before, &now.codes);
-            let verdict = was.map(|was| (&was.verdict, &now.verdict));
-            if let Some((Some(was), Some(is))) = verdict
-                && was != is
-            {
-                let (was, is) = (was.clone(), is.clone());
-                changed.push((now.clone(), Change::Verdict { was, is }, None));
+            if let Some(was) = was {
+                let change = was.change_to(&now);
+                changed.extend(change.map(|change| (now.clone(), change, None)));
             }
             if !new.is_empty() {
                 changed.push((now.clone(), Change::New { codes: new }, gravest));
@@ -193,7 +202,8 @@ impl Report<'_> {
                 changed.push((now, Change::Gone { codes: gone }, None));
             }
         }
-        for line in recorded.into_values() {
+        let recorded = with.statements.iter().zip(left);
+        for (line, _) in recorded.filter(|(_, left)| *left) {
             let change = match line.codes.is_empty() {
                 true => Change::Removed,
                 false => Change::Gone {
@@ -233,6 +243,20 @@ fn without(all: &[String], known: &[String]) -> Vec<String> {
 }
 
 impl Line {
+    /// What became of a statement itself, whatever is remarked on it. The verdict on another text is no change of verdict.
+    fn change_to(&self, now: &Line) -> Option<Change> {
+        let (was, is) = (self.verdict.clone()?, now.verdict.clone()?);
+        match self.fingerprint == now.fingerprint {
+            true => (was != is).then_some(Change::Verdict { was, is }),
+            false => Some(Change::Edited),
+        }
+    }
+
+    /// Whether it is about a statement, and not about a place that could not be read.
+    fn is_statement(&self) -> bool {
+        self.verdict.is_some()
+    }
+
     /// By page, then by number: (9) before (10).
     fn order(&self) -> (String, String, u64, String, String) {
         let digit = |c: char| c.is_ascii_digit();
@@ -282,11 +306,28 @@ impl Baseline {
         let version = serde_json::from_str::<serde_json::Value>(text)
             .map_err(|error| format!("is no JSON: {error}"))?;
         match version.get("version").and_then(serde_json::Value::as_u64) {
-            Some(version) if version == u64::from(VERSION) => {}
+            Some(version) if (1..=u64::from(VERSION)).contains(&version) => {}
             Some(version) => return Err(format!("has the version {version}, not {VERSION}")),
             None => return Err("is no baseline: it has no `version`".into()),
         }
-        serde_json::from_str(text).map_err(|error| format!("is no baseline: {error}"))
+        let baseline: Baseline =
+            serde_json::from_str(text).map_err(|error| format!("is no baseline: {error}"))?;
+        Ok(baseline.brought_up_to_date())
+    }
+
+    /// As this version would have written it: the first counted the number of a statement as part of what it says.
+    fn brought_up_to_date(mut self) -> Baseline {
+        if self.version == 1 {
+            let statements = self
+                .statements
+                .iter_mut()
+                .filter(|line| line.is_statement());
+            for line in statements {
+                line.fingerprint = fingerprint(&[&line.statement]);
+            }
+            self.version = VERSION;
+        }
+        self
     }
 }
 
@@ -308,14 +349,15 @@ impl Change {
             Change::Removed => 0,
             Change::Gone { .. } => 1,
             Change::Verdict { .. } => 2,
-            Change::New { .. } => 3,
-            Change::Added => 4,
+            Change::Edited => 3,
+            Change::New { .. } => 4,
+            Change::Added => 5,
         }
     }
 
-    /// Whether it is told where the comparison is not strict: a statement more or less is then nobody's concern.
+    /// Whether it is told where the comparison is not strict: a statement more or less, or in other words, is then nobody's concern.
     pub fn concerns(&self) -> bool {
-        !matches!(self, Change::Added | Change::Removed)
+        !matches!(self, Change::Added | Change::Removed | Change::Edited)
     }
 }
 
@@ -330,6 +372,7 @@ impl Comparison {
                 Change::New { codes } => ("new", codes.join(", ")),
                 Change::Gone { codes } => ("gone", codes.join(", ")),
                 Change::Verdict { was, is } => ("changed", format!("{was} → {is}")),
+                Change::Edited => ("edited", String::new()),
                 Change::Added => ("added", String::new()),
                 Change::Removed => ("removed", String::new()),
             };

@@ -21,6 +21,10 @@ impl Report<'_> {
     /// A clash as a finding.
     pub(super) fn clashing(&self, page: usize, clash: &Clash) -> Finding {
         let there = self.place_of(page, clash.beside);
+        let other = match clash.about {
+            About::TwoDomains(_) => "declared here before",
+            _ => "the file says otherwise",
+        };
         let (title, here, said) = match &clash.about {
             About::Dimension(symbol) => (
                 format!(
@@ -37,6 +41,14 @@ impl Report<'_> {
                 ),
                 "this counts in the document",
                 "a document may narrow what the file says of a symbol; leave out one of the two, or make them agree",
+            ),
+            About::TwoDomains(symbol) => (
+                format!(
+                    "`{0}` may lie elsewhere here than at {there}: does `{0}` stand for two quantities?",
+                    words::symbol(symbol)
+                ),
+                "until they agree the first counts",
+                "declare the second of two quantities below a heading of its own, for that section; of one quantity declare in one place where it may lie",
             ),
             About::Euler(symbol) => (
                 format!(
@@ -58,7 +70,7 @@ impl Report<'_> {
             title,
             page,
             primary: (clash.own, here.to_owned()),
-            context: vec![(clash.beside, "the file says otherwise".to_owned())],
+            context: vec![(clash.beside, other.to_owned())],
             said: vec![(Level::HELP, said.to_owned())],
         }
     }

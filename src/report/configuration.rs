@@ -7,7 +7,7 @@ use crate::algebra::Symbol;
 use crate::derivation::{Derivation, Page};
 use crate::dimension::{names_of, parse};
 
-use super::declarations::{Clause, listed};
+use super::declarations::{Clause, Listed, listed};
 use super::{place, words};
 use crate::sorted::Tree;
 
@@ -43,6 +43,59 @@ pub fn configuration(derivation: &Derivation, files: &[String]) -> String {
         false if files.is_empty() => {}
         false => text += &format!("\nfiles = [{}]\n", files.join(", ")),
     }
+    let (rows, apart) = rows(derivation, &pages);
+    if !rows.is_empty() {
+        text += "\n[symbols]\n";
+    }
+    for line in rows.into_iter().map(|(_, row)| row).chain(apart) {
+        text += &format!("{line}\n");
+    }
+    text
+}
+
+/// What a `cradle.toml` says, and below its `[symbols]` a row for each symbol of which it does not say anything yet, with their number.
+/// Whatever is there stays as it is.
+pub fn configuration_with(
+    existing: &str,
+    known: &[Symbol],
+    derivation: &Derivation,
+) -> (String, usize) {
+    let (rows, _) = rows(derivation, &listed(derivation));
+    let new = rows
+        .into_iter()
+        .filter(|(symbol, _)| !known.contains(symbol));
+    let new: Vec<String> = new.map(|(_, row)| row).collect();
+    if new.is_empty() {
+        return (existing.to_owned(), 0);
+    }
+    let mut lines: Vec<&str> = existing.lines().collect();
+    let is_header = |line: &&str| line.trim_start().starts_with('[');
+    let table = lines.iter().position(|line| {
+        line.trim().strip_prefix("[symbols]").is_some_and(|rest| {
+            let rest = rest.trim_start();
+            rest.is_empty() || rest.starts_with('#')
+        })
+    });
+    let at = match table {
+        Some(header) => {
+            let next = lines[header + 1..].iter().position(is_header);
+            let end = next.map_or(lines.len(), |length| header + 1 + length);
+            let said = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+            let last = lines[header..end].iter().rposition(said);
+            header + last.unwrap_or(0) + 1
+        }
+        None => {
+            lines.extend(["", "[symbols]"]);
+            lines.len()
+        }
+    };
+    let count = new.len();
+    lines.splice(at..at, new.iter().map(String::as_str));
+    (lines.join("\n") + "\n", count)
+}
+
+/// A row of the table for each symbol of which all pages that speak of it leave the same to be said; and what there is to say of the others.
+fn rows(derivation: &Derivation, pages: &[Listed]) -> (Vec<(Symbol, String)>, Vec<String>) {
     let mut of_symbol: Tree<&Symbol, Vec<(usize, &Clause)>> = Tree::new();
     let mut order: Vec<&Symbol> = Vec::new();
     for (at, page) in pages.iter().enumerate() {
@@ -54,14 +107,14 @@ pub fn configuration(derivation: &Derivation, files: &[String]) -> String {
             all.push((at, clause));
         }
     }
-    let mut rows: Vec<(String, String)> = Vec::new();
+    let mut rows: Vec<(Symbol, String, String)> = Vec::new();
     let mut apart: Vec<String> = Vec::new();
     for symbol in order {
         let all = &of_symbol[symbol];
         let (_, first) = all[0];
         if all.iter().all(|(_, clause)| clause.text == first.text) {
             let row = format!("{} = {}", key(symbol.name()), quoted(&first.text));
-            rows.push((row, remark(first)));
+            rows.push((symbol.clone(), row, remark(first)));
             continue;
         }
         let said = all.iter().map(|(at, clause)| {
@@ -79,22 +132,19 @@ pub fn configuration(derivation: &Derivation, files: &[String]) -> String {
             symbol.name()
         )));
     }
-    if !rows.is_empty() {
-        text += "\n[symbols]\n";
-    }
-    let width = rows.iter().filter(|(_, remark)| !remark.is_empty());
-    let width = width.map(|(row, _)| row.chars().count()).max().unwrap_or(0);
-    for (row, remark) in &rows {
-        text += match remark.is_empty() {
-            true => format!("{row}\n"),
-            false => format!("{row:<width$}  # {remark}\n"),
-        }
-        .as_str();
-    }
-    for line in apart {
-        text += &format!("{line}\n");
-    }
-    text
+    let width = rows.iter().filter(|(_, _, remark)| !remark.is_empty());
+    let width = width
+        .map(|(_, row, _)| row.chars().count())
+        .max()
+        .unwrap_or(0);
+    let rows = rows.into_iter().map(|(symbol, row, remark)| {
+        let row = match remark.is_empty() {
+            true => row,
+            false => format!("{row:<width$}  # {remark}"),
+        };
+        (symbol, row)
+    });
+    (rows.collect(), apart)
 }
 
 /// What the author should know of a proposal.

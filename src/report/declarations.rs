@@ -8,7 +8,7 @@
 
 use crate::algebra::{Dimension, Symbol};
 use crate::audit::Dimensions;
-use crate::derivation::Derivation;
+use crate::derivation::{Derivation, Page};
 use crate::dimension::declared_name;
 use crate::kernel::dimension::Form;
 
@@ -17,7 +17,7 @@ use super::dimension::{declared, every_name};
 use super::settling::settling;
 use super::symbols::{Found, symbols};
 use super::{place, words};
-use crate::sorted::Set;
+use crate::sorted::{Set, Tree};
 
 /// A dimension that can be declared: of which symbol of which page.
 type Proposal = (usize, Symbol, Dimension);
@@ -41,14 +41,28 @@ pub(super) struct Clause {
 pub fn declarations(derivation: &Derivation) -> String {
     let pages = derivation.pages.iter().zip(listed(derivation));
     let texts = pages.map(|(page, listed)| {
-        let clause = |own: &Clause| format!("symbols {}: {}", own.symbol, own.text);
-        let clauses: Vec<String> = listed.clauses.iter().map(clause).collect();
+        let clauses = together(&listed.clauses);
         match page.document.is_latex {
             true => in_latex(&listed.lines, &clauses),
             false => in_markdown(&listed.lines, &clauses),
         }
     });
     texts.collect::<Vec<_>>().join("\n")
+}
+
+/// A clause for all that are declared to be the same, in the order of the first of them.
+fn together(clauses: &[Clause]) -> Vec<String> {
+    let mut texts: Vec<&str> = Vec::new();
+    let mut names: Tree<&str, Vec<&str>> = Tree::new();
+    for clause in clauses {
+        let alike = names.entry(&clause.text).or_default();
+        if alike.is_empty() {
+            texts.push(&clause.text);
+        }
+        alike.push(clause.symbol.name());
+    }
+    let clause = |text: &str| format!("symbols {}: {text}", names[text].join(", "));
+    texts.into_iter().map(clause).collect()
 }
 
 /// What there is to say of each page.
@@ -124,7 +138,7 @@ fn of_page(
         .iter()
         .map(|symbol| {
             let (path, at) = document.place(symbol.span);
-            let name = symbol.name.name().to_owned();
+            let name = words::key(&symbol.name);
             (
                 name,
                 format!("{path}:{}", at.line),
@@ -158,6 +172,10 @@ fn of_page(
         clauses.extend(form.and_then(|form| {
             let name = form.dimension().and_then(declared_name);
             let text = name.or_else(|| declared(form))?;
+            let text = match counted(&derivation.pages[page], symbol) {
+                Some(domain) => format!("{text}, {domain}"),
+                None => text,
+            };
             Some(Clause {
                 symbol: symbol.name.clone(),
                 text,
@@ -171,7 +189,7 @@ fn of_page(
     });
     let open = open.map(|s| Clause {
         symbol: s.name.clone(),
-        text: "real".into(),
+        text: counted(&derivation.pages[page], s).unwrap_or("real").into(),
         is_known: false,
     });
     let open: Vec<Clause> = open.collect();
@@ -189,6 +207,22 @@ fn of_page(
     });
     clauses.extend(open);
     Listed { lines, clauses }
+}
+
+/// The domain of a symbol that nobody declares and that can only be a count: what a sum runs to, the index of a recurrence.
+fn counted(page: &Page, symbol: &Found) -> Option<&'static str> {
+    let domain = page
+        .domains
+        .get(&symbol.name)
+        .filter(|_| !symbol.declared)?;
+    let least = domain.lower.as_ref().map(|(least, _)| least.to_string());
+    match least.as_deref() {
+        _ if !domain.integer => None,
+        Some("1") => Some("natural"),
+        Some("0") => Some("integer, >= 0"),
+        Some(_) => None,
+        None => Some("integer"),
+    }
 }
 
 fn lacks_dimension(symbol: &Found) -> bool {
@@ -239,7 +273,7 @@ fn settled(symbols: &[Found]) -> Option<String> {
     if chosen.is_empty() {
         return None;
     }
-    let named = |s: &Found| format!("`{}`", s.name);
+    let named = |s: &Found| format!("`{}`", words::key(&s.name));
     let first: Vec<String> = chosen.iter().map(|&at| named(open[at])).collect();
     let others = (0..open.len()).filter(|at| !chosen.contains(at));
     let others: Vec<String> = others.map(|at| named(open[at])).collect();
@@ -273,6 +307,9 @@ fn in_latex(lines: &[String], clauses: &[String]) -> String {
     let mut text = String::new();
     for line in lines {
         text += &format!("% {}\n", place::one_line(line));
+    }
+    if !clauses.is_empty() {
+        text += "% Paste what follows above the first section: there it holds in the whole document.\n\n";
     }
     for (at, clause) in clauses.iter().enumerate() {
         let begin = if at == 0 { "% check: " } else { "%   " };

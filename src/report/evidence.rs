@@ -5,7 +5,8 @@
 use num_traits::Signed;
 
 use crate::algebra::{
-    Atoms, BigRational, Expr, Formula, Lowering, Values, effort, expr_of_fraction,
+    Atoms, BigRational, Expr, Formula, Lowering, Symbol, Values, as_printed, effort,
+    expr_of_fraction,
 };
 use crate::derivation::values_at;
 use crate::kernel::{Assignment, Claim, in_powers_of_pi, with_constant_functions};
@@ -45,7 +46,7 @@ impl<'a> Point<'a> {
     pub fn values(&self) -> Vec<(String, String)> {
         let symbols = self.at.symbols.iter();
         let mut all: Vec<(String, String)> = symbols
-            .map(|(symbol, value)| (words::symbol(symbol), number(value)))
+            .map(|(symbol, value)| (self.label(symbol), number(value)))
             .collect();
         for (sequence, elements) in &self.at.sequences {
             let elements: Vec<String> = elements.iter().map(number).collect();
@@ -99,7 +100,7 @@ impl<'a> Point<'a> {
         let wanted: Set<String> = symbols
             .iter()
             .chain(&formula.sequences())
-            .map(words::symbol)
+            .map(|symbol| self.label(symbol))
             .chain(calls.map(plain))
             .chain(self.root.iter().filter_map(|root| root.name_for(&symbols)))
             .collect();
@@ -109,6 +110,16 @@ impl<'a> Point<'a> {
             .map(|(name, value)| format!("{name} = {value}"))
             .collect();
         values.join(", ")
+    }
+
+    /// A symbol as it is printed, told apart from another here that is printed alike.
+    fn label(&self, symbol: &Symbol) -> String {
+        let own = as_printed(symbol.name()).0;
+        let mut others = self.at.symbols.keys().filter(|other| *other != symbol);
+        match others.any(|other| as_printed(other.name()).0 == own) {
+            true => words::symbol_apart(symbol),
+            false => words::symbol(symbol),
+        }
     }
 
     /// A term with its derivatives and limits taken, as a quotient of polynomials.

@@ -1,12 +1,13 @@
 //! What a statement, and a remark about it, is known by from one run to the next.
 //!
-//! A fingerprint is made of what is said and not of where: the label of the equation and its content as canonical LaTeX.
-//! Moving a paragraph, or another way to type the same formula, changes none; another number or another formula does.
+//! A fingerprint is made of what is said and not of where: the content of a statement as canonical LaTeX. Moving a paragraph,
+//! another number, or another way to type the same formula changes none; another formula does.
 
+use crate::audit::Entry;
 use crate::notation::latex_statement;
+use crate::sorted::Tree;
 
 use super::Report;
-use crate::sorted::Tree;
 
 /// The hash of Fowler, Noll and Vo (FNV-1a, 64 bits): the same on every machine and in every version.
 fn hash(parts: &[&str]) -> u64 {
@@ -20,21 +21,26 @@ fn hash(parts: &[&str]) -> u64 {
     hash
 }
 
+/// The fingerprint of something said, `0123456789abcdef`.
+pub(super) fn fingerprint(parts: &[&str]) -> String {
+    format!("{:016x}", hash(parts))
+}
+
 /// Numbers what has the same hash, in reading order.
 #[derive(Debug, Default)]
 pub(super) struct Fingerprints {
-    seen: Tree<u64, usize>,
+    seen: Tree<String, usize>,
 }
 
 impl Fingerprints {
     /// `0123456789abcdef`, with `:2` behind the second that is the same.
     pub(super) fn of(&mut self, parts: &[&str]) -> String {
-        let hash = hash(parts);
-        let seen = self.seen.entry(hash).or_default();
+        let own = fingerprint(parts);
+        let seen = self.seen.entry(own.clone()).or_default();
         *seen += 1;
         match *seen {
-            1 => format!("{hash:016x}"),
-            more => format!("{hash:016x}:{more}"),
+            1 => own,
+            more => format!("{own}:{more}"),
         }
     }
 }
@@ -48,7 +54,15 @@ impl Report<'_> {
             None => {
                 let equation = self.equation(entry.equation);
                 let document = &self.derivation.pages[equation.page].document;
-                spaced(document.text(equation.body))
+                let text = spaced(document.text(equation.body));
+                match &equation.tag {
+                    // The number is no part of what is said.
+                    Some(tag) => text
+                        .replace(&format!("\\tag{{{tag}}}"), "")
+                        .trim_end()
+                        .to_owned(),
+                    None => text,
+                }
             }
         }
     }
@@ -62,20 +76,26 @@ impl Report<'_> {
             (None, Some(name)) => name.clone(),
             (None, None) => String::new(),
         };
-        match entry.parts {
-            1 => label,
-            parts => format!("{label} {}/{parts}", entry.part + 1)
-                .trim_start()
-                .to_owned(),
-        }
+        with_part(entry, label)
     }
 
-    /// The fingerprints of all entries, in their order.
-    pub(super) fn fingerprints(&self) -> Vec<String> {
-        let mut fingerprints = Fingerprints::default();
-        (0..self.audit.entries.len())
-            .map(|at| fingerprints.of(&[&self.key(at), &self.content(at)]))
-            .collect()
+    /// The name that the author gave an entry's equation, a claim's or a key, with the part as above; empty where there is none.
+    pub(super) fn given_name(&self, entry: usize) -> String {
+        let entry = &self.audit.entries[entry];
+        let equation = self.equation(entry.equation);
+        match equation.name.as_ref().or(equation.keys.first()) {
+            Some(name) => with_part(entry, name.clone()),
+            None => String::new(),
+        }
+    }
+}
+
+fn with_part(entry: &Entry, label: String) -> String {
+    match entry.parts {
+        1 => label,
+        parts => format!("{label} {}/{parts}", entry.part + 1)
+            .trim_start()
+            .to_owned(),
     }
 }
 

@@ -20,6 +20,7 @@ use super::family::{self, Shown};
 use super::implied;
 use super::numeric::{decimal, headline};
 use super::scaling;
+use super::words;
 
 /// The whole audit.
 #[derive(Clone, Debug, Serialize)]
@@ -423,7 +424,7 @@ fn numeric_view(numeric: &Numeric) -> NumericView {
             high: datum.high.to_string(),
             source: datum.source.clone(),
         };
-        (symbol.to_string(), view)
+        (words::key(symbol), view)
     });
     NumericView {
         outcome: match outcome {
@@ -442,7 +443,7 @@ fn family_view(found: &Counterexamples) -> FamilyView {
     let family = found.fails.family();
     let terms = |terms: &Map<Symbol, Expr>| {
         let terms = terms.iter();
-        let terms = terms.map(|(symbol, term)| (symbol.to_string(), latex(term)));
+        let terms = terms.map(|(symbol, term)| (words::key(symbol), latex(term)));
         terms.collect::<Map<String, String>>()
     };
     let groups = family.groups.iter().map(|group| GroupView {
@@ -468,7 +469,7 @@ fn family_view(found: &Counterexamples) -> FamilyView {
     FamilyView {
         parameter: family.parameter.to_string(),
         least: family.least,
-        free: free.map(|symbol| symbol.to_string()).collect(),
+        free: free.map(words::key).collect(),
         values: terms(&family.symbols),
         elements: groups.collect(),
         proved: proved.collect(),
@@ -479,7 +480,7 @@ fn family_view(found: &Counterexamples) -> FamilyView {
 fn values(at: &Assignment) -> Map<String, ValueView> {
     let symbols = at.symbols.iter();
     let mut all: Map<String, ValueView> = symbols
-        .map(|(symbol, value)| (symbol.to_string(), ValueView::Number(value.to_string())))
+        .map(|(symbol, value)| (words::key(symbol), ValueView::Number(value.to_string())))
         .collect();
     for (sequence, elements) in &at.sequences {
         let elements = elements.iter().map(|e| e.to_string()).collect();
@@ -508,11 +509,11 @@ fn values(at: &Assignment) -> Map<String, ValueView> {
         all.insert(latex(call), ValueView::Number(value.to_string()));
     }
     for (symbol, value) in Root::of(at).iter().flat_map(Root::written) {
-        all.insert(symbol.to_string(), ValueView::Number(value));
+        all.insert(words::key(&symbol), ValueView::Number(value));
     }
     for (symbol, parts) in &at.in_pi {
         let in_pi = parts.iter().map(|c| c.to_string()).collect();
-        all.insert(symbol.to_string(), ValueView::InPi { in_pi });
+        all.insert(words::key(symbol), ValueView::InPi { in_pi });
     }
     all
 }

@@ -59,7 +59,7 @@ use crate::audit::{Audit, Note};
 use crate::derivation::Derivation;
 
 pub use amiss::amiss;
-pub use configuration::configuration;
+pub use configuration::{configuration, configuration_with};
 pub use declarations::declarations;
 pub use fix::Fix;
 pub use github::github;

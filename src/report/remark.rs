@@ -115,7 +115,6 @@ impl Report<'_> {
         sorted::sort_by_key(&mut found, |(_, finding, _)| {
             (finding.page, finding.primary.0.start)
         });
-        let entries = self.fingerprints();
         let mut fingerprints = Fingerprints::default();
         let remarks = found.into_iter().map(|(subject, finding, level)| {
             let document = &self.derivation.pages[finding.page].document;
@@ -126,10 +125,11 @@ impl Report<'_> {
             };
             let saved = |span: Span| Saved::of(document.written_at(span).0, place(span), here);
             let fingerprint = match subject {
-                Subject::Entry(at) => fingerprints.of(&[finding.code, &entries[at]]),
+                Subject::Entry(at) => fingerprints.of(&[finding.code, &self.content(at)]),
+                // Not the title, in which there may be numbers of equations.
                 Subject::Page(..) => {
                     let content = spaced(document.text(finding.primary.0));
-                    fingerprints.of(&[finding.code, &finding.title, &content])
+                    fingerprints.of(&[finding.code, &content])
                 }
             };
             let fix = match subject {

@@ -1,6 +1,6 @@
 //! How equations, places, sources and statements are named: alike in every view.
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Formula, Symbol, as_printed};
 use crate::audit::Entry;
 use crate::derivation::{Equation, Source};
 use crate::document::{Position, Span};
@@ -102,6 +102,23 @@ pub(super) fn list(mut items: Vec<String>) -> String {
 /// A symbol as one reads it.
 pub(super) fn symbol(symbol: &Symbol) -> String {
     plain(&crate::algebra::Expr::Symbol(symbol.clone()))
+}
+
+/// A symbol as one reads it, told apart from another of the same letter: `k (line 17)`.
+pub(super) fn symbol_apart(own: &Symbol) -> String {
+    with_line(own, symbol(own))
+}
+
+/// The name of a symbol for programs, which may not be that of another.
+pub(super) fn key(own: &Symbol) -> String {
+    with_line(own, as_printed(own.name()).0.into_owned())
+}
+
+fn with_line(own: &Symbol, text: String) -> String {
+    match as_printed(own.name()).1 {
+        Some(line) => format!("{text} (line {line})"),
+        None => text,
+    }
 }
 
 /// A statement as one line of text.

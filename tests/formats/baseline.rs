@@ -97,7 +97,7 @@ fn a_finding_that_is_gone_fails_only_where_that_is_asked_for() {
     assert_eq!(number, 1);
     assert_eq!(
         told,
-        "  gone     (6)  fails  well.md\n  added    (6)  well.md\n0 known findings; 2 differences.\n"
+        "  gone     (6)  fails  well.md\n  edited   (6)  well.md\n0 known findings; 2 differences.\n"
     );
 }
 
@@ -165,7 +165,7 @@ fn programs_are_told_as_well() {
         .iter()
         .map(|d| d["change"].as_str().unwrap())
         .collect();
-    assert_eq!(changes, ["gone", "added"]);
+    assert_eq!(changes, ["gone", "edited"]);
     let junit = {
         std::fs::write(folder.join("well.md"), &text).unwrap();
         out(&run_in(
@@ -191,6 +191,144 @@ fn the_same_finding_twice_is_not_known_by_the_first() {
     assert_eq!(code(&run_in(&folder, &COMPARE)), 1);
 }
 
+/// A LaTeX document, where numbers are counted: a slip with a label, one without, and two other findings.
+const COUNTED: &str = r"\documentclass{article}
+\begin{document}
+% check: law
+\begin{equation}\label{a} p = m v \end{equation}
+Hence
+\begin{equation}\label{b} p = 2 m v \end{equation}
+and
+\begin{equation} p = 3 m v. \end{equation}
+In the end, as \eqref{nowhere} says,
+\begin{equation} v = p/m \end{equation}
+\end{document}
+";
+
+/// Puts an equation in front of all others.
+fn with_one_in_front(text: &str, equation: &str) -> String {
+    let begin = "\\begin{document}\n";
+    text.replace(begin, &format!("{begin}{equation}"))
+}
+
+/// Records a document and compares another with that, strictly or not.
+fn afterwards(test: &str, before: &str, after: &str, more: &[&str]) -> (i32, String) {
+    let folder = folder(test);
+    let check = ["check", "notes.tex", "--baseline", "known.json"];
+    std::fs::write(folder.join("notes.tex"), before).unwrap();
+    run_in(&folder, &[&check[..], &["--update-baseline"]].concat());
+    std::fs::write(folder.join("notes.tex"), after).unwrap();
+    let output = run_in(&folder, &[&check[..], more].concat());
+    let text = out(&output);
+    let told = text.split_once("\nBaseline\n\n");
+    (code(&output), told.map_or("", |(_, told)| told).to_owned())
+}
+
+#[test]
+fn counted_numbers_shift_and_findings_stay_known() {
+    let given = "% check: law\n\\begin{equation} E = m c^2 \\end{equation}\n";
+    let after = with_one_in_front(COUNTED, given);
+    let (code, told) = afterwards("shifted", COUNTED, &after, &[]);
+    assert_eq!(
+        (code, told.as_str()),
+        (0, "4 known findings; nothing else has changed.\n")
+    );
+    let (code, told) = afterwards("shifted", COUNTED, &after, &["--strict-baseline"]);
+    assert_eq!(
+        (code, told.as_str()),
+        (
+            1,
+            "  added    (1)  notes.tex\n4 known findings; 1 difference.\n"
+        )
+    );
+}
+
+#[test]
+fn a_slip_put_in_front_is_the_one_that_is_new() {
+    let slip = "% check: derived\n\\begin{equation} 1 = 2 \\end{equation}\n";
+    let told = afterwards("slip", COUNTED, &with_one_in_front(COUNTED, slip), &[]);
+    let expected = "  new      (1)  fails  notes.tex\n4 known findings; 1 difference.\n";
+    assert_eq!(told, (1, expected.to_owned()));
+    // Where the one that had its number is mended besides, it does not pass for that one.
+    let one = "\\documentclass{article}\n\\begin{document}\n% check: derived\n\\begin{equation} 2 = 3 \\end{equation}\n\n% check: derived\n\\begin{equation} 3 = 4 \\end{equation}\n\\end{document}\n";
+    let mended = with_one_in_front(&one.replace("2 = 3", "3 = 3"), slip);
+    let told = afterwards("slip", one, &mended, &[]);
+    let expected = "  gone     (1)  fails  notes.tex\n  new      (1)  fails  notes.tex\n1 known finding; 2 differences.\n";
+    assert_eq!(told, (1, expected.to_owned()));
+}
+
+#[test]
+fn a_statement_is_known_by_its_label_and_by_its_number_where_its_text_changes() {
+    let edited = COUNTED.replace("2 m v", "4 m v").replace("3 m v", "5 m v");
+    let (code, told) = afterwards("edited", COUNTED, &edited, &[]);
+    assert_eq!(
+        (code, told.as_str()),
+        (0, "4 known findings; nothing else has changed.\n")
+    );
+    let (code, told) = afterwards("edited", COUNTED, &edited, &["--strict-baseline"]);
+    let expected =
+        "  edited   (2)  notes.tex\n  edited   (3)  notes.tex\n4 known findings; 2 differences.\n";
+    assert_eq!((code, told.as_str()), (1, expected));
+    // With another in front, its number alone says nothing of the one without a label.
+    let given = "% check: law\n\\begin{equation} E = m c^2 \\end{equation}\n";
+    let told = afterwards("edited", COUNTED, &with_one_in_front(&edited, given), &[]);
+    let expected = "  gone     (3)  fails  notes.tex\n  new      (4)  fails  notes.tex\n3 known findings; 2 differences.\n";
+    assert_eq!(told, (1, expected.to_owned()));
+}
+
+#[test]
+fn what_is_said_twice_is_told_apart_by_what_was_found() {
+    let page = |first: &str| {
+        let open = "\\documentclass{article}\n\\begin{document}\n";
+        let case = "\\section{A}\nLet $x = 1$. Then\n\\begin{equation} x^2 = x \\end{equation}\n";
+        let always = "\\section{B}\n% check: derived; from nothing\n\\begin{equation} x^2 = x \\end{equation}\n";
+        format!("{open}{first}{case}{always}\\end{{document}}\n")
+    };
+    let given = "% check: law\n\\begin{equation} E = m c^2 \\end{equation}\n";
+    let (code, told) = afterwards("said-twice", &page(""), &page(given), &[]);
+    assert_eq!(
+        (code, told.as_str()),
+        (0, "1 known finding; nothing else has changed.\n")
+    );
+}
+
+#[test]
+fn numbers_that_are_typed_may_be_typed_anew() {
+    let (folder, text) = recorded("renumbered");
+    let renumbered = (1..=6).rev().fold(text, |text, number| {
+        text.replace(&format!("({number})"), &format!("({})", number + 10))
+            .replace(
+                &format!("\\tag{{{number}}}"),
+                &format!("\\tag{{{}}}", number + 10),
+            )
+    });
+    assert!(renumbered.contains("\\tag{16}"));
+    let (code, told) = compare(&folder, &renumbered, &["--strict-baseline"]);
+    assert_eq!(
+        (code, told.as_str()),
+        (0, "1 known finding; nothing else has changed.\n")
+    );
+}
+
+#[test]
+fn a_baseline_of_the_first_version_is_read() {
+    let (folder, text) = recorded("first-version");
+    let file = folder.join("known.json");
+    let now = std::fs::read_to_string(&file).unwrap();
+    // There the number of a statement was part of its fingerprint, whatever that is.
+    let mut before = now.replace("\"version\": 2", "\"version\": 1");
+    while let Some(at) = before.find("\"fingerprint\":\"") {
+        let value = at + "\"fingerprint\":\"".len();
+        before.replace_range(at..value + 16, "\"fingerprint\" :\"0123456789abcdef");
+    }
+    std::fs::write(&file, before).unwrap();
+    let (code, told) = compare(&folder, &text, &["--strict-baseline"]);
+    assert_eq!(
+        (code, told.as_str()),
+        (0, "1 known finding; nothing else has changed.\n")
+    );
+}
+
 #[test]
 fn what_is_no_baseline_is_refused() {
     let (folder, _) = well("no-baseline");
@@ -205,7 +343,7 @@ fn what_is_no_baseline_is_refused() {
         ("", "is no JSON"),
         ("[", "line 1 column 1"),
         ("{}", "has no `version`"),
-        ("{\"version\": 2, \"statements\": []}", "version 2, not 1"),
+        ("{\"version\": 3, \"statements\": []}", "version 3, not 2"),
         ("{\"version\": 1, \"statements\": [{}]}", "is no baseline"),
         (
             "{\"version\": 1, \"statements\": [], \"x\": 1}",

@@ -24,7 +24,7 @@ pub(super) fn results(log: &Value) -> Vec<Value> {
 }
 
 fn fingerprints(log: &Value) -> BTreeSet<String> {
-    let key = "/partialFingerprints/cradleVerify~1v1";
+    let key = "/partialFingerprints/cradleVerify~1v2";
     let all = results(log);
     let set: BTreeSet<String> = all
         .iter()

@@ -71,15 +71,15 @@ impl Judge<'_> {
         (all.len() > assumed.len()).then_some(all)
     }
 
-    /// Whether the page declares its symbols: where nothing is declared, citations are seldom complete either.
-    pub(super) fn is_declared(&self) -> bool {
-        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
-        !page.declared.is_empty()
+    /// Whether directives on the page say what is given and what follows from what: where none does, citations are seldom complete
+    /// either.
+    pub(super) fn is_directed(&self) -> bool {
+        self.derivation.pages[self.derivation.equations[self.at].page].directs
     }
 
-    /// Whether the step may rest on what stands before as its author goes along: nothing is cited, and nothing declared.
+    /// Whether the step may rest on what stands before as its author goes along: nothing is cited, and no directive says what follows.
     pub(super) fn cites_loosely(&self) -> bool {
-        !self.names_its_premises() && !self.is_declared()
+        !self.names_its_premises() && !self.is_directed()
     }
 
     /// The slip of the pen in a step that needs what stands before and is not cited.

@@ -60,7 +60,7 @@ impl Judge<'_> {
             return None;
         };
         // What is not proved of something new can hardly follow from what does not speak of it.
-        let silent = self.derivation.pages[equation.page].declared.is_empty();
+        let silent = !self.derivation.pages[equation.page].directs;
         let scales = matches!(outcome, Outcome::ScalesNot(..))
             || matches!(relation, Relation::Scales | Relation::Proportional);
         let is_open = match outcome {

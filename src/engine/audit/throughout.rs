@@ -25,7 +25,7 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        if self.names_its_premises() && self.is_declared() {
+        if self.names_its_premises() && self.is_directed() {
             return false;
         }
         let sound = self.sound(assumed, &self.failing(premises));

@@ -52,7 +52,7 @@ impl Judge<'_> {
             found.instead.clear();
             return true;
         }
-        if self.names_its_premises() && self.is_declared() {
+        if self.names_its_premises() && self.is_directed() {
             return false;
         }
         let sound = self.sound(assumed, &self.failing(premises));

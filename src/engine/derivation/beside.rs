@@ -58,24 +58,26 @@ pub struct Budget {
     pub points: Option<usize>,
 }
 
-/// What a document says otherwise than the file beside it. What the document says counts.
+/// What a document says otherwise than the file beside it, where what the document says counts; or than it has said before.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Clash {
     /// What they differ about.
     pub about: About,
     /// Where the document says it.
     pub own: Span,
-    /// Where the file does, as a place of the document ([`crate::document::Document::beside_at`]).
+    /// Where the file does, as a place of the document ([`crate::document::Document::beside_at`]), or the document before.
     pub beside: Span,
 }
 
-/// What a document and the file beside it differ about.
+/// What a document and the file beside it, or two declarations of a document, differ about.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum About {
     /// The dimension of a symbol.
     Dimension(Symbol),
     /// Where a symbol may lie: the document allows more, or nothing that the file allows.
     Domain(Symbol),
+    /// Where a symbol may lie, between two declarations of the document: the first counts.
+    TwoDomains(Symbol),
     /// Whether a symbol is Euler's number.
     Euler(Symbol),
     /// Whether an equation, named as in the file, is given.
@@ -244,7 +246,7 @@ fn found(places: &[Place], dimension: bool) -> Option<Span> {
 
 /// Whether all that a document says of a symbol can be added to what the file says: no bound is wider, and there is
 /// room between them.
-fn narrows(own: &Domain, beside: &Domain) -> bool {
+pub(super) fn narrows(own: &Domain, beside: &Domain) -> bool {
     type End = Option<(crate::algebra::BigRational, bool)>;
     let within = |ours: &End, theirs: &End, tighter: bool| match (ours, theirs) {
         (Some((own, strict)), Some((other, other_strict))) => match own == other {

@@ -17,6 +17,7 @@ mod euler;
 mod imaginary;
 mod indices;
 mod lasting;
+mod meanings;
 mod names;
 mod page;
 mod qualities;

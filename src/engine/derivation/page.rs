@@ -3,17 +3,20 @@ use std::sync::Arc;
 
 use num_traits::Zero;
 
-use crate::algebra::{BigRational, Dimension, Expr, Formula, Function, Symbol, element_symbol};
+use crate::algebra::{
+    BigRational, Dimension, Expr, Formula, Function, Relation, Symbol, as_printed, element_symbol,
+};
 use crate::dimension;
 use crate::document::{
     Attribute, Bound, Citation, Directive, Document, Inline, Item, Premise, Problem, Span, nearest,
 };
 use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
-use crate::sorted::{self, Tree};
+use crate::sorted::{self, Set, Tree};
 
-use super::beside::{Beside, Clash, Place};
+use super::beside::{About, Beside, Clash, Place, narrows};
 use super::equation::each_side;
+use super::meanings::{Meanings, section_ends};
 use super::reader::Reader;
 use super::supposed::Local;
 use super::{Equation, counts, doubts, names};
@@ -29,6 +32,9 @@ pub struct Page {
     pub domains: Tree<Symbol, Domain>,
     /// The declared dimension of each symbol.
     pub dimensions: Tree<Symbol, Dimension>,
+    /// Whether directives, or the file beside the document, say of equations that they are given or what they follow from. Where
+    /// none does, the text alone says which are laws, however many symbols are declared.
+    pub directs: bool,
     /// The figures for each symbol that has some.
     pub data: Tree<Symbol, Datum>,
     /// The symbols that stand for Euler's number: their powers are read as exponentials.
@@ -82,6 +88,7 @@ pub(super) fn read_page(
         title: String::new(),
         domains: Tree::new(),
         dimensions: Tree::new(),
+        directs: false,
         data: Tree::new(),
         euler: BTreeSet::new(),
         complex: BTreeSet::new(),
@@ -98,19 +105,30 @@ pub(super) fn read_page(
     let items = std::mem::take(&mut page.document.items);
     if let Some(beside) = page.beside.clone() {
         let mut own = page.clone();
-        own.declarations(&inherited);
-        own.declarations(&items);
+        let mut meanings = Meanings::default();
+        own.declarations(&inherited, &mut meanings);
+        own.declarations(&items, &mut meanings);
         page.take_up(&beside, &own);
     }
-    page.declarations(&inherited);
-    page.figures(&inherited);
+    let mut meanings = Meanings::default();
+    page.declarations(&inherited, &mut meanings);
+    page.figures(&inherited, &meanings);
     page.problems.clone_from(&page.document.problems);
     page.document.inherited = inherited;
-    page.declarations(&items);
-    page.figures(&items);
+    page.declarations(&items, &mut meanings);
+    page.figures(&items, &meanings);
+    page.directs = items.iter().any(directs)
+        || page
+            .beside
+            .as_ref()
+            .is_some_and(|beside| !beside.given.is_empty());
     let mut reader = Reader::new(&mut page, number, &items);
     items.iter().for_each(|item| reader.item(item));
     let (mut equations, derived) = reader.finish();
+    meanings.settle(&mut equations, &mut page.locals);
+    for equation in &mut equations {
+        leave_values_of_quantified(equation, &page.locals);
+    }
     let declared =
         |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
     names::refuse(&mut equations, declared);
@@ -128,6 +146,41 @@ pub(super) fn read_page(
     sorted::sort_by_key(&mut page.problems, |p| p.span);
     page.document.items = items;
     (page, equations)
+}
+
+/// Whether a directive says of an equation that it is given, or what it follows from.
+fn directs(item: &Item) -> bool {
+    use Directive::{Derived, From, Given};
+    let Item::Directives { clauses, .. } = item else {
+        return false;
+    };
+    let says_so = |clause: &Spanned<Directive>| matches!(clause.value, Given | Derived | From(_));
+    clauses.iter().any(says_so)
+}
+
+/// What is said for all `x` is not said of the `x = 1` that is supposed around it.
+fn leave_values_of_quantified(equation: &mut Equation, locals: &[Local]) {
+    let quantified = equation.statements().iter().map(|own| &own.quantified);
+    let quantified: Set<Symbol> = quantified.flatten().cloned().collect();
+    if quantified.is_empty() {
+        return;
+    }
+    let is_number = |formula: &Arc<Formula>| match &**formula {
+        Formula::Relation {
+            left: Expr::Symbol(symbol),
+            relation: Relation::Equal,
+            ..
+        } => quantified.contains(symbol) && formula.names().len() == 1,
+        _ => false,
+    };
+    let stays = |local: &usize| !locals[*local].formulas.iter().any(is_number);
+    for own in [
+        &mut equation.locals,
+        &mut equation.told,
+        &mut equation.named,
+    ] {
+        own.retain(stays);
+    }
 }
 
 /// The pages of each document: what LaTeX puts together from several files is one, and so is all else that is read together.
@@ -165,8 +218,13 @@ impl Page {
         });
     }
 
-    fn declarations(&mut self, items: &[Item]) {
-        for item in items {
+    /// Takes up what a document declares, and what that makes of its letters.
+    fn declarations(&mut self, items: &[Item], meanings: &mut Meanings) {
+        let mut section = None;
+        for (item, end) in items.iter().zip(section_ends(items)) {
+            if let Item::Heading { span, .. } = item {
+                section = Some(Span::new(span.start, end));
+            }
             let Item::Directives { clauses, .. } = item else {
                 continue;
             };
@@ -177,13 +235,46 @@ impl Page {
                 let dimension = dimension_of(attributes, &mut self.problems);
                 for &span in names {
                     match read_symbol(self.document.text(span)) {
-                        Ok(symbol) => {
-                            self.declare(symbol.clone(), span, attributes);
+                        Ok(letter) => {
+                            let said = (&attributes[..], dimension.as_ref());
+                            let symbol = self.declared_as(&letter, span, said, section, meanings);
+                            let bounded = &mut meanings.bounded;
+                            match self.bounded_otherwise(&symbol, span, attributes, bounded) {
+                                true => self.declare(symbol.clone(), span, &unbounded(attributes)),
+                                false => self.declare(symbol.clone(), span, attributes),
+                            }
                             self.declare_dimension(symbol, span, dimension.as_ref());
                         }
                         Err(error) => self.complain_at(span, error),
                     }
                 }
+            }
+        }
+    }
+
+    /// Whether a declaration says that a symbol lies elsewhere than the document has said before; that is told.
+    ///
+    /// Put together, the two would prove of one quantity what is so of another that has the same letter.
+    fn bounded_otherwise(
+        &mut self,
+        symbol: &Symbol,
+        own: Span,
+        attributes: &[Spanned<Attribute>],
+        bounded: &mut Tree<Symbol, (Domain, Span)>,
+    ) -> bool {
+        let domain = bounds_in(attributes);
+        match bounded.get(symbol) {
+            _ if domain == Domain::default() => false,
+            Some((before, first)) if !adds_to(&domain, before) => {
+                let about = About::TwoDomains(symbol.clone());
+                let beside = *first;
+                self.clashes.push(Clash { about, own, beside });
+                true
+            }
+            Some(_) => false,
+            None => {
+                bounded.insert(symbol.clone(), (domain, own));
+                false
             }
         }
     }
@@ -195,7 +286,7 @@ impl Page {
     }
 
     /// The `data` clauses.
-    fn figures(&mut self, items: &[Item]) {
+    fn figures(&mut self, items: &[Item], meanings: &Meanings) {
         for item in items {
             let Item::Directives { clauses, .. } = item else {
                 continue;
@@ -218,7 +309,9 @@ impl Page {
                 };
                 for &span in names {
                     match read_symbol(self.document.text(span)) {
-                        Ok(symbol) => self.figure(symbol, span, datum.clone()),
+                        Ok(letter) => {
+                            self.figure(meanings.at(&letter, span.start), span, datum.clone());
+                        }
                         Err(error) => self.complain_at(span, error),
                     }
                 }
@@ -230,17 +323,18 @@ impl Page {
     fn figure(&mut self, symbol: Symbol, span: Span, datum: Datum) {
         let domain = self.domains.get(&symbol);
         let within = domain.is_none_or(|d| d.contains(&datum.low) && d.contains(&datum.high));
+        let shown = as_printed(symbol.name()).0.into_owned();
         let (message, help) = match (within, self.data.contains_key(&symbol)) {
             (true, false) => {
                 self.data.insert(symbol, datum);
                 return;
             }
             (true, true) => (
-                format!("`{symbol}` has figures already on this page"),
+                format!("`{shown}` has figures already on this page"),
                 "give one of the two another name; until then the first counts",
             ),
             (false, _) => (
-                format!("the figures of `{symbol}` leave its declared domain"),
+                format!("the figures of `{shown}` leave its declared domain"),
                 "make the declaration wider, or the figures narrower",
             ),
         };
@@ -260,8 +354,11 @@ impl Page {
         if before.is_some_and(|before| before != dimension) {
             self.problems.push(Problem::new(
                 span,
-                format!("`{symbol}` is declared with two dimensions on this page"),
-                "give one of the two another name; until then the first counts",
+                format!(
+                    "`{}` is declared with two dimensions on this page: does it stand for two quantities?",
+                    as_printed(symbol.name()).0
+                ),
+                "give one of the two another name, or declare it below a heading of its own; until then the first counts",
             ));
             return;
         }
@@ -377,6 +474,27 @@ pub(super) fn narrow(domain: &mut Domain, attributes: &[Spanned<Attribute>]) {
     }
 }
 
+/// Where attributes say that a symbol lies, whether or not it changes.
+pub(super) fn bounds_in(attributes: &[Spanned<Attribute>]) -> Domain {
+    let mut domain = Domain::default();
+    narrow(&mut domain, attributes);
+    domain.constant = false;
+    domain
+}
+
+/// Whether a domain is the same as another or says more of the same numbers: `> 1` after `positive`, but not `natural`.
+pub(super) fn adds_to(own: &Domain, before: &Domain) -> bool {
+    own == before || own.integer == before.integer && narrows(own, before)
+}
+
+/// A declaration without what it says of where symbols lie.
+fn unbounded(attributes: &[Spanned<Attribute>]) -> Vec<Spanned<Attribute>> {
+    use Attribute::{Constant, Dimension, Euler, Real};
+    let kept =
+        |own: &&Spanned<Attribute>| matches!(own.value, Dimension(_) | Constant | Euler | Real);
+    attributes.iter().filter(kept).cloned().collect()
+}
+
 /// Whether the bounds of a domain leave no number between them.
 pub(super) fn is_empty(domain: &Domain) -> bool {
     match (&domain.lower, &domain.upper) {
@@ -389,7 +507,8 @@ pub(super) fn is_empty(domain: &Domain) -> bool {
 
 /// What is said of a symbol that no number is declared to be.
 pub(super) fn no_value(symbol: &Symbol, span: Span) -> Problem {
-    let message = format!("no number is all that `{symbol}` is declared to be");
+    let shown = as_printed(symbol.name()).0;
+    let message = format!("no number is all that `{shown}` is declared to be");
     let help =
         "let its bounds leave room between them; until then nothing is known of where it lies";
     Problem::new(span, message, help)

@@ -281,6 +281,7 @@ fn taken_apart(
                         before: Vec::new(),
                         doubts: Vec::new(),
                         runs: statement.runs.clone(),
+                        quantified: statement.quantified.clone(),
                         span: pair[0].span.to(pair[1].span),
                     },
                 )),

@@ -11,6 +11,7 @@ use crate::notation::{Clause, Statement, SyntaxError, read_expr, read_formulas, 
 use super::definition::Known;
 use super::doubts::{OnPage, doubtful};
 use super::equation::{Equation, formulas};
+use super::meanings::renamed;
 use super::page::Page;
 use super::rows::Part;
 use crate::sorted::Set;
@@ -59,6 +60,14 @@ pub struct Moment {
 }
 
 impl Local {
+    /// Gives its symbols other names, what it supposes apart.
+    pub(super) fn rename(&mut self, own: &impl Fn(&Symbol) -> Symbol) {
+        self.set = self.set.iter().map(own).collect();
+        if let Some(moment) = &mut self.moment {
+            moment.subject = renamed(&moment.subject, own);
+        }
+    }
+
     /// Whether it is so at one moment alone: what was concluded from it is a premise elsewhere, too, but it is not.
     pub fn is_momentary(&self) -> bool {
         self.moment.is_some()

@@ -293,8 +293,8 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     ("in", "`\\in` is not read: the notation has no sets", None),
     (
         "forall",
-        "`\\forall` is not read: state the quantifier in the text",
-        None,
+        "`\\forall` is read before a statement or behind it, and not in it",
+        Some("write `x^2 \\geq 0 \\quad \\forall x`"),
     ),
     (
         "exists",

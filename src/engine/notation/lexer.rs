@@ -147,6 +147,11 @@ fn unabbreviated(text: &str) -> &str {
     }
 }
 
+/// Whether words that begin so state a condition.
+fn states_condition(word: &str) -> bool {
+    ["for", "For", "if", "when", "whenever", "provided"].contains(&word)
+}
+
 struct Lexer<'s> {
     source: &'s str,
     at: usize,
@@ -346,7 +351,7 @@ impl<'s> Lexer<'s> {
             "tag" | "label" => self.reference(start, name),
             "text" | "textrm" | "textnormal" | "mbox" => {
                 if let Some(words) = self.argument(start, name) {
-                    self.push(start, Kind::Text(unabbreviated(words)));
+                    self.words(start, words);
                 }
             }
             "mathrm" | "operatorname" => self.upright(start, name),
@@ -387,6 +392,33 @@ impl<'s> Lexer<'s> {
                 }
             },
         }
+    }
+
+    /// `\text{for all $x > 1$}`: mathematics in words that state a condition is that of the formula. Other words are taken as they are.
+    fn words(&mut self, start: usize, words: &'s str) {
+        let pieces: Vec<&str> = words.split('$').collect();
+        let first = words.split_whitespace().next();
+        if pieces.len() < 3
+            || pieces.len().is_multiple_of(2)
+            || !first.is_some_and(states_condition)
+        {
+            return self.push(start, Kind::Text(unabbreviated(words)));
+        }
+        let end = self.at;
+        let mut from = end - "}".len() - words.len();
+        for (number, piece) in pieces.into_iter().enumerate() {
+            let span = Span::new(from, from + piece.len());
+            let sign = |c: char| c.is_whitespace() || ".,;:".contains(c);
+            match number % 2 == 1 || piece.chars().all(sign) {
+                true => self.out.append(lex(self.source, span)),
+                false => {
+                    self.at = span.end;
+                    self.push(span.start, Kind::Text(piece));
+                }
+            }
+            from = span.end + "$".len();
+        }
+        self.at = end;
     }
 
     /// `\\`, perhaps with a star and a length in brackets, as TeX takes them.

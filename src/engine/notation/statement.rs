@@ -1,5 +1,6 @@
 use crate::algebra::{Expr, Relation, Symbol};
 use crate::document::Span;
+use crate::sorted::Set;
 
 /// A displayed equation as read: its number, and what it states.
 #[derive(Clone, Debug)]
@@ -35,6 +36,8 @@ pub struct Statement {
     pub doubts: Vec<Doubt>,
     /// What is said beside it of what runs through whole numbers: `n = 1, 2, \dots`.
     pub runs: Vec<Run>,
+    /// What it is said of all values of: `\text{for all } x`.
+    pub quantified: Set<Symbol>,
 }
 
 /// A symbol that runs through whole numbers.

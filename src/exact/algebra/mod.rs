@@ -45,6 +45,6 @@ pub use polynomial::{Polynomial, TooLarge};
 pub use power::Powers;
 pub use rational::Rational;
 pub use series::mentions_symbol;
-pub use symbol::Symbol;
 pub use symbol::split_subscript;
+pub use symbol::{Symbol, another_meaning, as_printed};
 pub use univariate::{Univariate, sum_of_signs};

@@ -1,4 +1,4 @@
-use std::borrow::Borrow;
+use std::borrow::{Borrow, Cow};
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -99,6 +99,34 @@ impl fmt::Debug for Symbol {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.name)
     }
+}
+
+/// What stands in a name between a letter and the line on which another meaning of it is declared; no author can type it.
+const MEANING: char = '\u{1f}';
+
+/// A symbol that is printed like another, and is another: what is declared on a line under the letter of something else. `None` for the elements
+/// of a sequence.
+pub fn another_meaning(letter: &Symbol, line: usize) -> Option<Symbol> {
+    Some(Symbol::new(match split_subscript(letter.name()) {
+        Some((_, index)) if index.len() == 1 && index.bytes().all(|b| b.is_ascii_lowercase()) => {
+            return None;
+        }
+        Some((stem, _)) => {
+            let under = letter.name().get(stem.len()..)?;
+            format!("{stem}{MEANING}{line}{under}")
+        }
+        None => format!("{letter}{MEANING}{line}"),
+    }))
+}
+
+/// A name as it is printed, and the line on which its meaning is declared, where it is not the only one of its letter.
+pub fn as_printed(name: &str) -> (Cow<'_, str>, Option<usize>) {
+    let Some((before, rest)) = name.split_once(MEANING) else {
+        return (Cow::Borrowed(name), None);
+    };
+    let after = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+    let line = rest[..rest.len() - after.len()].parse().ok();
+    (Cow::Owned(format!("{before}{after}")), line)
 }
 
 /// Takes the subscript off a canonical name: `v'_1` is `v'` and `1`.

@@ -167,10 +167,30 @@ impl Report<'_> {
                 open.extend(name.filter(|name| !open.contains(name)));
             }
         }
+        let two = match &open[..] {
+            [symbol] if self.is_across_sections(conflict) => {
+                format!(
+                    "; or does {symbol} stand for two quantities? Then declare one of them below its heading, for that section"
+                )
+            }
+            _ => String::new(),
+        };
         format!(
-            "declare the dimension of {}: then the one that is wrong stands out",
+            "declare the dimension of {}: then the one that is wrong stands out{two}",
             list(open)
         )
+    }
+
+    /// Whether equations disagree that stand under different headings of one document.
+    fn is_across_sections(&self, conflict: &Conflict<Source>) -> bool {
+        let mut equations = conflict.origins.iter().filter_map(|origin| match origin {
+            Source::Equation(at) => Some(self.equation(*at)),
+            _ => None,
+        });
+        let Some(first) = equations.next() else {
+            return false;
+        };
+        equations.any(|other| other.page == first.page && other.section != first.section)
     }
 
     fn origin_of(&self, origin: Source) -> String {

@@ -22,7 +22,7 @@ use crate::sorted::Map;
 const SCHEMA: &str =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 /// The key of our fingerprints; its number is changed with how they are made.
-const FINGERPRINT: &str = "cradleVerify/v1";
+const FINGERPRINT: &str = "cradleVerify/v2";
 
 impl Report<'_> {
     /// The log of one run. `compared` says that there is a baseline, so that each result tells whether it is new.

@@ -1,4 +1,4 @@
-//! Remarks beside a statement: `\qquad n = 1, 2, 3, \dots`, `n \in \mathbb{N}`, `(y > 0)`.
+//! Remarks beside a statement: `\qquad n = 1, 2, 3, \dots`, `n \in \mathbb{N}`, `(y > 0)`, `(\text{for all } x > 1)`.
 
 use super::{Clause, Kind, Parser};
 use crate::algebra::{Relation, Symbol};
@@ -25,6 +25,21 @@ impl Parser<'_> {
         let (before, choices) = (self.before.len(), self.choices.len());
         let bound = self.bound.len();
         self.advance();
+        if self.quantifies() {
+            let mut under = Vec::new();
+            let read = self.inside(false, |own| own.quantifier(&mut under)).is_ok();
+            if read && about.clauses.len() == 1 && self.ends_aside(true) {
+                about.under.extend(under);
+                about.runs.append(&mut self.runs);
+                about
+                    .quantified
+                    .extend(std::mem::take(&mut self.quantified));
+                return true;
+            }
+            self.runs.clear();
+            self.quantified.clear();
+            self.at = start + 1;
+        }
         let clause = self.inside(false, Self::clause).ok();
         if let Some(Clause::Chain { sides, links }) = clause
             && about.clauses.len() == 1
@@ -81,7 +96,7 @@ impl Parser<'_> {
     }
 
     /// `\mathbb{N}`, `\mathbb{N}_0`, `\mathbb{Z}`: the first of them, if there is one.
-    fn whole_numbers(&mut self) -> Option<Option<i64>> {
+    pub(super) fn whole_numbers(&mut self) -> Option<Option<i64>> {
         if !self.accept(Kind::Command("mathbb")) {
             return None;
         }

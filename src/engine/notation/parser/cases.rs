@@ -22,6 +22,8 @@ const TRAILING: &[&str] = &[
     "provided that",
     "as long as",
 ];
+/// Nobody states more conditions of one statement; each is a hypothesis, with which all others are tried.
+const MOST_CONDITIONS: usize = 64;
 /// Words for where none of the other cases holds.
 const OTHERWISE: &[&str] = &["otherwise", "else", "elsewhere"];
 
@@ -88,6 +90,7 @@ impl Parser<'_> {
                 self.advance();
                 under = none_of(before, span)?;
             }
+            _ if self.quantifies() => self.quantifier(&mut under)?,
             Kind::Text(words) if WORDS.contains(&plain(words)) => {
                 self.advance();
                 self.conditions(&mut under)?;
@@ -123,6 +126,7 @@ impl Parser<'_> {
                 return refuse(self.since(start), "this is not read as a condition");
             }
             under.push(clause);
+            self.few_conditions(under)?;
             let end = self.at;
             self.skip_wide();
             match self.peek() {
@@ -135,13 +139,26 @@ impl Parser<'_> {
         }
     }
 
+    /// Refuses conditions that are too many to be judged under.
+    pub(super) fn few_conditions(&self, under: &[Clause]) -> Read<()> {
+        match under.len() > MOST_CONDITIONS {
+            true => refuse(
+                self.span(),
+                "this is said under too many conditions to be judged",
+            ),
+            false => Ok(()),
+        }
+    }
+
     /// `a = b \quad \text{if } x > 0`
     pub(super) fn trailing_conditions(&mut self, clauses: &[Clause]) -> Read<Vec<Clause>> {
         let (end, mut under) = (self.at, Vec::new());
         self.skip_wide();
         self.accept(Kind::Char(','));
         self.skip_wide();
+        let quantifies = self.quantifies();
         match self.peek() {
+            _ if quantifies => {}
             Kind::Text(words) if TRAILING.contains(&plain(words)) => {}
             _ => {
                 self.at = end;
@@ -154,21 +171,15 @@ impl Parser<'_> {
                 "whether this condition is one of the whole implication is not clear",
             );
         }
-        self.advance();
         // The cases before it are not its own.
         let cases = std::mem::take(&mut self.cases);
         if !cases.is_empty() {
             return refuse(self.span(), "a condition on all of the cases is not read");
         }
-        let words = self.at;
-        if let Some(run) = self.run()
-            && self.ends_aside(false)
-        {
-            self.runs.push(run);
-            return Ok(under);
+        match quantifies {
+            true => self.quantifier(&mut under)?,
+            false => self.worded_conditions(&mut under)?,
         }
-        self.at = words;
-        self.conditions(&mut under)?;
         if let Kind::Char(',' | ';') = self.peek()
             && !matches!(
                 self.kind(self.at + 1),
@@ -182,6 +193,20 @@ impl Parser<'_> {
             );
         }
         Ok(under)
+    }
+
+    /// `\text{if } x > 0`, `\text{for } n = 1, 2, \dots`
+    fn worded_conditions(&mut self, under: &mut Vec<Clause>) -> Read<()> {
+        self.advance();
+        let words = self.at;
+        if let Some(run) = self.run()
+            && self.ends_aside(false)
+        {
+            self.runs.push(run);
+            return Ok(());
+        }
+        self.at = words;
+        self.conditions(under)
     }
 
     /// A statement whose last side has cases, as a statement for each.
@@ -215,6 +240,7 @@ impl Parser<'_> {
             before: Vec::new(),
             doubts: Vec::new(),
             runs: Vec::new(),
+            quantified: statement.quantified.clone(),
         };
         if !links.is_empty() {
             let span = sides.iter().map(|side| side.span).reduce(Span::to);

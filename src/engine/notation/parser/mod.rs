@@ -1,6 +1,6 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
+//! `statement` reads what is said, `cases` what is said under conditions, `quantifier` of what all it is said, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
 //! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits,
 //! `between` what a term grows by from one limit to another, `both` what is said with `\pm`.
 //!
@@ -18,6 +18,7 @@ mod doubt;
 mod function;
 mod group;
 mod name;
+mod quantifier;
 mod quantity;
 mod series;
 mod statement;
@@ -38,6 +39,7 @@ use between::Limits;
 
 use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
+use crate::sorted::Set;
 
 /// How deep the reader may recurse; a group costs it two or three steps. People stop at ten groups.
 const DEPTH: usize = 200;
@@ -90,6 +92,8 @@ pub(super) struct Parser<'s> {
     doubts: Vec<Doubt>,
     /// What runs through whole numbers, as is said after the statement that is being read.
     runs: Vec<Run>,
+    /// What that statement is said of all values of.
+    quantified: Set<Symbol>,
     /// The cases of the clause that was read last.
     cases: Vec<Case>,
     /// A group after a name that turned out to be a factor, not an argument: `v_0(1 - \mu)`.
@@ -190,6 +194,7 @@ impl<'s> Parser<'s> {
             doubts: Vec::new(),
             cases: Vec::new(),
             runs: Vec::new(),
+            quantified: Set::new(),
             pending: None,
         }
     }

@@ -218,6 +218,8 @@ impl<'s> Parser<'s> {
     fn statement(&mut self) -> Read<Statement> {
         let start = self.at;
         let label = self.label();
+        let mut under = Vec::new();
+        self.leading_quantifier(&mut under)?;
         let (mut clauses, mut connectives) = (vec![self.clause()?], Vec::new());
         let mut mark = None;
         loop {
@@ -253,7 +255,7 @@ impl<'s> Parser<'s> {
                 );
             }
         }
-        let under = self.trailing_conditions(&clauses)?;
+        under.extend(self.trailing_conditions(&clauses)?);
         self.doubt_letters(start);
         Ok(Statement {
             label,
@@ -266,6 +268,7 @@ impl<'s> Parser<'s> {
             before: std::mem::take(&mut self.before),
             doubts: std::mem::take(&mut self.doubts),
             runs: std::mem::take(&mut self.runs),
+            quantified: std::mem::take(&mut self.quantified),
         })
     }
 

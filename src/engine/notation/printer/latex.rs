@@ -124,11 +124,11 @@ fn latex_clause(clause: &Clause) -> String {
 }
 
 fn all_equal(sequence: &Symbol, to: &Expr, value: Option<&Expr>) -> String {
-    let last = with_subscript(sequence.name(), &latex(to));
+    let last = with_subscript(&name(sequence), &latex(to));
     let value = value.map_or(String::new(), |value| format!(" = {}", latex(value)));
     format!(
         "{} = \\dots = {last}{value}",
-        with_subscript(sequence.name(), "1")
+        with_subscript(&name(sequence), "1")
     )
 }
 
@@ -223,27 +223,27 @@ fn factor(expr: &Expr, last: bool) -> String {
         Expr::Sum(_) | Expr::Negate(_) | Expr::Product(_) => parentheses(expr),
         Expr::Number(number) if number.is_negative() => parentheses(expr),
         Expr::Number(number) => numeral(number),
-        Expr::Symbol(symbol) => symbol.name().to_owned(),
-        Expr::Element { sequence, index } => with_subscript(sequence.name(), index.name()),
+        Expr::Symbol(symbol) => name(symbol).into_owned(),
+        Expr::Element { sequence, index } => with_subscript(&name(sequence), &name(index)),
         Expr::Quotient(over, under) => format!("\\frac{{{}}}{{{}}}", latex(over), latex(under)),
         Expr::Power(base, exponent) => power(base, exponent),
         Expr::Call(function, argument) => call(*function, argument),
         Expr::Apply(function, arguments) => {
             let arguments: Vec<String> = arguments.iter().map(latex).collect();
-            format!("{}({})", function.name(), arguments.join(", "))
+            format!("{}({})", &name(function), arguments.join(", "))
         }
         Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
             format!(
                 "\\frac{{{}}}{{{}}}",
                 differential(&latex(body)),
-                differential(variable.name())
+                differential(&name(variable))
             )
         }
         _ if !last => parentheses(expr),
         Expr::Derivative { body, variable } => {
             format!(
                 "\\frac{{d}}{{{}}} \\left[ {} \\right]",
-                differential(variable.name()),
+                differential(&name(variable)),
                 latex(body)
             )
         }
@@ -256,7 +256,7 @@ fn factor(expr: &Expr, last: bool) -> String {
             let (from, to) = (latex(from), latex(to));
             format!(
                 "\\sum_{{{} = {from}}}^{{{to}}} {}",
-                index.name(),
+                &name(index),
                 product(body)
             )
         }
@@ -272,7 +272,7 @@ fn factor(expr: &Expr, last: bool) -> String {
             };
             format!(
                 "\\lim_{{{} \\to {point}}} {}",
-                variable.name(),
+                &name(variable),
                 product(body)
             )
         }
@@ -295,7 +295,7 @@ fn factor(expr: &Expr, last: bool) -> String {
             } else {
                 plain
             };
-            let differential = differential(variable.name());
+            let differential = differential(&name(variable));
             format!(
                 "\\int_{{{}}}^{{{}}} {body} \\, {differential}",
                 latex(from),
@@ -357,9 +357,9 @@ fn power(base: &Expr, exponent: &Expr) -> String {
         return format!("\\sqrt{degree}{{{}}}", latex(base));
     }
     let base = match base {
-        Expr::Symbol(symbol) => raised_name(symbol.name()),
+        Expr::Symbol(symbol) => raised_name(&name(symbol)),
         Expr::Element { sequence, index } => {
-            raised_name(&with_subscript(sequence.name(), index.name()))
+            raised_name(&with_subscript(&name(sequence), &name(index)))
         }
         Expr::Number(number) if !number.is_negative() && decimal(number).is_some() => {
             numeral(number)
@@ -406,4 +406,9 @@ fn raised_name(name: &str) -> String {
     } else {
         name.to_owned()
     }
+}
+
+/// A name as it is printed.
+fn name(symbol: &Symbol) -> std::borrow::Cow<'_, str> {
+    crate::algebra::as_printed(symbol.name()).0
 }

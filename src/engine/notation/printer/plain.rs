@@ -284,7 +284,9 @@ fn subscript(text: &str) -> String {
 
 /// A canonical name as text: `v'_1` is `v′₁`, `\Delta E_{\text{total}}` is `ΔE_{total}`.
 fn name(canonical: &str) -> String {
-    use crate::algebra::split_subscript;
+    use crate::algebra::{as_printed, split_subscript};
+    let (canonical, _) = as_printed(canonical);
+    let canonical = &*canonical;
     match split_subscript(canonical) {
         Some((stem, under)) => format!("{}{}", letters(stem), subscript(&letters(under))),
         None => letters(canonical),

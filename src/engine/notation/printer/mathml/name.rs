@@ -1,6 +1,6 @@
 //! Canonical names in MathML: `v'_1` is a letter with a prime and an index, `\Delta E_{\text{total}}` two letters.
 
-use crate::algebra::split_subscript;
+use crate::algebra::{as_printed, split_subscript};
 use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
 use crate::notation::printer::xml::escape;
 use crate::notation::typeset::{Face, accent};
@@ -28,6 +28,8 @@ pub(super) struct Name {
 impl Name {
     /// Takes a canonical name apart.
     pub(super) fn of(canonical: &str) -> Name {
+        let (canonical, _) = as_printed(canonical);
+        let canonical = &*canonical;
         let (stem, under) = match split_subscript(canonical) {
             Some((stem, under)) => (stem, Some(under)),
             None => (canonical, None),
