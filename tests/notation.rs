@@ -506,6 +506,44 @@ fn spellings_of_one_term() {
         ),
         (&[r"\frac{d}{d+1}"], r"\frac{d}{d + 1}"),
         (
+            &[
+                r"\dv{x}{t}",
+                r"\dv*{x}{t}",
+                r"\derivative{x}{t}",
+                r"\frac{\mathop{}\!\mathrm{d}x}{\dd t}",
+            ],
+            r"\frac{dx}{dt}",
+        ),
+        (
+            &[r"\dv[2]{x}{t}"],
+            r"\frac{d}{dt} \left[ \frac{dx}{dt} \right]",
+        ),
+        (
+            &[
+                r"\dv{t}\qty(a t)",
+                r"\dv{t}\quantity[a t]",
+                r"\dv{t}\qty{a t}",
+            ],
+            r"\frac{d}{dt} \left[ a t \right]",
+        ),
+        (
+            &[
+                r"\abs{x} + \qty|y| + \abs*{\dv{x}{t}}",
+                r"\norm{x} + \qty|y| + \norm{\dv{x}{t}}",
+            ],
+            r"\left| x \right| + \left| y \right| + \left| \frac{dx}{dt} \right|",
+        ),
+        (
+            &[r"\int_0^T f \dd{t}", r"\int_0^T f \mathop{}\!\mathrm{d}t"],
+            r"\int_{0}^{T} f \, dt",
+        ),
+        (&[r"\eval{x^2}_{x=0}^{x=L}"], r"L^2 - 0^2"),
+        (
+            &[r"\va{F} + \vb{p} + \vb*{q}"],
+            r"\vec{F} + \mathbf{p} + \boldsymbol{q}",
+        ),
+        (&[r"\qty{5}{m}", r"\qty[a=b]{5}{m}"], r"5 \unit{m}"),
+        (
             &[r"\lim_{\mu \to \infty} \eta"],
             r"\lim_{\mu \to \infty} \eta",
         ),
@@ -831,6 +869,16 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\frac{\partial f}{\partial x} = 0",
         r"\partial",
         r"partial derivatives",
+    ),
+    (
+        r"F = -\grad V",
+        r"\grad",
+        r"`\grad` is not read: the notation has no vector calculus",
+    ),
+    (
+        r"\comm{x}{p} = 0",
+        r"\comm",
+        r"`\comm` is not read: the notation has no brackets of operators",
     ),
     (
         r"v_12 = 0",
