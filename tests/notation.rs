@@ -544,6 +544,54 @@ fn spellings_of_one_term() {
         ),
         (&[r"\qty{5}{m}", r"\qty[a=b]{5}{m}"], r"5 \unit{m}"),
         (
+            &[
+                r"\frac{\partial E}{\partial v}",
+                r"\pdv{E}{v}",
+                r"\partial_v E",
+            ],
+            r"\frac{\partial E}{\partial v}",
+        ),
+        (
+            &[
+                r"\frac{\partial^2 f}{\partial x \partial y}",
+                r"\pdv{f}{x}{y}",
+                r"\partial_x \partial_y f",
+            ],
+            r"\frac{\partial^2 f}{\partial x \partial y}",
+        ),
+        (
+            &[
+                r"\frac{\partial^2}{\partial x_1^2} (f + g)",
+                r"\pdv[2]{x_1}(f + g)",
+                r"\partial_{x_1}^2 (f + g)",
+            ],
+            r"\frac{\partial^2}{\partial x_1^2} \left[ f + g \right]",
+        ),
+        (
+            &[
+                r"\left(\frac{\partial U}{\partial V}\right)_T",
+                r"\qty(\pdv{U}{V})_{T}",
+                r"\left. \frac{\partial U}{\partial V} \right|_T",
+            ],
+            r"\left( \frac{\partial U}{\partial V} \right)_{T}",
+        ),
+        (
+            &[r"T \left(\frac{\partial S}{\partial T}\right)_V"],
+            r"T \left( \frac{\partial S}{\partial T} \right)_{V}",
+        ),
+        (
+            &[r"\pdv{\rho}{d}", r"\frac{\partial \rho}{\partial d}"],
+            r"\frac{\partial \rho}{\partial d}",
+        ),
+        (
+            &[r"\left(\frac{\partial^2 F}{\partial V \partial T}\right)_{N, x'}"],
+            r"\left( \frac{\partial^2 F}{\partial V \partial T} \right)_{N, x'}",
+        ),
+        (
+            &[r"2 \left(\frac{\partial U}{\partial V}\right)_T^2 \frac{\partial f}{\partial x'}"],
+            r"2 \left( \left( \frac{\partial U}{\partial V} \right)_{T} \right)^2 \frac{\partial f}{\partial x'}",
+        ),
+        (
             &[r"\lim_{\mu \to \infty} \eta"],
             r"\lim_{\mu \to \infty} \eta",
         ),
@@ -866,9 +914,9 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "what runs between these limits is not told",
     ),
     (
-        r"\frac{\partial f}{\partial x} = 0",
+        r"\partial f = 0",
         r"\partial",
-        r"partial derivatives",
+        r"`\partial` is read only in derivatives",
     ),
     (
         r"F = -\grad V",
@@ -879,6 +927,26 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\comm{x}{p} = 0",
         r"\comm",
         r"`\comm` is not read: the notation has no brackets of operators",
+    ),
+    (
+        r"\partial_\mu f = 0",
+        r"\partial_\mu",
+        "what is differentiated by here is an index, or not clear",
+    ),
+    (
+        r"\partial_x f g = 0",
+        "g",
+        "whether this is differentiated too is not clear",
+    ),
+    (
+        r"\frac{\partial^2 f}{\partial x} = 0",
+        r"\frac{\partial^2 f}{\partial x}",
+        "the orders above and below in this derivative do not agree, or are too high",
+    ),
+    (
+        r"\left( \frac{\partial U}{\partial V} \right)_{T^2} = 0",
+        r"T^2",
+        "this cannot be held fixed",
     ),
     (
         r"v_12 = 0",

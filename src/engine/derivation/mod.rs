@@ -19,6 +19,7 @@ mod indices;
 mod lasting;
 mod names;
 mod page;
+mod partials;
 mod qualities;
 mod reader;
 mod rows;
@@ -140,6 +141,7 @@ impl Derivation {
             let own = &mut equations[own];
             slopes::read_marks(page, own);
             arguments::leave_out(page, own);
+            partials::tell_what_is_held(page, own);
         }
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);

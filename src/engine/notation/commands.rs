@@ -237,38 +237,38 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     ),
     (
         "partial",
-        "partial derivatives (`\\partial`) are not read yet",
-        None,
+        "`\\partial` is read only in derivatives",
+        Some("write `\\frac{\\partial f}{\\partial x}`, or `\\partial_x f`"),
     ),
     (
         "nabla",
         "`\\nabla` is not read: the notation has no vector calculus",
-        None,
+        Some("write it with partial derivatives by coordinates"),
     ),
     (
         "grad",
         "`\\grad` is not read: the notation has no vector calculus",
-        None,
+        Some("write it with partial derivatives by coordinates"),
     ),
     (
         "gradient",
         "`\\gradient` is not read: the notation has no vector calculus",
-        None,
+        Some("write it with partial derivatives by coordinates"),
     ),
     (
         "curl",
         "`\\curl` is not read: the notation has no vector calculus",
-        None,
+        Some("write it with partial derivatives by coordinates"),
     ),
     (
         "divergence",
         "`\\divergence` is not read: the notation has no vector calculus",
-        None,
+        Some("write it with partial derivatives by coordinates"),
     ),
     (
         "laplacian",
         "`\\laplacian` is not read: the notation has no vector calculus",
-        None,
+        Some("write it with partial derivatives by coordinates"),
     ),
     (
         "var",

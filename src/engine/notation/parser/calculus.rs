@@ -30,12 +30,12 @@ impl Parser<'_> {
     /// Whether a fraction begins here that is a derivative: `\frac{d`, and `{d name` below.
     pub(super) fn at_derivative(&self) -> bool {
         let over = self.at + 1;
-        if self.kind(over) != Kind::Open || !self.is_d(over + 1) {
+        let is_sign = |at: usize| self.is_d(at) || self.is_partial(at);
+        if self.kind(over) != Kind::Open || !is_sign(over + 1) {
             return false;
         }
-        let is_under = |at: usize| {
-            self.kind(at) == Kind::Open && self.is_d(at + 1) && self.starts_name(at + 2)
-        };
+        let is_under =
+            |at: usize| self.kind(at) == Kind::Open && is_sign(at + 1) && self.starts_name(at + 2);
         self.after_group(over).is_some_and(is_under)
     }
 
@@ -46,6 +46,19 @@ impl Parser<'_> {
 
     /// The variable after `d`.
     pub(super) fn variable(&mut self, power_allowed: bool) -> Read<(Symbol, usize)> {
+        self.variable_besides(power_allowed, |name| matches!(name, "d" | "\\text{d}"))
+    }
+
+    /// The variable of a partial derivative: also `d`, which is a length there.
+    pub(super) fn partial_variable(&mut self) -> Read<(Symbol, usize)> {
+        self.variable_besides(true, |_| false)
+    }
+
+    fn variable_besides(
+        &mut self,
+        power_allowed: bool,
+        is_sign: impl Fn(&str) -> bool,
+    ) -> Read<(Symbol, usize)> {
         let start = self.at;
         let mut name = self.name()?;
         let order = match name.power.take() {
@@ -61,9 +74,7 @@ impl Parser<'_> {
             }
         };
         match self.symbol(&name, self.since(start))? {
-            Expr::Symbol(symbol)
-                if !matches!(symbol.name(), "d" | "\\text{d}") && !is_vector(&symbol) =>
-            {
+            Expr::Symbol(symbol) if !is_sign(symbol.name()) && !is_vector(&symbol) => {
                 Ok((symbol, order))
             }
             _ => refuse(
@@ -133,7 +144,7 @@ impl Parser<'_> {
     }
 
     /// What an operator `\frac{d}{dx}` applies to.
-    fn differentiated(&mut self) -> Read<Expr> {
+    pub(super) fn differentiated(&mut self) -> Read<Expr> {
         if !self.at_delimiter() {
             return Ok(self.term()?.expr);
         }

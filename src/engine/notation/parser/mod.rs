@@ -1,7 +1,7 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
 //! `statement` reads what is said, `cases` what is said under conditions, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
-//! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits,
+//! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, definite integrals and limits, `partial` partial derivatives,
 //! `between` what a term grows by from one limit to another, `both` what is said with `\pm`.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -18,6 +18,7 @@ mod doubt;
 mod function;
 mod group;
 mod name;
+mod partial;
 mod quantity;
 mod series;
 mod statement;
