@@ -752,6 +752,14 @@ fn statements_and_what_separates_them() {
         ),
         (r"a := b", "a = b"),
         (
+            r"v = \int g \, dt = g t + v_0",
+            r"\frac{dv}{dt} = g = \frac{d}{dt} \left[ g t \right]",
+        ),
+        (
+            r"\int x e^x \, dx = x e^x - 2 \int \frac{dx}{2} + C",
+            r"x e^x = \frac{d}{dx} \left[ x e^x \right] - 2 \cdot \frac{1}{2}",
+        ),
+        (
             r"a = \sinh 2x + \log_{10} y + \lg y + \sin 30^\circ",
             r"a = \frac{\exp\left( 2 x \right) - \exp\left( -2 x \right)}{2} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \sin\left( \frac{30 \pi}{180} \right)",
         ),
@@ -929,6 +937,26 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"`\comm` is not read: the notation has no brackets of operators",
     ),
     (
+        r"a = \exp(\int f \, dx)",
+        r"\int",
+        "an integral without limits is read only as a side of an equation, or a summand of one",
+    ),
+    (
+        r"W = \int F \, dx = F L",
+        r"W",
+        "between which limits is integrated is not told: this does not run with `x`",
+    ),
+    (
+        r"\int \frac{dv}{v} = -k \int dt",
+        r"\int",
+        "integrals over different variables cannot be compared without limits",
+    ),
+    (
+        r"m = \int_V \rho \, dV",
+        r"\int_V",
+        "of the limits of this integral one is missing",
+    ),
+    (
         r"\partial_\mu f = 0",
         r"\partial_\mu",
         "what is differentiated by here is an index, or not clear",
@@ -947,6 +975,16 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\left( \frac{\partial U}{\partial V} \right)_{T^2} = 0",
         r"T^2",
         "this cannot be held fixed",
+    ),
+    (
+        r"\int x u' \, dx = x u - \int u \, dx",
+        r"\int",
+        "whether something in this depends on `x` is not told",
+    ),
+    (
+        r"\int y \, dx = u v - \int w \, dx",
+        r"u v - \int w \, dx",
+        "between which limits is integrated is not told: this does not run with `x`",
     ),
     (
         r"v_12 = 0",

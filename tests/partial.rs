@@ -364,3 +364,44 @@ fn dimensions_are_compared() {
     assert_eq!(page("F"), "ill-dimensioned");
     assert_eq!(page("p"), "given");
 }
+
+/// `\int f \, dx = F + C` holds if `F` is differentiated to `f`.
+#[test]
+fn integrals_without_limits() {
+    let cases = [
+        (r"\int x \, dx = \frac{x^2}{2} + C", "holds"),
+        (r"\int x \, dx = x^2 + C", "fails"),
+        (
+            r"\int \cos(\omega t) \, dt = \frac{\sin(\omega t)}{\omega} + C",
+            "holds",
+        ),
+        (
+            r"\int \cos(\omega t) \, dt = \omega \sin(\omega t) + C",
+            "fails",
+        ),
+        (r"\int \frac{dx}{x} = \ln x + C", "holds"),
+        (r"\int \frac{dx}{x} = \frac{\ln x}{2} + C", "fails"),
+        (r"\int (x + 1)\,dx = \int x\,dx + x + C", "holds"),
+        (r"\int (x + 1)\,dx = 2 \int x\,dx + x + C", "fails"),
+        (
+            r"\int x e^{a x} \, dx = \frac{x}{a} e^{a x} - \frac{1}{a^2} e^{a x} + C",
+            "holds",
+        ),
+    ];
+    for (formula, verdict) in cases {
+        assert_eq!(
+            last(&format!("Hence\n\n$$ {formula} $$\n")),
+            verdict,
+            "{formula}"
+        );
+    }
+    // A name for it; without what it comes to, it may be meant between limits.
+    let named = |end: &str| {
+        last(&format!(
+            "A body falls with\n\n$$ a = g $$\n\nHence\n\n$$ v = \\int a \\, dt{end} $$\n"
+        ))
+    };
+    assert_eq!(named(" = g t + v_0"), "given");
+    assert_eq!(named(" = 2 g t + v_0"), "fails");
+    assert_eq!(named(""), "undecided");
+}

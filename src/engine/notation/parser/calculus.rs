@@ -1,4 +1,4 @@
-//! Derivatives, definite integrals and limits.
+//! Derivatives, integrals and limits.
 //!
 //! `\frac{d …}{dx}` is a derivative if, and only if, its denominator is `d` and one name (and a whole power, the same as
 //! above); `d` anywhere else is an ordinary symbol. What `\frac{d}{dx}` applies to is the product that follows; if that
@@ -234,13 +234,14 @@ impl Parser<'_> {
     pub(super) fn integral(&mut self) -> Read<Expr> {
         let start = self.at;
         self.advance();
-        let Some(limits) = self.limits()? else {
+        let limits = self.limits()?;
+        if limits.is_none() && self.at > start + 1 {
             return refuse_with(
                 self.since(start),
-                "only definite integrals are read",
+                "of the limits of this integral one is missing",
                 "write `\\int_{a}^{b} f \\, dx`",
             );
-        };
+        }
         let sign = self.since(start);
         let outside = (self.bar, self.integrand, self.differential.take());
         (self.bar, self.integrand) = (false, true);
@@ -265,6 +266,9 @@ impl Parser<'_> {
                 "this is a second differential: an integral has one",
             );
         }
+        let Some(limits) = limits else {
+            return Ok(self.primitive(body, variable, sign));
+        };
         self.integrals.push((variable.clone(), limits.clone()));
         limits.integral(body, variable, sign)
     }
