@@ -27,6 +27,7 @@ mod latex;
 mod markdown;
 mod notation;
 mod pages;
+mod partial;
 mod properties;
 mod readme;
 mod repairs;

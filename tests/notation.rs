@@ -506,6 +506,92 @@ fn spellings_of_one_term() {
         ),
         (&[r"\frac{d}{d+1}"], r"\frac{d}{d + 1}"),
         (
+            &[
+                r"\dv{x}{t}",
+                r"\dv*{x}{t}",
+                r"\derivative{x}{t}",
+                r"\frac{\mathop{}\!\mathrm{d}x}{\dd t}",
+            ],
+            r"\frac{dx}{dt}",
+        ),
+        (
+            &[r"\dv[2]{x}{t}"],
+            r"\frac{d}{dt} \left[ \frac{dx}{dt} \right]",
+        ),
+        (
+            &[
+                r"\dv{t}\qty(a t)",
+                r"\dv{t}\quantity[a t]",
+                r"\dv{t}\qty{a t}",
+            ],
+            r"\frac{d}{dt} \left[ a t \right]",
+        ),
+        (
+            &[
+                r"\abs{x} + \qty|y| + \abs*{\dv{x}{t}}",
+                r"\norm{x} + \qty|y| + \norm{\dv{x}{t}}",
+            ],
+            r"\left| x \right| + \left| y \right| + \left| \frac{dx}{dt} \right|",
+        ),
+        (
+            &[r"\int_0^T f \dd{t}", r"\int_0^T f \mathop{}\!\mathrm{d}t"],
+            r"\int_{0}^{T} f \, dt",
+        ),
+        (&[r"\eval{x^2}_{x=0}^{x=L}"], r"L^2 - 0^2"),
+        (
+            &[r"\va{F} + \vb{p} + \vb*{q}"],
+            r"\vec{F} + \mathbf{p} + \boldsymbol{q}",
+        ),
+        (&[r"\qty{5}{m}", r"\qty[a=b]{5}{m}"], r"5 \unit{m}"),
+        (
+            &[
+                r"\frac{\partial E}{\partial v}",
+                r"\pdv{E}{v}",
+                r"\partial_v E",
+            ],
+            r"\frac{\partial E}{\partial v}",
+        ),
+        (
+            &[
+                r"\frac{\partial^2 f}{\partial x \partial y}",
+                r"\pdv{f}{x}{y}",
+                r"\partial_x \partial_y f",
+            ],
+            r"\frac{\partial^2 f}{\partial x \partial y}",
+        ),
+        (
+            &[
+                r"\frac{\partial^2}{\partial x_1^2} (f + g)",
+                r"\pdv[2]{x_1}(f + g)",
+                r"\partial_{x_1}^2 (f + g)",
+            ],
+            r"\frac{\partial^2}{\partial x_1^2} \left[ f + g \right]",
+        ),
+        (
+            &[
+                r"\left(\frac{\partial U}{\partial V}\right)_T",
+                r"\qty(\pdv{U}{V})_{T}",
+                r"\left. \frac{\partial U}{\partial V} \right|_T",
+            ],
+            r"\left( \frac{\partial U}{\partial V} \right)_{T}",
+        ),
+        (
+            &[r"T \left(\frac{\partial S}{\partial T}\right)_V"],
+            r"T \left( \frac{\partial S}{\partial T} \right)_{V}",
+        ),
+        (
+            &[r"\pdv{\rho}{d}", r"\frac{\partial \rho}{\partial d}"],
+            r"\frac{\partial \rho}{\partial d}",
+        ),
+        (
+            &[r"\left(\frac{\partial^2 F}{\partial V \partial T}\right)_{N, x'}"],
+            r"\left( \frac{\partial^2 F}{\partial V \partial T} \right)_{N, x'}",
+        ),
+        (
+            &[r"2 \left(\frac{\partial U}{\partial V}\right)_T^2 \frac{\partial f}{\partial x'}"],
+            r"2 \left( \left( \frac{\partial U}{\partial V} \right)_{T} \right)^2 \frac{\partial f}{\partial x'}",
+        ),
+        (
             &[r"\lim_{\mu \to \infty} \eta"],
             r"\lim_{\mu \to \infty} \eta",
         ),
@@ -665,6 +751,14 @@ fn statements_and_what_separates_them() {
             r"E_{\text{heat}} \gg E_{\text{sound}}",
         ),
         (r"a := b", "a = b"),
+        (
+            r"v = \int g \, dt = g t + v_0",
+            r"\frac{dv}{dt} = g = \frac{d}{dt} \left[ g t \right]",
+        ),
+        (
+            r"\int x e^x \, dx = x e^x - 2 \int \frac{dx}{2} + C",
+            r"x e^x = \frac{d}{dx} \left[ x e^x \right] - 2 \cdot \frac{1}{2}",
+        ),
         (
             r"a = \sinh 2x + \log_{10} y + \lg y + \sin 30^\circ",
             r"a = \frac{\exp\left( 2 x \right) - \exp\left( -2 x \right)}{2} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \sin\left( \frac{30 \pi}{180} \right)",
@@ -828,9 +922,69 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "what runs between these limits is not told",
     ),
     (
-        r"\frac{\partial f}{\partial x} = 0",
+        r"\partial f = 0",
         r"\partial",
-        r"partial derivatives",
+        r"`\partial` is read only in derivatives",
+    ),
+    (
+        r"F = -\grad V",
+        r"\grad",
+        r"`\grad` is not read: the notation has no vector calculus",
+    ),
+    (
+        r"\comm{x}{p} = 0",
+        r"\comm",
+        r"`\comm` is not read: the notation has no brackets of operators",
+    ),
+    (
+        r"a = \exp(\int f \, dx)",
+        r"\int",
+        "an integral without limits is read only as a side of an equation, or a summand of one",
+    ),
+    (
+        r"W = \int F \, dx = F L",
+        r"W",
+        "between which limits is integrated is not told: this does not run with `x`",
+    ),
+    (
+        r"\int \frac{dv}{v} = -k \int dt",
+        r"\int",
+        "integrals over different variables cannot be compared without limits",
+    ),
+    (
+        r"m = \int_V \rho \, dV",
+        r"\int_V",
+        "of the limits of this integral one is missing",
+    ),
+    (
+        r"\partial_\mu f = 0",
+        r"\partial_\mu",
+        "what is differentiated by here is an index, or not clear",
+    ),
+    (
+        r"\partial_x f g = 0",
+        "g",
+        "whether this is differentiated too is not clear",
+    ),
+    (
+        r"\frac{\partial^2 f}{\partial x} = 0",
+        r"\frac{\partial^2 f}{\partial x}",
+        "the orders above and below in this derivative do not agree, or are too high",
+    ),
+    (
+        r"\left( \frac{\partial U}{\partial V} \right)_{T^2} = 0",
+        r"T^2",
+        "this cannot be held fixed",
+    ),
+    (
+        r"\int x u' \, dx = x u - \int u \, dx",
+        r"\int",
+        "whether something in this depends on `x` is not told",
+    ),
+    (
+        r"\int y \, dx = u v - \int w \, dx",
+        r"u v - \int w \, dx",
+        "between which limits is integrated is not told: this does not run with `x`",
     ),
     (
         r"v_12 = 0",

@@ -7,6 +7,7 @@ mod claims;
 mod corrected;
 mod functions;
 mod pages;
+mod partial;
 mod physics;
 mod roots;
 mod scaling;

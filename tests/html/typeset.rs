@@ -46,6 +46,11 @@ fn what_is_typed_is_what_is_shown() {
         (r"\left. \frac{dU}{dx} \right|_{x=a}", "dUdx|x=a"),
         (r"{a \over b}", "ab"),
         (r"x''", "x′′"),
+        (
+            r"\dv[2]{x}{t} + \pdv{f}{x}{y} + \dv{t}\qty(a \dd{s})",
+            "d2xdt2+∂2f∂x∂y+ddt(ads)",
+        ),
+        (r"\abs{a} + \vb{b} + \qty{c}", "|a|+b+{c}"),
     ] {
         let (_, text) = set(source);
         assert_eq!(text.replace('\u{a0}', " ").trim(), shown, "{source}");

@@ -12,6 +12,7 @@ mod induction;
 mod integrals;
 mod knowledge;
 mod obligations;
+mod partial;
 mod proofs;
 mod rates;
 mod readings;

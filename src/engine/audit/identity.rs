@@ -23,6 +23,10 @@ pub(super) fn is_identity(entry: &Entry, told: &[Assumed], drawn: bool) -> bool 
         let Formula::Relation { left, right, .. } = &judged.goal.formula else {
             return false;
         };
+        // `\frac{\partial}{\partial r} (r^2 u) = r u` may say what `u` is.
+        if !drawn && (may_be_a_law(left) || may_be_a_law(right)) {
+            return false;
+        }
         let (named, others) = (quantities(left), quantities(right));
         let counted = |symbol: &Symbol| {
             let domain = refuted.claim().domains.get(symbol);
@@ -37,6 +41,20 @@ pub(super) fn is_identity(entry: &Entry, told: &[Assumed], drawn: bool) -> bool 
             || is_measured(left) && is_measured(right)
             || is_equivalence(judged)
             || (drawn || goes_on) && is_settled(judged, told)
+    })
+}
+
+/// Whether something is differentiated partially that speaks of more than the variable, and is no name.
+fn may_be_a_law(term: &Expr) -> bool {
+    term.any(&|part| match part {
+        Expr::Partial { body, .. } => {
+            let named = matches!(
+                **body,
+                Expr::Symbol(_) | Expr::Apply(..) | Expr::Partial { .. }
+            );
+            !named && body.free_symbols().len() > 1
+        }
+        _ => false,
     })
 }
 
@@ -91,7 +109,8 @@ fn is_worked_out(left: &Expr, right: &Expr, drawn: bool) -> bool {
     let sides = [(left, right), (right, left)];
     sides.into_iter().any(|(from, to)| {
         // `\frac{d}{dx} (x y) = y` may say what `y` is.
-        let alone = !matches!(from, Expr::Derivative { .. }) || from.free_symbols().len() == 1;
+        let derived = matches!(from, Expr::Derivative { .. } | Expr::Partial { .. });
+        let alone = !derived || from.free_symbols().len() == 1;
         let carried_out = (drawn || alone) && is_task(from) && !to.any(&is_task);
         carried_out || drawn && is_product_of_sums(from) && is_multiplied_out(to)
     })
@@ -100,9 +119,13 @@ fn is_worked_out(left: &Expr, right: &Expr, drawn: bool) -> bool {
 /// What has to be carried out, and is written out: in the term is what it varies with, and no function or sequence that is not known.
 fn is_task(term: &Expr) -> bool {
     let (body, variable) = match term {
-        Expr::Derivative { body, variable } | Expr::Integral { body, variable, .. } => {
-            (body, variable)
+        Expr::Derivative { body, variable }
+        | Expr::Partial {
+            body,
+            variable,
+            held: Some(_),
         }
+        | Expr::Integral { body, variable, .. } => (body, variable),
         Expr::Series { body, index, .. } => (body, index),
         Expr::Negate(inner) => return is_task(inner),
         _ => return false,

@@ -14,6 +14,8 @@ use super::{Auditor, Judged, Outcome, stated};
 /// lines up.
 pub(super) const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
 /// Why nothing is said of what may be complex.
+pub(super) const UNCLEAR: &str = "it is not clear what a partial derivative in it is meant of";
+
 pub(super) const COMPLEX: &str =
     "it speaks of complex numbers, as far as can be told, and only real ones are decided";
 /// Why nothing is proved from premises that cannot all be true.
@@ -127,7 +129,36 @@ impl Judge<'_> {
                 ..found.judged
             });
         }
+        if found.judged.outcome.is_refuted() && self.is_unclear(&found.judged) {
+            found = Found::open(Judged {
+                outcome: Outcome::open(UNCLEAR),
+                ..found.judged
+            });
+        }
         found
+    }
+
+    /// Whether something speaks of a partial derivative of which it is not clear what it holds fixed, or how it moves: that
+    /// `\frac{d}{dt} \frac{\partial L}{\partial \dot x}` goes with `\ddot x` is nowhere said.
+    fn is_unclear(&self, judged: &Judged) -> bool {
+        let page = self.derivation.equations[self.at].page;
+        let unclear = &self.derivation.pages[page].unclear_slopes;
+        if self.derivation.pages[page].dependent.is_empty() {
+            return false;
+        }
+        let is_partial = |part: &Expr| matches!(part, Expr::Partial { .. });
+        let is_one = |part: &Expr| match part {
+            Expr::Derivative { body, .. } => body.any(&is_partial),
+            Expr::Partial { body, variable, .. } => unclear
+                .iter()
+                .any(|(name, own)| own == variable && body.mentions(name)),
+            _ => false,
+        };
+        // What was left out of the counterexample may be what it was to be drawn from.
+        let assumed = judged.assumed.iter().chain(&self.usable.assumed);
+        let formulas = assumed.map(|own| &*own.formula);
+        let mut all = formulas.chain([&judged.goal.formula]);
+        all.any(|formula| formula.terms().into_iter().any(|term| term.any(&is_one)))
     }
 
     /// Whether a goal speaks of what may be complex.

@@ -612,6 +612,9 @@ impl Auditor<'_> {
         if entry.verdict == Verdict::Fails && usable.has_complex {
             leave_open(&mut entry, judge::COMPLEX);
         }
+        if entry.verdict == Verdict::Fails && usable.has_presumed {
+            leave_open(&mut entry, judge::UNCLEAR);
+        }
         if entry.verdict == Verdict::Undecided {
             entry.notes.extend(
                 usable

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{
     Assumed, Derivation, Kind, Local, Running, Source, conditions, formulas, is_open,
 };
@@ -174,6 +174,8 @@ pub struct Usable {
     pub unreadable: Vec<usize>,
     /// Some speak of what may be complex, and are left out: claims are about real numbers.
     pub has_complex: bool,
+    /// Some speak of partial derivatives of terms in which something may depend on the variable, and are left out: if they are laws, it does.
+    pub has_presumed: bool,
 }
 
 /// Gathers the hypotheses that come with `premises` where equation `at` stands.
@@ -272,8 +274,54 @@ pub fn usable<'a>(
             }
         }
     }
-    let (page, all) = (&derivation.pages[page], usable.assumed.len());
+    let page = &derivation.pages[page];
+    if !page.dependent.is_empty() {
+        add_formulas(&mut usable.assumed, &page.dependent);
+    }
+    if !page.presumed_slopes.is_empty() {
+        let is_presumed = |part: &Expr| page.presumed_slopes.contains(part);
+        let speaks = |own: &Assumed| own.formula.terms().into_iter().any(|t| t.any(&is_presumed));
+        let all = usable.assumed.len();
+        usable.assumed.retain(|own| !speaks(own));
+        usable.has_presumed = usable.assumed.len() < all;
+    }
+    let all = usable.assumed.len();
     usable.assumed.retain(|own| !page.is_complex(&own.formula));
     usable.has_complex = usable.assumed.len() < all;
     usable
+}
+
+/// Of `L = T - V = w`, where `L` is differentiated partially, also that `L = w`: that may be the formula of which this is meant.
+fn add_formulas(assumed: &mut Vec<Assumed>, dependent: &Set<Symbol>) {
+    let mut found: Vec<Assumed> = Vec::new();
+    // The last link of a chain that begins with such a name, and the name.
+    let mut chain: Option<(&Assumed, &Expr)> = None;
+    for link in assumed.iter() {
+        let Some((left, right)) = link.formula.as_equation() else {
+            chain = None;
+            continue;
+        };
+        chain = match (left, chain) {
+            (Expr::Symbol(name), _) if dependent.contains(name) => Some((link, left)),
+            (_, Some((before, name)))
+                if before.source == link.source
+                    && before
+                        .formula
+                        .as_equation()
+                        .is_some_and(|own| own.1 == left) =>
+            {
+                found.push(Assumed {
+                    formula: Formula::equal(name.clone(), right.clone()).into(),
+                    ..link.clone()
+                });
+                Some((link, name))
+            }
+            _ => None,
+        };
+    }
+    for formula in found {
+        if !assumed.contains(&formula) {
+            assumed.push(formula);
+        }
+    }
 }

@@ -36,6 +36,13 @@ impl Judge<'_> {
     /// Whether the step follows from what holds throughout, with constants that are not 0 in what varies; where roots are taken, with
     /// positive ones.
     fn holds_throughout(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
+        // What a partial derivative holds fixed is nothing that does not change otherwise.
+        let is_partial = |part: &Expr| matches!(part, Expr::Partial { .. });
+        let formulas = set.iter().map(|own| &*own.formula);
+        let mut formulas = formulas.chain([&goal.formula]);
+        if formulas.any(|own| own.terms().into_iter().any(|term| term.any(&is_partial))) {
+            return false;
+        }
         let mut variables = self.variables_left_out(goal, set);
         // Of a slope what the law does not say to move is constant, too, and may be divided out.
         let mut slopes = Set::new();

@@ -20,6 +20,7 @@ mod lasting;
 mod meanings;
 mod names;
 mod page;
+mod partials;
 mod qualities;
 mod reader;
 mod rows;
@@ -141,6 +142,7 @@ impl Derivation {
             let own = &mut equations[own];
             slopes::read_marks(page, own);
             arguments::leave_out(page, own);
+            partials::tell_what_is_held(page, own);
         }
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);

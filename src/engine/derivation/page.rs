@@ -41,6 +41,12 @@ pub struct Page {
     pub euler: BTreeSet<Symbol>,
     /// The imaginary unit where the document has one, and what is given by it: nothing is decided of these.
     pub complex: BTreeSet<Symbol>,
+    /// What is differentiated partially.
+    pub dependent: Set<Symbol>,
+    /// The same with the variable, where it is not clear what is held fixed: nothing that is said with it fails.
+    pub unclear_slopes: Set<(Symbol, Symbol)>,
+    /// Partial derivatives of terms that hold fixed what might depend on the variable: nothing is drawn from what is said with these.
+    pub presumed_slopes: Set<Expr>,
     /// Everything supposed on the page, by `let` or `assuming`.
     pub locals: Vec<Local>,
     /// What could not be read, besides equations.
@@ -92,6 +98,9 @@ pub(super) fn read_page(
         data: Tree::new(),
         euler: BTreeSet::new(),
         complex: BTreeSet::new(),
+        dependent: Set::new(),
+        unclear_slopes: Set::new(),
+        presumed_slopes: Set::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),
         declared: Tree::new(),

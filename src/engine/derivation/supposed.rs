@@ -414,6 +414,24 @@ impl Page {
             && words.last() == Some("is")
     }
 
+    /// Takes up what a display shows to be meant by names in it, for good.
+    pub(super) fn suppose_meant(&mut self, said: Vec<Formula>, span: Span) -> usize {
+        self.locals.push(Local {
+            set: Set::new(),
+            moment: None,
+            formulas: said.into_iter().map(Arc::new).collect(),
+            is_let: false,
+            span,
+            of_case: false,
+            is_told: true,
+            is_special: false,
+            means: true,
+            lasts: true,
+            level: 0,
+        });
+        self.locals.len() - 1
+    }
+
     /// Supposes that a term is zero, at a moment whose passage begins there; in passing where there is none.
     pub(super) fn suppose_zero(
         &mut self,

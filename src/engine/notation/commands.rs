@@ -1,5 +1,6 @@
 //! The vocabulary: which LaTeX commands mean something here, and what to say about those that do not.
 
+use super::shorthand::is_abbreviation;
 use crate::algebra::{Function, Relation};
 
 /// Commands that are letters, and how a terminal shows them.
@@ -236,12 +237,132 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     ),
     (
         "partial",
-        "partial derivatives (`\\partial`) are not read yet",
-        None,
+        "`\\partial` is read only in derivatives",
+        Some("write `\\frac{\\partial f}{\\partial x}`, or `\\partial_x f`"),
     ),
     (
         "nabla",
         "`\\nabla` is not read: the notation has no vector calculus",
+        Some("write it with partial derivatives by coordinates"),
+    ),
+    (
+        "grad",
+        "`\\grad` is not read: the notation has no vector calculus",
+        Some("write it with partial derivatives by coordinates"),
+    ),
+    (
+        "gradient",
+        "`\\gradient` is not read: the notation has no vector calculus",
+        Some("write it with partial derivatives by coordinates"),
+    ),
+    (
+        "curl",
+        "`\\curl` is not read: the notation has no vector calculus",
+        Some("write it with partial derivatives by coordinates"),
+    ),
+    (
+        "divergence",
+        "`\\divergence` is not read: the notation has no vector calculus",
+        Some("write it with partial derivatives by coordinates"),
+    ),
+    (
+        "laplacian",
+        "`\\laplacian` is not read: the notation has no vector calculus",
+        Some("write it with partial derivatives by coordinates"),
+    ),
+    (
+        "var",
+        "`\\var` is not read: the notation has no variations",
+        None,
+    ),
+    (
+        "variation",
+        "`\\variation` is not read: the notation has no variations",
+        None,
+    ),
+    (
+        "fdv",
+        "`\\fdv` is not read: the notation has no variations",
+        None,
+    ),
+    (
+        "functionalderivative",
+        "`\\functionalderivative` is not read: the notation has no variations",
+        None,
+    ),
+    (
+        "ket",
+        "`\\ket` is not read: the notation has no states and operators",
+        None,
+    ),
+    (
+        "bra",
+        "`\\bra` is not read: the notation has no states and operators",
+        None,
+    ),
+    (
+        "braket",
+        "`\\braket` is not read: the notation has no states and operators",
+        None,
+    ),
+    (
+        "ketbra",
+        "`\\ketbra` is not read: the notation has no states and operators",
+        None,
+    ),
+    (
+        "expval",
+        "`\\expval` is not read: the notation has no states and operators",
+        None,
+    ),
+    (
+        "ev",
+        "`\\ev` is not read: the notation has no states and operators",
+        None,
+    ),
+    (
+        "mel",
+        "`\\mel` is not read: the notation has no states and operators",
+        None,
+    ),
+    (
+        "dyad",
+        "`\\dyad` is not read: the notation has no states and operators",
+        None,
+    ),
+    (
+        "comm",
+        "`\\comm` is not read: the notation has no brackets of operators",
+        None,
+    ),
+    (
+        "commutator",
+        "`\\commutator` is not read: the notation has no brackets of operators",
+        None,
+    ),
+    (
+        "acomm",
+        "`\\acomm` is not read: the notation has no brackets of operators",
+        None,
+    ),
+    (
+        "anticommutator",
+        "`\\anticommutator` is not read: the notation has no brackets of operators",
+        None,
+    ),
+    (
+        "pb",
+        "`\\pb` is not read: the notation has no brackets of operators",
+        None,
+    ),
+    (
+        "poissonbracket",
+        "`\\poissonbracket` is not read: the notation has no brackets of operators",
+        None,
+    ),
+    (
+        "order",
+        "`\\order` is not read: the notation has no orders of magnitude",
         None,
     ),
     (
@@ -472,7 +593,10 @@ pub(super) fn complaint(command: &str) -> (String, Option<String>) {
     if let Some((_, message, help)) = REFUSED.iter().find(|(name, ..)| *name == command) {
         return ((*message).to_owned(), help.map(str::to_owned));
     }
-    if known().any(|name| name == command) || relation(command).is_some() {
+    if known().any(|name| name == command)
+        || relation(command).is_some()
+        || is_abbreviation(command)
+    {
         return (format!("`\\{command}` cannot stand here"), None);
     }
     let help = nearest(command).map(|name| format!("did you mean `\\{name}`?"));

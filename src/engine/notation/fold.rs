@@ -12,6 +12,7 @@ mod system;
 
 use super::commands;
 use super::lexer::{Kind, Token};
+use super::shorthand;
 use super::{Connective, Mark};
 use crate::algebra::Relation;
 
@@ -20,7 +21,8 @@ const LONGEST_REMARK: usize = 20;
 
 /// Folds the raw tokens. Linear in their number.
 pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
-    let mut raw = system::without_braces(bare_words(raw));
+    let raw = shorthand::written_out(raw);
+    let mut raw = system::without_braces(bare_words(&raw));
     part_inner_columns(&mut raw);
     part_from_boxes(&mut raw);
     let folder = Folder {
@@ -226,7 +228,7 @@ pub(super) fn is_cases(environment: &str) -> bool {
 }
 
 /// For every `{`, where its `}` is.
-fn closing(raw: &[Token]) -> Vec<Option<usize>> {
+pub(super) fn closing(raw: &[Token]) -> Vec<Option<usize>> {
     let mut closing = vec![None; raw.len()];
     let mut open = Vec::new();
     for (at, token) in raw.iter().enumerate() {

@@ -138,6 +138,48 @@ pub fn is_constant_word(symbol: &Symbol) -> bool {
     word.is_some_and(|word| CONSTANT.contains(&word))
 }
 
+/// Commands of the `physics` package for words with wide spaces around them: `\qand` is `\quad \text{and} \quad`.
+const WORDS_APART: [&str; 12] = [
+    "qand",
+    "qor",
+    "qif",
+    "qthen",
+    "qwhere",
+    "qwith",
+    "qfor",
+    "qgiven",
+    "qusing",
+    "qsince",
+    "qas",
+    "qotherwise",
+];
+
+/// Whether a text begins with options and two groups, as after siunitx's `\qty[…]{3}{m}`.
+pub(super) fn two_groups_follow(text: &str) -> bool {
+    let text = text.trim_start();
+    let text = match text.strip_prefix('[').and_then(|own| own.split_once(']')) {
+        Some((_, rest)) => rest.trim_start(),
+        None => text,
+    };
+    behind_group(text).is_some_and(|rest| rest.trim_start().starts_with('{'))
+}
+
+/// What stands behind the group that a text begins with.
+fn behind_group(text: &str) -> Option<&str> {
+    let mut depth = 0usize;
+    for (offset, c) in text.char_indices().take(LONGEST_ARGUMENT) {
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.checked_sub(1)?,
+            _ => {}
+        }
+        if depth == 0 {
+            return (c == '}').then(|| &text[offset + 1..]);
+        }
+    }
+    None
+}
+
 /// ` const.` is `const`.
 fn unabbreviated(text: &str) -> &str {
     let word = text.trim().trim_end_matches('.');
@@ -354,6 +396,14 @@ impl<'s> Lexer<'s> {
                     self.words(start, words);
                 }
             }
+            "qq" => {
+                if let Some(words) = self.argument(start, name) {
+                    self.words_apart(start, words);
+                }
+            }
+            _ if name.starts_with('q') && WORDS_APART.contains(&name) => {
+                self.words_apart(start, &name[1..])
+            }
             "mathrm" | "operatorname" => self.upright(start, name),
             "eqref" | "ref" | "cref" | "Cref" | "autoref" => {
                 if let Some(keys) = self.argument(start, name) {
@@ -361,6 +411,8 @@ impl<'s> Lexer<'s> {
                 }
             }
             "num" => self.quantity(start, name, true, false),
+            // The `physics` package has a command of that name for parentheses that grow.
+            "qty" if !two_groups_follow(self.rest()) => self.push(start, Kind::Command(name)),
             "qty" | "SI" => self.quantity(start, name, true, true),
             "unit" | "si" => self.quantity(start, name, false, true),
             "begin" | "end" => {
@@ -440,6 +492,13 @@ impl<'s> Lexer<'s> {
             }
         }
         self.push(start, Kind::Row);
+    }
+
+    /// Words with wide spaces around them.
+    fn words_apart(&mut self, start: usize, words: &'s str) {
+        self.push(start, Kind::Wide);
+        self.push(start, Kind::Text(words));
+        self.push(start, Kind::Wide);
     }
 
     /// The raw text between the braces that follow.

@@ -20,6 +20,7 @@ mod lexer;
 mod parser;
 mod printer;
 mod read;
+mod shorthand;
 mod statement;
 mod typeset;
 mod unit;

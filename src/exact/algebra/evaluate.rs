@@ -311,12 +311,16 @@ impl Values {
                     .map(|(n, c)| c * BigRational::from_integer(n.into()))
                     .collect())
             }
-            Expr::Limit { .. } | Expr::Integral { .. } if along.order == 0 => {
+            Expr::Limit { .. } | Expr::Integral { .. } | Expr::Partial { .. }
+                if along.order == 0 =>
+            {
                 Ok(vec![self.worked_out(term)?])
             }
-            Expr::Limit { .. } | Expr::Element { .. } | Expr::Apply(..) | Expr::Integral { .. } => {
-                Err(EvaluateError::Unsupported(term.clone()))
-            }
+            Expr::Limit { .. }
+            | Expr::Element { .. }
+            | Expr::Apply(..)
+            | Expr::Integral { .. }
+            | Expr::Partial { .. } => Err(EvaluateError::Unsupported(term.clone())),
         }
     }
 
@@ -410,7 +414,10 @@ impl Values {
             let mut values = Map::new();
             for var in polynomial.vars() {
                 let atom = expr_of_atom(atoms.atom(var));
-                if matches!(atom, Expr::Limit { .. } | Expr::Integral { .. }) {
+                if matches!(
+                    atom,
+                    Expr::Limit { .. } | Expr::Integral { .. } | Expr::Partial { .. }
+                ) {
                     return Err(unsupported());
                 }
                 values.insert(var, self.value(&atom)?);

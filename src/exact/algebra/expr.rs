@@ -72,6 +72,16 @@ pub enum Expr {
         /// The variable.
         variable: Symbol,
     },
+    /// `\frac{\partial}{\partial x} body`, a partial derivative.
+    Partial {
+        /// What is differentiated.
+        body: Box<Expr>,
+        /// The variable.
+        variable: Symbol,
+        /// What is held fixed besides, where that is told: `\left(\frac{\partial U}{\partial V}\right)_T`. Elsewhere it is all else
+        /// that the body is written in.
+        held: Option<Box<[Symbol]>>,
+    },
     /// `\lim_{x \to point} body`.
     Limit {
         /// What the limit is taken of.
@@ -152,13 +162,15 @@ impl Expr {
     }
 
     /// The terms directly below this one.
+    #[inline]
     pub fn children(&self) -> Children<'_> {
         let (few, many): (_, &[Expr]) = match self {
             Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => ([None; 3], &[]),
             Expr::Sum(items) | Expr::Product(items) | Expr::Apply(_, items) => ([None; 3], items),
-            Expr::Negate(inner) | Expr::Call(_, inner) | Expr::Derivative { body: inner, .. } => {
-                ([Some(&**inner), None, None], &[])
-            }
+            Expr::Negate(inner)
+            | Expr::Call(_, inner)
+            | Expr::Derivative { body: inner, .. }
+            | Expr::Partial { body: inner, .. } => ([Some(&**inner), None, None], &[]),
             Expr::Quotient(a, b) | Expr::Power(a, b) => ([Some(&**a), Some(&**b), None], &[]),
             Expr::Series { from, to, body, .. } | Expr::Integral { from, to, body, .. } => {
                 ([Some(&**from), Some(&**to), Some(&**body)], &[])
@@ -179,7 +191,7 @@ impl Expr {
 
     /// Adds the symbols that are differentiated in it, once or more often.
     pub fn collect_differentiated(&self, found: &mut Set<Symbol>) {
-        if let Expr::Derivative { body, .. } = self
+        if let Expr::Derivative { body, .. } | Expr::Partial { body, .. } = self
             && let Expr::Symbol(symbol) = &**body
         {
             found.insert(symbol.clone());
@@ -260,6 +272,15 @@ impl Expr {
                 body: boxed(body),
                 variable: variable.clone(),
             },
+            Expr::Partial {
+                body,
+                variable,
+                held,
+            } => Expr::Partial {
+                body: boxed(body),
+                variable: variable.clone(),
+                held: held.clone(),
+            },
             Expr::Limit {
                 body,
                 variable,
@@ -280,9 +301,20 @@ impl Expr {
         match self {
             Expr::Series { index, .. } => Some(index),
             Expr::Derivative { variable, .. }
+            | Expr::Partial { variable, .. }
             | Expr::Limit { variable, .. }
             | Expr::Integral { variable, .. } => Some(variable),
             _ => None,
+        }
+    }
+
+    /// What is told to be held fixed while a partial derivative is taken.
+    pub fn held(&self) -> &[Symbol] {
+        match self {
+            Expr::Partial {
+                held: Some(held), ..
+            } => held,
+            _ => &[],
         }
     }
 
@@ -296,6 +328,7 @@ impl Expr {
         self.any(&|part| match part {
             Expr::Symbol(own) | Expr::Apply(own, _) => own == symbol,
             Expr::Element { sequence, index } => sequence == symbol || index == symbol,
+            Expr::Partial { variable, .. } => variable == symbol || part.held().contains(symbol),
             _ => part.binder() == Some(symbol),
         })
     }
@@ -363,6 +396,10 @@ impl Expr {
                 return terms.iter().for_each(|e| e.collect_free(bound, free));
             }
             Expr::Derivative { variable, .. } => add(variable, bound),
+            Expr::Partial { variable, .. } => {
+                add(variable, bound);
+                self.held().iter().for_each(|symbol| add(symbol, bound));
+            }
             _ => {}
         }
         match self.scope() {
@@ -384,6 +421,11 @@ impl Expr {
             Expr::Symbol(own) if own == symbol => value.clone(),
             // A derivative is taken at a point that cannot be put in under it.
             Expr::Derivative { variable, .. } if variable == symbol => self.clone(),
+            Expr::Partial { variable, .. }
+                if variable == symbol || self.held().contains(symbol) =>
+            {
+                self.clone()
+            }
             _ => self.in_scope(symbol, |child| child.substitute(symbol, value)),
         }
     }

@@ -453,7 +453,7 @@ impl Lowering<'_> {
         ) {
             return Ok(None);
         }
-        let value = self.lower(argument)?;
+        let value = self.lower_apart(argument)?;
         let inner = self.derivative(&value, variable)?;
         let outer = match function {
             Function::Sin => self.angle(&value)?.1,

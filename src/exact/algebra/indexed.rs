@@ -141,6 +141,7 @@ impl Expr {
             Expr::Element { .. }
             | Expr::Apply(..)
             | Expr::Derivative { .. }
+            | Expr::Partial { .. }
             | Expr::Limit { .. }
             | Expr::Integral { .. } => None,
             Expr::Series { index: own, .. } if own == index => None,

@@ -5,6 +5,7 @@ use std::fmt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
+use super::partial::Held;
 use super::{
     Atom, Atoms, BigRational, Expr, Fraction, Functions, Monomial, Polynomial, Powers, Rational,
     Symbol, TooLarge, Var,
@@ -114,6 +115,8 @@ pub struct Lowering<'a> {
     pub powers: Option<&'a Powers>,
     /// What is known of symbols where functions are taken apart.
     pub functions: Option<&'a Functions>,
+    /// What does not change while a partial derivative is taken.
+    pub partial: Option<Held>,
     /// What the values found so far depend on.
     pub conditions: Conditions,
 }
@@ -132,6 +135,7 @@ impl<'a> Lowering<'a> {
             still: &NO_PAIRS,
             powers: None,
             functions: None,
+            partial: None,
             conditions: Conditions::default(),
         }
     }
@@ -147,6 +151,7 @@ impl Lowering<'_> {
             still: self.still,
             powers: self.powers,
             functions: self.functions,
+            partial: None,
             conditions: Conditions::default(),
         }
     }
@@ -210,10 +215,12 @@ impl Lowering<'_> {
                 to,
                 body,
             } => self.series(expr, index, from, to, body),
-            Expr::Derivative { body, variable } => {
-                let body = self.lower(body)?;
-                self.derivative(&body, variable)
-            }
+            Expr::Derivative { body, variable } => self.differentiated(body, variable, None),
+            Expr::Partial {
+                body,
+                variable,
+                held,
+            } => self.partial(body, variable, held.as_deref()),
             Expr::Limit {
                 body,
                 variable,
@@ -534,23 +541,29 @@ impl Lowering<'_> {
             && let Expr::Number(exponent) = &**exponent
         {
             // d(b^r) = r · b^r / b · db
-            let base = self.lower(base)?;
+            let base = self.lower_apart(base)?;
             let inner = self.derivative(&base, variable)?;
             let outer = Fraction::from(Polynomial::var(var)).times(&self.recip(&base)?)?;
             return Ok(outer.times(&inner)?.times(&exponent.clone().into())?);
         }
-        Ok(self.atom(Atom::Opaque(Expr::Derivative {
-            body: body.into(),
-            variable: variable.clone(),
-        })))
+        let slope = match &self.partial {
+            Some(held) => held.slope_of(body, variable),
+            None => body.differentiated_by(variable),
+        };
+        Ok(self.atom(Atom::Opaque(slope)))
     }
 
     /// Whether an unknown is made of declared constants alone, the variable not among them.
     pub(super) fn is_constant(&self, atom: &Atom, variable: &Symbol) -> bool {
+        // Along the line of a partial derivative something else may change than otherwise.
         let still = |s: &Symbol| {
-            !self.still.is_empty() && self.still.contains(&(s.clone(), variable.clone()))
+            self.partial.is_none()
+                && !self.still.is_empty()
+                && self.still.contains(&(s.clone(), variable.clone()))
         };
-        let constant = |s: &Symbol| s != variable && (self.constants.contains(s) || still(s));
+        let held = |s: &Symbol| self.partial.as_ref().is_some_and(|own| own.holds(s));
+        let constant =
+            |s: &Symbol| s != variable && (self.constants.contains(s) || held(s) || still(s));
         match atom {
             Atom::Symbol(symbol) => constant(symbol),
             // How many elements there are does not change while something else does.
@@ -561,7 +574,15 @@ impl Lowering<'_> {
             }
             atom => {
                 let body = expr_of_atom(atom);
-                !body.has_elements() && body.free_symbols().iter().all(constant)
+                // That `f` and `y` are held fixed says nothing of a slope of `f` by `y`, but where they never change.
+                let is_slope =
+                    |part: &Expr| matches!(part, Expr::Derivative { .. } | Expr::Partial { .. });
+                let mut names = body.free_symbols().into_iter();
+                let still = match self.partial.is_some() && body.any(&is_slope) {
+                    true => names.all(|own| own != *variable && self.constants.contains(&own)),
+                    false => names.all(|own| constant(&own)),
+                };
+                still && !body.has_elements()
             }
         }
     }

@@ -18,6 +18,7 @@ mod integral;
 mod limit;
 mod lower;
 mod monomial;
+mod partial;
 mod polynomial;
 mod power;
 mod rational;
@@ -41,6 +42,7 @@ pub use lower::{
 pub use monomial::{Monomial, Var};
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
+pub use partial::Held;
 pub use polynomial::{Polynomial, TooLarge};
 pub use power::Powers;
 pub use rational::Rational;

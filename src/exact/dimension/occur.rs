@@ -24,7 +24,9 @@ pub fn sequences<'a>(formula: &'a Formula, found: &mut impl FnMut(&'a Symbol)) {
 fn in_term<'a>(term: &'a Expr, found: &mut impl FnMut(&'a Symbol)) {
     match term {
         Expr::Symbol(symbol) | Expr::Apply(symbol, _) => found(symbol),
-        Expr::Derivative { variable, .. } | Expr::Limit { variable, .. } => found(variable),
+        Expr::Derivative { variable, .. }
+        | Expr::Partial { variable, .. }
+        | Expr::Limit { variable, .. } => found(variable),
         _ => {}
     }
     term.children().for_each(|child| in_term(child, found));

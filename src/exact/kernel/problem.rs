@@ -248,13 +248,12 @@ impl Problem {
 
     pub(super) fn lowering(&mut self) -> Lowering<'_> {
         Lowering {
-            atoms: &mut self.atoms,
             sequences: &self.sequences,
             constants: &self.constants,
             still: &self.still,
             powers: self.powers.as_ref(),
             functions: self.functions.as_ref(),
-            conditions: Conditions::default(),
+            ..Lowering::plain(&mut self.atoms)
         }
     }
 
@@ -267,13 +266,12 @@ impl Problem {
     /// Reads further terms in the way of this problem, over a copy of its unknowns.
     pub fn lowering_over<'a>(&'a self, atoms: &'a mut Atoms) -> Lowering<'a> {
         Lowering {
-            atoms,
             sequences: &self.sequences,
             constants: &self.constants,
             still: &self.still,
             powers: self.powers.as_ref(),
             functions: self.functions.as_ref(),
-            conditions: Conditions::default(),
+            ..Lowering::plain(atoms)
         }
     }
 
@@ -646,7 +644,11 @@ fn by_whole_number(claim: &Claim) -> Option<Expr> {
     }
     fn find(term: &Expr, whole: &impl Fn(&Symbol) -> bool) -> Option<Expr> {
         match term {
-            Expr::Derivative { variable, .. } if whole(variable) => Some(term.clone()),
+            Expr::Derivative { variable, .. } | Expr::Partial { variable, .. }
+                if whole(variable) =>
+            {
+                Some(term.clone())
+            }
             term => term.children().find_map(|child| find(child, whole)),
         }
     }
@@ -731,18 +733,20 @@ fn counts(claim: &Claim) -> Set<Symbol> {
 /// Whether a symbol stands where it is differentiated, integrated or taken to a limit, or is what that is done by.
 fn moves(term: &Expr, symbol: &Symbol) -> bool {
     term.any(&|part| match part {
-        Expr::Derivative { .. } | Expr::Limit { .. } | Expr::Integral { .. } => {
-            part.mentions(symbol)
-        }
+        Expr::Derivative { .. }
+        | Expr::Partial { .. }
+        | Expr::Limit { .. }
+        | Expr::Integral { .. } => part.mentions(symbol),
         _ => false,
     })
 }
 
-/// Whether a symbol is what is differentiated by, goes to a limit or is integrated over: putting a term in its
+/// Whether a symbol is what is differentiated by, is held fixed meanwhile, goes to a limit or is integrated over: putting a term in its
 /// place elsewhere would sever the two.
 fn is_variable(term: &Expr, symbol: &Symbol) -> bool {
     term.any(&|part| match part {
         Expr::Series { .. } => false,
+        Expr::Partial { variable, .. } => variable == symbol || part.held().contains(symbol),
         _ => part.binder() == Some(symbol),
     })
 }

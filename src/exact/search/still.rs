@@ -195,8 +195,9 @@ impl<'a> Said<'a> {
                     let mut moving = self.moving.iter().chain([variable]).chain(&own);
                     !moving.any(|symbol| body.mentions(symbol))
                 }
-                _ => differentiated(slope)
-                    .is_some_and(|(symbol, _)| self.nothing_of(symbol, variable)),
+                _ => differentiated(slope).is_some_and(|(symbol, _)| {
+                    self.nothing_of(symbol, variable) && !is_velocity(symbol, problem)
+                }),
             };
             if is_still {
                 slopes.push(slope.clone());
@@ -204,6 +205,22 @@ impl<'a> Said<'a> {
         }
         slopes
     }
+}
+
+/// Whether a dotted symbol is a slope by an unknown of the problem: it changes, if that is not said otherwise.
+fn is_velocity(symbol: &Symbol, problem: &Problem) -> bool {
+    let dotted = symbol.name().strip_prefix("\\dot{");
+    let dotted = dotted.or_else(|| symbol.name().strip_prefix("\\ddot{"));
+    let Some(name) = dotted.and_then(|own| own.strip_suffix('}')) else {
+        return false;
+    };
+    let is_slope = |(_, atom): (_, &Atom)| match atom {
+        Atom::Opaque(slope @ Expr::Derivative { .. }) => {
+            differentiated(slope).is_some_and(|(own, _)| own.name() == name)
+        }
+        _ => false,
+    };
+    problem.atoms.iter().any(is_slope)
 }
 
 /// Whether one of these laws ties a symbol to a variable, and none says which of all that it speaks of moves with it: `p V = c` ties `p` to

@@ -36,6 +36,12 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
                 return fits.then_some((at, applied, term));
             }
             let (symbol, term) = definition(&formulas[at])?;
+            let rank = |term: &Expr| found.rank(&symbol, term, claim);
+            let others = || formulas[..goal].iter().filter_map(definition);
+            let own = rank(&term);
+            if own < BEST && others().any(|(name, other)| name == symbol && rank(&other) > own) {
+                return None;
+            }
             // A value at one point says nothing of how the symbol moves; a count does not move.
             let positive = || claim.domains.get(&symbol).is_some_and(Domain::is_positive);
             // What is constant has no slope to be found.
@@ -81,6 +87,16 @@ fn has_operands(formula: &Formula) -> bool {
         || formula.terms().iter().any(|term| term.any(&is_operand))
 }
 
+/// The rank of a term of which partial derivatives are meant rather than of another.
+const BEST: u8 = 2;
+
+/// A partial derivative of a symbol.
+struct Slope {
+    name: Symbol,
+    variable: Symbol,
+    held: Vec<Symbol>,
+}
+
 /// The symbols to which something is done.
 #[derive(Default)]
 struct Operands {
@@ -96,18 +112,46 @@ struct Operands {
     called: Set<Symbol>,
     /// What is differentiated by, goes to a limit or is integrated over.
     variables: Set<Symbol>,
+    /// What is differentiated partially by itself.
+    partial: Vec<Slope>,
 }
 
 impl Operands {
+    /// How well a term may be what partial derivatives of a symbol are meant of: it is written in the variables, and in nothing else but what
+    /// is held fixed.
+    fn rank(&self, symbol: &Symbol, term: &Expr, claim: &Claim) -> u8 {
+        let own = || self.partial.iter().filter(|own| own.name == *symbol);
+        if !own().all(|own| term.mentions(&own.variable)) {
+            return 0;
+        }
+        let is_known = |name: &Symbol| {
+            let held = |own: &Slope| own.variable == *name || own.held.contains(name);
+            claim.is_constant(name) || own().all(held)
+        };
+        match term.free_symbols().iter().all(is_known) {
+            true => BEST,
+            false => 1,
+        }
+    }
+
     fn collect(&mut self, term: &Expr) {
         match term {
             Expr::Derivative { body, variable }
+            | Expr::Partial { body, variable, .. }
             | Expr::Limit { body, variable, .. }
             | Expr::Integral { body, variable, .. } => {
                 self.moving
                     .extend(body.free_symbols().into_iter().filter(|s| s != variable));
                 self.variables.insert(variable.clone());
+                self.variables.extend(term.held().iter().cloned());
                 applications(body, &mut self.applied);
+                if let (Expr::Partial { .. }, Some(name)) = (term, innermost(body)) {
+                    self.partial.push(Slope {
+                        name: name.clone(),
+                        variable: variable.clone(),
+                        held: term.held().to_vec(),
+                    });
+                }
                 if let Expr::Integral { from, to, .. } = term {
                     // The limits come to stand in the functions of the integrand.
                     if body.any(&|part| matches!(part, Expr::Call(..))) {
@@ -124,6 +168,15 @@ impl Operands {
         for child in term.children() {
             self.collect(child);
         }
+    }
+}
+
+/// The symbol of which a derivative is taken, or one of one.
+fn innermost(term: &Expr) -> Option<&Symbol> {
+    match term {
+        Expr::Symbol(symbol) => Some(symbol),
+        Expr::Partial { body, .. } => innermost(body),
+        _ => None,
     }
 }
 

@@ -30,6 +30,7 @@ impl<'s> Parser<'s> {
                         | "sum"
                         | "int"
                         | "lim"
+                        | "partial"
                         | "left"
                         | "lvert"
                         | "lceil"
@@ -83,6 +84,7 @@ impl<'s> Parser<'s> {
             Kind::Command("underbrace" | "overbrace") => return self.underbrace(),
             Kind::Command("sum") => (self.nested(Self::series)?, Shape::Loose),
             Kind::Command("int") => (self.nested(Self::integral)?, Shape::Loose),
+            Kind::Command("partial") => return self.partial_operator(),
             Kind::Command("lim") => (self.nested(Self::limit)?, Shape::Loose),
             Kind::Command(name) if commands::is_function(name) => {
                 (self.nested(|parser| parser.call(name))?, Shape::Loose)
@@ -102,6 +104,12 @@ impl<'s> Parser<'s> {
                     if brackets {
                         self.last_group = Some((start, self.at));
                     }
+                    let content = match content {
+                        partial @ Expr::Partial { .. } if self.peek() == Kind::Char('_') => {
+                            self.held_fixed(partial)?
+                        }
+                        content => content,
+                    };
                     (content, Shape::Tight)
                 }
                 None => return self.no_term(),
@@ -135,7 +143,8 @@ impl<'s> Parser<'s> {
                 });
             }
         }
-        if matches!(expr, Expr::Derivative { .. } | Expr::Call(..)) && shape == Shape::Loose {
+        let derived = matches!(expr, Expr::Derivative { .. } | Expr::Partial { .. });
+        if (derived || matches!(expr, Expr::Call(..))) && shape == Shape::Loose {
             return refuse_with(
                 self.span(),
                 "what this power applies to is not clear",
@@ -251,6 +260,9 @@ impl<'s> Parser<'s> {
 
     fn fraction(&mut self) -> Read<(Expr, Shape)> {
         if let Some(derivative) = self.derivative()? {
+            return Ok(derivative);
+        }
+        if let Some(derivative) = self.partial_fraction()? {
             return Ok(derivative);
         }
         let start = self.at;

@@ -211,6 +211,19 @@ impl Parser<'_> {
             );
         }
         self.at += 2;
+        // `\left. \frac{\partial U}{\partial V} \right|_T`
+        let names = self.kind(self.at + 1) != Kind::Open || !self.has_relation(self.at + 1);
+        if let partial @ Expr::Partial { .. } = content.expr.clone()
+            && self.peek() == Kind::Char('_')
+            && names
+        {
+            return Ok(Factor {
+                expr: self.held_fixed(partial)?,
+                shape: Shape::Tight,
+                span: self.since(start),
+                braces: false,
+            });
+        }
         Ok(self.between(start, &content.expr, false)?.0)
     }
 
@@ -278,7 +291,10 @@ impl Parser<'_> {
         let moves = |part: &Expr| {
             matches!(
                 part,
-                Expr::Derivative { .. } | Expr::Integral { .. } | Expr::Apply(..)
+                Expr::Derivative { .. }
+                    | Expr::Partial { .. }
+                    | Expr::Integral { .. }
+                    | Expr::Apply(..)
             )
         };
         let hidden = named.iter().any(|own| *own != variable) || term.any(&moves);

@@ -1,4 +1,4 @@
-//! Derivatives, definite integrals and limits.
+//! Derivatives, integrals and limits.
 //!
 //! `\frac{d …}{dx}` is a derivative if, and only if, its denominator is `d` and one name (and a whole power, the same as
 //! above); `d` anywhere else is an ordinary symbol. What `\frac{d}{dx}` applies to is the product that follows; if that
@@ -30,12 +30,12 @@ impl Parser<'_> {
     /// Whether a fraction begins here that is a derivative: `\frac{d`, and `{d name` below.
     pub(super) fn at_derivative(&self) -> bool {
         let over = self.at + 1;
-        if self.kind(over) != Kind::Open || !self.is_d(over + 1) {
+        let is_sign = |at: usize| self.is_d(at) || self.is_partial(at);
+        if self.kind(over) != Kind::Open || !is_sign(over + 1) {
             return false;
         }
-        let is_under = |at: usize| {
-            self.kind(at) == Kind::Open && self.is_d(at + 1) && self.starts_name(at + 2)
-        };
+        let is_under =
+            |at: usize| self.kind(at) == Kind::Open && is_sign(at + 1) && self.starts_name(at + 2);
         self.after_group(over).is_some_and(is_under)
     }
 
@@ -46,6 +46,19 @@ impl Parser<'_> {
 
     /// The variable after `d`.
     pub(super) fn variable(&mut self, power_allowed: bool) -> Read<(Symbol, usize)> {
+        self.variable_besides(power_allowed, |name| matches!(name, "d" | "\\text{d}"))
+    }
+
+    /// The variable of a partial derivative: also `d`, which is a length there.
+    pub(super) fn partial_variable(&mut self) -> Read<(Symbol, usize)> {
+        self.variable_besides(true, |_| false)
+    }
+
+    fn variable_besides(
+        &mut self,
+        power_allowed: bool,
+        is_sign: impl Fn(&str) -> bool,
+    ) -> Read<(Symbol, usize)> {
         let start = self.at;
         let mut name = self.name()?;
         let order = match name.power.take() {
@@ -61,9 +74,7 @@ impl Parser<'_> {
             }
         };
         match self.symbol(&name, self.since(start))? {
-            Expr::Symbol(symbol)
-                if !matches!(symbol.name(), "d" | "\\text{d}") && !is_vector(&symbol) =>
-            {
+            Expr::Symbol(symbol) if !is_sign(symbol.name()) && !is_vector(&symbol) => {
                 Ok((symbol, order))
             }
             _ => refuse(
@@ -133,7 +144,7 @@ impl Parser<'_> {
     }
 
     /// What an operator `\frac{d}{dx}` applies to.
-    fn differentiated(&mut self) -> Read<Expr> {
+    pub(super) fn differentiated(&mut self) -> Read<Expr> {
         if !self.at_delimiter() {
             return Ok(self.term()?.expr);
         }
@@ -223,13 +234,14 @@ impl Parser<'_> {
     pub(super) fn integral(&mut self) -> Read<Expr> {
         let start = self.at;
         self.advance();
-        let Some(limits) = self.limits()? else {
+        let limits = self.limits()?;
+        if limits.is_none() && self.at > start + 1 {
             return refuse_with(
                 self.since(start),
-                "only definite integrals are read",
+                "of the limits of this integral one is missing",
                 "write `\\int_{a}^{b} f \\, dx`",
             );
-        };
+        }
         let sign = self.since(start);
         let outside = (self.bar, self.integrand, self.differential.take());
         (self.bar, self.integrand) = (false, true);
@@ -254,6 +266,9 @@ impl Parser<'_> {
                 "this is a second differential: an integral has one",
             );
         }
+        let Some(limits) = limits else {
+            return Ok(self.primitive(body, variable, sign));
+        };
         self.integrals.push((variable.clone(), limits.clone()));
         limits.integral(body, variable, sign)
     }

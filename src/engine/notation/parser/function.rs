@@ -178,6 +178,13 @@ impl Parser<'_> {
             .get(start..open)
             .and_then(|name| Some(name.first()?.span.to(name.last()?.span)))
             .unwrap_or(self.body);
+        // `T \left(\frac{\partial S}{\partial T}\right)_V`
+        let content = match content {
+            partial @ Expr::Partial { .. } if self.peek() == Kind::Char('_') => {
+                self.held_fixed(partial)?
+            }
+            content => content,
+        };
         self.pending = Some(self.scripts(open, content, Shape::Tight, false)?);
         Ok(Factor { span, ..name })
     }

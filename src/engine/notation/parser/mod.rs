@@ -1,7 +1,7 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
 //! `statement` reads what is said, `cases` what is said under conditions, `quantifier` of what all it is said, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
-//! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits,
+//! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits, `partial` partial derivatives, `primitive` integrals without limits,
 //! `between` what a term grows by from one limit to another, `both` what is said with `\pm`.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
@@ -18,6 +18,8 @@ mod doubt;
 mod function;
 mod group;
 mod name;
+mod partial;
+mod primitive;
 mod quantifier;
 mod quantity;
 mod series;
@@ -66,6 +68,8 @@ pub(super) struct Parser<'s> {
     differential: Option<Symbol>,
     /// Which sign a `\pm` is read as, where that is read.
     signs: Option<both::Signs>,
+    /// The integrals without limits in the equation that is being read.
+    primitives: Vec<primitive::Primitive>,
     /// The variables of the integrals read so far, with their limits.
     integrals: Vec<(Symbol, Limits)>,
     /// What runs to the bar after the term that was read last, where nothing opens it: `f |_a^b`.
@@ -180,6 +184,7 @@ impl<'s> Parser<'s> {
             integrand: false,
             differential: None,
             signs: None,
+            primitives: Vec::new(),
             integrals: Vec::new(),
             barred: None,
             bar: false,
@@ -202,6 +207,7 @@ impl<'s> Parser<'s> {
     /// Reads one term and nothing after it.
     pub(super) fn whole_term(mut self) -> Read<Expr> {
         let term = self.sum()?;
+        self.no_primitive_is_left()?;
         match self.peek() {
             Kind::End => Ok(term.expr),
             _ => self.unexpected(),

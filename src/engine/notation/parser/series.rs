@@ -309,6 +309,9 @@ fn mentions(expr: &Expr, letter: &str) -> bool {
                     .any(|expr| mentions(expr, letter))
         }
         Expr::Derivative { body, variable } => named(variable) || mentions(body, letter),
+        Expr::Partial { body, variable, .. } => {
+            named(variable) || mentions(body, letter) || expr.held().iter().any(named)
+        }
         Expr::Limit {
             body,
             variable,

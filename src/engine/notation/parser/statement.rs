@@ -256,6 +256,7 @@ impl<'s> Parser<'s> {
             }
         }
         under.extend(self.trailing_conditions(&clauses)?);
+        self.no_primitive_is_left()?;
         self.doubt_letters(start);
         Ok(Statement {
             label,
@@ -374,7 +375,7 @@ impl<'s> Parser<'s> {
         Ok(Place::Side(Side { expr, span, terms }))
     }
 
-    fn chain(&self, places: Vec<Place>, links: Vec<Link>, span: Span) -> Read<Clause> {
+    fn chain(&mut self, places: Vec<Place>, links: Vec<Link>, span: Span) -> Read<Clause> {
         let dots = places
             .iter()
             .enumerate()
@@ -394,7 +395,10 @@ impl<'s> Parser<'s> {
             }
         }
         match dots {
-            None => Ok(Clause::Chain { sides, links }),
+            None => {
+                let sides = self.differentiated_sides(sides, &links)?;
+                Ok(Clause::Chain { sides, links })
+            }
             Some((at, dots)) => self.all_equal(sides, at, dots, &links, span),
         }
     }

@@ -11,6 +11,7 @@
 //! Any other term is printed too, as what it is worth: `-2` for a negative number, `\frac{1}{3}` for a third.
 
 use super::decimal;
+use super::partial::Slope;
 use crate::algebra::{BigRational, Expr, Formula, Function, LimitPoint, Relation, Symbol};
 use crate::notation::commands;
 use crate::notation::parser::{is_minus_one, stem, with_subscript};
@@ -202,7 +203,8 @@ fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
     }
     match before {
         Expr::Number(_) => {
-            printed.starts_with("\\frac") && !matches!(item, Expr::Derivative { .. })
+            printed.starts_with("\\frac")
+                && !matches!(item, Expr::Derivative { .. } | Expr::Partial { .. })
         }
         Expr::Symbol(symbol) if differential(symbol) => true,
         // `f^{-1}(x)` would be an inverse function.
@@ -239,6 +241,10 @@ fn factor(expr: &Expr, last: bool) -> String {
                 differential(&name(variable))
             )
         }
+        Expr::Partial { .. } => match Slope::of(expr) {
+            slope if slope.held.is_empty() && !slope.is_of_a_name() && !last => parentheses(expr),
+            slope => slope.latex(),
+        },
         _ if !last => parentheses(expr),
         Expr::Derivative { body, variable } => {
             format!(
@@ -398,7 +404,7 @@ fn raised(expr: &Expr) -> bool {
 }
 
 /// A name that can take a superscript without a second one on the page.
-fn raised_name(name: &str) -> String {
+pub(super) fn raised_name(name: &str) -> String {
     if name.contains('^') || name.contains(' ') {
         format!("({name})")
     } else if name.contains('\'') {

@@ -230,6 +230,29 @@ fn factor(expr: &Expr, last: bool) -> String {
             &format!("<mi>d</mi>{}", mathml(body)),
             &differential(variable),
         ),
+        Expr::Partial {
+            body, held: None, ..
+        } if !last && !matches!(**body, Expr::Symbol(_)) => parentheses(expr),
+        Expr::Partial { body, variable, .. } => {
+            let below = format!("<mi>∂</mi>{}", Name::of(variable.name()).markup());
+            let slope = match **body {
+                Expr::Symbol(_) => fraction(&format!("<mi>∂</mi>{}", mathml(body)), &below),
+                _ => format!(
+                    "{}<mrow><mo>[</mo>{}<mo>]</mo></mrow>",
+                    fraction("<mi>∂</mi>", &below),
+                    mathml(body)
+                ),
+            };
+            let held = expr.held().iter().map(|own| Name::of(own.name()).markup());
+            let held: Vec<String> = held.collect();
+            match held.is_empty() {
+                true => slope,
+                false => format!(
+                    "<msub><mrow><mo>(</mo>{slope}<mo>)</mo></mrow><mrow>{}</mrow></msub>",
+                    held.join("<mo>,</mo>")
+                ),
+            }
+        }
         _ if !last => parentheses(expr),
         Expr::Derivative { body, variable } => format!(
             "{}<mrow><mo>[</mo>{}<mo>]</mo></mrow>",

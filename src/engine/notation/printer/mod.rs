@@ -2,6 +2,7 @@
 
 mod latex;
 mod mathml;
+mod partial;
 mod plain;
 mod xml;
 

@@ -151,6 +151,18 @@ fn factor(expr: &Expr, last: bool) -> String {
         Expr::Derivative { body, variable } => {
             format!("d/d{} [{}]", name(variable.name()), plain(body))
         }
+        Expr::Partial { body, variable, .. } => {
+            let variable = name(variable.name());
+            let slope = match **body {
+                Expr::Symbol(_) => format!("∂{}/∂{variable}", plain(body)),
+                _ => format!("∂/∂{variable} [{}]", plain(body)),
+            };
+            let held: Vec<String> = expr.held().iter().map(|own| name(own.name())).collect();
+            match held.is_empty() {
+                true => slope,
+                false => format!("({slope})_{{{}}}", held.join(", ")),
+            }
+        }
         Expr::Sum(_)
         | Expr::Negate(_)
         | Expr::Product(_)
@@ -217,7 +229,9 @@ fn power(base: &Expr, exponent: &Expr) -> String {
         return format!("{root}{}", atom(base));
     }
     let base = match base {
-        Expr::Power(..) | Expr::Derivative { .. } => format!("({})", plain(base)),
+        Expr::Power(..) | Expr::Derivative { .. } | Expr::Partial { .. } => {
+            format!("({})", plain(base))
+        }
         _ => atom(base),
     };
     let exponent = plain(exponent);

@@ -27,7 +27,7 @@ impl Face {
     pub(in crate::notation) fn of(command: &str) -> Option<Face> {
         Some(match command {
             "mathrm" | "operatorname" | "rm" | "mathup" => Face::Upright,
-            "mathbf" | "bf" | "textbf" => Face::Bold,
+            "mathbf" | "bf" | "textbf" | "vb" | "vectorbold" => Face::Bold,
             "boldsymbol" | "bm" | "pmb" => Face::BoldItalic,
             "mathsf" | "sf" => Face::Sans,
             "mathtt" | "tt" => Face::Typewriter,
@@ -124,11 +124,11 @@ pub(in crate::notation) fn accent(command: &str) -> Option<(&'static str, bool)>
         "dddot" => ("⃛", false),
         "bar" => ("‾", false),
         "overline" => ("‾", true),
-        "hat" => ("^", false),
+        "hat" | "vu" => ("^", false),
         "widehat" => ("^", true),
         "tilde" => ("~", false),
         "widetilde" => ("~", true),
-        "vec" => ("→", false),
+        "vec" | "va" => ("→", false),
         "overrightarrow" => ("→", true),
         "overleftarrow" => ("←", true),
         "overleftrightarrow" => ("↔", true),

@@ -92,6 +92,9 @@ impl<'s> Setter<'s> {
     }
 
     fn structure(&mut self, name: &str) -> Atom {
+        if let Some(markup) = self.abbreviation(name) {
+            return Atom::ordinary(markup);
+        }
         let markup = match name {
             _ if is_fraction(name) => {
                 let (above, below) = (self.argument(), self.argument());

@@ -16,6 +16,7 @@ mod line;
 mod quantity;
 mod reader;
 mod scripts;
+mod shorthand;
 mod signs;
 mod table;
 mod words;

@@ -210,7 +210,7 @@ impl<'a> Walk<'a> {
                 self.bound.pop();
                 body
             }
-            Expr::Derivative { body, variable } => {
+            Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } => {
                 let body = self.below(0, body);
                 times(body, &self.symbol(variable), &-Rational::one())
             }

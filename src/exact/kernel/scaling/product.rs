@@ -157,7 +157,7 @@ impl Reader {
                 negative: false,
                 ..self.read(inner)?
             }),
-            Expr::Derivative { body, variable } => {
+            Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } => {
                 let clock = Product::quantity(Expr::Symbol(variable.clone()));
                 Ok(Product {
                     slope: true,

@@ -241,7 +241,7 @@ impl Clocks {
                 self.moving.insert(variable.clone());
                 names(body, &mut self.moving);
             }
-            Expr::Derivative { body, variable } => {
+            Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } => {
                 self.slopes = true;
                 self.moving.insert(variable.clone());
                 names(body, &mut self.moving);
@@ -339,7 +339,7 @@ fn bare_outside(term: &Expr, found: &mut Set<Symbol>) {
         Expr::Symbol(symbol) => {
             found.insert(symbol.clone());
         }
-        Expr::Derivative { variable, .. } => {
+        Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
             found.insert(variable.clone());
         }
         _ => {}

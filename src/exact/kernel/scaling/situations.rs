@@ -349,7 +349,12 @@ impl Both<'_> {
 
 /// Whether an unknown function is applied in a term, or something varies under a binder.
 fn has_unknowns(term: &Expr) -> bool {
-    term.any(&|part| matches!(part, Expr::Apply(..) | Expr::Derivative { .. }))
+    term.any(&|part| {
+        matches!(
+            part,
+            Expr::Apply(..) | Expr::Derivative { .. } | Expr::Partial { .. }
+        )
+    })
 }
 
 /// Any real number, 0 perhaps excluded.

@@ -445,7 +445,7 @@ fn collect(term: &Expr, found: &mut Set<Expr>) {
             collect(from, found);
             collect(to, found);
         }
-        Expr::Derivative { variable, .. } => {
+        Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
             found.insert(Expr::Symbol(variable.clone()));
             term.children().for_each(|c| collect(c, found));
         }
