@@ -506,6 +506,7 @@ impl Auditor<'_> {
         let mut steps: Vec<(usize, Formula)> = Vec::new();
         let mut instead: Set<Source> = Set::new();
         let mut may_follow = false;
+        let mut of_proven: Vec<Formula> = Vec::new();
         for (position, goal) in goals(statement).into_iter().enumerate() {
             if defines && position == 0 {
                 // What could not be read may have spoken of it: then it is no definition.
@@ -547,7 +548,16 @@ impl Auditor<'_> {
                     .any(|note| matches!(note, Note::UnstatedCondition(told) if told.contains(own)))
             };
             conditions.retain(|own| !told(own));
+            let all = std::mem::take(&mut conditions);
+            for own in all {
+                if !conditions.contains(&own) {
+                    conditions.push(own);
+                }
+            }
             if !conditions.is_empty() {
+                if found.judged.outcome.is_proven() {
+                    of_proven.extend(conditions.iter().cloned());
+                }
                 entry.notes.push(Note::UnstatedCondition(conditions));
             }
             if !found.contradictory.is_empty() {
@@ -564,6 +574,13 @@ impl Auditor<'_> {
             entry.judged.push(found.judged);
         }
         entry.verdict = verdict(&entry.judged, defines);
+        if entry.verdict == Verdict::Fails {
+            // With what another link needs the one that fails does not follow.
+            entry.notes.retain(|note| match note {
+                Note::UnstatedCondition(told) => !told.iter().all(|own| of_proven.contains(own)),
+                _ => true,
+            });
+        }
         if matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
             && let Some(symbols) = judge.stated(&entry)
         {
