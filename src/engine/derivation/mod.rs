@@ -19,6 +19,7 @@ mod indices;
 mod lasting;
 mod names;
 mod page;
+mod pi;
 mod qualities;
 mod reader;
 mod rows;
@@ -144,6 +145,7 @@ impl Derivation {
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);
             imaginary::recognize(&own, pages, equations);
+            pi::recognize(&own, pages, equations);
         }
         for (at, page) in pages.iter().enumerate() {
             let own = equation::of_page(at, equations);
