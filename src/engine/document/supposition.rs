@@ -418,6 +418,8 @@ fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
             .take_while(|&by| !word(by).is_empty())
             .any(is_known),
         "be" => word(2) == "to" && is_known(3),
+        // "We measured $h = 1.20\,\mathrm{m}$"
+        "measured" => matches!(word(2).as_str(), "we" | "i" | "have"),
         _ => false,
     }
 }

@@ -1,6 +1,7 @@
 //! Statements: chains of relations, joined by implications, labelled and marked.
 
 use super::both::{self, either};
+use super::rounding::loosen;
 use super::series::hole_of;
 use super::{Kind, Parser, Read, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
@@ -368,10 +369,16 @@ impl<'s> Parser<'s> {
             Expr::Sum(terms) if terms.len() == self.summands.len() => self.summands.clone(),
             _ => vec![span],
         };
-        Ok(Place::Side(Side { expr, span, terms }))
+        let rounding = self.rounding(start, &expr).map(Box::new);
+        Ok(Place::Side(Side {
+            expr,
+            span,
+            terms,
+            rounding,
+        }))
     }
 
-    fn chain(&self, places: Vec<Place>, links: Vec<Link>, span: Span) -> Read<Clause> {
+    fn chain(&self, places: Vec<Place>, mut links: Vec<Link>, span: Span) -> Read<Clause> {
         let dots = places
             .iter()
             .enumerate()
@@ -391,7 +398,10 @@ impl<'s> Parser<'s> {
             }
         }
         match dots {
-            None => Ok(Clause::Chain { sides, links }),
+            None => {
+                loosen(&sides, &mut links);
+                Ok(Clause::Chain { sides, links })
+            }
             Some((at, dots)) => self.all_equal(sides, at, dots, &links, span),
         }
     }
