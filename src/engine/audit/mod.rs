@@ -15,6 +15,7 @@ mod identity;
 mod induction;
 mod judge;
 mod least;
+mod limiting;
 mod moving;
 mod named;
 mod numeric;
@@ -633,6 +634,7 @@ impl Auditor<'_> {
             &usable.unreadable,
             &usable.later,
             &usable.numeric,
+            &usable.in_limit,
         ];
         let missing = missing.into_iter().any(|premises| !premises.is_empty());
         if entry.verdict == Verdict::Fails && missing {

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{
     Assumed, Derivation, Kind, Local, Running, Source, conditions, formulas, is_open,
 };
@@ -23,6 +23,8 @@ pub struct Offer {
     pub throughout: Set<(usize, Symbol)>,
     /// Part of it is supported by figures, or not: that proves nothing, and is not offered.
     pub is_numeric: bool,
+    /// It is said of a limit, and nothing but the limit is offered.
+    pub in_limit: bool,
 }
 
 impl Offer {
@@ -92,6 +94,17 @@ impl Offer {
                 let is_exact = proven || matches!(judged.outcome, Outcome::Defined);
                 if weighed(entry) && !is_exact {
                     continue;
+                }
+                // What is so in a limit is so at no point.
+                let is_limit = matches!(
+                    judged.goal.formula.as_equation(),
+                    Some((Expr::Limit { .. }, _))
+                );
+                if (!proven || is_limit) && !derivation.approached(at).is_empty() {
+                    offer.in_limit = true;
+                    if !proven {
+                        continue;
+                    }
                 }
                 if proven || !(crossed || judged.goal.questioned) {
                     let own = judged.goal.formula.clone().into();
@@ -180,6 +193,8 @@ pub struct Usable {
     pub later: Vec<usize>,
     /// Numeric claims: supported or not, they prove nothing.
     pub numeric: Vec<usize>,
+    /// Premises that are said of a limit: what is meant by them may be more than what they offer.
+    pub in_limit: Vec<usize>,
     /// Premises that could not be read.
     pub unreadable: Vec<usize>,
     /// Some speak of what may be complex, and are left out: claims are about real numbers.
@@ -232,6 +247,9 @@ pub fn usable<'a>(
         };
         if offer.is_numeric {
             usable.numeric.push(premise);
+        }
+        if offer.in_limit {
+            usable.in_limit.push(premise);
         }
         let is_left = |place: &(usize, usize)| {
             let local = derivation.local(place.0, place.1);

@@ -4,6 +4,7 @@
 //! [`Equation`]: what it states, what kind of statement it is, and what it is said to rest on. From these
 //! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
 
+mod approach;
 mod arguments;
 mod beside;
 mod chain;
@@ -39,6 +40,7 @@ use crate::notation::{Spanned, measured, read_formulas};
 use crate::parallel::in_order;
 use crate::sorted::{Map, Set, Tree};
 
+pub use approach::Approach;
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};

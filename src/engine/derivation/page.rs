@@ -12,6 +12,7 @@ use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
 use crate::sorted::{self, Tree};
 
+use super::approach;
 use super::beside::{Beside, Clash, Place};
 use super::equation::each_side;
 use super::reader::Reader;
@@ -47,6 +48,8 @@ pub struct Page {
     pub given: BTreeSet<usize>,
     /// What the document says otherwise.
     pub clashes: Vec<Clash>,
+    /// What its text says goes somewhere, in order.
+    pub(super) approaches: Vec<approach::Told>,
 }
 
 /// Figures for a symbol: between what numbers its value lies, in SI units, and who says so.
@@ -90,6 +93,7 @@ pub(super) fn read_page(
         declared: Tree::new(),
         given: BTreeSet::new(),
         clashes: Vec::new(),
+        approaches: approach::told(&document),
         document,
         beside,
     };
