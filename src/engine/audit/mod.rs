@@ -8,6 +8,7 @@ mod borrowed;
 mod cases;
 mod constant;
 mod dimensions;
+mod domain;
 mod entry;
 mod family;
 mod given;
@@ -363,7 +364,27 @@ impl Auditor<'_> {
             &premises,
         );
         let mut entries = Vec::new();
+        // Where a formula is meant is said beside it.
+        let domains = match equation.numeric {
+            Some(_) => Vec::new(),
+            None => domain::domains(statements),
+        };
+        let said = domains.iter().flat_map(|&part| goals(&statements[part]));
+        usable
+            .assumed
+            .extend(said.map(|goal| judge::step(&goal.formula)));
         for (part, statement) in statements.iter().enumerate() {
+            if domains.contains(&part) {
+                let mut entry = blank(at, part, parts, Kind::Given, Verdict::Given);
+                let stated = |goal| Judged {
+                    goal,
+                    assumed: Vec::new(),
+                    outcome: Outcome::Stated,
+                };
+                entry.judged = goals(statement).into_iter().map(stated).collect();
+                entries.push(entry);
+                continue;
+            }
             let defines = equation.defines.contains(&part);
             let lasting = match says_so {
                 true => self.without_moments(at, &usable, &premises),
