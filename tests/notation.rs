@@ -3,8 +3,8 @@
 use cradle_verify::algebra::{BigRational, Expr, Function, LimitPoint, Symbol};
 use cradle_verify::document::Span;
 use cradle_verify::notation::{
-    Clause, SyntaxError, latex, latex_statement, plain, read_display, read_expr, read_formulas,
-    read_symbol,
+    Clause, Precision, SyntaxError, latex, latex_statement, plain, read_display, read_expr,
+    read_formulas, read_symbol,
 };
 use proptest::prelude::*;
 
@@ -848,6 +848,65 @@ fn places_are_exact() {
     assert_eq!(text(&statement.span), r"a - 2b + c \stackrel{?}{=} (d + f)");
 }
 
+/// How near the right side is meant, as a share of it.
+fn rounding(source: &str) -> Option<(String, Precision)> {
+    let statements = read_display(source, whole(source)).statements.unwrap();
+    let Clause::Chain { sides, .. } = &statements[0].clauses[0] else {
+        panic!("a chain")
+    };
+    let rounding = sides.last()?.rounding.as_ref()?;
+    Some((rounding.share.to_string(), rounding.precision))
+}
+
+#[test]
+fn numbers_say_how_near_they_are_meant() {
+    let share = |share: &str, precision| Some((share.to_owned(), precision));
+    for source in [
+        r"g = 9.79",
+        r"g = -9.79",
+        r"g = 9{,}79\,\mathrm{m/s^2}",
+        r"g = 9.79 \cdot 10^{-19}\,\mathrm{J}",
+        r"g = \qty{9.79e3}{m}",
+    ] {
+        assert_eq!(
+            rounding(source),
+            share("1/1958", Precision::Decimal),
+            "{source}"
+        );
+    }
+    assert_eq!(
+        rounding(r"g \approx 300\,\mathrm{N}"),
+        share("1/6", Precision::Whole)
+    );
+    for stated in [r"m = 5.0 \pm 0.1", r"m = (5 \pm 0.1)\,\mathrm{kg}"] {
+        assert_eq!(
+            rounding(stated),
+            share("1/50", Precision::Stated),
+            "{stated}"
+        );
+    }
+    // What is computed, 0, and what has a name is no rounded number.
+    for exact in [
+        r"g = 9.79 \cdot 2",
+        r"g = 9.79/3",
+        r"g = 0.00",
+        r"g = 9.79 x",
+        r"g = \frac{1.5}{2}",
+    ] {
+        assert_eq!(rounding(exact), None, "{exact}");
+    }
+}
+
+#[test]
+fn what_has_an_uncertainty_is_nothing_exactly() {
+    let read = |source: &str| {
+        let statements = read_display(source, whole(source)).statements.unwrap();
+        latex_statement(&statements[0])
+    };
+    assert_eq!(read(r"m = 5.0 \pm 0.1"), r"m \approx 5");
+    assert!(read(r"x = a \pm b").ends_with("= 0"));
+}
+
 #[test]
 fn the_number_is_found_even_where_the_rest_is_unreadable() {
     let source = r"\foo{ = \text{ \tag{(12a)}";
@@ -871,9 +930,9 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"`\pm` states two equations at once",
     ),
     (
-        r"m = 5.0 \pm 0.1",
-        r"5.0 \pm 0.1",
-        "a value with its uncertainty is not read",
+        r"m = 5 \pm 1",
+        r"5 \pm 1",
+        "whether this is a value with its uncertainty or two values is not clear",
     ),
     (
         r"\int_{-\infty}^\infty f \, dx = 1",

@@ -9,6 +9,7 @@ mod induction;
 mod numeric;
 mod partial;
 mod shifted;
+mod wording;
 
 use cradle_verify::proofs;
 

@@ -2,7 +2,7 @@
 //!
 //! It repeats in its own way what the kernel has done to accept the witness: a reader sees both sides as numbers.
 
-use num_traits::Signed;
+use num_traits::{One, Signed};
 
 use crate::algebra::{
     Atoms, BigRational, Expr, Formula, Lowering, Symbol, Values, as_printed, effort,
@@ -45,6 +45,8 @@ impl<'a> Point<'a> {
     /// `v₀ = 1`, `u = (1, 1, 4)`: every value that was chosen.
     pub fn values(&self) -> Vec<(String, String)> {
         let symbols = self.at.symbols.iter();
+        // Figures are in units of the SI.
+        let symbols = symbols.filter(|(own, value)| !own.is_unit() || !value.is_one());
         let mut all: Vec<(String, String)> = symbols
             .map(|(symbol, value)| (self.label(symbol), number(value)))
             .collect();

@@ -1,5 +1,6 @@
 //! The audit for programs. Every number is exact, so it is a string: `"2/3"`. `docs/schema.json` says the same.
 
+use num_traits::One;
 use serde::Serialize;
 
 use crate::algebra::{Expr, Symbol};
@@ -479,6 +480,8 @@ fn family_view(found: &Counterexamples) -> FamilyView {
 
 fn values(at: &Assignment) -> Map<String, ValueView> {
     let symbols = at.symbols.iter();
+    // Figures are in units of the SI.
+    let symbols = symbols.filter(|(own, value)| !own.is_unit() || !value.is_one());
     let mut all: Map<String, ValueView> = symbols
         .map(|(symbol, value)| (words::key(symbol), ValueView::Number(value.to_string())))
         .collect();

@@ -253,13 +253,53 @@ impl Report<'_> {
         }
     }
 
+    /// `rests on (2), which holds if R ≠ 0, and on (3), not proved`.
+    fn resting_unproved(&self, open: &[usize]) -> String {
+        let conditions = |at: usize| -> Vec<String> {
+            let entries = self.audit.of_equation(at);
+            if entries.iter().any(|e| e.verdict != Verdict::Holds) {
+                return Vec::new();
+            }
+            let notes = entries.iter().flat_map(|entry| &entry.notes);
+            let told = notes.filter_map(|note| match note {
+                Note::UnstatedCondition(all) => Some(all),
+                _ => None,
+            });
+            let mut all: Vec<String> = told.flatten().map(crate::notation::plain_formula).collect();
+            all.dedup();
+            all
+        };
+        // What holds under the same conditions is told of together.
+        let mut alike: Vec<(String, Vec<usize>)> = Vec::new();
+        let mut unproved: Vec<usize> = Vec::new();
+        for &at in open {
+            let told = conditions(at);
+            if told.is_empty() {
+                unproved.push(at);
+                continue;
+            }
+            let told = words::list(told);
+            match alike.iter_mut().find(|(own, _)| *own == told) {
+                Some((_, all)) => all.push(at),
+                None => alike.push((told, vec![at])),
+            }
+        }
+        let clause = |(told, all): &(String, Vec<usize>)| {
+            let holds = if all.len() == 1 { "holds" } else { "hold" };
+            format!("{}, which {holds} if {told}", self.references(all))
+        };
+        let mut said: Vec<String> = alike.iter().map(clause).collect();
+        if !unproved.is_empty() {
+            said.push(format!("{}, not proved", self.references(&unproved)));
+        }
+        format!("rests on {}", said.join(", and on "))
+    }
+
     /// A note as a clause.
     pub(super) fn aside(&self, own: usize, note: &Note) -> Option<String> {
         Some(match note {
             Note::RestsOn(failing) => format!("rests on {}", self.references(failing)),
-            Note::RestsOnUnproved(open) => {
-                format!("rests on {}, not proved", self.references(open))
-            }
+            Note::RestsOnUnproved(open) => self.resting_unproved(open),
             Note::Miscited { cited, instead } => {
                 format!("miscited: {}", self.exchanged(cited, instead))
             }

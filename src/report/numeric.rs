@@ -32,10 +32,21 @@ pub(super) fn headline(numeric: &Numeric) -> String {
 /// `left/right between 23.8 and 61.2`.
 fn compared(link: &Link) -> Option<String> {
     let (left, right) = link.sides.as_ref()?;
+    if link.goal.rounding.is_some() {
+        return Some(format!("left {}, right {}", nearly(left), nearly(right)));
+    }
     Some(match &link.ratio {
         Some(ratio) => format!("left/right {}", between(ratio)),
         None => format!("left {}, right {}", between(left), between(right)),
     })
+}
+
+/// `9.7949`, of what is one number.
+fn nearly(interval: &Interval) -> String {
+    match interval.low() == interval.high() {
+        true => about(interval.low()),
+        false => between(interval),
+    }
 }
 
 /// `between 23.8 and 61.2`.
@@ -75,6 +86,11 @@ fn measure(link: &Link) -> Option<String> {
     Some(match relation {
         Relation::MuchGreater => format!("`≫` is taken for: at least {FAR} times"),
         Relation::MuchLess => format!("`≪` is taken for: at most 1/{FAR}"),
+        Relation::Equal | Relation::Approximately
+            if link.near.is_some() && link.goal.rounding.is_some() =>
+        {
+            "the last digit of the right side is taken for rounded".into()
+        }
         Relation::Approximately => {
             let near = link.near.as_ref()?;
             format!("`≈` is taken for: within {near} of the right side")

@@ -69,7 +69,8 @@ pub(super) fn symbols(derivation: &Derivation, dimensions: &Dimensions, page: us
                 false => symbol.clone(),
             };
             let element = element_parts(&name).is_some_and(|(own, _)| sequences.contains(&own));
-            if name.name() == "\\pi"
+            let is_pi = name.name() == "\\pi";
+            if is_pi && !derivation.pages[page].domains.contains_key(&name)
                 || measured(&name).is_some()
                 || derivation.is_some_constant(&name)
                 || element

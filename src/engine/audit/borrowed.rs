@@ -137,6 +137,11 @@ impl Judge<'_> {
         }
     }
 
+    /// What that says.
+    pub(super) fn open_before(&self, premises: &[usize]) -> Vec<Assumed> {
+        self.gathered(&self.open_on_this_page(premises))
+    }
+
     /// Tries a step that is not proved from what is itself left open, or holds under conditions.
     pub(super) fn rescue_from_open(
         &self,

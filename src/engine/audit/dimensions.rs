@@ -314,8 +314,9 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
                         .over(&Dimension::base(Base::Time).power(&Rational::from(dots))),
                 )
             };
-            // Nobody declares π.
-            let pi = || (symbol.name() == "\\pi").then(Dimension::none);
+            // Nobody declares π, but who means something else by it.
+            let is_number = !own.domains.contains_key(symbol);
+            let pi = || (is_number && symbol.name() == "\\pi").then(Dimension::none);
             let unit = || measured(symbol).map(Dimension::base);
             let known = declared(symbol).cloned().or_else(dotted).or_else(pi);
             let said = match known.or_else(unit) {

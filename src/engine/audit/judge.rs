@@ -121,6 +121,11 @@ impl Judge<'_> {
         {
             return own;
         }
+        if !found.judged.outcome.is_proven()
+            && let Some(own) = self.in_limit(goal, premises, &found)
+        {
+            return own;
+        }
         if found.judged.outcome.is_refuted() && self.is_disputed(&found.judged) {
             let reason =
                 "the text says that something in it is constant, and the page lets that change";

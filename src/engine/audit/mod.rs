@@ -8,6 +8,7 @@ mod borrowed;
 mod cases;
 mod constant;
 mod dimensions;
+mod domain;
 mod entry;
 mod family;
 mod given;
@@ -15,6 +16,7 @@ mod identity;
 mod induction;
 mod judge;
 mod least;
+mod limiting;
 mod moving;
 mod named;
 mod numeric;
@@ -22,6 +24,7 @@ mod premise;
 mod readings;
 mod review;
 mod roots;
+mod rounded;
 mod scaling;
 mod schedule;
 mod shifted;
@@ -361,7 +364,27 @@ impl Auditor<'_> {
             &premises,
         );
         let mut entries = Vec::new();
+        // Where a formula is meant is said beside it.
+        let domains = match equation.numeric {
+            Some(_) => Vec::new(),
+            None => domain::domains(statements),
+        };
+        let said = domains.iter().flat_map(|&part| goals(&statements[part]));
+        usable
+            .assumed
+            .extend(said.map(|goal| judge::step(&goal.formula)));
         for (part, statement) in statements.iter().enumerate() {
+            if domains.contains(&part) {
+                let mut entry = blank(at, part, parts, Kind::Given, Verdict::Given);
+                let stated = |goal| Judged {
+                    goal,
+                    assumed: Vec::new(),
+                    outcome: Outcome::Stated,
+                };
+                entry.judged = goals(statement).into_iter().map(stated).collect();
+                entries.push(entry);
+                continue;
+            }
             let defines = equation.defines.contains(&part);
             let lasting = match says_so {
                 true => self.without_moments(at, &usable, &premises),
@@ -395,7 +418,7 @@ impl Auditor<'_> {
                     entry = alone;
                 }
             }
-            if equation.numeric.is_none() {
+            if entry.numeric.is_none() {
                 let how = readings::Circumstances {
                     at,
                     part,
@@ -469,7 +492,9 @@ impl Auditor<'_> {
             self.derivation.equations[at].drawn,
         );
         let is_law = |entry: &Entry| {
-            entry.verdict != Verdict::Holds && !identity::is_step(entry, &told, drawn)
+            entry.verdict != Verdict::Holds
+                && entry.numeric.is_none()
+                && !identity::is_step(entry, &told, drawn)
         };
         entries.iter().all(is_law)
     }
@@ -506,6 +531,7 @@ impl Auditor<'_> {
         let mut steps: Vec<(usize, Formula)> = Vec::new();
         let mut instead: Set<Source> = Set::new();
         let mut may_follow = false;
+        let mut of_proven: Vec<Formula> = Vec::new();
         for (position, goal) in goals(statement).into_iter().enumerate() {
             if defines && position == 0 {
                 // What could not be read may have spoken of it: then it is no definition.
@@ -547,7 +573,16 @@ impl Auditor<'_> {
                     .any(|note| matches!(note, Note::UnstatedCondition(told) if told.contains(own)))
             };
             conditions.retain(|own| !told(own));
+            let all = std::mem::take(&mut conditions);
+            for own in all {
+                if !conditions.contains(&own) {
+                    conditions.push(own);
+                }
+            }
             if !conditions.is_empty() {
+                if found.judged.outcome.is_proven() {
+                    of_proven.extend(conditions.iter().cloned());
+                }
                 entry.notes.push(Note::UnstatedCondition(conditions));
             }
             if !found.contradictory.is_empty() {
@@ -564,16 +599,30 @@ impl Auditor<'_> {
             entry.judged.push(found.judged);
         }
         entry.verdict = verdict(&entry.judged, defines);
+        if entry.verdict == Verdict::Fails {
+            // With what another link needs the one that fails does not follow.
+            entry.notes.retain(|note| match note {
+                Note::UnstatedCondition(told) => !told.iter().all(|own| of_proven.contains(own)),
+                _ => true,
+            });
+        }
+        self.weigh_rounded(at, &mut entry, usable);
         if matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
             && let Some(symbols) = judge.stated(&entry)
         {
-            return stated::given(entry, symbols);
+            if entry.numeric.is_none() {
+                return stated::given(entry, symbols);
+            }
+            // What might be a law, but for the figures that speak against it.
+            if entry.verdict == Verdict::Fails {
+                rounded::open_by_figures(&mut entry);
+            }
         }
         if entry.verdict == Verdict::Given {
             entry.kind = Kind::Given;
             entry.notes.extend(judge.unchecked(&entry));
         }
-        let used: Set<usize> = entry
+        let mut used: Set<usize> = entry
             .judged
             .iter()
             .flat_map(|j| j.assumed.iter())
@@ -582,6 +631,7 @@ impl Auditor<'_> {
                 _ => None,
             })
             .collect();
+        used.extend(entry.numeric.iter().flat_map(|own| numeric::used(own)));
         if !instead.is_empty() {
             // A link of a chain may need what another does not.
             instead.extend(used.iter().map(|&premise| Source::Equation(premise)));
@@ -601,10 +651,18 @@ impl Auditor<'_> {
             entry.notes.extend(missing.map(|&p| Note::OutOfScope(p)));
         }
         // A premise that could not be had may be just what is needed.
-        let missing =
-            !usable.unreadable.is_empty() || !usable.later.is_empty() || !usable.numeric.is_empty();
+        let missing = [
+            &usable.unreadable,
+            &usable.later,
+            &usable.numeric,
+            &usable.in_limit,
+        ];
+        let missing = missing.into_iter().any(|premises| !premises.is_empty());
         if entry.verdict == Verdict::Fails && missing {
-            entry.verdict = Verdict::Undecided;
+            match entry.numeric {
+                Some(_) => rounded::open_by_figures(&mut entry),
+                None => entry.verdict = Verdict::Undecided,
+            }
         }
         if entry.verdict == Verdict::Fails && !equation.unread.is_empty() {
             leave_open(&mut entry, &self.unread(equation));
@@ -622,7 +680,7 @@ impl Auditor<'_> {
                     .iter()
                     .map(|&p| Note::UnreadablePremise(p)),
             );
-            if !usable.numeric.is_empty() {
+            if !usable.numeric.is_empty() && entry.numeric.is_none() {
                 let numeric = usable.numeric.clone();
                 entry.notes.push(Note::RestsOnUnproved(numeric));
             }
@@ -657,23 +715,11 @@ impl Auditor<'_> {
         )
     }
 
-    /// Evaluates a numeric claim. What is wrong or not proved itself is not put in.
+    /// Evaluates a numeric claim.
     fn numeric(&self, at: usize, statement: &Statement, usable: &premise::Usable) -> Entry {
         let mut entry = blank(at, 0, 1, Kind::Derived, Verdict::Undecided);
-        let sound = |premise: usize| {
-            let proved = |e: &Entry| matches!(e.verdict, Verdict::Given | Verdict::Holds);
-            premise >= at
-                || self
-                    .entries_of(premise)
-                    .all(|e| proved(e) && e.rests_on.is_empty())
-        };
-        let assumed: Vec<Assumed> = usable
-            .assumed
-            .iter()
-            .filter(|a| !matches!(a.source, Source::Equation(premise) if !sound(premise)))
-            .cloned()
-            .collect();
-        let numeric = numeric::evaluate(self.derivation, at, statement, &assumed);
+        let assumed = self.sound_figures(at, usable);
+        let numeric = numeric::evaluate(self.derivation, at, &goals(statement), &assumed);
         let used = numeric::used(&numeric);
         if *numeric.outcome() == Weighed::Contradicted {
             entry.notes.push(Note::NumericNotSupported);
@@ -685,6 +731,27 @@ impl Auditor<'_> {
         entry.premises = used.into_iter().collect();
         entry.numeric = Some(numeric.into());
         entry
+    }
+
+    /// What figures may be taken from: what is wrong or not proved itself is not put in.
+    fn sound_figures(&self, at: usize, usable: &premise::Usable) -> Vec<Assumed> {
+        let sound = |premise: usize| {
+            // Of what figures support only what is exact is offered.
+            let proved = |e: &Entry| match e.verdict {
+                Verdict::Given | Verdict::Holds => true,
+                Verdict::Undecided => e.numeric.is_some(),
+                _ => false,
+            };
+            premise >= at
+                || self
+                    .entries_of(premise)
+                    .all(|e| proved(e) && e.rests_on.is_empty())
+        };
+        let assumed = usable.assumed.iter();
+        assumed
+            .filter(|a| !matches!(a.source, Source::Equation(premise) if !sound(premise)))
+            .cloned()
+            .collect()
     }
 
     /// The failing equations among premises, and those that these rest on.

@@ -1,9 +1,10 @@
 use num_traits::{One, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Function, Relation, Symbol};
-use crate::derivation::{Assumed, Datum, Derivation, Goal, Source, goals};
+use crate::derivation::{Assumed, Datum, Derivation, Goal, Printed, Source, goals};
+use crate::document::Span;
 use crate::interval::{Compared, Figures, Interval, NoInterval};
-use crate::notation::{Statement, measured};
+use crate::notation::{Precision, Rounding, measured, read_formulas};
 use crate::sorted::{Map, Set};
 
 /// "Much greater" is taken for: at least so many times.
@@ -73,12 +74,36 @@ impl Numeric {
     }
 }
 
-/// Evaluates a statement from what it cites.
+/// How near the numbers are taken that premises print.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Taken {
+    /// As they are printed, whatever their uncertainty; what is claimed may be rounded.
+    Exactly,
+    /// As they are printed, and within their uncertainty where one is stated.
+    AsStated,
+    /// Within half a unit of their last decimal; what is claimed may be rounded, too.
+    Rounded,
+}
+
+/// Evaluates goals from what they cite, and the figures of its pages.
 pub(super) fn evaluate(
     derivation: &Derivation,
     at: usize,
-    statement: &Statement,
+    goals: &[Goal],
     assumed: &[Assumed],
+) -> Numeric {
+    weigh_rounded(derivation, at, goals, assumed, Taken::AsStated, &[])
+}
+
+/// The same with numbers that are taken as they are rounded, and with what the page prints for symbols of which nothing else says what
+/// they are.
+pub(super) fn weigh_rounded(
+    derivation: &Derivation,
+    at: usize,
+    goals: &[Goal],
+    assumed: &[Assumed],
+    taken: Taken,
+    said: &[Printed],
 ) -> Numeric {
     let own = derivation.equations[at].page;
     let mut pages = vec![own];
@@ -96,15 +121,15 @@ pub(super) fn evaluate(
         derivation,
         pages,
         assumed,
+        taken,
+        said,
         tried: 0,
         data: Map::new(),
         put_in: Vec::new(),
     };
     let near = derivation.equations[at].numeric.clone().flatten();
-    let links = goals(statement)
-        .into_iter()
-        .map(|goal| known.link(goal, near.clone()))
-        .collect();
+    let links = goals.iter().cloned();
+    let links = links.map(|goal| known.link(goal, near.clone())).collect();
     Numeric {
         links,
         data: known.data,
@@ -118,6 +143,8 @@ struct Known<'a> {
     /// Its own page first.
     pages: Vec<usize>,
     assumed: &'a [Assumed],
+    taken: Taken,
+    said: &'a [Printed],
     tried: usize,
     data: Map<Symbol, (usize, Datum)>,
     put_in: Vec<(Symbol, Expr, Source)>,
@@ -144,6 +171,17 @@ impl Known<'_> {
             || !link.goal.suppositions.is_empty()
         {
             return link;
+        }
+        let rounding = link.goal.rounding.as_ref();
+        let relation = match relation {
+            // What is rounded is near what it is rounded from.
+            Relation::Equal if rounding.is_some() && self.taken != Taken::AsStated => {
+                Relation::Approximately
+            }
+            own => own,
+        };
+        if relation == Relation::Approximately {
+            link.near = link.near.or_else(|| rounding.map(|own| own.share.clone()));
         }
         let found = self.sides(&left, &right);
         let Compared {
@@ -212,7 +250,14 @@ impl Known<'_> {
             self.data.insert(symbol.clone(), datum);
             return Ok(Expr::Symbol(symbol.clone()));
         }
-        if Figures::default().of(symbol).is_some() {
+        let mut pages = self.pages.iter();
+        let is_declared =
+            pages.any(|&page| self.derivation.pages[page].domains.get(symbol).is_some());
+        if !is_declared && Figures::default().of(symbol).is_some() {
+            return Ok(Expr::Symbol(symbol.clone()));
+        }
+        if let Some(datum) = self.printed(symbol) {
+            self.data.insert(symbol.clone(), datum);
             return Ok(Expr::Symbol(symbol.clone()));
         }
         if let Some((.., value, _)) = self.put_in.iter().find(|(own, ..)| own == symbol) {
@@ -226,41 +271,122 @@ impl Known<'_> {
         if open.contains(symbol) {
             return Err(unknown);
         }
-        // What is written as a definition comes before what must be solved.
-        let mut candidates: Vec<(Expr, Source)> = Vec::new();
-        for plain in [true, false] {
-            for assumed in self.assumed {
-                let value = self.solved(&assumed.formula, symbol, plain);
-                candidates.extend(value.map(|value| (value, assumed.source)));
-            }
-        }
         let mut first = None;
-        for (value, source) in candidates {
-            self.tried += 1;
-            if self.tried > MOST_TRIED {
-                return Err(NoInterval::TooLarge);
+        // What is written as a definition comes before what must be solved, and so does what the page prints.
+        for plain in [true, false] {
+            if !plain && let Some(datum) = self.said_once(symbol) {
+                let page = self.pages[0];
+                self.data.insert(symbol.clone(), (page, datum));
+                return Ok(Expr::Symbol(symbol.clone()));
             }
-            open.push(symbol.clone());
-            let (data, length) = (self.data.clone(), self.put_in.len());
-            let result = self.in_data(&value, open);
-            open.pop();
-            match result {
-                Ok(result) => {
-                    self.put_in.push((symbol.clone(), value, source));
-                    return Ok(result);
+            for assumed in self.assumed {
+                let Some(value) = self.solved(&assumed.formula, symbol, plain) else {
+                    continue;
+                };
+                self.tried += 1;
+                if self.tried > MOST_TRIED {
+                    return Err(NoInterval::TooLarge);
                 }
-                Err(error) => {
-                    self.data = data;
-                    self.put_in.truncate(length);
-                    let own =
-                        matches!(&error, NoInterval::Unknown(s) if open.contains(s) || s == symbol);
-                    if !own {
-                        first = first.or(Some(error));
+                open.push(symbol.clone());
+                let (data, length) = (self.data.clone(), self.put_in.len());
+                let result = self.in_data(&value, open);
+                open.pop();
+                match result {
+                    Ok(result) => {
+                        let put_in = (symbol.clone(), value, assumed.source);
+                        self.put_in.push(put_in);
+                        return Ok(result);
+                    }
+                    Err(error) => {
+                        self.data = data;
+                        self.put_in.truncate(length);
+                        let own = matches!(&error, NoInterval::Unknown(s) if open.contains(s) || s == symbol);
+                        if !own {
+                            first = first.or(Some(error));
+                        }
                     }
                 }
             }
         }
         Err(first.unwrap_or(unknown))
+    }
+
+    /// The number that the page prints for a symbol, if that is one and the same wherever it does.
+    fn said_once(&self, symbol: &Symbol) -> Option<Datum> {
+        let value = |own: &Printed| match &own.goal.formula {
+            Formula::Relation {
+                left: Expr::Symbol(of),
+                right,
+                ..
+            } if of == symbol => Some(right.clone()),
+            _ => None,
+        };
+        let mut own = self.said.iter().filter_map(|own| Some((own, value(own)?)));
+        let (first, number) = own.next()?;
+        let same = own.all(|(_, other)| other == number);
+        same.then(|| self.within(&number, first.goal.rounding.as_ref(), first.span))?
+    }
+
+    /// A printed number with what may have been rounded to it.
+    fn within(&self, number: &Expr, rounding: Option<&Rounding>, span: Span) -> Option<Datum> {
+        let share = match (self.taken, rounding) {
+            (_, None) | (Taken::Exactly, _) => BigRational::zero(),
+            (Taken::AsStated, Some(own)) if own.precision != Precision::Stated => {
+                BigRational::zero()
+            }
+            (_, Some(own)) => own.share.clone(),
+        };
+        let value = Figures::default().value(&in_si(number)).ok()?;
+        let spread = value.abs().high() * share;
+        Some(Datum {
+            low: value.low() - &spread,
+            high: value.high() + spread,
+            source: "as it is printed".into(),
+            span,
+        })
+    }
+
+    /// The figures that a premise prints for a symbol, where it is not taken for just that number.
+    fn printed(&self, symbol: &Symbol) -> Option<(usize, Datum)> {
+        self.assumed.iter().find_map(|assumed| {
+            let Formula::Relation {
+                left,
+                relation,
+                right,
+            } = &*assumed.formula
+            else {
+                return None;
+            };
+            if !matches!(left, Expr::Symbol(own) if own == symbol) {
+                return None;
+            }
+            let (page, span, goal) = self.written(assumed)?;
+            let rounding = goal.rounding?;
+            let datum = self.within(right, Some(&rounding), span)?;
+            // What is just that number is put in.
+            let is_exact = *relation == Relation::Equal && datum.low == datum.high;
+            (!is_exact).then_some((page, datum))
+        })
+    }
+
+    /// Where a premise is written, and as what.
+    fn written(&self, assumed: &Assumed) -> Option<(usize, Span, Goal)> {
+        let is_own = |goal: &Goal| goal.formula == *assumed.formula;
+        match assumed.source {
+            Source::Local(page, local) => {
+                let span = self.derivation.local(page, local).span;
+                let source = &self.derivation.pages[page].document.source;
+                let statements = read_formulas(source, span).ok()?;
+                let goal = statements.iter().flat_map(goals).find(is_own)?;
+                Some((page, span, goal))
+            }
+            Source::Equation(at) => {
+                let equation = &self.derivation.equations[at];
+                let goal = equation.statements().iter().flat_map(goals).find(is_own)?;
+                Some((equation.page, equation.body, goal))
+            }
+            Source::Step => None,
+        }
     }
 
     /// What an equation says that a symbol is: plainly, `s = …`, or solved for it.
@@ -327,6 +453,19 @@ impl Known<'_> {
             lower.is_some_and(|(low, strict)| *low > zero || *low == zero && *strict)
         })
     }
+}
+
+/// A term with its units left out, for figures are in those of the SI.
+fn in_si(term: &Expr) -> Expr {
+    let units: Vec<Symbol> = term
+        .free_symbols()
+        .into_iter()
+        .filter(Symbol::is_unit)
+        .collect();
+    let one = Expr::integer(1);
+    units
+        .iter()
+        .fold(term.clone(), |term, unit| term.substitute(unit, &one))
 }
 
 /// Whether a term is made of what intervals know.

@@ -7,7 +7,7 @@ use crate::derivation::{
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
 
-use super::{Entry, Note};
+use super::{Entry, Note, Outcome, Verdict};
 use crate::sorted::Set;
 
 /// What an equation offers to those that cite it.
@@ -21,6 +21,10 @@ pub struct Offer {
     pub under: Set<(usize, usize)>,
     /// Which formulas, by position, are true for every value of an index that runs on the page.
     pub throughout: Set<(usize, Symbol)>,
+    /// Part of it is supported by figures, or not: that proves nothing, and is not offered.
+    pub is_numeric: bool,
+    /// It is said of a limit, and nothing but the limit is offered.
+    pub in_limit: bool,
 }
 
 impl Offer {
@@ -69,6 +73,9 @@ impl Offer {
             under: own_moments(derivation, at),
             ..Offer::default()
         };
+        let weighed =
+            |entry: &Entry| entry.numeric.is_some() && entry.verdict == Verdict::Undecided;
+        offer.is_numeric = entries.iter().any(weighed);
         for (statement, entry) in derivation.equations[at].statements().iter().zip(entries) {
             if statement
                 .connectives
@@ -83,6 +90,22 @@ impl Offer {
                 .is_some_and(|m| m.value == Mark::Cross);
             for judged in &entry.judged {
                 let proven = judged.outcome.is_proven();
+                // What figures support is no premise.
+                let is_exact = proven || matches!(judged.outcome, Outcome::Defined);
+                if weighed(entry) && !is_exact {
+                    continue;
+                }
+                // What is so in a limit is so at no point.
+                let is_limit = matches!(
+                    judged.goal.formula.as_equation(),
+                    Some((Expr::Limit { .. }, _))
+                );
+                if (!proven || is_limit) && !derivation.approached(at).is_empty() {
+                    offer.in_limit = true;
+                    if !proven {
+                        continue;
+                    }
+                }
                 if proven || !(crossed || judged.goal.questioned) {
                     let own = judged.goal.formula.clone().into();
                     if statement.under.is_empty() {
@@ -170,6 +193,8 @@ pub struct Usable {
     pub later: Vec<usize>,
     /// Numeric claims: supported or not, they prove nothing.
     pub numeric: Vec<usize>,
+    /// Premises that are said of a limit: what is meant by them may be more than what they offer.
+    pub in_limit: Vec<usize>,
     /// Premises that could not be read.
     pub unreadable: Vec<usize>,
     /// Some speak of what may be complex, and are left out: claims are about real numbers.
@@ -210,11 +235,11 @@ pub fn usable<'a>(
             usable.unreadable.push(premise);
             continue;
         }
-        if equation.numeric.is_some() {
-            usable.numeric.push(premise);
-            continue;
-        }
         let offer = match offers(premise) {
+            _ if equation.numeric.is_some() => {
+                usable.numeric.push(premise);
+                continue;
+            }
             Some(offer) => offer.clone(),
             None if equation.kind == Kind::Given => Offer::given(derivation, premise),
             None => {
@@ -222,6 +247,12 @@ pub fn usable<'a>(
                 continue;
             }
         };
+        if offer.is_numeric {
+            usable.numeric.push(premise);
+        }
+        if offer.in_limit {
+            usable.in_limit.push(premise);
+        }
         let is_left = |place: &(usize, usize)| {
             let local = derivation.local(place.0, place.1);
             let is_case = local.is_let || local.is_case() || local.is_told && replaced(local);

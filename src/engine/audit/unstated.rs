@@ -3,8 +3,10 @@
 //!
 //! What follows under such conditions holds, and the conditions are told, as a denominator is that must not vanish.
 
-use crate::algebra::{Expr, Formula, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Source, values_at};
+use num_traits::Signed;
+
+use crate::algebra::{Expr, Formula, Function, Symbol, effort};
+use crate::derivation::{Assumed, Goal, Kind, Source, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort, InChain};
 use crate::sorted;
@@ -31,6 +33,8 @@ impl Judge<'_> {
             self.follows_throughout(goal, assumed, premises, found)
         }) || effort::within(MOST_WORK, || {
             self.follows_unstated(goal, assumed, premises, found)
+        }) || effort::within(MOST_WORK, || {
+            self.follows_where_positive(goal, assumed, found)
         })
     }
 
@@ -62,6 +66,58 @@ impl Judge<'_> {
                 && self.follows_with_others(goal, &sound, premises, Effort::Light, found)
             || self.under_conditions(goal, sound.clone(), witness, earnest, found)
             || self.follows_with_others(goal, &sound, premises, Effort::Full, found)
+    }
+
+    /// Whether the step follows, from what it cites alone, where symbols of which nobody says where they lie are positive: who solves
+    /// `w^2 R^2 C^2 = 1` for `w` means no negative resistance. A proof says that no positive values speak against it.
+    ///
+    /// That a symbol is negative nobody leaves unsaid.
+    fn follows_where_positive(&self, goal: &Goal, assumed: &[Assumed], found: &mut Found) -> bool {
+        let equation = &self.derivation.equations[self.at];
+        // What is crossed out is meant to fail somewhere, and an equivalence to hold both ways. A root says by itself what is meant, and
+        // who writes `|z|` thinks of signs.
+        let said = assumed.iter().map(|own| &*own.formula);
+        // What is said of a sign is what signs are to be told from: `p > 0`.
+        let is_equation = goal.formula.as_equation().is_some();
+        let of_sign = !is_equation && goal.formula.terms().contains(&&Expr::integer(0));
+        // What is said to follow from nothing is meant for all values.
+        let (cited, says_so, _) = self.derivation.premises(self.at);
+        if equation.kind == Kind::Marked
+            || of_sign
+            || says_so && cited.is_empty()
+            || !goal.suppositions.is_empty()
+            || takes_root(&goal.formula)
+            || said.chain([&goal.formula]).any(takes_size)
+        {
+            return false;
+        }
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        let free = unbounded(&claim);
+        // Where it is false at a point at which they are, it does not follow so.
+        if let Outcome::Refuted(refuted) = &found.judged.outcome {
+            let values = &refuted.witness().symbols;
+            let is_positive = |symbol| values.get(symbol).is_some_and(Signed::is_positive);
+            if free.iter().all(is_positive) {
+                return false;
+            }
+        }
+        let Some(conditions) = self.positive(goal, assumed, &free) else {
+            return false;
+        };
+        // An inequality that says no more than the conditions do, `x > -3`, is no step.
+        let alone = || {
+            let with: Vec<Assumed> = conditions.iter().map(step).collect();
+            let claim = self.derivation.claim(self.at, &with, &goal.formula);
+            search::prove_unconditionally(claim, Effort::Full).is_some()
+        };
+        if !is_equation && alone() {
+            return false;
+        }
+        let holds = self.holds_under(goal, assumed.to_vec(), &conditions, Effort::Full, found);
+        if holds {
+            found.instead.clear();
+        }
+        holds
     }
 
     /// The same from some of what it cites, with what stands before and is not cited.
@@ -184,7 +240,11 @@ impl Judge<'_> {
         if still && self.holds_still(goal, &set, claim, found) {
             return true;
         }
-        let conditions = self.positive(goal, &set, &unbounded);
+        // Who writes a root means the positive one.
+        let conditions = match takes_root(&goal.formula) {
+            true => self.positive(goal, &set, &unbounded),
+            false => None,
+        };
         // That there is a root at all may have to be proved.
         conditions
             .is_some_and(|conditions| self.holds_under(goal, set, &conditions, Effort::Full, found))
@@ -232,12 +292,8 @@ impl Judge<'_> {
         meant.then_some(conditions)
     }
 
-    /// That all symbols are positive, where a root is taken: who writes one means the positive one.
+    /// That all of the symbols are positive which are no numbers, with what must not vanish beside roots; if that can be.
     fn positive(&self, goal: &Goal, set: &[Assumed], unbounded: &[Symbol]) -> Option<Vec<Formula>> {
-        let mut terms = goal.formula.terms().into_iter();
-        if !terms.any(|term| term.any(&Expr::is_root)) {
-            return None;
-        }
         let is_number = |symbol: &Symbol| {
             set.iter()
                 .any(|a| a.formula.set_to_number() == Some(symbol))
@@ -246,6 +302,9 @@ impl Judge<'_> {
         let mut conditions: Vec<Formula> = open
             .map(|own| Formula::positive(Expr::Symbol(own.clone())))
             .collect();
+        if conditions.is_empty() {
+            return None;
+        }
         let under = |conditions: &[Formula]| {
             let all = set.iter().cloned().chain(conditions.iter().map(step));
             let all: Vec<Assumed> = all.collect();
@@ -297,6 +356,23 @@ impl Judge<'_> {
         found.judged.outcome = Outcome::Proven(least.into());
         true
     }
+}
+
+/// Whether a root is written in a formula.
+fn takes_root(formula: &Formula) -> bool {
+    any_part(formula, &Expr::is_root)
+}
+
+/// Whether an absolute value is.
+fn takes_size(formula: &Formula) -> bool {
+    any_part(formula, &|part| {
+        matches!(part, Expr::Call(Function::Abs, _))
+    })
+}
+
+fn any_part(formula: &Formula, is_meant: &dyn Fn(&Expr) -> bool) -> bool {
+    let mut terms = formula.terms().into_iter();
+    terms.any(|term| term.any(&is_meant))
 }
 
 /// The symbols that a step speaks of, or its premises, and of which nobody says where they lie.

@@ -2,7 +2,7 @@ use std::ops::Range;
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use crate::document::{Citation, Extent, Span};
-use crate::notation::{Clause, Connective, Statement, SyntaxError};
+use crate::notation::{Clause, Connective, Precision, Rounding, Side, Statement, SyntaxError};
 
 use super::Premises;
 use super::page::Page;
@@ -126,6 +126,8 @@ pub struct Goal {
     pub span: Span,
     /// Where its sides stand; both the same for a statement about a whole sequence.
     pub sides: (Span, Span),
+    /// How near the number on its right side is meant, where it is rounded: `\approx 300`, `= 9.79`.
+    pub rounding: Option<Rounding>,
     /// The author asks (`\stackrel{?}{=}`) rather than asserts.
     pub questioned: bool,
     /// What is supposed besides the premises: the other side of an `\iff`, the condition of a case.
@@ -191,6 +193,7 @@ fn clause_goals(clause: &Clause, at: usize) -> Vec<Goal> {
                 },
                 span: link.span,
                 sides: (pair[0].span, pair[1].span),
+                rounding: rounding(link.relation, &pair[1]),
                 questioned: link.questioned,
                 suppositions: Vec::new(),
                 clause: at,
@@ -209,11 +212,21 @@ fn clause_goals(clause: &Clause, at: usize) -> Vec<Goal> {
             },
             span: *span,
             sides: (*span, *span),
+            rounding: None,
             questioned: false,
             suppositions: Vec::new(),
             clause: at,
         }],
     }
+}
+
+/// How near a right side is meant. A whole number after `=` is meant exactly.
+fn rounding(relation: Relation, right: &Side) -> Option<Rounding> {
+    let near = |own: &&Rounding| match relation {
+        Relation::Equal => own.precision != Precision::Whole,
+        relation => relation == Relation::Approximately,
+    };
+    right.rounding.as_deref().filter(near).cloned()
 }
 
 /// Where the equations of a page stand.

@@ -4,6 +4,7 @@
 //! [`Equation`]: what it states, what kind of statement it is, and what it is said to rest on. From these
 //! [`Derivation::claim`] makes the claims that are judged: hypotheses ⊢ goal, with every domain explicit.
 
+mod approach;
 mod arguments;
 mod beside;
 mod chain;
@@ -21,6 +22,7 @@ mod meanings;
 mod names;
 mod page;
 mod partials;
+mod pi;
 mod qualities;
 mod reader;
 mod rows;
@@ -40,6 +42,7 @@ use crate::notation::{Spanned, measured, read_formulas};
 use crate::parallel::in_order;
 use crate::sorted::{Map, Set, Tree};
 
+pub use approach::Approach;
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
@@ -48,7 +51,7 @@ pub use qualities::Said;
 pub use running::Running;
 use supposed::said_of_moment;
 pub use supposed::{Local, is_put};
-pub use values::ValueSaid;
+pub use values::{Printed, ValueSaid};
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
 const LONGEST_RANGE: usize = 1000;
@@ -147,6 +150,7 @@ impl Derivation {
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);
             imaginary::recognize(&own, pages, equations);
+            pi::recognize(&own, pages, equations);
         }
         for (at, page) in pages.iter().enumerate() {
             let own = equation::of_page(at, equations);

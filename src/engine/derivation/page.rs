@@ -14,6 +14,7 @@ use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
 use crate::sorted::{self, Set, Tree};
 
+use super::approach;
 use super::beside::{About, Beside, Clash, Place, narrows};
 use super::equation::each_side;
 use super::meanings::{Meanings, section_ends};
@@ -59,6 +60,8 @@ pub struct Page {
     pub given: BTreeSet<usize>,
     /// What the document says otherwise.
     pub clashes: Vec<Clash>,
+    /// What its text says goes somewhere, in order.
+    pub(super) approaches: Vec<approach::Told>,
 }
 
 /// Figures for a symbol: between what numbers its value lies, in SI units, and who says so.
@@ -106,6 +109,7 @@ pub(super) fn read_page(
         declared: Tree::new(),
         given: BTreeSet::new(),
         clashes: Vec::new(),
+        approaches: approach::told(&document),
         document,
         beside,
     };

@@ -1,16 +1,30 @@
 //! What the text says that a symbol is the value of: `v(0) = v_0`, "$q = q_0$ at $t = 0$".
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::document::{Document, Span};
-use crate::notation::read_formulas;
+use crate::notation::{Statement, read_formulas};
 
 use super::Derivation;
-use super::equation::formulas;
+use super::equation::{Goal, formulas, goals};
 
 /// More pieces of mathematics in the text than this are not looked through.
 const MOST_SAID: usize = 500;
 /// The words between a relation and the place where it is so.
 const AT: [&str; 6] = ["at", "at time", "at the time", "for", "when", "where"];
+
+/// More numbers than this that a page prints are not looked at.
+const MOST_FIGURES: usize = 100;
+
+/// A number that a page prints for a symbol. Of what case it is said is not known.
+#[derive(Clone, Debug)]
+pub struct Printed {
+    /// `m = 2.5\,\mathrm{kg}`
+    pub goal: Goal,
+    /// Where it stands.
+    pub span: Span,
+    /// The display that prints it, if it is none in the text.
+    pub equation: Option<usize>,
+}
 
 /// The value of something at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,6 +38,46 @@ pub struct ValueSaid {
 }
 
 impl Derivation {
+    /// The numbers that a page prints for symbols before the display after an equation, in the text and in displays, the nearest ones.
+    pub fn figures_before(&self, at: usize) -> Vec<Printed> {
+        let own = &self.equations[at];
+        let document = &self.pages[own.page].document;
+        let next = self.equations.get(at + 1);
+        let until = match next.filter(|next| next.page == own.page) {
+            Some(next) => next.span.start,
+            None => document.source.len(),
+        };
+        let bodies = document.inline().map(|math| math.body);
+        let bodies = bodies.take_while(|body| body.end <= until);
+        let may_be_figure = |body: &Span| {
+            let text = document.source.get(body.range()).unwrap_or_default();
+            let is_number = text.contains(|c: char| c.is_ascii_digit());
+            is_number && (text.contains('=') || text.contains("\\approx"))
+        };
+        let mut bodies: Vec<Span> = bodies.filter(may_be_figure).collect();
+        let nearest = bodies.len().saturating_sub(MOST_FIGURES);
+        let mut found = Vec::new();
+        for span in bodies.drain(nearest..) {
+            let read = read_formulas(&document.source, span).unwrap_or_default();
+            found.extend(read.iter().filter_map(figure).map(|goal| Printed {
+                goal,
+                span,
+                equation: None,
+            }));
+        }
+        let first = self.equations_of(own.page).start;
+        let displays = (first..at).rev().take(MOST_FIGURES);
+        for (at, equation) in displays.map(|at| (at, &self.equations[at])) {
+            let all = equation.statements().iter().filter_map(figure);
+            found.extend(all.map(|goal| Printed {
+                goal,
+                span: equation.body,
+                equation: Some(at),
+            }));
+        }
+        found
+    }
+
     /// What the text of a page says that a symbol is the value of. `None` where it says something of the symbol that is no such thing,
     /// or too much to look through.
     pub fn values_said(&self, page: usize, symbol: &Symbol) -> Option<Vec<ValueSaid>> {
@@ -54,6 +108,42 @@ impl Derivation {
         }
         Some(values)
     }
+}
+
+/// What a statement says that a symbol is, as a number: `m = 2.5\,\mathrm{kg}`, and what `v = a t = 8.5` comes to.
+fn figure(statement: &Statement) -> Option<Goal> {
+    let goals = goals(statement);
+    let is_near = |goal: &Goal| {
+        let near = matches!(
+            goal.formula,
+            Formula::Relation {
+                relation: Relation::Equal | Relation::Approximately,
+                ..
+            }
+        );
+        near && goal.suppositions.is_empty() && !goal.questioned && goal.clause == 0
+    };
+    let (first, last) = (goals.first()?, goals.last()?);
+    let Formula::Relation { left, .. } = &first.formula else {
+        return None;
+    };
+    let Formula::Relation {
+        relation, right, ..
+    } = &last.formula
+    else {
+        return None;
+    };
+    let is_symbol = matches!(left, Expr::Symbol(symbol) if !symbol.is_unit());
+    let is_number = right.free_symbols().iter().all(Symbol::is_unit);
+    let plain = statement.mark.is_none() && goals.iter().all(is_near);
+    (plain && is_symbol && is_number).then(|| Goal {
+        formula: Formula::Relation {
+            left: left.clone(),
+            relation: *relation,
+            right: right.clone(),
+        },
+        ..last.clone()
+    })
 }
 
 /// `v(0) = v_0`.

@@ -432,11 +432,12 @@ fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
     };
     let is_known = |by: usize| KNOWN.has(&word(by));
     match word(1).as_str() {
-        "measured" => matches!(&*word(2), "we" | "i" | "have"),
         "that" => (2..=MOST_DESCRIBING + 2)
             .take_while(|&by| !word(by).is_empty())
             .any(is_known),
         "be" => word(2) == "to" && is_known(3),
+        // "We measured $h = 1.20\,\mathrm{m}$"
+        "measured" => matches!(word(2).as_str(), "we" | "i" | "have"),
         _ => false,
     }
 }

@@ -34,7 +34,7 @@ pub use printer::{
 pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
 pub use statement::{
     Before, BeforeKind, Choice, Clause, Connective, Display, Doubt, DoubtKind, Link, Mark, Other,
-    Run, Side, Spanned, Spelt, Statement, SyntaxError,
+    Precision, Rounding, Run, Side, Spanned, Spelt, Statement, SyntaxError,
 };
 pub use typeset::typeset;
 pub use unit::measured;

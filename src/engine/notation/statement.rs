@@ -1,4 +1,4 @@
-use crate::algebra::{Expr, Relation, Symbol};
+use crate::algebra::{BigRational, Expr, Relation, Symbol};
 use crate::document::Span;
 use crate::sorted::Set;
 
@@ -172,6 +172,28 @@ pub struct Side {
     pub span: Span,
     /// Where each top-level summand of `expr` stands, sign included, in order; one span when there is one summand.
     pub terms: Vec<Span>,
+    /// How near it is meant, where it is one number.
+    pub rounding: Option<Box<Rounding>>,
+}
+
+/// How near a printed number is meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Rounding {
+    /// What share of the number may be missing or too much.
+    pub share: BigRational,
+    /// How that is seen.
+    pub precision: Precision,
+}
+
+/// How it is seen how near a number is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// It is whole, and may be meant exactly: `300`.
+    Whole,
+    /// It has decimals: half a unit of the last one.
+    Decimal,
+    /// `\pm` says so.
+    Stated,
 }
 
 /// A relation sign between two sides.

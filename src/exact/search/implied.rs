@@ -9,7 +9,7 @@ use crate::algebra::{
     Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Polynomial, Rational, Symbol, Var,
     expr_of, expr_of_atom, expr_of_fraction, factors, product_of, raised,
 };
-use crate::kernel::{Claim, Knowledge, Problem, Proven};
+use crate::kernel::{Claim, Fact, Knowledge, Problem, Proven, Sign};
 use crate::sorted::{self, Set};
 
 /// More terms than this tell a reader nothing.
@@ -80,9 +80,12 @@ pub fn implied(claim: &Claim) -> Option<Implied> {
     {
         candidates.extend(turned(printed));
     }
-    candidates.extend(factor.as_ref().map(|factor| scaled(printed, factor)));
+    let factor = factor.filter(|factor| !factor.is_zero());
+    candidates.extend(factor.map(|factor| scaled(printed, &factor)));
     candidates.push(tidy(&value, &atoms));
     candidates.push(expr_of_fraction(&value, &atoms));
+    // What a root is taken of may speak of the symbol still.
+    candidates.retain(|term| !term.mentions(symbol));
     let proven = candidates.into_iter().find_map(|term| {
         let goal = Formula::equal(Expr::Symbol(symbol.clone()), term);
         let claim = Claim {
@@ -95,20 +98,37 @@ pub fn implied(claim: &Claim) -> Option<Implied> {
     })?;
     let ratio = quotient
         .and_then(|q| q.recip().ok()?)
-        .filter(is_short)
+        .filter(|ratio| is_short(ratio) && !is_tied(problem, ratio))
         .map(|ratio| tidy(&ratio, &atoms));
     Some(Implied { proven, ratio })
+}
+
+/// Whether a premise ties the unknowns of a ratio: then they may cancel.
+fn is_tied(problem: &Problem, ratio: &Fraction) -> bool {
+    let unknowns = unknowns(ratio);
+    let ties = |fact: &Fact| {
+        let own: Vec<Var> = fact.polynomial.vars().into_iter().collect();
+        fact.sign == Sign::Zero && !own.is_empty() && own.iter().all(|var| unknowns.contains(var))
+    };
+    problem.facts.iter().any(ties)
+}
+
+fn unknowns(ratio: &Fraction) -> Set<Var> {
+    let below = ratio.denominator().map(|(factor, _)| factor);
+    below
+        .chain([ratio.numerator()])
+        .flat_map(Polynomial::vars)
+        .collect()
 }
 
 /// Whether a ratio tells a reader something: a number, a product of two unknowns, or what one unknown makes of it.
 fn is_short(ratio: &Fraction) -> bool {
     let below: Vec<&Polynomial> = ratio.denominator().map(|(factor, _)| factor).collect();
-    let all = below.iter().copied().chain([ratio.numerator()]);
-    let unknowns: Set<Var> = all.clone().flat_map(Polynomial::vars).collect();
-    match unknowns.len() {
+    let mut all = below.iter().copied().chain([ratio.numerator()]);
+    match unknowns(ratio).len() {
         0 => true,
         1 => ratio.numerator().len() <= 2 && below.len() <= 2,
-        2 => all.into_iter().all(|factor| factor.len() == 1),
+        2 => all.all(|factor| factor.len() == 1),
         _ => false,
     }
 }

@@ -18,6 +18,7 @@ mod nought;
 mod point;
 mod positivity;
 mod prove;
+mod radical;
 mod rates;
 mod refute;
 mod roots;
@@ -47,6 +48,7 @@ pub use missing::{missing_among, missing_suppositions};
 pub use nought::without_powers_of_nought;
 pub use prove::Effort;
 use prove::Prover;
+use radical::base_of_power;
 pub use rates::prove_throughout;
 pub use scaling::{
     Repair, ScalingDecision, decide_scaling, is_plainly_possible, is_scaling, kept_hypotheses,
@@ -562,8 +564,9 @@ pub fn divided_beside_roots(problem: &Problem) -> Vec<Formula> {
         .collect()
 }
 
-/// `a - b ≠ 0`, and not `-b + a ≠ 0`.
+/// `a - b ≠ 0`, and not `-b + a ≠ 0`; of a power, that what it is a power of does not vanish.
 fn does_not_vanish(polynomial: &Polynomial, atoms: &Atoms) -> Formula {
+    let polynomial = &base_of_power(polynomial);
     let term = expr_of(polynomial, atoms);
     Formula::nonzero(match &term {
         Expr::Sum(terms) if matches!(terms.first(), Some(Expr::Negate(_))) => {

@@ -408,6 +408,35 @@ fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
     )
 }
 
+/// That units of measurement are 1: in which units a point is given makes no difference where dimensions agree. Where what is to follow
+/// has a unit that nothing it follows from has, they do not, and another unit may show it; but a mere number beside one is a number whose
+/// unit was left out.
+pub fn measured_in_units(claim: &Claim, atoms: &Atoms) -> impl Iterator<Item = Fact> {
+    let units = |formula: &Formula| -> Set<Symbol> {
+        let symbols = formula.free_symbols().into_iter();
+        symbols.filter(Symbol::is_unit).collect()
+    };
+    let of_goal = units(&claim.goal);
+    let is_open = !of_goal.is_empty() && {
+        let known: Set<Symbol> = (claim.hypotheses.iter())
+            .flat_map(|own| units(&own.formula))
+            .collect();
+        let mut sides = claim.goal.terms().into_iter();
+        !known.is_empty()
+            && !of_goal.is_subset(&known)
+            && !sides.any(|side| side.free_symbols().is_empty())
+    };
+    let is_unit = |atom: &Atom| matches!(atom, Atom::Symbol(symbol) if symbol.is_unit());
+    let units = atoms
+        .iter()
+        .filter(move |(_, atom)| !is_open && is_unit(atom));
+    let one = Polynomial::constant(Rational::one());
+    units.map(move |(var, _)| Fact {
+        polynomial: Polynomial::var(var).minus(&one),
+        sign: Sign::Zero,
+    })
+}
+
 impl<'a> Concrete<'a> {
     /// `None` where some term cannot be given a value at all.
     fn new(
@@ -458,6 +487,7 @@ impl<'a> Concrete<'a> {
             facts.extend(roots(atoms.to_mut())?);
             facts.extend(needs(obligation.claim(), obligation.as_written()));
         }
+        facts.extend(measured_in_units(obligation.claim(), &atoms));
         let integers = obligation.claim().domains.iter();
         let integers = integers
             .filter(|(_, d)| d.integer)

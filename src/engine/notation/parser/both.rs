@@ -1,22 +1,21 @@
 //! What is said with `\pm`: `x = a \pm b` says that `x` is one of the two, that is `(x - (a + b)) (x - (a - b)) = 0`.
 //!
 //! The upper signs of one side belong together, and so do the lower ones. A chain in which both signs stand on several sides says two
-//! things at once, and `5.0 \pm 0.1` is a value with its uncertainty: neither is read.
+//! things at once, and is not read; `5.0 \pm 0.1` is a value with its uncertainty.
 
+use super::rounding::is_measured;
 use super::statement::Place;
-use super::{Kind, Parser, Read, refuse_with};
+use super::{Kind, Parser, Read};
 use crate::algebra::{Expr, Relation};
 use crate::document::Span;
 use crate::notation::{Link, Side, commands};
-
-use super::term::counted;
 
 /// How a `\pm` is read.
 #[derive(Clone, Copy)]
 pub(super) struct Signs {
     lower: bool,
     /// The first one that was met.
-    met: Option<Span>,
+    pub(super) met: Option<Span>,
 }
 
 impl Parser<'_> {
@@ -64,11 +63,8 @@ impl Parser<'_> {
         match second? {
             Place::Side(second) if self.at == end => {
                 if is_measured(&first.expr) {
-                    return refuse_with(
-                        first.span,
-                        "a value with its uncertainty is not read",
-                        "write the value alone, or a name for it",
-                    );
+                    let side = self.with_uncertainty(start, first, sign)?;
+                    return Ok(Place::Side(side));
                 }
                 Ok(Place::Either {
                     upper: first,
@@ -89,11 +85,6 @@ pub(super) fn refuse_signs<T>(span: Span) -> Read<T> {
         message,
         help,
     })
-}
-
-/// `5.0 \pm 0.1`, perhaps with units.
-fn is_measured(upper: &Expr) -> bool {
-    matches!(upper, Expr::Sum(terms) if terms.iter().all(counted)) && !upper.any(&Expr::is_root)
 }
 
 /// A chain of one link with both signs on one side, as the product that is 0.
@@ -123,6 +114,7 @@ pub(super) fn either(mut places: Vec<Place>, links: &[Link]) -> Read<Vec<Place>>
             expr,
             span,
             terms: vec![span],
+            rounding: None,
         })
     };
     let product = Expr::Product(vec![less(upper.expr), less(lower.expr)]);

@@ -2,7 +2,7 @@
 //!
 //! `statement` reads what is said, `cases` what is said under conditions, `quantifier` of what all it is said, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
 //! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits, `partial` partial derivatives, `primitive` integrals without limits,
-//! `between` what a term grows by from one limit to another, `both` what is said with `\pm`.
+//! `between` what a term grows by from one limit to another, `both` what is said with `\pm`, `rounding` how near a number is meant.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
 //! [`DEPTH`], so that no input can exhaust the stack.
@@ -22,6 +22,7 @@ mod partial;
 mod primitive;
 mod quantifier;
 mod quantity;
+mod rounding;
 mod series;
 mod statement;
 mod term;

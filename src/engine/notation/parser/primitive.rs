@@ -102,6 +102,7 @@ impl Parser<'_> {
                     expr,
                     span: side.span,
                     terms: vec![side.span],
+                    rounding: None,
                 }),
                 None => no_equation(first.span),
             }

@@ -340,6 +340,7 @@ fn relation(side: &Side, relation: Relation, right: Expr, span: Span) -> Clause 
         expr: right,
         span,
         terms: vec![span],
+        rounding: None,
     };
     let link = Link {
         relation,

@@ -174,6 +174,7 @@ impl Parser<'_> {
             expr,
             span,
             terms: vec![span],
+            rounding: None,
         };
         Ok(Some(Clause::Chain {
             sides: vec![side(sum, span), side(Expr::integer(0), value.span)],

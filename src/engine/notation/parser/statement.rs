@@ -1,6 +1,7 @@
 //! Statements: chains of relations, joined by implications, labelled and marked.
 
 use super::both::{self, either};
+use super::rounding::loosen;
 use super::series::hole_of;
 use super::{Kind, Parser, Read, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
@@ -372,10 +373,16 @@ impl<'s> Parser<'s> {
             Expr::Sum(terms) if terms.len() == self.summands.len() => self.summands.clone(),
             _ => vec![span],
         };
-        Ok(Place::Side(Side { expr, span, terms }))
+        let rounding = self.rounding(start, &expr).map(Box::new);
+        Ok(Place::Side(Side {
+            expr,
+            span,
+            terms,
+            rounding,
+        }))
     }
 
-    fn chain(&mut self, places: Vec<Place>, links: Vec<Link>, span: Span) -> Read<Clause> {
+    fn chain(&mut self, places: Vec<Place>, mut links: Vec<Link>, span: Span) -> Read<Clause> {
         let dots = places
             .iter()
             .enumerate()
@@ -396,6 +403,7 @@ impl<'s> Parser<'s> {
         }
         match dots {
             None => {
+                loosen(&sides, &mut links);
                 let sides = self.differentiated_sides(sides, &links)?;
                 Ok(Clause::Chain { sides, links })
             }

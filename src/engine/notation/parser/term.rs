@@ -188,7 +188,7 @@ impl Parser<'_> {
                     }
                     let from = self.at;
                     let after_unit = product.measured;
-                    if product.is_counted()
+                    if product.last().is_some_and(|last| self.may_have_unit(last))
                         && let Some(unit) = self.unit_below(after_unit)
                     {
                         let unit = self.take_unit(unit)?;
@@ -212,7 +212,7 @@ impl Parser<'_> {
                     }
                     product.divide(under)?;
                 }
-                _ if product.is_counted()
+                _ if product.last().is_some_and(|last| self.may_have_unit(last))
                     && let Some(unit) = self.unit_here(product.measured) =>
                 {
                     product.push_unit(self.take_unit(unit)?)?;
@@ -311,9 +311,8 @@ impl Product {
         }
     }
 
-    /// Whether what stands before is a number, or a number with a unit, so that upright letters after it are a unit.
-    fn is_counted(&self) -> bool {
-        self.factors.last().is_some_and(|last| counted(&last.expr))
+    fn last(&self) -> Option<&Expr> {
+        self.factors.last().map(|last| &last.expr)
     }
 
     /// A unit after a number. One that is itself a number, such as `\%` and `\mathrm{rad}`, is no second number beside it.

@@ -8,7 +8,7 @@ mod known;
 mod solve;
 mod state;
 
-use super::refute::{complete, count_symbols, negation, roots};
+use super::refute::{complete, count_symbols, measured_in_units, negation, roots};
 use crate::algebra::{
     Atom, Atoms, Expr, Function, Monomial, Polynomial, Rational, Univariate, Var,
 };
@@ -87,6 +87,7 @@ impl<'a> Posed<'a> {
         if atoms.iter().any(opaque) {
             facts.extend(roots(&mut atoms)?);
         }
+        facts.extend(measured_in_units(claim, &atoms));
         // Where every equation is linear, what there is has rational points among it.
         let is_curved = |fact: &Fact| fact.sign == Sign::Zero && fact.polynomial.degree() > 1;
         let equations = facts.iter().filter(|f| f.sign == Sign::Zero).count();

@@ -1,0 +1,233 @@
+//! Steps that are said of a limit: "In the limit $M \to \infty$ we get $$v = -u$$".
+//!
+//! Such a step is no equation at any point, and none refutes it. What its premises say that the left side is has a limit, exactly, and
+//! that is compared with the right side.
+
+use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::derivation::{Approach, Assumed, Goal, Source};
+use crate::search::{self, Decision};
+
+use super::judge::{Found, Judge, condition, sources, step};
+use super::{Judged, Outcome};
+
+/// How many definitions are put in one after another.
+const MOST_PUT_IN: usize = 8;
+/// How many ways to read what goes where are tried.
+const MOST_READINGS: usize = 4;
+/// Why a step that is said of a limit is neither.
+const OPEN: &str = "it is said of a limit, and what that is could not be told";
+
+impl Judge<'_> {
+    /// What becomes of a goal that is not proved where it stands, if it is said of a limit: it holds if it does as one of the limits
+    /// that may be meant, and fails if it does as none.
+    pub(super) fn in_limit(&self, goal: &Goal, premises: &[usize], found: &Found) -> Option<Found> {
+        let readings = self.derivation.approached(self.at);
+        if readings.is_empty() || !goal.suppositions.is_empty() {
+            return None;
+        }
+        let mut refuted = None;
+        let mut is_open = readings.len() > MOST_READINGS;
+        let mut is_told = false;
+        let told = self.derivation.told(self.at);
+        let named = self.with_what_is_named(goal, &self.usable.assumed);
+        let assumed = named.as_ref().unwrap_or(&self.usable.assumed);
+        let cited: Vec<&Assumed> = assumed.iter().chain(&told).collect();
+        for approach in readings.iter().take(MOST_READINGS) {
+            let Some((limit, used)) = as_limit(goal, approach, &cited) else {
+                continue;
+            };
+            is_told = true;
+            let own = self.judged_as_limit(goal, limit, assumed, &used, approach);
+            match own.judged.outcome {
+                Outcome::Proven(_) => return Some(own),
+                // What else the text says there may be meant, too.
+                Outcome::Refuted(_) if self.says_more_than(&own.judged.assumed, approach) => {
+                    is_open = true;
+                }
+                Outcome::Refuted(_) => refuted = refuted.or(Some(own)),
+                _ => is_open = true,
+            }
+        }
+        if is_told && !is_open {
+            return refuted;
+        }
+        if !is_told && let Some(own) = self.in_limit_of_others(goal, premises, assumed, &readings) {
+            return Some(own);
+        }
+        found.judged.outcome.is_refuted().then(|| {
+            let mut open = Found::open(found.judged.clone());
+            open.leave_open(OPEN);
+            open
+        })
+    }
+
+    /// Whether the text says something beside a limit that a counterexample does not heed.
+    fn says_more_than(&self, assumed: &[Assumed], approach: &Approach) -> bool {
+        let said = self.derivation.said_with_limit(self.at);
+        said.iter().any(|own| {
+            let is_limit = own.names().contains(&approach.variable);
+            !is_limit && !assumed.iter().any(|known| *known.formula == *own)
+        })
+    }
+
+    /// The same of what stands before and is not cited, where nothing that is cited says what the left side is; that refutes nothing.
+    fn in_limit_of_others(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+        assumed: &[Assumed],
+        readings: &[Approach],
+    ) -> Option<Found> {
+        let here = self.derivation.equations[self.at].page;
+        let is_here = |own: &&Assumed| match own.source {
+            Source::Equation(at) => self.derivation.equations[at].page == here,
+            _ => true,
+        };
+        let open = self.open_before(premises);
+        let supposed = assumed.iter();
+        let supposed = supposed.filter(|own| matches!(own.source, Source::Local(..)));
+        let supposed: Vec<Assumed> = supposed.cloned().collect();
+        let others = self.others(premises).iter().flatten().chain(&open);
+        let others = others.filter(is_here).chain(&supposed);
+        let others: Vec<&Assumed> = others.collect();
+        for approach in readings.iter().take(MOST_READINGS) {
+            let Some((limit, used)) = as_limit(goal, approach, &others) else {
+                continue;
+            };
+            let mut own = self.judged_as_limit(goal, limit, &supposed, &used, approach);
+            if own.judged.outcome.is_proven() {
+                own.instead = sources(&used);
+                return Some(own);
+            }
+        }
+        None
+    }
+
+    /// The limit judged from what does not speak of what moves. All else that it speaks of stays where it is.
+    fn judged_as_limit(
+        &self,
+        goal: &Goal,
+        limit: Formula,
+        assumed: &[Assumed],
+        used: &[Assumed],
+        approach: &Approach,
+    ) -> Found {
+        let variable = &approach.variable;
+        let mut assumed: Vec<Assumed> = assumed.to_vec();
+        assumed.retain(|own| !own.formula.names().contains(variable) && !used.contains(own));
+        let others = limit.free_symbols().into_iter();
+        let others = others.filter(|own| own != variable && !own.is_unit());
+        assumed.extend(others.map(|own| condition(&stays(own, variable))));
+        let goal = Goal {
+            formula: limit,
+            ..goal.clone()
+        };
+        let mut found = Found::open(Judged {
+            goal: goal.clone(),
+            assumed: assumed.clone(),
+            outcome: Outcome::open(OPEN),
+        });
+        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+        let Ok(posed) = search::pose(claim) else {
+            return found;
+        };
+        // The points that are known are let go before more are found.
+        let decision = search::decide_within(&posed, &self.auditor.hints(), self.points());
+        match decision {
+            Decision::Proven {
+                derived,
+                conditions,
+            } if conditions.is_empty() => {
+                let (kept, least) = self.least(assumed, &goal, &posed, derived);
+                let is_cited = |own: &Assumed| own.source != Source::Step;
+                if kept.iter().any(is_cited) && self.contradicts_itself(&posed) {
+                    return found;
+                }
+                found.judged.assumed = kept;
+                found.judged.outcome = Outcome::Proven(least.into());
+            }
+            Decision::Proven {
+                derived,
+                conditions,
+            } => {
+                found.judged.assumed.extend(conditions.iter().map(step));
+                if self.is_contradictory(&found.judged.assumed, &goal) {
+                    return found;
+                }
+                found.conditions = conditions;
+                found.judged.outcome = Outcome::Proven(derived.proven.into());
+            }
+            Decision::Refuted(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
+            Decision::Open(_) => {}
+        }
+        // What was put in comes after the hypotheses of the claim.
+        found.judged.assumed.extend_from_slice(used);
+        found
+    }
+}
+
+/// That a symbol does not change with what moves.
+fn stays(symbol: Symbol, variable: &Symbol) -> Formula {
+    let slope = Expr::Derivative {
+        body: Expr::Symbol(symbol).into(),
+        variable: variable.clone(),
+    };
+    Formula::equal(slope, Expr::integer(0))
+}
+
+/// What a formula plainly says that a symbol is.
+fn defined(formula: &Formula) -> Option<(&Symbol, &Expr)> {
+    match formula.as_equation()? {
+        (Expr::Symbol(symbol), value) | (value, Expr::Symbol(symbol))
+            if !value.mentions(symbol) =>
+        {
+            Some((symbol, value))
+        }
+        _ => None,
+    }
+}
+
+/// `\lim v = -u`, of what premises say that `v` is, with those that say so.
+fn as_limit(goal: &Goal, approach: &Approach, all: &[&Assumed]) -> Option<(Formula, Vec<Assumed>)> {
+    let Formula::Relation {
+        left,
+        relation,
+        right,
+    } = &goal.formula
+    else {
+        return None;
+    };
+    let variable = &approach.variable;
+    let compares = matches!(relation, Relation::Equal | Relation::Approximately);
+    if !compares || right.mentions(variable) || matches!(left, Expr::Symbol(own) if own == variable)
+    {
+        return None;
+    }
+    // What the right side speaks of is meant to stay.
+    let kept = right.free_symbols();
+    let (mut body, mut used) = (left.clone(), Vec::<Assumed>::new());
+    for _ in 0..MOST_PUT_IN {
+        let of_body = body.free_symbols();
+        let definitions = all.iter().filter_map(|own| {
+            let (symbol, value) = defined(&own.formula)?;
+            let is_open = of_body.contains(symbol) && symbol != variable && !kept.contains(symbol);
+            let is_new = is_open && !used.contains(own);
+            is_new.then(|| ((*own).clone(), symbol, value))
+        });
+        // What goes somewhere with the variable is what is asked for.
+        let moves = |(_, _, value): &(Assumed, &Symbol, &Expr)| value.mentions(variable);
+        let definition = (definitions.clone().find(moves)).or_else(|| definitions.clone().next());
+        let Some((own, symbol, value)) = definition else {
+            break;
+        };
+        body = body.substitute(symbol, value);
+        used.push(own);
+    }
+    let limit = Expr::Limit {
+        variable: variable.clone(),
+        point: approach.point.clone(),
+        body: body.clone().into(),
+    };
+    let is_function = body.mentions(variable);
+    is_function.then(|| (Formula::equal(limit, right.clone()), used))
+}

@@ -1,0 +1,178 @@
+//! Steps that end in rounded numbers: `g = 9.79\,\mathrm{m/s^2}` from `h = 1.20\,\mathrm{m}` and `t = 0.495\,\mathrm{s}`.
+//!
+//! No exact equation follows from such figures, and none is claimed: what is printed is half a unit of its last decimal wide. So
+//! what does not follow exactly is weighed as a numeric claim is, which proves nothing. It is refuted all the same where it is wrong
+//! whatever the figures were rounded from.
+
+use num_traits::Zero;
+
+use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
+use crate::derivation::{Assumed, Goal, Printed, Source};
+use crate::kernel::Standing;
+use crate::notation::{Precision, Rounding};
+
+use super::numeric::{self, Numeric, Taken, Weighed};
+use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, judge, leave_open, premise};
+
+/// Why a step that ends in a rounded number is neither.
+const ROUNDED: &str = "it is rounded";
+
+impl Auditor<'_> {
+    /// Goals that end in rounded numbers, from the figures as they are printed; if these say otherwise, from all that may have been
+    /// rounded to them.
+    fn weighed(&self, at: usize, goals: &[Goal], assumed: &[Assumed], said: &[Printed]) -> Numeric {
+        let weighed =
+            |taken| numeric::weigh_rounded(self.derivation, at, goals, assumed, taken, said);
+        let numeric = weighed(Taken::Exactly);
+        match numeric.outcome() {
+            Weighed::Contradicted => weighed(Taken::Rounded),
+            _ => numeric,
+        }
+    }
+
+    /// What the page prints before, but for what is wrong.
+    fn printed_before(&self, at: usize) -> Vec<Printed> {
+        let wrong = |premise: usize| {
+            let mut entries = self.entries_of(premise);
+            entries.any(|entry| match entry.verdict {
+                Verdict::Fails | Verdict::IllDimensioned => true,
+                _ => entry
+                    .notes
+                    .iter()
+                    .any(|note| matches!(note, Note::NumericNotSupported)),
+            })
+        };
+        let mut all = self.derivation.figures_before(at);
+        all.retain(|own| !own.equation.is_some_and(wrong));
+        all
+    }
+
+    /// Weighs what was not proved of a statement, if all of that ends in rounded numbers.
+    pub(super) fn weigh_rounded(&self, at: usize, entry: &mut Entry, usable: &premise::Usable) {
+        if !matches!(entry.verdict, Verdict::Fails | Verdict::Undecided) {
+            return;
+        }
+        let is_settled =
+            |own: &&Judged| own.outcome.is_proven() || matches!(own.outcome, Outcome::Defined);
+        let open = entry.judged.iter().filter(|own| !is_settled(own));
+        // A whole number is exact, but not where what it is worked out from is rounded.
+        let as_meant = |own: &Judged| match usable.numeric.is_empty() {
+            true => own.goal.clone(),
+            false => near_whole(&own.goal),
+        };
+        let open: Vec<Goal> = open.map(as_meant).collect();
+        if open.is_empty() || !open.iter().all(is_weighed) {
+            return;
+        }
+        let mut assumed = self.figures(at, usable);
+        // What the links before say.
+        let settled = entry.judged.iter().filter(is_settled);
+        assumed.extend(settled.map(|own| judge::step(&own.goal.formula)));
+        let mut numeric = self.weighed(at, &open, &assumed, &[]);
+        if !numeric.is_supported() {
+            // What is printed elsewhere on the page may say more, and nearer to what is measured.
+            let with = self.weighed(at, &open, &assumed, &self.printed_before(at));
+            if !matches!(with.outcome(), Weighed::NoValue(_)) {
+                numeric = with;
+            }
+        }
+        match (numeric.outcome(), entry.verdict) {
+            (Weighed::Supported | Weighed::NotSettled, _) => {
+                leave_open(entry, ROUNDED);
+                entry
+                    .notes
+                    .retain(|note| !matches!(note, Note::UnstatedCondition(_)));
+            }
+            (Weighed::Contradicted, Verdict::Undecided) => {
+                entry.notes.push(Note::NumericNotSupported);
+            }
+            (Weighed::Contradicted, _) => {
+                (entry.implied, entry.mended) = (None, None);
+                entry.missing.clear();
+            }
+            _ => return,
+        }
+        let mut used = numeric::used(&numeric);
+        used.extend(usable.numeric.iter().copied());
+        let open = self.unproved(at, &used);
+        if !open.is_empty() {
+            entry.notes.push(Note::RestsOnUnproved(open));
+        }
+        entry.numeric = Some(numeric.into());
+    }
+
+    /// What an equation says that is supported by figures.
+    fn supported(&self, premise: usize) -> Vec<Assumed> {
+        let entries = self.entries_of(premise);
+        let weighed = entries.filter_map(|entry| entry.numeric.as_ref());
+        let links = weighed
+            .filter(|own| own.is_supported())
+            .flat_map(|own| &own.links);
+        links
+            .map(|link| Assumed {
+                formula: link.goal.formula.clone().into(),
+                standing: Standing::AtPoint,
+                source: Source::Equation(premise),
+            })
+            .collect()
+    }
+
+    /// What figures may be taken from: what is cited and sound, what the text tells, and what is supported by figures itself.
+    fn figures(&self, at: usize, usable: &premise::Usable) -> Vec<Assumed> {
+        let mut all = self.sound_figures(at, usable);
+        all.extend(self.derivation.told(at));
+        for &premise in &usable.numeric {
+            all.extend(self.supported(premise));
+        }
+        all
+    }
+}
+
+/// Whether a goal that is not proved is weighed: it ends in a rounded number, and is asserted as it stands.
+fn is_weighed(goal: &Goal) -> bool {
+    goal.rounding.is_some() && goal.suppositions.is_empty() && !goal.questioned
+}
+
+/// Leaves open what was refuted, and figures speak against: that is told instead.
+pub(super) fn open_by_figures(entry: &mut Entry) {
+    leave_open(entry, ROUNDED);
+    entry.notes.push(Note::NumericNotSupported);
+}
+
+/// A goal whose right side is a whole number, taken for rounded to its last digit that is not 0.
+fn near_whole(goal: &Goal) -> Goal {
+    let number = match &goal.formula {
+        Formula::Relation {
+            relation: Relation::Equal,
+            right: Expr::Number(number),
+            ..
+        } => Some(number),
+        Formula::Relation {
+            relation: Relation::Equal,
+            right: Expr::Product(factors),
+            ..
+        } => match factors.split_first() {
+            Some((Expr::Number(number), units))
+                if (units.iter()).all(|own| own.free_symbols().iter().all(Symbol::is_unit)) =>
+            {
+                Some(number)
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    let whole = number.filter(|number| number.is_integer() && !number.is_zero());
+    let rounding = whole.map(|number| {
+        let digits = number.to_integer().to_string();
+        let digits: String = digits.chars().filter(char::is_ascii_digit).collect();
+        let leading: BigInt = digits.trim_end_matches('0').parse().unwrap_or_default();
+        Rounding {
+            share: BigRational::new(1.into(), leading * 2),
+            precision: Precision::Whole,
+        }
+    });
+    Goal {
+        rounding: goal.rounding.clone().or(rounding),
+        ..goal.clone()
+    }
+}
