@@ -118,6 +118,17 @@ impl Polynomial {
         }
     }
 
+    /// The unknown, where this is one and nothing else.
+    pub fn as_var(&self) -> Option<Var> {
+        match self.terms.as_slice() {
+            [(monomial, coefficient)] if coefficient.is_one() => match monomial.powers() {
+                [(var, 1)] => Some(*var),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// The coefficient of a monomial, where it occurs.
     pub fn coefficient(&self, monomial: &Monomial) -> Option<&Rational> {
         let found = self.terms.binary_search_by(|(m, _)| m.cmp(monomial));
@@ -322,11 +333,16 @@ impl Polynomial {
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
         let (lead, coefficient) = other.leading()?;
         if let [(monomial, coefficient)] = other.terms.as_slice() {
-            let terms = self.terms.iter();
-            let terms = terms.map(|(m, c)| Some((m.divided_by(monomial)?, c / coefficient)));
-            return terms
-                .collect::<Option<_>>()
-                .map(|terms| Polynomial { terms });
+            let mut terms = Terms::new();
+            for (m, c) in &self.terms {
+                let quotient = (m.divided_by(monomial)?, c / coefficient);
+                // Room is asked for once something divides: most divisions that fail, fail at the first term.
+                if terms.is_empty() {
+                    terms.reserve(self.len());
+                }
+                terms.push(quotient);
+            }
+            return Some(Polynomial { terms });
         }
         // The lowest terms must divide too: most divisions that fail, fail here.
         if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first()) {

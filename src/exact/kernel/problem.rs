@@ -702,7 +702,8 @@ fn counts(claim: &Claim) -> Set<Symbol> {
         {
             found.insert(count.clone());
         }
-        let Some((own, body, outside)) = expr.scope() else {
+        let scope = expr.binder().and_then(|_| expr.scope());
+        let Some((own, body, outside)) = scope else {
             let children = expr.children();
             return children.for_each(|child| collect(child, bound, found));
         };
