@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -391,20 +392,25 @@ impl Polynomial {
     }
 
     /// The greatest monomial that divides every term, and the rest.
-    pub fn without_content(&self) -> (Monomial, Self) {
+    pub fn without_content(&self) -> (Monomial, Cow<'_, Self>) {
         let content = self.content();
         if content.is_one() {
-            return (content, self.clone());
+            return (content, Cow::Borrowed(self));
         }
         let rest = self.divided_by(&Polynomial::term(content.clone(), Rational::one()));
-        (content, rest.unwrap_or_default())
+        (content, Cow::Owned(rest.unwrap_or_default()))
     }
 
     /// The polynomial divided by its leading coefficient; 0 stays 0.
     pub fn monic(&self) -> Self {
+        self.as_monic().into_owned()
+    }
+
+    /// The same, without a copy of what is monic already.
+    pub fn as_monic(&self) -> Cow<'_, Self> {
         match self.leading() {
-            Some((_, c)) if !c.is_one() => self.scaled(&c.recip()),
-            _ => self.clone(),
+            Some((_, c)) if !c.is_one() => Cow::Owned(self.scaled(&c.recip())),
+            _ => Cow::Borrowed(self),
         }
     }
 

@@ -126,16 +126,18 @@ impl Problem {
             ..functions.unwrap_or_default()
         });
         let constants = constants(claim, &named, pi);
+        // Most hypotheses and most domains say one thing, or two.
+        let likely = 2 * (claim.hypotheses.len() + claim.domains.len());
         let mut problem = Problem {
             atoms: Atoms::default(),
-            facts: Vec::new(),
-            origins: Vec::new(),
+            facts: Vec::with_capacity(likely),
+            origins: Vec::with_capacity(likely),
             goal: Fact {
                 polynomial: Polynomial::zero(),
                 sign: Sign::Zero,
             },
             conditions: Conditions::default(),
-            readings: Vec::new(),
+            readings: Vec::with_capacity(likely),
             integers: Vec::new(),
             sequences,
             elements: claim.sequences.clone(),
