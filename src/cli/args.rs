@@ -84,6 +84,11 @@ impl Args {
         args.output = args.output.filter(|file| file.as_os_str() != "-");
         args
     }
+
+    /// Whether it is audited again whenever a document changes.
+    pub fn is_watching(&self) -> bool {
+        matches!(self.command, Some(Command::Check { watch: true, .. }))
+    }
 }
 
 /// What makes an audit fail.

@@ -67,7 +67,7 @@ pub(super) fn run(args: &Args) -> Done {
     match &args.command {
         None => {
             let (derivation, shown) = inside(args);
-            audit::audit(&derivation, args, &args.gate, &shown)
+            audit::audit(derivation, args, &args.gate, &shown)
         }
         Some(Command::Check {
             paths,
@@ -76,7 +76,7 @@ pub(super) fn run(args: &Args) -> Done {
             watch: _,
         }) => {
             let (derivation, shown) = read(args, paths, stdin_filename.as_deref())?;
-            audit::audit(&derivation, args, gate, &shown)
+            audit::audit(derivation, args, gate, &shown)
         }
         Some(Command::Explain {
             label,

@@ -3,6 +3,7 @@
 use super::Report;
 use super::remark::Known;
 use super::style::{BOLD, DIM, paint};
+use crate::parallel::in_order;
 
 impl Report<'_> {
     /// The page, with colours in it. `show_understood` adds to each line what was read.
@@ -12,16 +13,23 @@ impl Report<'_> {
 
     /// The page without what is known of its findings.
     pub fn human_but(&self, show_understood: bool, known: &Known) -> String {
-        let mut text = self.lines(show_understood);
-        let findings = self.diagnostics(known);
-        if !findings.is_empty() {
-            text += &paint(BOLD, "Findings");
-            text += "\n\n";
-            text += &findings;
+        // The findings take longest to write, so they are begun first.
+        let parts: [&(dyn Fn() -> String + Sync); 3] = [
+            &|| self.diagnostics(known),
+            &|| self.lines(show_understood),
+            &|| self.summary(),
+        ];
+        let mut written = in_order(parts, |write| write()).into_iter();
+        let mut next = || written.next().unwrap_or_default();
+        let (findings, mut text, summary) = (next(), next(), next());
+        for (title, part) in [("Findings", findings), ("Summary", summary)] {
+            if !part.is_empty() {
+                text += &paint(BOLD, title);
+                text += "\n\n";
+                text += &part;
+            }
         }
-        text += &paint(BOLD, "Summary");
-        text += "\n\n";
-        text + &self.summary()
+        text
     }
 
     /// The lines alone, under the title of each page.

@@ -1,3 +1,5 @@
+use std::cmp::Ordering;
+
 use super::{Expr, Symbol, Var};
 
 /// What a polynomial is a polynomial in.
@@ -49,10 +51,27 @@ pub struct Atoms {
 impl Atoms {
     /// The unknown that stands for an atom.
     pub fn var(&mut self, atom: Atom) -> Var {
-        let at = match self.place(&atom) {
-            Ok(at) => return self.sorted[at],
-            Err(at) => at,
-        };
+        match self.place(&atom) {
+            Ok(at) => self.sorted[at],
+            Err(at) => self.put(atom, at),
+        }
+    }
+
+    /// The same for a symbol, which is copied only where it has not been met.
+    pub fn var_of_symbol(&mut self, symbol: &Symbol) -> Var {
+        // Symbols come before all other atoms.
+        let place = (self.sorted).binary_search_by(|var| match &self.list[var.position()] {
+            Atom::Symbol(own) => own.cmp(symbol),
+            _ => Ordering::Greater,
+        });
+        match place {
+            Ok(at) => self.sorted[at],
+            Err(at) => self.put(Atom::Symbol(symbol.clone()), at),
+        }
+    }
+
+    /// Takes in an atom that has not been met, at its place among the sorted ones.
+    fn put(&mut self, atom: Atom, at: usize) -> Var {
         // A document of 2^32 symbols does not fit in memory.
         let var = Var(self.list.len() as u32);
         self.list.push(atom);

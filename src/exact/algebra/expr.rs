@@ -24,6 +24,13 @@ impl<'a> Iterator for Children<'a> {
             }
         }
     }
+
+    /// All that are left in one go: walks over whole terms are made of this.
+    #[inline]
+    fn fold<B, F: FnMut(B, &'a Expr) -> B>(self, start: B, mut join: F) -> B {
+        let few = self.few.into_iter().flatten().fold(start, &mut join);
+        self.many.fold(few, join)
+    }
 }
 
 /// A mathematical term, as its author structured it. There is no floating point in it: decimals are rationals.
@@ -320,7 +327,14 @@ impl Expr {
 
     /// Whether the term itself or any part of it is as asked, what is bound included.
     pub fn any(&self, is: &impl Fn(&Expr) -> bool) -> bool {
-        is(self) || self.children().any(|child| child.any(is))
+        is(self)
+            || match self {
+                // Most terms are one of these.
+                Expr::Number(_) | Expr::Symbol(_) => false,
+                Expr::Sum(terms) | Expr::Product(terms) => terms.iter().any(|term| term.any(is)),
+                Expr::Quotient(a, b) | Expr::Power(a, b) => a.any(is) || b.any(is),
+                _ => self.children().any(|child| child.any(is)),
+            }
     }
 
     /// Whether a symbol occurs anywhere, bound or free, as a sequence or as an index too.
@@ -389,11 +403,15 @@ impl Expr {
             }
         };
         match self {
-            // Most terms are one of these four, and bind nothing.
+            // Most terms are one of these, and bind nothing.
             Expr::Symbol(symbol) => return add(symbol, bound),
             Expr::Number(_) => return,
             Expr::Sum(terms) | Expr::Product(terms) => {
                 return terms.iter().for_each(|e| e.collect_free(bound, free));
+            }
+            Expr::Quotient(a, b) | Expr::Power(a, b) => {
+                a.collect_free(bound, free);
+                return b.collect_free(bound, free);
             }
             Expr::Derivative { variable, .. } => add(variable, bound),
             Expr::Partial { variable, .. } => {

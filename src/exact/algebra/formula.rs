@@ -3,6 +3,9 @@ use smallvec::{SmallVec, smallvec};
 use super::{Expr, Moved, Symbol};
 use crate::sorted::Set;
 
+/// Few claims speak of more symbols: so many are listed without asking for more room.
+const FEW_SYMBOLS: usize = 16;
+
 /// How two terms are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Relation {
@@ -193,7 +196,7 @@ impl Formula {
 
     /// The same for several formulas at once, in order.
     pub fn free_symbols_of<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Vec<&'a Symbol> {
-        let mut free = Vec::new();
+        let mut free = Vec::with_capacity(FEW_SYMBOLS);
         for formula in formulas {
             for term in formula.terms() {
                 term.collect_free(&mut Vec::new(), &mut free);

@@ -183,11 +183,15 @@ pub fn product<'a>(
 /// The factors that a polynomial visibly has: its unknowns' powers and what is left, monic. Constants are dropped.
 pub fn factors(polynomial: &Polynomial) -> Map<Polynomial, u32> {
     let content = polynomial.content();
-    let mut factors: Map<Polynomial, u32> = content
-        .powers()
-        .iter()
+    // Of two unknowns the later one comes first.
+    let powers = content.powers().iter().rev();
+    let mut factors: Map<Polynomial, u32> = powers
         .map(|&(v, e): &(Var, u32)| (Polynomial::var(v), e))
         .collect();
+    // A single term is its unknowns and a number.
+    if polynomial.len() == 1 {
+        return factors;
+    }
     let whole = Polynomial::term(content, Rational::one());
     if let Some(rest) = polynomial.divided_by(&whole)
         && rest.as_constant().is_none()

@@ -262,13 +262,12 @@ impl Lowering<'_> {
 
     /// A power of a symbol: of its root, where it is read so.
     fn symbol_power(&mut self, symbol: &Symbol, exponent: u32) -> Monomial {
-        let atom = self.atom_of_symbol(symbol);
-        let order = match &atom {
-            Atom::Symbol(own) => self.powers.and_then(|p| p.roots.get(own).copied()),
-            _ => None,
-        };
+        if let Some(element) = self.element(symbol) {
+            return Monomial::power(self.atoms.var(element), exponent);
+        }
+        let order = self.powers.and_then(|p| p.roots.get(symbol).copied());
         match order {
-            None => Monomial::power(self.atoms.var(atom), exponent),
+            None => Monomial::power(self.atoms.var_of_symbol(symbol), exponent),
             Some(order) => {
                 let of = symbol.clone();
                 let root = self.atoms.var(Atom::Root { of, order });
@@ -283,15 +282,17 @@ impl Lowering<'_> {
 
     /// `u_3` is an element where `u` is a sequence.
     pub(super) fn atom_of_symbol(&self, symbol: &Symbol) -> Atom {
+        let element = self.element(symbol);
+        element.unwrap_or_else(|| Atom::Symbol(symbol.clone()))
+    }
+
+    fn element(&self, symbol: &Symbol) -> Option<Atom> {
         if self.sequences.is_empty() {
-            return Atom::Symbol(symbol.clone());
+            return None;
         }
-        let element = element_name(symbol)
-            .and_then(|(name, position)| Some((self.sequences.get(name)?.clone(), position)));
-        match element {
-            Some((sequence, position)) => Atom::Element { sequence, position },
-            None => Atom::Symbol(symbol.clone()),
-        }
+        let (name, position) = element_name(symbol)?;
+        let sequence = self.sequences.get(name)?.clone();
+        Some(Atom::Element { sequence, position })
     }
 
     /// `1 / divisor`. Its factors are kept apart: `(x + y)^2` vanishes where `x + y` does.
@@ -331,7 +332,11 @@ impl Lowering<'_> {
     }
 
     fn power(&mut self, base: &Expr, exponent: &Expr) -> Lowered {
-        let (base, exponent) = (self.lower(base)?, self.lower(exponent)?);
+        let base = self.lower(base)?;
+        if let Expr::Number(exponent) = exponent {
+            return self.rational_power(&base, &exponent.into());
+        }
+        let exponent = self.lower(exponent)?;
         if let Some(exponent) = exponent.as_constant() {
             return self.rational_power(&base, &exponent);
         }
@@ -358,10 +363,11 @@ impl Lowering<'_> {
             let inverse = self.recip(base)?;
             return self.rational_power(&inverse, &-exponent);
         }
-        let power = exponent.numer().to_u32().ok_or(LowerError::TooLarge)?;
         if exponent.is_integer() {
+            let power = exponent.to_u32().ok_or(LowerError::TooLarge)?;
             return Ok(base.pow(power)?);
         }
+        let power = exponent.numer().to_u32().ok_or(LowerError::TooLarge)?;
         if self.powers.is_some() {
             let order = exponent.denom().to_u32().ok_or(LowerError::TooLarge)?;
             return self.root_taken_apart(base, power, order);

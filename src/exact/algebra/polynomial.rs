@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -114,6 +115,17 @@ impl Polynomial {
         match self.terms.len() {
             0 => Some(Rational::zero()),
             1 if self.terms[0].0.is_one() => Some(self.terms[0].1.clone()),
+            _ => None,
+        }
+    }
+
+    /// The unknown, where this is one and nothing else.
+    pub fn as_var(&self) -> Option<Var> {
+        match self.terms.as_slice() {
+            [(monomial, coefficient)] if coefficient.is_one() => match monomial.powers() {
+                [(var, 1)] => Some(*var),
+                _ => None,
+            },
             _ => None,
         }
     }
@@ -322,11 +334,16 @@ impl Polynomial {
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
         let (lead, coefficient) = other.leading()?;
         if let [(monomial, coefficient)] = other.terms.as_slice() {
-            let terms = self.terms.iter();
-            let terms = terms.map(|(m, c)| Some((m.divided_by(monomial)?, c / coefficient)));
-            return terms
-                .collect::<Option<_>>()
-                .map(|terms| Polynomial { terms });
+            let mut terms = Terms::new();
+            for (m, c) in &self.terms {
+                let quotient = (m.divided_by(monomial)?, c / coefficient);
+                // Room is asked for once something divides: most divisions that fail, fail at the first term.
+                if terms.is_empty() {
+                    terms.reserve(self.len());
+                }
+                terms.push(quotient);
+            }
+            return Some(Polynomial { terms });
         }
         // The lowest terms must divide too: most divisions that fail, fail here.
         if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first()) {
@@ -375,20 +392,25 @@ impl Polynomial {
     }
 
     /// The greatest monomial that divides every term, and the rest.
-    pub fn without_content(&self) -> (Monomial, Self) {
+    pub fn without_content(&self) -> (Monomial, Cow<'_, Self>) {
         let content = self.content();
         if content.is_one() {
-            return (content, self.clone());
+            return (content, Cow::Borrowed(self));
         }
         let rest = self.divided_by(&Polynomial::term(content.clone(), Rational::one()));
-        (content, rest.unwrap_or_default())
+        (content, Cow::Owned(rest.unwrap_or_default()))
     }
 
     /// The polynomial divided by its leading coefficient; 0 stays 0.
     pub fn monic(&self) -> Self {
+        self.as_monic().into_owned()
+    }
+
+    /// The same, without a copy of what is monic already.
+    pub fn as_monic(&self) -> Cow<'_, Self> {
         match self.leading() {
-            Some((_, c)) if !c.is_one() => self.scaled(&c.recip()),
-            _ => self.clone(),
+            Some((_, c)) if !c.is_one() => Cow::Owned(self.scaled(&c.recip())),
+            _ => Cow::Borrowed(self),
         }
     }
 

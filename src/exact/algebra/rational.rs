@@ -119,6 +119,15 @@ impl Rational {
         }
     }
 
+    /// As a natural number, where it is one that is not too large.
+    pub fn to_u32(&self) -> Option<u32> {
+        match &self.0 {
+            Form::Small(n, 1) => u32::try_from(*n).ok(),
+            // What does not fit in a machine word is no such number.
+            _ => None,
+        }
+    }
+
     /// Whether this is greater than 0.
     pub fn is_positive(&self) -> bool {
         match &self.0 {

@@ -6,10 +6,10 @@
 
 use std::sync::LazyLock;
 
-use num_traits::{One, Signed, Zero};
+use num_traits::Zero;
 
 use super::Interval;
-use crate::algebra::{BigInt, BigRational, Expr, Function, Symbol};
+use crate::algebra::{BigInt, BigRational, Expr, Function, Rational, Symbol};
 use crate::sorted::Map;
 
 /// Longer sums are not put together.
@@ -44,9 +44,9 @@ pub enum NoInterval {
 pub struct Figures(Map<Symbol, Interval>);
 
 /// Factors with their exponents, which are not 0.
-type Powers = Map<Expr, BigRational>;
+type Powers = Map<Expr, Rational>;
 /// A sum of products of powers, with their coefficients, which are not 0.
-type Terms = Map<Powers, BigRational>;
+type Terms = Map<Powers, Rational>;
 
 /// What figures give for the two sides of a relation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -103,7 +103,7 @@ impl Figures {
     fn difference(&self, left: &Terms, right: &Terms, plain: Interval) -> Interval {
         let mut joint = left.clone();
         for (powers, coefficient) in right {
-            add(&mut joint, powers.clone(), -coefficient.clone());
+            add(&mut joint, powers.clone(), -coefficient);
         }
         if joint.len() > MOST_TERMS {
             return plain;
@@ -122,7 +122,7 @@ impl Figures {
         divisor: &Expr,
         plain: Interval,
     ) -> Result<Interval, NoInterval> {
-        let mut inverse = self.raised(below.clone(), divisor, &-BigRational::one(), 0)?;
+        let mut inverse = self.raised(below.clone(), divisor, &Rational::from(-1), 0)?;
         let (Some((powers, factor)), true) = (inverse.pop_first(), inverse.is_empty()) else {
             return Ok(plain);
         };
@@ -137,11 +137,12 @@ impl Figures {
     fn interval(&self, terms: &Terms, depth: usize) -> Result<Interval, NoInterval> {
         let mut sum = Interval::exactly(BigRational::zero());
         for (powers, coefficient) in terms {
-            let mut product = Interval::exactly(coefficient.clone());
+            let mut product = Interval::exactly(coefficient.to_big());
             for (factor, exponent) in powers {
                 let value = self.factor(factor, depth)?;
                 let undefined = || NoInterval::Undefined(factor.clone());
-                product = &product * &value.power(exponent).ok_or_else(undefined)?;
+                let power = value.power(&exponent.to_big());
+                product = &product * &power.ok_or_else(undefined)?;
             }
             sum = &sum + &product;
         }
@@ -178,8 +179,8 @@ impl Figures {
         }
         let deeper = |inner: &Expr| self.terms(inner, depth + 1);
         match term {
-            Expr::Number(value) => Ok(constant(value.clone())),
-            Expr::Symbol(_) | Expr::Call(Function::Abs, _) => Ok(single(term, BigRational::one())),
+            Expr::Number(value) => Ok(constant(value.into())),
+            Expr::Symbol(_) | Expr::Call(Function::Abs, _) => Ok(single(term, Rational::one())),
             Expr::Sum(parts) => {
                 let mut sum = Terms::new();
                 for part in parts {
@@ -197,20 +198,20 @@ impl Figures {
                 Ok(negated.map(|(powers, c)| (powers, -c)).collect())
             }
             Expr::Product(factors) => {
-                let mut product = constant(BigRational::one());
+                let mut product = constant(Rational::one());
                 for factor in factors {
                     product = times(product, whole(deeper(factor)?, factor));
                 }
                 Ok(product)
             }
             Expr::Quotient(above, below) => {
-                let inverse = self.raised(deeper(below)?, below, &-BigRational::one(), depth)?;
+                let inverse = self.raised(deeper(below)?, below, &Rational::from(-1), depth)?;
                 Ok(times(whole(deeper(above)?, above), inverse))
             }
             Expr::Power(base, exponent) => {
                 let exponent =
                     number(exponent).ok_or_else(|| NoInterval::Unsupported(term.clone()))?;
-                self.raised(deeper(base)?, base, &exponent, depth)
+                self.raised(deeper(base)?, base, &exponent.into(), depth)
             }
             _ => Err(NoInterval::Unsupported(term.clone())),
         }
@@ -221,14 +222,14 @@ impl Figures {
         &self,
         terms: Terms,
         base: &Expr,
-        exponent: &BigRational,
+        exponent: &Rational,
         depth: usize,
     ) -> Result<Terms, NoInterval> {
         if exponent.is_one() {
             return Ok(terms);
         }
         if exponent.is_zero() {
-            return Ok(constant(BigRational::one()));
+            return Ok(constant(Rational::one()));
         }
         if terms.is_empty() && exponent.is_negative() {
             return Err(NoInterval::Undefined(base.clone()));
@@ -248,8 +249,9 @@ impl Figures {
                 return Err(NoInterval::Undefined(base.clone()));
             }
             if !known {
-                let power = Expr::Power(base.clone().into(), Expr::Number(exponent.clone()).into());
-                return Ok(single(&power, BigRational::one()));
+                let exponent = Expr::Number(exponent.to_big());
+                let power = Expr::Power(base.clone().into(), exponent.into());
+                return Ok(single(&power, Rational::one()));
             }
         }
         let mut raised: Powers = powers
@@ -257,20 +259,20 @@ impl Figures {
             .map(|(factor, own)| (factor, own * exponent))
             .collect();
         if exponent.is_integer() {
-            let value = Interval::exactly(coefficient).power(exponent);
+            let value = Interval::exactly(coefficient.to_big()).power(&exponent.to_big());
             let value = value.ok_or(NoInterval::TooLarge)?;
-            return Ok(Map::from([(raised, value.low)]));
+            return Ok(Map::from([(raised, value.low.into())]));
         }
         if coefficient.is_negative() {
             return Err(NoInterval::Undefined(base.clone()));
         }
         if !coefficient.is_one() {
             *raised
-                .entry(Expr::Number(coefficient))
-                .or_insert_with(BigRational::zero) += exponent;
+                .entry(Expr::Number(coefficient.to_big()))
+                .or_insert_with(Rational::zero) += exponent;
         }
         raised.retain(|_, exponent| !exponent.is_zero());
-        Ok(Map::from([(raised, BigRational::one())]))
+        Ok(Map::from([(raised, Rational::one())]))
     }
 }
 
@@ -287,21 +289,21 @@ pub(super) fn number(term: &Expr) -> Option<BigRational> {
     }
 }
 
-fn constant(value: BigRational) -> Terms {
+fn constant(value: Rational) -> Terms {
     match value.is_zero() {
         true => Terms::new(),
         false => Map::from([(Powers::new(), value)]),
     }
 }
 
-fn single(factor: &Expr, exponent: BigRational) -> Terms {
-    Map::from([(Map::from([(factor.clone(), exponent)]), BigRational::one())])
+fn single(factor: &Expr, exponent: Rational) -> Terms {
+    Map::from([(Map::from([(factor.clone(), exponent)]), Rational::one())])
 }
 
 /// A sum of several terms as a factor of its own.
 fn whole(terms: Terms, term: &Expr) -> Terms {
     match terms.len() > 1 {
-        true => single(term, BigRational::one()),
+        true => single(term, Rational::one()),
         false => terms,
     }
 }
@@ -320,16 +322,14 @@ fn times(left: Terms, right: Terms) -> Terms {
 fn multiplied(left: &Powers, right: &Powers) -> Powers {
     let mut product = left.clone();
     for (factor, exponent) in right {
-        *product
-            .entry(factor.clone())
-            .or_insert_with(BigRational::zero) += exponent;
+        *product.entry(factor.clone()).or_insert_with(Rational::zero) += exponent;
     }
     product.retain(|_, exponent| !exponent.is_zero());
     product
 }
 
-fn add(sum: &mut Terms, powers: Powers, coefficient: BigRational) {
-    let total = sum.entry(powers.clone()).or_insert_with(BigRational::zero);
+fn add(sum: &mut Terms, powers: Powers, coefficient: Rational) {
+    let total = sum.entry(powers.clone()).or_insert_with(Rational::zero);
     *total += coefficient;
     if total.is_zero() {
         sum.remove(&powers);

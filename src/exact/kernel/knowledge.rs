@@ -1,3 +1,5 @@
+use std::borrow::Cow;
+
 use super::{Fact, Sign};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
 use crate::sorted::Set;
@@ -32,11 +34,11 @@ impl Knowledge {
                 self.nonzero.insert(polynomial.monic());
             }
             Sign::NonNegative => {
-                self.nonnegative.insert(normal(polynomial));
+                self.nonnegative.insert(normal(polynomial).into_owned());
             }
             Sign::Positive => {
                 self.nonzero.insert(polynomial.monic());
-                self.positive.insert(normal(polynomial));
+                self.positive.insert(normal(polynomial).into_owned());
             }
         }
         if matches!(fact.sign, Sign::NonZero | Sign::Positive) {
@@ -102,7 +104,7 @@ impl Knowledge {
 
     /// Whether a polynomial is known to be positive.
     pub fn is_positive(&self, polynomial: &Polynomial) -> bool {
-        if self.inspect(polynomial).1 || self.positive.contains(&normal(polynomial)) {
+        if self.inspect(polynomial).1 || self.positive.contains(&*normal(polynomial)) {
             return true;
         }
         let (content, rest) = polynomial.without_content();
@@ -117,7 +119,7 @@ impl Knowledge {
     /// Whether a polynomial is known not to be negative.
     pub fn is_nonnegative(&self, polynomial: &Polynomial) -> bool {
         self.inspect(polynomial).0
-            || self.nonnegative.contains(&normal(polynomial))
+            || self.nonnegative.contains(&*normal(polynomial))
             || self.is_positive(polynomial)
     }
 
@@ -127,9 +129,9 @@ impl Knowledge {
             return false;
         }
         let (content, rest) = polynomial.without_content();
-        self.nonzero.contains(&polynomial.monic())
+        self.nonzero.contains(&*polynomial.as_monic())
             || self.monomial_is_nonzero(&content)
-                && (self.nonzero.contains(&rest.monic())
+                && (self.nonzero.contains(&*rest.as_monic())
                     || self.is_positive(&rest)
                     || self.is_positive(&rest.negated()))
     }
@@ -162,9 +164,9 @@ fn difference_of_squares(polynomial: &Polynomial) -> Option<[Polynomial; 2]> {
 }
 
 /// The positive multiple with leading coefficient 1 or −1.
-fn normal(polynomial: &Polynomial) -> Polynomial {
-    match polynomial.leading() {
-        Some((_, c)) => polynomial.scaled(&c.abs().recip()),
-        None => Polynomial::zero(),
+fn normal(polynomial: &Polynomial) -> Cow<'_, Polynomial> {
+    match polynomial.leading().map(|(_, c)| c.abs()) {
+        Some(size) if !size.is_one() => Cow::Owned(polynomial.scaled(&size.recip())),
+        _ => Cow::Borrowed(polynomial),
     }
 }

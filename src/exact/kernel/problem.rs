@@ -126,16 +126,18 @@ impl Problem {
             ..functions.unwrap_or_default()
         });
         let constants = constants(claim, &named, pi);
+        // Most hypotheses and most domains say one thing, or two.
+        let likely = 2 * (claim.hypotheses.len() + claim.domains.len());
         let mut problem = Problem {
             atoms: Atoms::default(),
-            facts: Vec::new(),
-            origins: Vec::new(),
+            facts: Vec::with_capacity(likely),
+            origins: Vec::with_capacity(likely),
             goal: Fact {
                 polynomial: Polynomial::zero(),
                 sign: Sign::Zero,
             },
             conditions: Conditions::default(),
-            readings: Vec::new(),
+            readings: Vec::with_capacity(likely),
             integers: Vec::new(),
             sequences,
             elements: claim.sequences.clone(),
@@ -704,7 +706,8 @@ fn counts(claim: &Claim) -> Set<Symbol> {
         {
             found.insert(count.clone());
         }
-        let Some((own, body, outside)) = expr.scope() else {
+        let scope = expr.binder().and_then(|_| expr.scope());
+        let Some((own, body, outside)) = scope else {
             let children = expr.children();
             return children.for_each(|child| collect(child, bound, found));
         };

@@ -187,15 +187,12 @@ impl Target {
         let mut target = Target::unordered(facts, integers);
         target.wanted = wanted;
         // What cannot vanish makes the better unit.
-        let nonzero = |var: &Var| {
-            let alone = |f: &&Fact| {
-                matches!(f.sign, Sign::NonZero | Sign::Positive)
-                    && f.polynomial == Polynomial::var(*var)
-            };
-            !facts.iter().any(|f| alone(&f))
-        };
+        let certain = facts
+            .iter()
+            .filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive));
+        let nonzero: Vec<Var> = certain.filter_map(|f| f.polynomial.as_var()).collect();
         let mut preferred = target.order.clone();
-        sorted::sort_by_key(&mut preferred, nonzero);
+        sorted::sort_by_key(&mut preferred, |var| !nonzero.contains(var));
         let all = facts.iter().map(|f| &f.polynomial);
         target.units = unit_choices(all, &preferred, |var| target.integers.contains(&var));
         target

@@ -186,29 +186,61 @@ fn sum_of_squares(goal: &Polynomial) -> Option<Vec<PositiveTerm>> {
 
 struct Column {
     value: Polynomial,
-    /// `None` for an equation, which may be taken with either sign.
-    term: Option<PositiveTerm>,
-    equation: Option<(usize, Polynomial)>,
+    made: Made,
     strict: bool,
+}
+
+/// How a column is made. Few of many columns are of any use, and only these are put into words.
+enum Made {
+    /// A weight, which is not negative, times something.
+    Product(Monomial, Of),
+    /// An equation times a weight; it may be taken with either sign.
+    Equation(usize, Monomial),
+}
+
+/// What is not negative besides a weight.
+enum Of {
+    Nothing,
+    Series(SeriesSquare),
+    Fact(usize),
+    Facts(usize, usize),
+    Square(Polynomial),
+}
+
+impl Column {
+    fn is_equation(&self) -> bool {
+        matches!(self.made, Made::Equation(..))
+    }
+
+    /// What the column is, with a coefficient; none for an equation.
+    fn term(&self, coefficient: Rational) -> Option<PositiveTerm> {
+        let Made::Product(weight, of) = &self.made else {
+            return None;
+        };
+        let mut term = monomial_term(weight, coefficient);
+        match of {
+            Of::Nothing => {}
+            Of::Series(series) => term.series.push(series.clone()),
+            Of::Fact(at) => term.facts.push(*at),
+            Of::Facts(one, other) => term.facts.extend([*one, *other]),
+            Of::Square(form) => term.squares.push(form.clone()),
+        }
+        Some(term)
+    }
 }
 
 /// A nonnegative combination of what is known, without products.
 fn plain_combination(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decomposition> {
     let facts = known.facts.iter().map(|(at, fact)| Column {
         value: fact.polynomial.clone(),
-        term: Some(PositiveTerm {
-            facts: vec![*at],
-            ..plain(Rational::one())
-        }),
-        equation: None,
+        made: Made::Product(Monomial::one(), Of::Fact(*at)),
         strict: fact.sign == Sign::Positive,
     });
     let free = known.equations.iter().enumerate();
     let free = free.filter(|(_, e)| e.multiplier.is_empty());
     let equations = free.map(|(at, equation)| Column {
         value: equation.polynomial.clone(),
-        term: None,
-        equation: Some((at, Polynomial::one())),
+        made: Made::Equation(at, Monomial::one()),
         strict: false,
     });
     solved(goal, strict, facts.chain(equations).collect())
@@ -235,12 +267,10 @@ fn solved(goal: &Polynomial, strict: bool, mut columns: Vec<Column>) -> Option<D
         for shift in [0, 2, 6, 12] {
             let epsilon = Rational::ratio(1, 1 << shift);
             let rest = goal.minus(&columns[at].value.scaled(&epsilon));
-            if let (Some(mut found), Some(term)) = (solve(&rest, &columns), &columns[at].term) {
-                let coefficient = &term.coefficient * epsilon;
-                found.terms.push(PositiveTerm {
-                    coefficient,
-                    ..term.clone()
-                });
+            if let (Some(mut found), Some(term)) =
+                (solve(&rest, &columns), columns[at].term(epsilon))
+            {
+                found.terms.push(term);
                 return Some(found);
             }
         }
@@ -263,7 +293,7 @@ fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
     };
     let mut matrix: Vec<_> = columns.iter().map(|c| entries(&c.value)).collect();
     let free: Vec<usize> = (0..columns.len())
-        .filter(|&at| columns[at].term.is_none())
+        .filter(|&at| columns[at].is_equation())
         .collect();
     matrix.extend(free.iter().map(|&at| entries(&columns[at].value.negated())));
     let mut right = vec![Rational::zero(); rows.len()];
@@ -280,13 +310,11 @@ fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
         if weight.is_zero() {
             continue;
         }
-        match (&column.term, &column.equation) {
-            (Some(term), _) => terms.push(PositiveTerm {
-                coefficient: &term.coefficient * &weight,
-                ..term.clone()
-            }),
-            (None, Some((index, factor))) => equations.push((*index, factor.scaled(&weight))),
-            (None, None) => return None,
+        match &column.made {
+            Made::Product(..) => terms.extend(column.term(weight)),
+            Made::Equation(index, factor) => {
+                equations.push((*index, Polynomial::term(factor.clone(), weight)));
+            }
         }
     }
     Some(Decomposition { terms, equations })
@@ -307,9 +335,9 @@ fn kept(columns: &[Column], goal: &Polynomial) -> Vec<bool> {
     let place = |monomial: &Monomial| monomials.binary_search(&monomial).unwrap_or(0);
     // Each term as the place of its monomial, and whether it can add to that, and take from it.
     let signed = |(m, c): (&Monomial, &Rational)| (place(m), (c.is_positive(), c.is_negative()));
-    let terms = columns.iter().map(|column| match column.term {
-        Some(_) => column.value.terms().map(signed).collect(),
-        None => (column.value.terms())
+    let terms = columns.iter().map(|column| match column.made {
+        Made::Product(..) => column.value.terms().map(signed).collect(),
+        Made::Equation(..) => (column.value.terms())
             .map(|(m, _)| (place(m), (true, true)))
             .collect(),
     });
@@ -347,12 +375,11 @@ fn kept(columns: &[Column], goal: &Polynomial) -> Vec<bool> {
 fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
     let knowledge = known.knowledge;
     let mut columns: Vec<Column> = Vec::new();
-    let mut push = |value: Polynomial, term: PositiveTerm, strict: bool| {
+    let mut push = |value: Polynomial, weight: &Monomial, of: Of, strict: bool| {
         if !value.is_zero() && columns.len() < MOST_CANDIDATES {
             columns.push(Column {
                 value,
-                term: Some(term),
-                equation: None,
+                made: Made::Product(weight.clone(), of),
                 strict,
             });
         }
@@ -381,19 +408,15 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
         .collect();
     for monomial in support.iter().chain(&weights) {
         if knowledge.is_nonnegative(&polynomial(monomial)) {
-            push(
-                polynomial(monomial),
-                monomial_term(monomial, one()),
-                knowledge.monomial_is_positive(monomial),
-            );
+            let strict = knowledge.monomial_is_positive(monomial);
+            push(polynomial(monomial), monomial, Of::Nothing, strict);
         }
     }
     // Sums of squares over the elements of sequences.
     for (value, series) in series_squares(known.atoms) {
         for weight in &weights {
-            let mut term = monomial_term(weight, one());
-            term.series.push(series.clone());
-            push(value.times(&polynomial(weight)).ok()?, term, false);
+            let value = value.times(&polynomial(weight)).ok()?;
+            push(value, weight, Of::Series(series.clone()), false);
         }
     }
     let facts: Vec<&(usize, Fact)> = known
@@ -404,23 +427,17 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
         .collect();
     for (at, fact) in &facts {
         for weight in &weights {
-            let mut term = monomial_term(weight, one());
-            term.facts.push(*at);
             let strict = fact.sign == Sign::Positive && knowledge.monomial_is_positive(weight);
-            push(
-                fact.polynomial.times(&polynomial(weight)).ok()?,
-                term,
-                strict,
-            );
+            let value = fact.polynomial.times(&polynomial(weight)).ok()?;
+            push(value, weight, Of::Fact(*at), strict);
         }
     }
     if facts.len() <= 12 {
         for (i, (at, a)) in facts.iter().enumerate() {
             for (other, b) in &facts[i..] {
-                let mut term = plain(one());
-                term.facts = vec![*at, *other];
                 let strict = a.sign == Sign::Positive && b.sign == Sign::Positive;
-                push(a.polynomial.times(&b.polynomial).ok()?, term, strict);
+                let value = a.polynomial.times(&b.polynomial).ok()?;
+                push(value, &Monomial::one(), Of::Facts(*at, *other), strict);
             }
         }
     }
@@ -443,16 +460,13 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
     let halves: Vec<Monomial> = halves.into_iter().take(8).collect();
     for (i, a) in halves.iter().enumerate() {
         for b in &halves[i + 1..] {
+            let (a, b) = (polynomial(a), polynomial(b));
+            let forms = [a.minus(&b), a.plus(&b)];
+            let squares = [forms[0].pow(2).ok()?, forms[1].pow(2).ok()?];
             for weight in &weights {
-                for sign in [-1, 1] {
-                    let form = polynomial(a).plus(&polynomial(b).scaled(&Rational::from(sign)));
-                    let mut term = monomial_term(weight, one());
-                    term.squares.push(form.clone());
-                    push(
-                        form.pow(2).ok()?.times(&polynomial(weight)).ok()?,
-                        term,
-                        false,
-                    );
+                for (form, square) in forms.iter().zip(&squares) {
+                    let value = square.times(&polynomial(weight)).ok()?;
+                    push(value, weight, Of::Square(form.clone()), false);
                 }
             }
         }
@@ -466,8 +480,7 @@ fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
         for weight in weights.iter().take(4) {
             columns.push(Column {
                 value: equation.polynomial.times(&polynomial(weight)).ok()?,
-                term: None,
-                equation: Some((at, polynomial(weight))),
+                made: Made::Equation(at, weight.clone()),
                 strict: false,
             });
         }

@@ -343,6 +343,7 @@ impl Prover {
         if content.is_one() || !self.knowledge.monomial_is_nonzero(&content) {
             return None;
         }
+        let polynomial = polynomial.into_owned();
         let proof = self.nonzero(&polynomial, effort)?;
         let sign = Sign::NonZero;
         self.add(Fact { polynomial, sign }, proof);

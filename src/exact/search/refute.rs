@@ -218,25 +218,22 @@ pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
             d.integer && d.lower.as_ref().is_some_and(|lower| !lower.0.is_negative())
         })
     };
-    let collect = |expr: &Expr, found: &mut Set<Symbol>| {
-        let mut open = vec![expr];
-        while let Some(expr) = open.pop() {
-            match expr {
-                Expr::Series { to, .. } => found.extend(to.free_symbols()),
-                Expr::Power(_, exponent) => {
-                    found.extend(exponent.free_symbols().into_iter().filter(&whole));
-                }
-                _ => {}
+    fn collect(expr: &Expr, whole: &impl Fn(&Symbol) -> bool, found: &mut Set<Symbol>) {
+        match expr {
+            Expr::Series { to, .. } => found.extend(to.free_symbols()),
+            Expr::Power(_, exponent) if !matches!(**exponent, Expr::Number(_)) => {
+                found.extend(exponent.free_symbols().into_iter().filter(whole));
             }
-            open.extend(expr.children());
+            _ => {}
         }
-    };
+        (expr.children()).for_each(|child| collect(child, whole, found));
+    }
     let mut found = Set::new();
     for formula in claim.formulas() {
         formula
             .terms()
             .into_iter()
-            .for_each(|term| collect(term, &mut found));
+            .for_each(|term| collect(term, &whole, &mut found));
         if let Formula::AllEqual { to, .. } = formula {
             found.extend(to.free_symbols());
         }

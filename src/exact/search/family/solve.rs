@@ -145,7 +145,7 @@ impl Solver<'_> {
             };
             let zeros = powers.filter(may_vanish);
             let zeros = zeros.map(Polynomial::var);
-            return Some(std::iter::once(rest).chain(zeros).collect());
+            return Some(std::iter::once(rest.into_owned()).chain(zeros).collect());
         }
         let vars = equation.vars();
         let pairs = self.elements.iter().flat_map(|&a| {
