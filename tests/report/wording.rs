@@ -36,11 +36,11 @@ fn a_condition_is_told_of_what_a_power_is_a_power_of() {
         r"
 The power is
 
-$$ P = \frac{U^2 R}{(R + r)^2} \tag{1} $$
+$$ P (R^2 + 2 R r + r^2) = U^2 R \tag{1} $$
 
-with constant $U$ and $r$. We differentiate with respect to $R$:
+with constant $U$ and $r$. Hence
 
-$$ \frac{dP}{dR} = U^2 \frac{r - R}{(R + r)^3} \tag{2} $$
+$$ P = \frac{U^2 R}{R^2 + 2 R r + r^2} \tag{2} $$
 ",
     );
     assert!(

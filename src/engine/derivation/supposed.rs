@@ -411,7 +411,7 @@ impl Page {
         // Of nothing else.
         words.any(|word| word.eq_ignore_ascii_case("the"))
             && words.next() == Some(noun)
-            && words.last() == Some("is")
+            && words.next_back() == Some("is")
     }
 
     /// Takes up what a display shows to be meant by names in it, for good.
