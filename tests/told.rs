@@ -192,3 +192,36 @@ fn letters_of_another_section_are_others() {
     assert_eq!(page("The power is"), "holds");
     assert_ne!(page("Here $v$ denotes the volume. We set"), "holds");
 }
+
+#[test]
+fn this_vanishes_where() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "The slope is\n\n$$ s = a (x - b) \\tag{{1}} $$\n\nwith $a > 0$. {lead}\n\n$$ x = {end} $$\n"
+        ))
+        .0
+    };
+    for lead in ["This vanishes for", "It is zero when"] {
+        assert_eq!(page(lead, "b"), "holds", "{lead}");
+        assert_eq!(page(lead, "2 b"), "fails", "{lead}");
+    }
+    assert_ne!(page("This never vanishes for", "b"), "holds");
+}
+
+/// A moment of inertia is no moment, and a sentence about one place says nothing of what comes after it.
+#[test]
+fn what_is_of_one_place() {
+    let pendulum = "Its moment of inertia is $J = M k^2$. By the theorem\n\n$$ I = J + M d^2 \\tag{1} $$\n\nThe motion obeys\n\n\
+                    $$ w = M g d/I \\tag{2} $$\n\nUsing (1),\n\n$$ w = \\frac{g d}{k^2 + d^2} $$\n";
+    assert_eq!(verdicts(pendulum)[2], "holds");
+    let rate = |lead: &str| {
+        verdicts(&format!(
+            "The rate is\n\n$$ v = \\frac{{V s}}{{K + s}} \\tag{{1}} $$\n\n{lead}\n\n$$ v = \\frac{{V}}{{2}} $$\n"
+        ))[1]
+    };
+    assert_eq!(rate("At $s = K$, by (1),"), "holds");
+    assert_ne!(
+        rate("At $s = K$ the rate is half of its maximum. Thus by (1)"),
+        "fails"
+    );
+}

@@ -558,7 +558,7 @@ impl<'p> Reader<'p> {
         let locals = &self.page.locals;
         self.told.retain(|&at| {
             let local = &locals[at];
-            let is_over = is_law && local.of_case && local.span.start < before;
+            let is_over = is_law && local.of_case && !local.means && local.span.start < before;
             local.set.is_empty() && !is_over
         });
     }

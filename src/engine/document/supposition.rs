@@ -291,8 +291,13 @@ impl Reader<'_> {
         if before.len() > LONGEST_SENTENCE {
             return true;
         }
-        let mut named = before.iter().map(|(token, _)| token.is_among(&MOMENTARY));
-        named.any(|is| is) || circumstance::of_sentence(before) == Extent::Moment
+        // A moment of inertia is none.
+        let is_of = |at: usize| {
+            let next = before.get(at + 1);
+            before[at].0.is_among(&["moment"]) && next.is_some_and(|(own, _)| own.is_among(&["of"]))
+        };
+        let names = |at: usize| before[at].0.is_among(&MOMENTARY) && !is_of(at);
+        (0..before.len()).any(names) || circumstance::of_sentence(before) == Extent::Moment
     }
 
     /// Whether the sentence tells what number something is at one moment: "At the turning points $v = 0$, so".

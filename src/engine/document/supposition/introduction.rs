@@ -90,9 +90,13 @@ pub(super) fn introduced(
     };
     let case = SuppositionKind::Case { runs_on: false };
     let listed = length_of_list(source, word, tokens.get(index + 1..).unwrap_or_default());
+    let rest = &tokens[index + 1..];
     let introduced = match word {
         "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
-        "at" if !begun && direct => Some((case, joined(true))),
+        // "At $s = K$ the rate is half of its maximum." is said and done with.
+        "at" if !begun && direct && (is_set_off(rest) || runs_on(rest)) => {
+            Some((case, joined(true)))
+        }
         // "which is zero at $s = 2f$, where"
         "at" | "for" | "when" if value() && comes_to_there(index, tokens) => {
             Some((case, joined(true)))
@@ -129,9 +133,7 @@ pub(super) fn introduced(
             Some((SuppositionKind::Define, Reach::Sentence))
         }
         // "With $M > 0$ and $w > 0$ we get", "For every $\mu > 0$,"
-        "with" | "for" | "since" | "as" | "because"
-            if bounds() && runs_on(&tokens[index + 1..]) =>
-        {
+        "with" | "for" | "since" | "as" | "because" if bounds() && runs_on(rest) => {
             Some((case, joined(true)))
         }
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
@@ -198,6 +200,14 @@ fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
         token => *token == Token::Stop,
     };
     !rest.iter().any(says)
+}
+
+/// Whether a comma comes after the formulas that a sentence begins with.
+fn is_set_off(rest: &[Placed<'_>]) -> bool {
+    let listed =
+        |(token, _): &&Placed<'_>| matches!(token, Token::Math(_)) || token.is_among(&["and"]);
+    let after = rest.iter().find(|token| !listed(token));
+    after.is_some_and(|(token, _)| *token == Token::Mark(','))
 }
 
 /// Whether the rest of a sentence leads on to a display, and denies nothing.

@@ -72,6 +72,9 @@ fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
     Some(Supposition { kind, body })
 }
 
+/// With one of these a sentence ends that a display says where of.
+const WHERE: [&str; 5] = ["for", "at", "if", "when", "where"];
+
 /// "At the highest point the velocity vanishes, so": what has a name, and is not concluded to be zero.
 fn named(sentence: &[Placed<'_>]) -> Option<Supposition> {
     let zero = (1..sentence.len()).find(|&at| {
@@ -85,11 +88,21 @@ fn named(sentence: &[Placed<'_>]) -> Option<Supposition> {
         return None;
     };
     let is_noun = zero >= 2 && among(sentence, zero - 2, &["the", "its", "their"]);
-    let says = is_noun && noun.bytes().all(|b| b.is_ascii_lowercase());
+    let is_display = among(sentence, zero - 1, &["this", "it"]);
+    // "This vanishes for".
+    let says_zero = zero + usize::from(!among(sentence, zero, &["vanishes", "vanish"]));
+    let leads = || among(sentence, says_zero + 1, &WHERE) && sentence.len() == says_zero + 2;
+    let says = match is_display {
+        true => leads(),
+        false => is_noun && noun.bytes().all(|b| b.is_ascii_lowercase()),
+    };
     if !says || (0..sentence.len()).any(is_doubtful) || conclusion::read(before) == Some(true) {
         return None;
     }
-    let kind = SuppositionKind::Vanishes(Vanishing::Named);
+    let kind = SuppositionKind::Vanishes(match is_display {
+        true => Vanishing::Display,
+        false => Vanishing::Named,
+    });
     Some(Supposition { kind, body })
 }
 
