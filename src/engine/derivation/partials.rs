@@ -389,17 +389,7 @@ impl Said {
         others: &[&Expr],
         constant: &impl Fn(&Symbol) -> bool,
     ) -> Expr {
-        let mut variables = Vec::new();
-        let mut inner = term;
-        while let Expr::Partial {
-            body,
-            variable,
-            held: None,
-        } = inner
-        {
-            variables.push(variable.clone());
-            inner = body;
-        }
+        let (variables, inner) = term.without_partials();
         let mut body = inner.map_children(|child| self.with_held(child, others, constant));
         if variables.is_empty() {
             return self.with_parameters(body, constant);

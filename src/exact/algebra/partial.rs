@@ -9,6 +9,23 @@ use super::lower::{Lowered, Lowering};
 use super::{Expr, Symbol};
 use crate::sorted::Set;
 
+impl Expr {
+    /// What is differentiated partially, outermost first, by variables of which it is not told what is held fixed; and these.
+    pub fn without_partials(&self) -> (Vec<Symbol>, &Expr) {
+        let (mut variables, mut inner) = (Vec::new(), self);
+        while let Expr::Partial {
+            body,
+            variable,
+            held: None,
+        } = inner
+        {
+            variables.push(variable.clone());
+            inner = body;
+        }
+        (variables, inner)
+    }
+}
+
 /// What is told to be held fixed while a partial derivative is taken, if anything is.
 #[derive(Clone, Debug)]
 pub struct Held(Option<Box<[Symbol]>>);

@@ -124,23 +124,30 @@ impl Parser<'_> {
             return refuse_with(self.since(start), message, "write `\\frac{d^2 x}{dt^2}`");
         }
         let open = self.span();
-        let inner = if self.peek() == Kind::Close {
-            None
-        } else {
-            let content = self.inside(false, Self::sum)?;
-            if content.shape == Shape::Loose && matches!(content.expr, Expr::Sum(_)) {
-                return invisible(content.span);
+        let (body, shape) = self.differentiated_above(open, end)?;
+        let derive = |body: Expr, _| body.differentiated_by(&variable);
+        Ok(Some(((0..above).fold(body, derive), shape)))
+    }
+
+    /// What a derivative that is written as a fraction applies to: what else stands above, or what comes after the fraction, which ends
+    /// at `end`.
+    pub(super) fn differentiated_above(&mut self, open: Span, end: usize) -> Read<(Expr, Shape)> {
+        let inner = match self.peek() {
+            Kind::Close => None,
+            _ => {
+                let content = self.inside(false, Self::sum)?;
+                if content.shape == Shape::Loose && matches!(content.expr, Expr::Sum(_)) {
+                    return invisible(content.span);
+                }
+                Some(content.expr)
             }
-            Some(content.expr)
         };
         self.close(open)?;
         self.at = end;
-        let (body, shape) = match inner {
+        Ok(match inner {
             Some(body) => (body, Shape::Tight),
             None => (self.differentiated()?, Shape::Loose),
-        };
-        let derive = |body: Expr, _| body.differentiated_by(&variable);
-        Ok(Some(((0..above).fold(body, derive), shape)))
+        })
     }
 
     /// What an operator `\frac{d}{dx}` applies to.

@@ -4,7 +4,6 @@
 //! What `\frac{\partial}{\partial x}` applies to is the product that follows, as for `\frac{d}{dx}`; `\partial_x` applies to one factor, for
 //! of two it is not clear whether the second is differentiated too.
 
-use super::term::invisible;
 use super::{Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{Expr, Symbol};
 
@@ -62,22 +61,7 @@ impl Parser<'_> {
             let help = "write `\\frac{\\partial^2 f}{\\partial x^2}`";
             return refuse_with(self.since(start), message, help);
         }
-        let inner = match self.peek() {
-            Kind::Close => None,
-            _ => {
-                let content = self.inside(false, Self::sum)?;
-                if content.shape == Shape::Loose && matches!(content.expr, Expr::Sum(_)) {
-                    return invisible(content.span);
-                }
-                Some(content.expr)
-            }
-        };
-        self.close(open)?;
-        self.at = end;
-        let (body, shape) = match inner {
-            Some(body) => (body, Shape::Tight),
-            None => (self.differentiated()?, Shape::Loose),
-        };
+        let (body, shape) = self.differentiated_above(open, end)?;
         Ok(Some((by_all(body, variables), shape)))
     }
 
@@ -172,17 +156,7 @@ fn by_all(body: Expr, variables: Vec<Symbol>) -> Expr {
 
 /// A partial derivative, or one of one, of which it is told what is held fixed: also the other variables by which is differentiated.
 fn with_held(derivative: Expr, told: &[Symbol]) -> Expr {
-    let mut variables = Vec::new();
-    let mut inner = &derivative;
-    while let Expr::Partial {
-        body,
-        variable,
-        held: None,
-    } = inner
-    {
-        variables.push(variable.clone());
-        inner = body;
-    }
+    let (variables, inner) = derivative.without_partials();
     let body = inner.clone();
     let derived = |body: Expr, variable: Symbol| {
         let mut held: Vec<Symbol> = told.to_vec();
