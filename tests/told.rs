@@ -225,3 +225,24 @@ fn what_is_of_one_place() {
         "fails"
     );
 }
+
+/// What is drawn from a condition in the text is a step, and no definition.
+#[test]
+fn a_condition_in_the_text_is_drawn_from() {
+    let page = |speed: &str| {
+        verdicts(&format!(
+            "The potential energy is\n\n$$ U = -\\frac{{k m}}{{r}} \\tag{{1}} $$\n\nwith $m, r > 0$. To escape, the body needs a speed $w > 0$ with \
+             $\\frac12 m w^2 + U = 0$. By (1),\n\n$$ w^2 = {speed} $$\n"
+        ))[1]
+    };
+    assert_eq!(page(r"\frac{2 k}{r}"), "holds");
+    assert_eq!(page(r"\frac{k}{2 r}"), "fails");
+}
+
+/// `T^2 = \dots` says that `T` changes with what stands there, and so that other factors need not.
+#[test]
+fn a_power_that_is_given_changes() {
+    let page = "$$ T^2 = \\frac{r^3}{k} \\tag{1} $$\n\nThe energy is\n\n$$ E = \\frac{k m}{r} \\tag{2} $$\n\nDifferentiating (2) with respect to $r$,\n\n\
+                $$ \\frac{dE}{dr} = -\\frac{k m}{r^2} $$\n";
+    assert_eq!(last(page), ("holds", vec!["taken-as-constant"]));
+}

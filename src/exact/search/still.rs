@@ -238,7 +238,7 @@ pub fn are_tied(
         names.contains(variable).then_some((left, right, names))
     });
     let speaking: Vec<(&Expr, &Expr, Set<Symbol>)> = speaking.collect();
-    let by_itself = |left: &Expr, own: &Symbol| matches!(left, Expr::Symbol(left) if left == own);
+    let by_itself = |left: &Expr, own: &Symbol| alone(left) == Some(own);
     // What the links of `z = a = b` are equal to, be it only the last that speaks of the variable.
     let first_links = laws.iter().filter_map(|law| match law.as_equation()? {
         (Expr::Symbol(own), right) => {
@@ -254,6 +254,8 @@ pub fn are_tied(
             let says = match left {
                 // `x = a` names a place, and `y(t) = a t` says what depends on what.
                 Expr::Symbol(own) => own == variable || !is_constant(own),
+                // `T^2 = a^3` gives `T`.
+                left if let Some(own) = alone(left) => !is_constant(own) && !right.mentions(own),
                 left => matches!(left, Expr::Apply(..)) || explicit.contains(left),
             };
             if says && !by_itself(left, variable) {
@@ -271,6 +273,18 @@ pub fn are_tied(
         let own = by_itself(left, symbol) && !is_constant(symbol);
         names.contains(symbol) && (own || !says && !names.iter().any(moves))
     })
+}
+
+/// The symbol of which a side is, or is a power.
+fn alone(side: &Expr) -> Option<&Symbol> {
+    match side {
+        Expr::Symbol(symbol) => Some(symbol),
+        Expr::Power(base, exponent) => match (&**base, &**exponent) {
+            (Expr::Symbol(symbol), Expr::Number(_)) => Some(symbol),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// The claim with further symbols constant. Most claims have none of these: nothing is copied for them.
