@@ -226,17 +226,18 @@ fn what_is_of_one_place() {
     );
 }
 
-/// What is drawn from a condition in the text is a step, and no definition.
+/// Where not all that nobody bounds can be positive, what the step speaks of may be.
 #[test]
-fn a_condition_in_the_text_is_drawn_from() {
+fn the_sign_that_is_left_unsaid_is_the_step_s() {
     let page = |speed: &str| {
-        verdicts(&format!(
-            "The potential energy is\n\n$$ U = -\\frac{{k m}}{{r}} \\tag{{1}} $$\n\nwith $m, r > 0$. To escape, the body needs a speed $w > 0$ with \
-             $\\frac12 m w^2 + U = 0$. By (1),\n\n$$ w^2 = {speed} $$\n"
-        ))[1]
+        last(&format!(
+            "A body of mass $m > 0$ at the distance $r > 0$ has\n\n$$ U = -\\frac{{k m}}{{r}} \\tag{{1}} $$\n\n$$ \\frac12 m w^2 + U = 0 \\tag{{2}} $$\n\n\
+             By (1) and (2),\n\n$$ w = {speed} $$\n"
+        ))
     };
-    assert_eq!(page(r"\frac{2 k}{r}"), "holds");
-    assert_eq!(page(r"\frac{k}{2 r}"), "fails");
+    let holds = ("holds", vec!["unstated-condition"]);
+    assert_eq!(page(r"\sqrt{\frac{2 k}{r}}"), holds);
+    assert_eq!(page(r"\sqrt{\frac{k}{2 r}}").0, "fails");
 }
 
 /// `T^2 = \dots` says that `T` changes with what stands there, and so that other factors need not.

@@ -293,7 +293,29 @@ impl Judge<'_> {
     }
 
     /// That all of the symbols are positive which are no numbers, with what must not vanish beside roots; if that can be.
+    ///
+    /// Where that cannot be, `U = -k/r`, those that the step speaks of are.
     fn positive(&self, goal: &Goal, set: &[Assumed], unbounded: &[Symbol]) -> Option<Vec<Formula>> {
+        self.all_positive(goal, set, unbounded).or_else(|| {
+            let named = goal.formula.names();
+            let of_goal: Vec<Symbol> = unbounded
+                .iter()
+                .filter(|&own| named.contains(own))
+                .cloned()
+                .collect();
+            let fewer = of_goal.len() < unbounded.len();
+            fewer
+                .then(|| self.all_positive(goal, set, &of_goal))
+                .flatten()
+        })
+    }
+
+    fn all_positive(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        unbounded: &[Symbol],
+    ) -> Option<Vec<Formula>> {
         let is_number = |symbol: &Symbol| {
             set.iter()
                 .any(|a| a.formula.set_to_number() == Some(symbol))

@@ -9,7 +9,7 @@ use super::super::words::Words;
 use super::super::{Named, Span};
 use super::cases::COMPARED;
 use super::follows;
-use super::mathematics::{is_letters, is_number, relates};
+use super::mathematics::{is_number, relates};
 use super::words::{BESIDE, DISPUTING, KNOWN, NAMED_BEFORE, RETRACTING};
 
 /// In a sentence with one of these, what is named is not so, or one of several.
@@ -63,11 +63,7 @@ static NEAR_THE_TRUTH: Words = Words::of(&[
 /// The relations that the text before a display names, the nearest sentences first.
 pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Named> {
     let ends = |token: &Placed<'_>| ends_sentence(source, token) || token.0 == Token::Stop;
-    let is_value = |own: &Named| {
-        let text = source.get(own.body.range()).unwrap_or_default();
-        let name = text.split_once('=').map_or(text, |sides| sides.0);
-        is_number(text) && is_letters(name)
-    };
+    let is_value = |own: &Named| source.get(own.body.range()).is_some_and(is_number);
     let (mut named, mut runs_on) = (Vec::new(), true);
     for (back, sentence) in tokens.rsplit(ends).take(MOST_SENTENCES).enumerate() {
         // A number is said in its sentence, and in the one that goes on from there.
