@@ -747,3 +747,26 @@ fn what_is_quantified_over_and_not_understood_is_refused() {
     let derivation = Derivation::from_markdown("page.md", &page);
     assert!(derivation.equations[0].statements.is_err());
 }
+
+/// Where something is divided by powers of sums, these sums are not 0, and no others.
+#[test]
+fn what_is_divided_by_powers_of_sums() {
+    let page = |below: &str, step: &str| {
+        verdicts(&format!(
+            "$$ y = \\frac{{a}}{{{below}}} \\tag{{1}} $$\n\nHence by (1)\n\n$$ {step} $$\n"
+        ))[1]
+    };
+    for below in [
+        "(x + b)^2",
+        "(x + b)^3",
+        "2 (x + b)^2 (x - b)",
+        "(x + b) (a + 1)",
+    ] {
+        assert_eq!(page(below, r"x + b \neq 0"), "holds", "{below}");
+    }
+    assert_ne!(page("(x + b)^0", r"x + b \neq 0"), "holds");
+    assert_ne!(page("3 (x + b)^0 (x - b)", r"x + b \neq 0"), "holds");
+    assert_eq!(page("(x + b)^{-2} + 1", r"x + b \neq 0"), "holds");
+    assert_eq!(page("(x + b)^2", r"y (x + b)^2 = a"), "holds");
+    assert_eq!(page("(x + b)^3", r"y (x + b)^2 = a"), "fails");
+}

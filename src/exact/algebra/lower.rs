@@ -311,8 +311,9 @@ impl Lowering<'_> {
                 Ok(whole)
             }
             Expr::Power(base, exponent) if is_sum(base) => match natural(exponent) {
-                Some(exponent) => Ok(self.inverse(base)?.pow(exponent)?),
-                None => self.inverted(divisor),
+                // `0^0` is 1: of what has that exponent nothing is said.
+                Some(exponent) if exponent > 0 => Ok(self.inverse(base)?.pow(exponent)?),
+                _ => self.inverted(divisor),
             },
             _ => self.inverted(divisor),
         }
