@@ -3,7 +3,7 @@
 use num_traits::{One, Zero};
 
 use super::symbol::split_subscript;
-use super::{BigRational, Expr, Symbol, element_symbol};
+use super::{BigRational, Expr, Symbol};
 
 /// An offset or a number in a subscript has no more figures than this.
 const MOST_FIGURES: usize = 4;
@@ -236,5 +236,31 @@ fn tidied(term: Expr) -> Expr {
             other => Expr::Power(base, other.into()),
         },
         other => other,
+    }
+}
+
+/// `u` and 3, for the symbol `u_3`; `None` for a symbol that cannot name an element.
+pub fn element_parts(symbol: &Symbol) -> Option<(Symbol, u32)> {
+    let (name, position) = element_name(symbol)?;
+    Some((Symbol::new(name), position))
+}
+
+/// The same, the name borrowed.
+pub(super) fn element_name(symbol: &Symbol) -> Option<(&str, u32)> {
+    let (name, subscript) = symbol.name().rsplit_once('_')?;
+    let digits = match subscript.strip_prefix('{') {
+        Some(braced) => braced.strip_suffix('}')?,
+        None => subscript,
+    };
+    let plain = digits.bytes().all(|b| b.is_ascii_digit()) && !digits.starts_with('0');
+    let position = digits.parse().ok().filter(|_| plain)?;
+    Some((name, position))
+}
+
+/// `u_3`, as a symbol.
+pub fn element_symbol(sequence: &Symbol, position: u32) -> Symbol {
+    match position {
+        0..=9 => Symbol::new(format!("{sequence}_{position}")),
+        _ => Symbol::new(format!("{sequence}_{{{position}}}")),
     }
 }

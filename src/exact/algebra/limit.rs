@@ -1,9 +1,9 @@
 //! Limits: of rational functions, at a place of what sines, exponentials and roots are in, and at infinity of what exponentials are in, too.
 
 use super::effort::is_spent;
-use super::lower::{LowerError, Lowered, Lowering, expr_of};
+use super::lower::{LowerError, Lowered, Lowering};
 use super::{
-    Atom, Conditions, Expr, Fraction, Function, LimitPoint, Polynomial, Symbol, Var,
+    Atom, Conditions, Expr, Fraction, Function, LimitPoint, Polynomial, Symbol, Var, expr_of,
     expr_of_fraction, sign_of_fraction,
 };
 use crate::sorted::Set;

@@ -6,6 +6,8 @@
 //! asked for after all the work allowed for a question is done ([`effort`]).
 
 mod atom;
+mod conditions;
+mod derivative;
 mod dimension;
 pub mod effort;
 mod evaluate;
@@ -21,32 +23,34 @@ mod monomial;
 mod partial;
 mod polynomial;
 mod power;
+mod power_sum;
 mod rational;
 mod series;
 mod sum;
 mod symbol;
 mod univariate;
+mod written;
 
 pub use atom::{Atom, Atoms};
+pub use conditions::Conditions;
 pub use dimension::{Base, Dimension};
 pub use evaluate::{EvaluateError, Sides, Values};
 pub use expr::{Children, Expr, Function, LimitPoint};
 pub use formula::{Formula, Relation};
 pub use fraction::{Fraction, factors, product};
 pub use function::{Functions, SineCosine, multiplied};
-pub use indexed::{Moved, Place, element_at, running_symbol};
-pub use lower::{
-    Conditions, LowerError, Lowering, element_parts, element_symbol, expr_of, expr_of_atom,
-    expr_of_fraction, power_sum, product_of, raised, sign_of_fraction,
-};
+pub use indexed::{Moved, Place, element_at, element_parts, element_symbol, running_symbol};
+pub use lower::{LowerError, Lowering, sign_of_fraction};
 pub use monomial::{Monomial, Var};
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use partial::Held;
 pub use polynomial::{Polynomial, TooLarge};
 pub use power::Powers;
+pub use power_sum::power_sum;
 pub use rational::Rational;
 pub use series::mentions_symbol;
 pub use symbol::split_subscript;
 pub use symbol::{Symbol, another_meaning, as_printed};
 pub use univariate::{Univariate, sum_of_signs};
+pub use written::{expr_of, expr_of_atom, expr_of_fraction, product_of, raised};

@@ -85,26 +85,4 @@ impl Lowering<'_> {
         let held = Held(held.map(Into::into));
         self.differentiated(body, variable, Some(held))
     }
-
-    /// The value of a derivative, a partial one if it is said what is held fixed.
-    pub(super) fn differentiated(
-        &mut self,
-        body: &Expr,
-        variable: &Symbol,
-        partial: Option<Held>,
-    ) -> Lowered {
-        let body = self.lower(body)?;
-        let outside = std::mem::replace(&mut self.partial, partial);
-        let slope = self.derivative(&body, variable);
-        self.partial = outside;
-        slope
-    }
-
-    /// The value of a term in what is being differentiated, where it is not being differentiated itself.
-    pub(super) fn lower_apart(&mut self, term: &Expr) -> Lowered {
-        let outside = self.partial.take();
-        let value = self.lower(term);
-        self.partial = outside;
-        value
-    }
 }

@@ -1,6 +1,6 @@
-//! Sums up to a symbol, of terms with the index in them: `Σ_{i=1}^{n} i²`, `Σ_{i=0}^{n-1} r^i`.
+//! Sums over whole numbers. Between numbers they are written out; over the elements of a sequence they are power sums.
 //!
-//! What does not depend on the index stands before the sum, and the upper limit has no number added to it:
+//! Of sums up to a symbol, of terms with the index in them, `Σ_{i=1}^{n} i²`, `Σ_{i=0}^{n-1} r^i`, what does not depend on the index stands before the sum, and the upper limit has no number added to it:
 //!
 //! $$ \sum_{i=a}^{m+c} f(i) = \sum_{i=a}^{m} f(i) + f(m+1) + \dots + f(m+c) \qquad (m \ge a - 1) $$
 //!
@@ -9,13 +9,15 @@
 
 use num_traits::ToPrimitive;
 
-use super::lower::{LowerError, Lowering};
+use super::lower::{LowerError, Lowered, Lowering};
 use super::{
     Atom, BigRational, Expr, Fraction, Functions, Monomial, Polynomial, Rational, Symbol, Var,
     expr_of, expr_of_fraction,
 };
 use crate::sorted::Set;
 
+/// Sums with definite limits are written out up to this many terms.
+const MOST_EXPLICIT_TERMS: i64 = 512;
 /// A limit with a larger number in it is left as it is.
 const FARTHEST: i64 = 8;
 
@@ -29,9 +31,70 @@ struct Run<'a> {
 }
 
 impl Lowering<'_> {
+    /// The value of `whole`, which is the sum of `body` from `from` to `to`.
+    pub(super) fn series(
+        &mut self,
+        whole: &Expr,
+        index: &Symbol,
+        from: &Expr,
+        to: &Expr,
+        body: &Expr,
+    ) -> Lowered {
+        let integer = |value: &Fraction| {
+            let value = value.as_constant().filter(Rational::is_integer)?;
+            value.numer().to_i64()
+        };
+        let (first, last) = (self.lower(from)?, self.lower(to)?);
+        if let (Some(first), Some(last)) = (integer(&first), integer(&last)) {
+            if last.saturating_sub(first) > MOST_EXPLICIT_TERMS {
+                return Err(LowerError::TooLarge);
+            }
+            // A sequence begins at 1.
+            let (Ok(first), Ok(last)) = (u32::try_from(first), u32::try_from(last.max(0))) else {
+                return Ok(self.atom(Atom::Opaque(whole.clone())));
+            };
+            if first == 0 && body.has_elements() {
+                return Ok(self.atom(Atom::Opaque(whole.clone())));
+            }
+            let mut sum = Fraction::default();
+            for position in first..=last {
+                sum = sum.plus(&self.lower(&body.at_index(index, position))?)?;
+            }
+            return Ok(sum);
+        }
+        let opaque = Atom::Opaque(whole.clone());
+        if let Some(first) = integer(&first)
+            && let Some(value) = self.running_sum(index, first, &last, body)?
+        {
+            return Ok(value);
+        }
+        let (Some(1), Expr::Symbol(count)) = (integer(&first), to) else {
+            return Ok(self.atom(opaque));
+        };
+        if matches!(self.atom_of_symbol(count), Atom::Element { .. }) {
+            return Ok(self.atom(opaque));
+        }
+        let outer = std::mem::take(&mut self.conditions);
+        let body = self.lower(body)?;
+        let inner = std::mem::replace(&mut self.conditions, outer);
+        // What must hold for every element cannot be said of one.
+        let bound = inner
+            .polynomials()
+            .any(|p| p.vars().iter().any(|&v| self.depends(v, index)));
+        if !bound
+            && inner.doubtful.is_empty()
+            && let Some(value) = self.power_sums(&body, index, count)?
+        {
+            self.conditions.extend(inner);
+            return Ok(value);
+        }
+        self.conditions.doubtful.insert(whole.clone());
+        Ok(self.atom(opaque))
+    }
+
     /// The sum of `body` from `first` to `last`; `None` where some term may have no value, or where there may be less
     /// than no terms.
-    pub(super) fn running_sum(
+    fn running_sum(
         &mut self,
         index: &Symbol,
         first: i64,
