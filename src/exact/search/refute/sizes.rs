@@ -1,0 +1,259 @@
+//! Numbers of elements: which are tried, what a claim is with definite ones, and what a point of that is in the claim's own terms.
+
+use std::cell::Cell;
+
+use num_traits::Signed;
+
+use crate::algebra::{BigRational, Expr, Formula, Symbol, Values, element_symbol};
+use crate::kernel::{Assignment, Claim, Hypothesis, definition};
+use crate::sorted::{self, Map, Set};
+
+/// Sums over a symbolic number of elements are tried with up to this many.
+pub(super) const MOST_ELEMENTS: i64 = 4;
+/// The most terms that sums in one claim are written out to: sums in sums multiply.
+const MOST_WRITTEN_OUT: usize = 4_000;
+
+/// The symbols that say how many elements there are, and the whole numbers in exponents: with a definite number in
+/// its place a power is a polynomial.
+pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
+    let whole = |symbol: &Symbol| {
+        let domain = claim.domains.get(symbol);
+        domain.is_some_and(|d| {
+            d.integer && d.lower.as_ref().is_some_and(|lower| !lower.0.is_negative())
+        })
+    };
+    fn collect(expr: &Expr, whole: &impl Fn(&Symbol) -> bool, found: &mut Set<Symbol>) {
+        match expr {
+            Expr::Series { to, .. } => found.extend(to.free_symbols()),
+            Expr::Power(_, exponent) if !matches!(**exponent, Expr::Number(_)) => {
+                found.extend(exponent.free_symbols().into_iter().filter(whole));
+            }
+            _ => {}
+        }
+        (expr.children()).for_each(|child| collect(child, whole, found));
+    }
+    let mut found = Set::new();
+    for formula in claim.formulas() {
+        formula
+            .terms()
+            .into_iter()
+            .for_each(|term| collect(term, &whole, &mut found));
+        if let Formula::AllEqual { to, .. } = formula {
+            found.extend(to.free_symbols());
+        }
+    }
+    found.into_iter().collect()
+}
+
+/// All choices of sizes, the smallest total first.
+pub(super) fn sizes(counts: &[Symbol], claim: &Claim) -> Vec<Vec<i64>> {
+    let mut all: Vec<Vec<i64>> = vec![Vec::new()];
+    for count in counts {
+        let fits = |n: &i64| {
+            let value = BigRational::from_integer((*n).into());
+            claim.domains.get(count).is_none_or(|d| d.contains(&value))
+        };
+        let choices: Vec<i64> = (1..=MOST_ELEMENTS).filter(fits).collect();
+        all = all
+            .iter()
+            .flat_map(|sizes| {
+                choices
+                    .iter()
+                    .map(|&n| sizes.iter().copied().chain([n]).collect())
+            })
+            .take(256)
+            .collect();
+    }
+    sorted::sort_by_key(&mut all, |sizes| (sizes.iter().sum::<i64>(), sizes.clone()));
+    all
+}
+
+/// Drops the sizes at which a hypothesis about them alone is false, or the goal true.
+pub(super) fn rule_out(
+    sizes: &mut Vec<Vec<i64>>,
+    counts: &[Symbol],
+    claim: &Claim,
+    against_goal: bool,
+) {
+    let about_sizes = |formula: &&Formula| {
+        let Formula::Relation { left, right, .. } = formula else {
+            return false;
+        };
+        let own = |term: &Expr| {
+            matches!(term, Expr::Number(_)) || matches!(term, Expr::Symbol(s) if counts.contains(s))
+        };
+        own(left) && own(right)
+    };
+    let hypotheses = claim.hypotheses.iter().map(|h| &*h.formula);
+    let hypotheses: Vec<&Formula> = hypotheses.filter(about_sizes).collect();
+    let goal = Some(&claim.goal).filter(|goal| against_goal && about_sizes(goal));
+    if hypotheses.is_empty() && goal.is_none() {
+        return;
+    }
+    sizes.retain(|sizes| {
+        let pairs = counts.iter().zip(sizes);
+        let values = Values {
+            symbols: pairs
+                .map(|(count, &n)| (count.clone(), BigRational::from_integer(n.into())))
+                .collect(),
+            ..Values::default()
+        };
+        let mut hypotheses = hypotheses.iter();
+        hypotheses.all(|formula| values.holds(formula) != Ok(false))
+            && goal.is_none_or(|goal| values.holds(goal) != Ok(true))
+    });
+}
+
+/// The claim with definite numbers of elements, each element a symbol of its own.
+pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Option<Claim> {
+    let left = Cell::new(MOST_WRITTEN_OUT);
+    let number = |expr: &Expr| {
+        let sizes = counts.iter().zip(sizes);
+        let at = sizes.fold(expr.clone(), |e, (count, &n)| {
+            e.substitute(count, &Expr::integer(n))
+        });
+        without_series(&at, &left)
+    };
+    let mut domains = claim.domains.clone();
+    for (sequence, domain) in &claim.sequences {
+        for position in 1..=MOST_ELEMENTS as u32 {
+            domains.insert(element_symbol(sequence, position), domain.clone());
+        }
+    }
+    let mut hypotheses = Vec::new();
+    for hypothesis in &claim.hypotheses {
+        for formula in written_out(&hypothesis.formula.map_terms(number))? {
+            let standing = hypothesis.standing;
+            let formula = formula.into();
+            hypotheses.push(Hypothesis { formula, standing });
+        }
+    }
+    // The conclusion is one formula: Σ (aᵢ − bᵢ)² = 0.
+    let goals = written_out(&claim.goal.map_terms(number))?;
+    if left.get() == 0 {
+        return None;
+    }
+    let goal = match goals.as_slice() {
+        [single] => single.clone(),
+        several => {
+            let squares = several.iter().map(|g| match g {
+                Formula::Relation { left, right, .. } => {
+                    let minus = Expr::Negate(right.clone().into());
+                    let difference = Expr::Sum(vec![left.clone(), minus]);
+                    Expr::Power(difference.into(), Expr::integer(2).into())
+                }
+                Formula::AllEqual { .. } => Expr::integer(0),
+            });
+            Formula::equal(Expr::Sum(squares.collect()), Expr::integer(0))
+        }
+    };
+    Some(Claim {
+        domains,
+        sequences: Map::new(),
+        hypotheses,
+        goal,
+    })
+}
+
+/// Sums over a definite number of elements, written out while there are terms left to be written.
+fn without_series(expr: &Expr, left: &Cell<usize>) -> Expr {
+    if let Expr::Series {
+        index,
+        from,
+        to,
+        body,
+    } = expr
+        && let (Expr::Number(from), Expr::Number(to)) = (&**from, &**to)
+        && let (Ok(from), Ok(to)) = (
+            u32::try_from(from.to_integer()),
+            u32::try_from(to.to_integer()),
+        )
+        && to.saturating_sub(from) < 64
+        && left.get() > 0
+    {
+        let written = (from..=to).map(|position| {
+            left.set(left.get().saturating_sub(1));
+            without_series(&body.at_index(index, position), left)
+        });
+        let mut terms: Vec<Expr> = written.collect();
+        return match terms.len() {
+            0 => Expr::integer(0),
+            1 => terms.remove(0),
+            _ => Expr::Sum(terms),
+        };
+    }
+    expr.map_children(|child| without_series(child, left))
+}
+
+/// A statement about a definite number of elements as equations between them.
+fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
+    let Formula::AllEqual {
+        sequence,
+        to,
+        value,
+    } = formula
+    else {
+        return Some(vec![formula.clone()]);
+    };
+    let Expr::Number(to) = to else {
+        return None;
+    };
+    let to: u32 = to.to_integer().try_into().ok()?;
+    if to as usize > MOST_WRITTEN_OUT {
+        return None;
+    }
+    let element = |position| Expr::Symbol(element_symbol(sequence, position));
+    let (first, from) = match value {
+        Some(value) => (value.clone(), 1),
+        None => (element(1), 2),
+    };
+    Some(
+        (from..=to)
+            .map(|position| Formula::equal(element(position), first.clone()))
+            .collect(),
+    )
+}
+
+/// The point in the claim's own terms: counts and sequences again. Elements in order along the line come first.
+pub(super) fn restored(
+    claim: &Claim,
+    unfold: &[usize],
+    counts: &[Symbol],
+    sizes: &[i64],
+    mut point: Assignment,
+) -> Vec<Assignment> {
+    if counts.is_empty() && claim.sequences.is_empty() {
+        return vec![point];
+    }
+    for (count, &n) in counts.iter().zip(sizes) {
+        point
+            .symbols
+            .insert(count.clone(), BigRational::from_integer(n.into()));
+    }
+    let longest = sizes.iter().copied().max().unwrap_or(0) as u32;
+    for sequence in claim.sequences.keys() {
+        let mut elements = Vec::new();
+        for position in 1..=MOST_ELEMENTS as u32 {
+            let value = point.symbols.remove(&element_symbol(sequence, position));
+            if position <= longest {
+                elements.push(value.unwrap_or_else(|| BigRational::from_integer(1.into())));
+            }
+        }
+        point.sequences.insert(sequence.clone(), elements);
+    }
+    // Hypotheses were renumbered where one was written out as several.
+    point.unfold = unfold
+        .iter()
+        .copied()
+        .filter(|&at| {
+            let formula = &claim.hypotheses[at].formula;
+            definition(formula).is_some_and(|(s, _)| !counts.contains(&s))
+        })
+        .collect();
+    let mut ordered = point.clone();
+    ordered
+        .sequences
+        .values_mut()
+        .for_each(|elements| elements.sort());
+    vec![ordered, point]
+}
