@@ -307,3 +307,55 @@ impl Entry {
         })
     }
 }
+
+/// Of one part of an equation, nothing yet but its kind and a verdict.
+pub(super) fn blank(
+    equation: usize,
+    part: usize,
+    parts: usize,
+    kind: Kind,
+    verdict: Verdict,
+) -> Entry {
+    Entry {
+        equation,
+        part,
+        parts,
+        kind,
+        verdict,
+        judged: Vec::new(),
+        premises: Vec::new(),
+        rests_on: Vec::new(),
+        notes: Vec::new(),
+        numeric: None,
+        model: None,
+        implied: None,
+        mended: None,
+        missing: Vec::new(),
+    }
+}
+
+/// What the links together say of the statement.
+pub(super) fn verdict(judged: &[Judged], defines: bool) -> Verdict {
+    let any = |test: fn(&Outcome) -> bool| judged.iter().any(|j| test(&j.outcome));
+    if any(Outcome::is_refuted) {
+        Verdict::Fails
+    } else if judged.is_empty() || any(|o| matches!(o, Outcome::Open(_))) {
+        Verdict::Undecided
+    } else if defines && judged.len() == 1 {
+        Verdict::Given
+    } else {
+        Verdict::Holds
+    }
+}
+
+/// Leaves open what was refuted without something that it may follow from.
+pub(super) fn leave_open(entry: &mut Entry, reason: &str) {
+    for judged in &mut entry.judged {
+        if matches!(judged.outcome, Outcome::Refuted(_)) {
+            judged.outcome = Outcome::open(reason);
+        }
+    }
+    (entry.implied, entry.mended) = (None, None);
+    entry.missing.clear();
+    entry.verdict = Verdict::Undecided;
+}

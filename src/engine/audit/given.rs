@@ -8,7 +8,8 @@ use crate::kernel::{Assignment, Model};
 use crate::search::{Consistency, consistency};
 use crate::sorted::Tree;
 
-use super::{Entry, MOST_WORK, Note, Verdict, blank};
+use super::entry::blank;
+use super::{Entry, MOST_WORK, Note, Verdict};
 
 /// More formulas than this in one tangle are not tried.
 const MOST_FORMULAS: usize = 40;

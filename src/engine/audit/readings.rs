@@ -54,7 +54,7 @@ fn is_spoken_of(product: &Statement, read: &Statement, usable: &Usable) -> bool 
     symbols(product).difference(&fewer).all(spoken)
 }
 
-/// How a statement was judged, to be judged so again.
+/// From what a statement is judged.
 pub(super) struct Circumstances<'a> {
     pub at: usize,
     pub part: usize,
@@ -154,14 +154,7 @@ impl Auditor<'_> {
 
     /// Whether a statement follows from what is cited.
     fn holds(&self, statement: &Statement, usable: &Usable, how: &Circumstances) -> bool {
-        let entry = self.statement(
-            how.at,
-            statement,
-            usable,
-            how.premises,
-            how.says_so,
-            how.defines,
-        );
+        let entry = self.statement(statement, &Circumstances { usable, ..*how });
         // That a mass is divided out is no doubt about what is meant.
         let of_one = |own: &Formula| own.free_symbols().len() < 2;
         let otherwise = |note: &Note| match note {

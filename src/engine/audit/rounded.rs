@@ -11,8 +11,9 @@ use crate::derivation::{Assumed, Goal, Printed, Source};
 use crate::kernel::Standing;
 use crate::notation::{Precision, Rounding};
 
+use super::entry::leave_open;
 use super::numeric::{self, Numeric, Taken, Weighed};
-use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, judge, leave_open, premise};
+use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, judge, premise};
 
 /// Why a step that ends in a rounded number is neither.
 const ROUNDED: &str = "it is rounded";

@@ -318,7 +318,7 @@ pub(super) fn begin(entry: &mut Entry) {
     if !first.outcome.is_proven() && !matches!(first.outcome, Outcome::Defined) {
         first.outcome = Outcome::Stated;
         first.assumed.clear();
-        entry.verdict = super::verdict(&entry.judged, false);
+        entry.verdict = super::entry::verdict(&entry.judged, false);
     }
 }
 

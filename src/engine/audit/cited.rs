@@ -1,0 +1,78 @@
+//! What a step is said to follow from, held against what it uses.
+
+use crate::derivation::{Kind, Source};
+use crate::document::Extent;
+use crate::sorted::Set;
+
+use super::premise::Offer;
+use super::{Auditor, Entry, Note};
+
+impl Auditor<'_> {
+    /// Whether an equation says something, and no moment was left of which it does: what is not cited is a premise of what is said of that moment.
+    pub(super) fn is_said_here(&self, at: usize, premise: usize) -> bool {
+        let own = &self.derivation.equations[at];
+        let is_here = |&(page, local): &(usize, usize)| {
+            own.is_under(page, local) || !self.derivation.local(page, local).is_momentary()
+        };
+        // What an author only asks, or crosses out, says nothing.
+        let is_marked = self.derivation.equations[premise].kind == Kind::Marked;
+        let says =
+            |offer: &Offer| !is_marked || !offer.formulas.is_empty() || !offer.cases.is_empty();
+        let offer = self.offer(at, premise);
+        offer.is_none_or(|offer| says(offer) && offer.under.iter().all(is_here))
+    }
+
+    /// Whether the text tells something in passing before a step.
+    pub(super) fn is_told(&self, at: usize, source: &Source) -> bool {
+        let own = &self.derivation.equations[at];
+        match source {
+            Source::Local(page, local) => {
+                *page == own.page && own.told.iter().chain(&own.named).any(|told| told == local)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a step uses all that it cites, and besides only what stands just before it: "Inserting this into (1)". What the
+    /// text tells may come of what is cited: "With (2), $v_2 = a v_1$, so".
+    pub(super) fn goes_on(&self, at: usize, premises: &[usize], used: &Set<Source>) -> bool {
+        let equations = &self.derivation.equations;
+        let first = at - equations[at].row.min(at);
+        let before = match first.checked_sub(1) {
+            Some(last) if equations[last].page == equations[at].page => {
+                last - equations[last].row.min(last)..first
+            }
+            _ => first..first,
+        };
+        let own = &equations[at];
+        let is_near = |source: &Source| match *source {
+            Source::Equation(other) => {
+                let put = &equations[other];
+                let is_put = put.extent != Extent::Throughout && put.section == own.section;
+                premises.contains(&other)
+                    || before.contains(&other)
+                    || is_put && put.page == own.page
+            }
+            Source::Local(page, local) => own.is_under(page, local),
+            Source::Step => true,
+        };
+        let is_used = |premise: &usize| used.contains(&Source::Equation(*premise));
+        let uses_all = premises.iter().all(is_used) || used.iter().any(|s| self.is_told(at, s));
+        uses_all && used.iter().all(is_near)
+    }
+}
+
+/// What is cited and not needed. What is cited wrongly is told already.
+pub(super) fn unused(entries: &[Entry], premises: &[usize]) -> Vec<usize> {
+    let told = |n: &Note| {
+        matches!(
+            n,
+            Note::Miscited { .. } | Note::OutOfScope(_) | Note::CitesLater(_)
+        )
+    };
+    if entries.iter().any(|e| e.notes.iter().any(told)) {
+        return Vec::new();
+    }
+    let needed = |premise: &&usize| entries.iter().any(|e| e.premises.contains(premise));
+    premises.iter().filter(|p| !needed(p)).copied().collect()
+}

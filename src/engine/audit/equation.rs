@@ -1,0 +1,235 @@
+//! One equation: what it may use, its statements one after another, and whether the page begins with it.
+
+use crate::algebra::effort;
+use crate::derivation::{Assumed, Kind, Source, goals};
+use crate::kernel::Standing;
+use crate::notation::Statement;
+
+use super::cited::unused;
+use super::entry::blank;
+use super::premise::{Usable, usable};
+use super::readings::Circumstances;
+use super::{
+    Auditor, Entry, Judged, MOST_WORK, Note, Outcome, Verdict, domain, identity, judge, stated,
+};
+
+/// So many displays of moments that are left may stand between a step and what it goes on from.
+const MOST_MOMENTARY: usize = 8;
+
+impl Auditor<'_> {
+    pub(super) fn equation(&self, at: usize) -> Vec<Entry> {
+        let equation = &self.derivation.equations[at];
+        let statements = match &equation.statements {
+            Ok(statements) => statements,
+            Err(error) => {
+                let mut entry = blank(at, 0, 1, equation.kind, Verdict::Undecided);
+                entry.notes.push(Note::Unreadable(error.clone()));
+                return vec![entry];
+            }
+        };
+        if equation.kind == Kind::Given {
+            return self.given(at, statements);
+        }
+        let parts = statements.len();
+        let (mut premises, says_so, unknown) = self.derivation.premises(at);
+        if !says_so {
+            self.leave_moments(at, &mut premises);
+        }
+        let offer = |premise| self.offer(at, premise);
+        let mut usable = usable(self.derivation, offer, at, &premises);
+        let mut entries = Vec::new();
+        // Where a formula is meant is said beside it.
+        let domains = match equation.numeric {
+            Some(_) => Vec::new(),
+            None => domain::domains(statements),
+        };
+        let said = domains.iter().flat_map(|&part| goals(&statements[part]));
+        usable
+            .assumed
+            .extend(said.map(|goal| judge::step(&goal.formula)));
+        for (part, statement) in statements.iter().enumerate() {
+            if domains.contains(&part) {
+                let mut entry = blank(at, part, parts, Kind::Given, Verdict::Given);
+                let stated = |goal| Judged {
+                    goal,
+                    assumed: Vec::new(),
+                    outcome: Outcome::Stated,
+                };
+                entry.judged = goals(statement).into_iter().map(stated).collect();
+                entries.push(entry);
+                continue;
+            }
+            let how = Circumstances {
+                at,
+                part,
+                usable: &usable,
+                premises: &premises,
+                says_so,
+                defines: equation.defines.contains(&part),
+            };
+            let mut entry = match equation.numeric {
+                Some(_) => effort::within(MOST_WORK, || self.numeric(at, statement, &usable)),
+                None => self.step(statement, &how),
+            };
+            if entry.numeric.is_none() {
+                self.note_other_reading(statement, &mut entry, &how);
+            }
+            (entry.part, entry.parts) = (part, parts);
+            if part == 0 {
+                let unknown = unknown.iter();
+                let unknown = unknown.map(|u| Note::UnknownCitation(u.label.clone(), u.span));
+                entry.notes.extend(unknown);
+                let later = usable.later.iter();
+                entry.notes.extend(later.map(|&p| Note::CitesLater(p)));
+            }
+            // What a display defines, it goes on with: `a = b, \qquad c = a`.
+            if let Some(judged) = entry.judged.first()
+                && matches!(judged.outcome, Outcome::Defined | Outcome::Stated)
+                && statement.under.is_empty()
+            {
+                usable.assumed.push(Assumed {
+                    formula: judged.goal.formula.clone().into(),
+                    standing: Standing::Identity,
+                    source: Source::Step,
+                });
+            }
+            entries.push(entry);
+        }
+        if says_so {
+            self.note_unused(at, &premises, &mut entries);
+        }
+        // A page must begin somewhere: what nothing precedes is given.
+        if equation.opens && self.are_laws(at, &entries) {
+            if !entries.iter().any(|e| stated::slips(e, equation)) {
+                return (0..parts)
+                    .map(|part| blank(at, part, parts, Kind::Given, Verdict::Given))
+                    .collect();
+            }
+            if equation.continues == 0 {
+                entries.iter_mut().for_each(stated::begin);
+            }
+        }
+        entries
+    }
+
+    /// The statements of what is given.
+    fn given(&self, at: usize, statements: &[Statement]) -> Vec<Entry> {
+        let parts = statements.len();
+        let given = |(part, statement): (usize, &Statement)| {
+            let mut entry = self.givens.entry(at, part, parts);
+            let how = Circumstances {
+                at,
+                part,
+                usable: &Usable::default(),
+                premises: &[],
+                says_so: false,
+                defines: false,
+            };
+            self.note_other_reading(statement, &mut entry, &how);
+            entry
+        };
+        statements.iter().enumerate().map(given).collect()
+    }
+
+    /// A statement that is to be derived.
+    fn step(&self, statement: &Statement, how: &Circumstances) -> Entry {
+        let from = |usable: &Usable| self.statement(statement, &Circumstances { usable, ..*how });
+        let lasting = match how.says_so {
+            true => self.without_moments(how),
+            false => None,
+        };
+        let entry = effort::within(MOST_WORK, || {
+            let plain = lasting.map(|lasting| from(&lasting));
+            plain
+                .filter(simply_holds)
+                .unwrap_or_else(|| from(how.usable))
+        });
+        // What stands just before and is false says nothing of an identity, or of what follows without it.
+        let is_wrong = |&premise: &usize| self.entries_of(premise).any(Entry::is_wrong);
+        if how.says_so || entry.verdict != Verdict::Undecided || !how.premises.iter().any(is_wrong)
+        {
+            return entry;
+        }
+        let offer = |premise| self.offer(how.at, premise);
+        let alone = usable(self.derivation, offer, how.at, &[]);
+        let alone = Circumstances {
+            usable: &alone,
+            premises: &[],
+            ..*how
+        };
+        let alone = effort::within(MOST_WORK, || self.statement(statement, &alone));
+        let told = self.derivation.told(how.at);
+        match simply_holds(&alone) || identity::is_identity(&alone, &told, true) {
+            true => alone,
+            false => entry,
+        }
+    }
+
+    fn note_other_reading(&self, statement: &Statement, entry: &mut Entry, how: &Circumstances) {
+        let other = effort::within(MOST_WORK, || self.other_reading(statement, entry, how));
+        entry.notes.extend(other);
+    }
+
+    /// Of what stands before and is not cited, what is said of a moment that is left is no premise; what stands before that may be.
+    fn leave_moments(&self, at: usize, premises: &mut Vec<usize>) {
+        let of_page = self.derivation.equations[at].page;
+        let of_page = self.derivation.equations_of(of_page).start;
+        let last = premises.last().copied();
+        premises.retain(|&premise| self.is_said_here(at, premise));
+        if let Some(last) = last.filter(|_| premises.is_empty()) {
+            let mut before = (of_page..last).rev().take(MOST_MOMENTARY);
+            premises.extend(before.find(|&premise| self.is_said_here(at, premise)));
+        }
+    }
+
+    /// What a step may use without what is so at the moment that the text speaks of: that is no premise of what follows from what is
+    /// cited. Nothing where there is no such thing, or it is cited.
+    fn without_moments(&self, how: &Circumstances) -> Option<Usable> {
+        let mut momentary = self.derivation.momentary(how.at);
+        let is_cited =
+            |a: &Assumed| matches!(a.source, Source::Equation(p) if how.premises.contains(&p));
+        momentary.retain(|a| !is_cited(a));
+        let mut lasting = how.usable.clone();
+        lasting.assumed.retain(|a| !momentary.contains(a));
+        (!momentary.is_empty()).then_some(lasting)
+    }
+
+    /// Says what is cited and not needed, where all holds. What the text tells may come of what is cited.
+    fn note_unused(&self, at: usize, premises: &[usize], entries: &mut [Entry]) {
+        let by_words = |note: &Note| match note {
+            Note::Uncited(sources) => sources.iter().any(|source| self.is_told(at, source)),
+            _ => false,
+        };
+        if entries.iter().any(|e| e.verdict != Verdict::Holds)
+            || entries.iter().flat_map(|e| &e.notes).any(by_words)
+        {
+            return;
+        }
+        let unused = unused(entries, premises);
+        if let Some(first) = entries.first_mut()
+            && !unused.is_empty()
+        {
+            first.notes.push(Note::UnusedPremise(unused));
+        }
+    }
+
+    /// Whether what a page begins with is taken as it stands.
+    fn are_laws(&self, at: usize, entries: &[Entry]) -> bool {
+        let (told, drawn) = (
+            self.derivation.told(at),
+            self.derivation.equations[at].drawn,
+        );
+        let is_law = |entry: &Entry| {
+            entry.verdict != Verdict::Holds
+                && entry.numeric.is_none()
+                && !identity::is_step(entry, &told, drawn)
+        };
+        entries.iter().all(is_law)
+    }
+}
+
+/// Whether it holds, and nothing is to be said of that but what is taken as constant.
+fn simply_holds(entry: &Entry) -> bool {
+    let fine = |note: &Note| matches!(note, Note::TakenAsConstant(_));
+    entry.verdict == Verdict::Holds && entry.notes.iter().all(fine)
+}

@@ -1,0 +1,249 @@
+//! One statement judged from what it may use: its links one after another, and what they come to together.
+
+use crate::algebra::Formula;
+use crate::derivation::{Equation, Goal, Kind, Source, goals};
+use crate::notation::Statement;
+use crate::sorted::Set;
+
+use super::entry::{blank, leave_open, verdict};
+use super::judge::{COMPLEX, Found, Judge, UNCLEAR};
+use super::mark::mark;
+use super::premise::Usable;
+use super::readings::Circumstances;
+use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, rounded, stated};
+
+/// How many earlier steps of its statement a step may use, the last ones.
+const MOST_STEPS: usize = 64;
+
+/// What was found of the links of a statement besides what is said of each.
+#[derive(Default)]
+struct Links {
+    /// What those that come later may use, with its clause.
+    steps: Vec<(usize, Formula)>,
+    /// What they follow from, where that is not what is cited.
+    instead: Set<Source>,
+    may_follow: bool,
+    /// The conditions under which some were proved.
+    conditions: Vec<Formula>,
+}
+
+impl Auditor<'_> {
+    pub(super) fn statement(&self, statement: &Statement, how: &Circumstances) -> Entry {
+        let &Circumstances { at, usable, .. } = how;
+        let equation = &self.derivation.equations[at];
+        let mut entry = blank(at, 0, 1, equation.kind, Verdict::Holds);
+        let judge = Judge::new(self, at, usable);
+        let links = self.links(&judge, statement, how, &mut entry);
+        entry.verdict = verdict(&entry.judged, how.defines);
+        if entry.verdict == Verdict::Fails {
+            // With what another link needs the one that fails does not follow.
+            entry.notes.retain(|note| match note {
+                Note::UnstatedCondition(told) => {
+                    !told.iter().all(|own| links.conditions.contains(own))
+                }
+                _ => true,
+            });
+        }
+        self.weigh_rounded(at, &mut entry, usable);
+        if matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
+            && let Some(symbols) = judge.stated(&entry)
+        {
+            if entry.numeric.is_none() {
+                return stated::given(entry, symbols);
+            }
+            // What might be a law, but for the figures that speak against it.
+            if entry.verdict == Verdict::Fails {
+                rounded::open_by_figures(&mut entry);
+            }
+        }
+        if entry.verdict == Verdict::Given {
+            entry.kind = Kind::Given;
+            entry.notes.extend(judge.unchecked(&entry));
+        }
+        let used = used(&entry);
+        if !links.instead.is_empty() {
+            entry.notes.push(self.instead(how, links, &used));
+        }
+        if how.says_so && (entry.verdict != Verdict::Holds || !entry.notes.is_empty()) {
+            let missing = usable.out_of_scope.iter();
+            entry.notes.extend(missing.map(|&p| Note::OutOfScope(p)));
+        }
+        self.open_in_doubt(equation, usable, &mut entry);
+        if entry.verdict == Verdict::Undecided {
+            let unreadable = usable.unreadable.iter();
+            let unreadable = unreadable.map(|&p| Note::UnreadablePremise(p));
+            entry.notes.extend(unreadable);
+            if !usable.numeric.is_empty() && entry.numeric.is_none() {
+                let numeric = usable.numeric.clone();
+                entry.notes.push(Note::RestsOnUnproved(numeric));
+            }
+        }
+        entry.premises = used.iter().copied().collect();
+        if entry.verdict == Verdict::Holds {
+            entry.rests_on = self.failing(at, &used);
+            if !entry.rests_on.is_empty() {
+                entry.notes.insert(0, Note::RestsOn(entry.rests_on.clone()));
+            }
+            let mut open = self.unproved(at, &used);
+            open.retain(|premise| !entry.rests_on.contains(premise));
+            if !open.is_empty() {
+                entry.notes.push(Note::RestsOnUnproved(open));
+            }
+        }
+        mark(statement, &mut entry);
+        entry
+    }
+
+    /// Judges the links of a statement, one after another.
+    fn links(
+        &self,
+        judge: &Judge,
+        statement: &Statement,
+        how: &Circumstances,
+        entry: &mut Entry,
+    ) -> Links {
+        let mut links = Links::default();
+        for (position, goal) in goals(statement).into_iter().enumerate() {
+            if how.defines && position == 0 {
+                links.steps.push((goal.clause, goal.formula.clone()));
+                entry.judged.push(self.defined(goal, how));
+                continue;
+            }
+            let recent = &links.steps[links.steps.len().saturating_sub(MOST_STEPS)..];
+            let found = judge.goal(&goal, recent, how.premises);
+            // The next clause of an implication is judged as if this one were true.
+            let goes_on = found.judged.outcome.is_proven() || statement.clauses.len() > 1;
+            if goes_on && goal.suppositions.is_empty() {
+                links.steps.push((goal.clause, goal.formula));
+            }
+            self.take_up(found, &mut links, entry);
+        }
+        links
+    }
+
+    /// The first link of what defines something.
+    fn defined(&self, goal: Goal, how: &Circumstances) -> Judged {
+        // What could not be read may have spoken of it: then it is no definition.
+        let is_drawn = self.derivation.equations[how.at].drawn;
+        let outcome = match is_drawn && !how.usable.unreadable.is_empty() {
+            true => Outcome::open("it is said to follow from what could not be read"),
+            false => Outcome::Defined,
+        };
+        Judged {
+            goal,
+            assumed: Vec::new(),
+            outcome,
+        }
+    }
+
+    /// Enters what was found of a link.
+    fn take_up(&self, found: Found, links: &mut Links, entry: &mut Entry) {
+        if !found.constant.is_empty() {
+            entry.takes_as_constant(found.constant);
+        }
+        let (still, mut conditions): (Vec<Formula>, _) =
+            found.conditions.into_iter().partition(stated::stands_still);
+        match stated::constants(&found.judged, &still) {
+            Some(symbols) if !self.says_otherwise(entry.equation, &still) => {
+                entry.takes_as_constant(symbols);
+            }
+            _ => conditions.extend(still),
+        }
+        // Links of a chain may need the same.
+        let told = |own: &Formula| {
+            let mut notes = entry.notes.iter();
+            notes.any(|note| matches!(note, Note::UnstatedCondition(told) if told.contains(own)))
+        };
+        conditions.retain(|own| !told(own));
+        let all = std::mem::take(&mut conditions);
+        for own in all {
+            if !conditions.contains(&own) {
+                conditions.push(own);
+            }
+        }
+        if !conditions.is_empty() {
+            if found.judged.outcome.is_proven() {
+                links.conditions.extend(conditions.iter().cloned());
+            }
+            entry.notes.push(Note::UnstatedCondition(conditions));
+        }
+        if !found.contradictory.is_empty() {
+            let contradictory = Note::InconsistentPremises(found.contradictory);
+            entry.notes.push(contradictory);
+        }
+        links.instead.extend(found.instead);
+        links.may_follow |= found.may_follow;
+        if entry.implied.is_none() && entry.mended.is_none() {
+            (entry.implied, entry.mended) = (found.implied, found.mended);
+            entry.missing = found.missing;
+        }
+        entry.judged.push(found.judged);
+    }
+
+    /// What to say of a step that does not follow from what is cited, but from something else.
+    fn instead(&self, how: &Circumstances, links: Links, used: &Set<usize>) -> Note {
+        let mut instead = links.instead;
+        // A link of a chain may need what another does not.
+        instead.extend(used.iter().map(|&premise| Source::Equation(premise)));
+        let cites = how.says_so && !how.premises.is_empty() && !links.may_follow;
+        match cites && !self.goes_on(how.at, how.premises, &instead) {
+            true => Note::Miscited {
+                cited: how.premises.to_vec(),
+                instead: instead.into_iter().collect(),
+            },
+            false => Note::Uncited(instead.into_iter().collect()),
+        }
+    }
+
+    /// Leaves open what fails where a premise could not be had that may be just what is needed.
+    fn open_in_doubt(&self, equation: &Equation, usable: &Usable, entry: &mut Entry) {
+        let missing = [
+            &usable.unreadable,
+            &usable.later,
+            &usable.numeric,
+            &usable.in_limit,
+        ];
+        let missing = missing.into_iter().any(|premises| !premises.is_empty());
+        if entry.verdict == Verdict::Fails && missing {
+            match entry.numeric {
+                Some(_) => rounded::open_by_figures(entry),
+                None => entry.verdict = Verdict::Undecided,
+            }
+        }
+        if entry.verdict == Verdict::Fails && !equation.unread.is_empty() {
+            leave_open(entry, &self.unread(equation));
+        }
+        if entry.verdict == Verdict::Fails && usable.has_complex {
+            leave_open(entry, COMPLEX);
+        }
+        if entry.verdict == Verdict::Fails && usable.has_presumed {
+            leave_open(entry, UNCLEAR);
+        }
+    }
+
+    /// What is supposed before an equation and could not be read.
+    fn unread(&self, equation: &Equation) -> String {
+        let source = &self.derivation.pages[equation.page].document.source;
+        let unread = equation
+            .unread
+            .iter()
+            .filter_map(|own| source.get(own.range()));
+        let unread: Vec<String> = unread.map(|own| format!("`{}`", own.trim())).collect();
+        format!(
+            "what is supposed before it could not be read: {}",
+            unread.join(", ")
+        )
+    }
+}
+
+/// The equations that the evidence for a statement makes use of.
+fn used(entry: &Entry) -> Set<usize> {
+    let assumed = entry.judged.iter().flat_map(|j| j.assumed.iter());
+    let premises = assumed.filter_map(|a| match a.source {
+        Source::Equation(premise) => Some(premise),
+        _ => None,
+    });
+    let mut used: Set<usize> = premises.collect();
+    used.extend(entry.numeric.iter().flat_map(|own| numeric::used(own)));
+    used
+}
