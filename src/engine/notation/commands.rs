@@ -1,7 +1,10 @@
-//! The vocabulary: which LaTeX commands mean something here, and what to say about those that do not.
+//! The vocabulary: which LaTeX commands mean something here.
 
-use super::shorthand::is_abbreviation;
+mod refused;
+
 use crate::algebra::{Function, Relation};
+pub(super) use refused::complaint;
+use refused::is_refused;
 
 /// Commands that are letters, and how a terminal shows them.
 pub(super) const LETTERS: &[(&str, &str)] = &[
@@ -207,277 +210,6 @@ const GRAMMAR: &[&str] = &[
     "underline",
 ];
 
-/// Commands that are understood and refused: what they are called, and what to do instead.
-const REFUSED: &[(&str, &str, Option<&str>)] = &[
-    (
-        "stackrel",
-        "only `?`, `!` and citations are read above a relation sign",
-        Some("write `\\stackrel{?}{=}`, or say in the text why it is so"),
-    ),
-    (
-        "overset",
-        "only `?`, `!` and citations are read above a relation sign",
-        Some("write `\\stackrel{?}{=}`, or say in the text why it is so"),
-    ),
-    ("not", "`\\not` is read only before `=`", None),
-    (
-        "left",
-        "after `\\left` a delimiter is expected: `(`, `[`, `\\{`, `|`, `\\lceil` or `\\lfloor`",
-        None,
-    ),
-    (
-        "pm",
-        "`\\pm` states two equations at once, which is not read",
-        Some("write the two cases as two equations"),
-    ),
-    (
-        "mp",
-        "`\\mp` states two equations at once, which is not read",
-        Some("write the two cases as two equations"),
-    ),
-    (
-        "partial",
-        "`\\partial` is read only in derivatives",
-        Some("write `\\frac{\\partial f}{\\partial x}`, or `\\partial_x f`"),
-    ),
-    (
-        "nabla",
-        "`\\nabla` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "grad",
-        "`\\grad` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "gradient",
-        "`\\gradient` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "curl",
-        "`\\curl` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "divergence",
-        "`\\divergence` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "laplacian",
-        "`\\laplacian` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "var",
-        "`\\var` is not read: the notation has no variations",
-        None,
-    ),
-    (
-        "variation",
-        "`\\variation` is not read: the notation has no variations",
-        None,
-    ),
-    (
-        "fdv",
-        "`\\fdv` is not read: the notation has no variations",
-        None,
-    ),
-    (
-        "functionalderivative",
-        "`\\functionalderivative` is not read: the notation has no variations",
-        None,
-    ),
-    (
-        "ket",
-        "`\\ket` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "bra",
-        "`\\bra` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "braket",
-        "`\\braket` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "ketbra",
-        "`\\ketbra` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "expval",
-        "`\\expval` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "ev",
-        "`\\ev` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "mel",
-        "`\\mel` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "dyad",
-        "`\\dyad` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "comm",
-        "`\\comm` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "commutator",
-        "`\\commutator` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "acomm",
-        "`\\acomm` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "anticommutator",
-        "`\\anticommutator` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "pb",
-        "`\\pb` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "poissonbracket",
-        "`\\poissonbracket` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "order",
-        "`\\order` is not read: the notation has no orders of magnitude",
-        None,
-    ),
-    (
-        "prod",
-        "products over an index (`\\prod`) are not read",
-        None,
-    ),
-    (
-        "oint",
-        "`\\oint` is not read: only definite integrals `\\int_a^b` are",
-        None,
-    ),
-    (
-        "iint",
-        "`\\iint` is not read: write two definite integrals, one inside the other",
-        None,
-    ),
-    (
-        "infty",
-        "`\\infty` is no number: it is read only where a limit goes, `\\lim_{x \\to \\infty}`",
-        None,
-    ),
-    ("to", "`\\to` is read only inside `\\lim_{x \\to a}`", None),
-    (
-        "rightarrow",
-        "`\\rightarrow` states no relation that can be checked",
-        Some("for an implication write `\\Rightarrow`, for a limit `\\lim_{x \\to a}`"),
-    ),
-    (
-        "color",
-        "`\\color` is not read: colours do not belong to the mathematics",
-        Some("remove the colour"),
-    ),
-    (
-        "textcolor",
-        "`\\textcolor` is not read: colours do not belong to the mathematics",
-        Some("remove the colour"),
-    ),
-    (
-        "colorbox",
-        "`\\colorbox` is not read: colours do not belong to the mathematics",
-        Some("use `\\boxed{…}`"),
-    ),
-    (
-        "cancel",
-        "`\\cancel` is not read: whether what is crossed out counts is not clear",
-        Some("write the equation after cancelling"),
-    ),
-    ("in", "`\\in` is not read: the notation has no sets", None),
-    (
-        "forall",
-        "`\\forall` is read before a statement or behind it, and not in it",
-        Some("write `x^2 \\geq 0 \\quad \\forall x`"),
-    ),
-    (
-        "exists",
-        "`\\exists` is not read: state the quantifier in the text",
-        None,
-    ),
-    (
-        "max",
-        "`\\max` is read only as a subscript, as in `\\eta_{\\max}`",
-        None,
-    ),
-    (
-        "min",
-        "`\\min` is read only as a subscript, as in `\\eta_{\\min}`",
-        None,
-    ),
-    ("langle", "angle brackets are not read", None),
-    ("over", "`\\over` is not read", Some("write `\\frac{…}{…}`")),
-    ("hspace", "`\\hspace` is not read", Some("write `\\quad`")),
-    (
-        "circ",
-        "degrees are read only in the angle of a sine, a cosine or a tangent, as in `\\sin 30^\\circ`",
-        Some("write the angle in radians: `30^\\circ` is `\\pi/6`"),
-    ),
-    (
-        "%",
-        "`\\%` is read only right after a number, as in `40\\,\\%`",
-        None,
-    ),
-    (
-        "arcsin",
-        "inverse functions (`\\arcsin`) are not read",
-        Some("write `\\sin\\alpha = x`"),
-    ),
-    (
-        "arccos",
-        "inverse functions (`\\arccos`) are not read",
-        Some("write `\\cos\\alpha = x`"),
-    ),
-    (
-        "arctan",
-        "inverse functions (`\\arctan`) are not read",
-        Some("write `\\tan\\alpha = x`"),
-    ),
-    (
-        "coth",
-        "`\\coth` is not read",
-        Some("write `\\frac{\\cosh x}{\\sinh x}`"),
-    ),
-    (
-        "cot",
-        "`\\cot` is not read",
-        Some("write `\\frac{\\cos x}{\\sin x}`"),
-    ),
-    ("middle", "`\\middle` is not read", None),
-    (
-        "ang",
-        "angles in degrees (`\\ang`) are not read",
-        Some("write the angle in radians"),
-    ),
-];
-
 /// What a command says as a relation sign.
 pub(super) fn relation(command: &str) -> Option<Relation> {
     Some(match command {
@@ -588,27 +320,12 @@ pub(super) fn is_dots(command: &str) -> bool {
     )
 }
 
-/// What to say about a command that cannot stand where it stands: message and help.
-pub(super) fn complaint(command: &str) -> (String, Option<String>) {
-    if let Some((_, message, help)) = REFUSED.iter().find(|(name, ..)| *name == command) {
-        return ((*message).to_owned(), help.map(str::to_owned));
-    }
-    if known().any(|name| name == command)
-        || relation(command).is_some()
-        || is_abbreviation(command)
-    {
-        return (format!("`\\{command}` cannot stand here"), None);
-    }
-    let help = nearest(command).map(|name| format!("did you mean `\\{name}`?"));
-    (format!("`\\{command}` is not known"), help)
-}
-
 /// Whether a command of this name is read, or refused with a reason of its own.
 pub(crate) fn is_command(name: &str) -> bool {
     known().any(|own| own == name)
         || relation(name).is_some()
         || SPACING.contains(&name)
-        || REFUSED.iter().any(|(own, ..)| *own == name)
+        || is_refused(name)
 }
 
 fn known() -> impl Iterator<Item = &'static str> {
@@ -621,18 +338,4 @@ fn known() -> impl Iterator<Item = &'static str> {
         .flatten()
         .copied();
     tables.chain(lists)
-}
-
-/// The known command that a misspelt one is nearest to, if it is near enough to be meant.
-fn nearest(command: &str) -> Option<&'static str> {
-    let length = command.chars().count();
-    if !(2..=20).contains(&length) {
-        return None;
-    }
-    let allowed = if length < 4 { 1 } else { 2 };
-    known()
-        .map(|name| (strsim::osa_distance(command, name), name))
-        .filter(|(distance, _)| *distance <= allowed)
-        .min()
-        .map(|(_, name)| name)
 }
