@@ -770,3 +770,84 @@ fn what_is_divided_by_powers_of_sums() {
     assert_eq!(page("(x + b)^2", r"y (x + b)^2 = a"), "holds");
     assert_eq!(page("(x + b)^3", r"y (x + b)^2 = a"), "fails");
 }
+
+/// What is so in two cases is mostly true together only where nothing is left: no step is drawn from both unless it says so.
+#[test]
+fn cases_are_not_joined() {
+    let throw = |before: &str, step: &str| {
+        let page = format!(
+            "The height and the speed are\n\n$$ h = v t - \\frac12 g t^2 $$\n\n$$ w = v - g t. $$\n\n{before}On landing\n\n\
+             $$ h = 0, $$\n\nwhich gives\n\n$$ {step} $$\n"
+        );
+        *verdicts(&page).last().expect("a step")
+    };
+    let top = "At the top\n\n$$ w = 0. $$\n\n";
+    assert_eq!(throw(top, r"g t = \frac{v}{2}."), "fails");
+    assert_eq!(throw(top, r"v t = \frac12 g t^2."), "holds");
+    assert_eq!(throw("", r"g t = 2 v."), "holds");
+
+    let battery = |step: &str| {
+        let page = format!(
+            "The battery has\n\n$$ U = E - R I. \\tag{{1}} $$\n\nIn open circuit no current flows,\n\n$$ I = 0 \\tag{{2}} $$\n\nand hence\n\n\
+             $$ U = E. \\tag{{3}} $$\n\nIn short circuit the voltage is zero,\n\n$$ U = 0, \\tag{{4}} $$\n\nand from (1) and (4) it follows \
+             that\n\n$$ {step} \\tag{{5}} $$\n"
+        );
+        verdicts(&page)[4]
+    };
+    assert_eq!(battery("R I = 7 E."), "fails");
+    assert_eq!(battery("R I = E."), "holds");
+
+    // What is 0 because the page says so is no such case.
+    let measured = "**Given:**\n\n$$ v_0 = 0\\,\\mathrm{m/s}, \\quad v = 25\\,\\mathrm{m/s}, \\quad t = 10\\,\\mathrm{s} $$\n\nThe acceleration \
+                    is\n\n$$ a = \\frac{v - v_0}{t} = 2.5\\,\\mathrm{m/s^2} $$\n\nThe distance is\n\n\
+                    $$ s = v_0 t + \\frac12 a t^2 = 125\\,\\mathrm{m} $$\n";
+    assert_eq!(verdicts(measured).last(), Some(&"holds"));
+}
+
+/// What the page gives as something that changes does not stand still for a step's sake.
+#[test]
+fn what_changes_by_the_page_does_not_stand_still() {
+    let revenue = |slope: &str| {
+        verdicts(&format!(
+            "The price is\n\n$$ p = a - b q. $$\n\nThe revenue is\n\n$$ R = p q = a q - b q^2. $$\n\nThe marginal revenue is\n\n\
+             $$ \\frac{{dR}}{{dq}} = {slope}. $$\n"
+        ))[2]
+    };
+    assert_eq!(revenue("a - b q"), "fails");
+    assert_eq!(revenue("a - 2 b q"), "holds");
+    let cone = |slope: &str| {
+        verdicts(&format!(
+            "A cone of water has\n\n$$ r = \\frac{{h}}{{2}} $$\n\nand the volume is\n\n$$ V = \\frac{{1}}{{3}} \\pi r^2 h. $$\n\nHence\n\n\
+             $$ \\frac{{dV}}{{dt}} = {slope}. $$\n"
+        ))[2]
+    };
+    assert_eq!(cone(r"\frac{1}{3} \pi r^2 \frac{dh}{dt}"), "fails");
+    assert_eq!(cone(r"\pi r^2 \frac{dh}{dt}"), "holds");
+    let ball = |slope: &str| {
+        verdicts(&format!(
+            "The radius grows as\n\n$$ r = u t. $$\n\nThe volume is\n\n$$ V = \\frac{{4}}{{3}} \\pi r^3. $$\n\nDifferentiating with respect to \
+             time gives\n\n$$ \\frac{{dV}}{{dt}} = {slope}. $$\n"
+        ))[2]
+    };
+    assert_eq!(ball("0"), "fails");
+    assert_eq!(ball(r"4 \pi u r^2"), "holds");
+    let load = |slope: &str| {
+        verdicts(&format!(
+            "The current is\n\n$$ I = \\frac{{U}}{{R + r}} $$\n\nand the power in the load\n\n\
+             $$ P = I^2 R = \\frac{{U^2 R}}{{(R + r)^2}}. $$\n\nWe differentiate:\n\n$$ \\frac{{dP}}{{dR}} = {slope}. $$\n"
+        ))[2]
+    };
+    assert_eq!(load(r"\frac{U^2 (r + R)}{(R + r)^3}"), "fails");
+    assert_eq!(load(r"\frac{U^2 (r - R)}{(R + r)^3}"), "holds");
+}
+
+/// Of a derivative no more is known than of what is differentiated: not its size where that of a factor is not.
+#[test]
+fn a_slope_beside_a_factor_without_a_value_has_none() {
+    let page = "The radius grows as\n\n$$ r = u t. \\tag{1} $$\n\nThe volume is\n\n$$ V = \\frac{4}{3} \\pi r^3. \\tag{2} $$\n\nHence\n\n\
+                $$ \\frac{dV}{dt} = 0. \\tag{3} $$\n";
+    let derivation = Derivation::from_markdown("page.md", page);
+    let text = crate::common::human(&derivation);
+    assert!(text.contains("is false at"), "{text}");
+    assert!(!text.contains("left 0, right 0"), "{text}");
+}

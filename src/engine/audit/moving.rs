@@ -1,10 +1,13 @@
 //! What a page says of what changes with what: something of which it says so is not taken as constant, cited or not.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Derivation, Equation, formulas};
+use crate::derivation::{Assumed, Derivation, Equation, Goal, formulas};
+use crate::kernel::{Standing, definition};
+use crate::search::{self, Effort, are_tied};
 
-use super::Auditor;
-use crate::search::are_tied;
+use super::judge::{Found, Judge, step};
+use super::throughout::slope;
+use super::{Auditor, Outcome, stated};
 use crate::sorted::Set;
 
 /// So many equations before that speak of a variable are asked what moves with it.
@@ -120,6 +123,93 @@ impl Moving {
                 let stands = is_meant(own) && (*left || !given);
                 *own == dotted || named.contains(&dotted) || stands && changes(named)
             })
+    }
+}
+
+impl Judge<'_> {
+    /// The counterexample to a step that follows only where something stands still of which the page says how it moves: one that obeys
+    /// what the page says of that, and at which all else stands still.
+    pub(super) fn moves_after_all(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+        found: &Found,
+    ) -> Option<Found> {
+        let still: Vec<Formula> = (found.conditions.iter())
+            .filter(|own| stated::stands_still(own))
+            .cloned()
+            .collect();
+        if still.is_empty() || !self.auditor.says_otherwise(self.at, &still) {
+            return None;
+        }
+        let mut variables = still.iter().filter_map(|own| match own.as_equation()? {
+            (Expr::Derivative { variable, .. }, _) => Some(variable),
+            _ => None,
+        });
+        let variable = variables.next()?;
+        let moves = |symbol: &Symbol| {
+            let mut rates = still.iter().filter_map(Formula::as_equation);
+            rates.any(|(rate, _)| rate.mentions(symbol) && symbol != variable)
+        };
+        let gives = |own: &Assumed| definition(&own.formula).is_some_and(|own| moves(&own.0));
+        let sound = self.sound(&self.usable.assumed, &self.failing(premises));
+        let all = self.with_others(&sound, premises).unwrap_or(sound);
+        let all = self.without_repeated(all, &gives);
+        let mut with = Vec::new();
+        for own in &all {
+            // What is put in is not seen to move: what gives it is said of one point, with its slope.
+            if own.standing == Standing::Identity && gives(own) {
+                with.push(step(&own.formula));
+                with.extend(slope(&own.formula, variable).as_ref().map(step));
+            } else {
+                with.push(own.clone());
+            }
+        }
+        let bare = self.derivation.claim(self.at, &all, &goal.formula);
+        let mut others = search::still_in(bare);
+        others.retain(|own| {
+            let own = std::slice::from_ref(own);
+            !self.auditor.says_otherwise(self.at, own)
+        });
+        with.extend(others.iter().map(step));
+        let is_cited = |own: &&Assumed| all.contains(own) && !still.contains(&own.formula);
+        let mut cited: Vec<Assumed> = (found.judged.assumed.iter())
+            .filter(is_cited)
+            .cloned()
+            .collect();
+        cited.extend(all.iter().filter(|own| gives(own)).map(|own| Assumed {
+            standing: Standing::AtPoint,
+            ..own.clone()
+        }));
+        let claim = self.derivation.claim(self.at, &cited, &goal.formula);
+        let larger = self.derivation.claim(self.at, &with, &goal.formula);
+        let refuted = search::refute_in_context(&claim, larger)?;
+        let mut own = Found::open(found.judged.clone());
+        own.judged.assumed = cited;
+        own.judged.outcome = Outcome::Refuted(refuted.into());
+        self.instead(goal, &all, premises, &mut own);
+        Some(own)
+    }
+
+    /// Premises without those that others say already, but for what `gives` something.
+    fn without_repeated(
+        &self,
+        mut all: Vec<Assumed>,
+        gives: &impl Fn(&Assumed) -> bool,
+    ) -> Vec<Assumed> {
+        let mut at = 0;
+        while at < all.len() {
+            let own = all.remove(at);
+            let is_repeated = || {
+                let claim = self.derivation.claim(self.at, &all, &own.formula);
+                search::prove_unconditionally(claim, Effort::Light).is_some()
+            };
+            if gives(&own) || definition(&own.formula).is_some() || !is_repeated() {
+                all.insert(at, own);
+                at += 1;
+            }
+        }
+        all
     }
 }
 

@@ -232,7 +232,7 @@ fn slopes(all: &[Assumed], held: &[Symbol], variable: &Symbol) -> Vec<Formula> {
 }
 
 /// Both sides of an equation differentiated.
-fn slope(law: &Formula, variable: &Symbol) -> Option<Formula> {
+pub(super) fn slope(law: &Formula, variable: &Symbol) -> Option<Formula> {
     let (left, right) = law.as_equation()?;
     let slope = |side: &Expr| side.clone().differentiated_by(variable);
     Some(Formula::equal(slope(left), slope(right)))

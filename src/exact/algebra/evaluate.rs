@@ -155,6 +155,7 @@ impl Values {
             variable: None,
             order: 0,
             depth: 0,
+            bare: false,
         };
         Ok(self.series(term, start)?.swap_remove(0))
     }
@@ -304,6 +305,7 @@ impl Values {
                 let inner = Along {
                     variable: Some(variable),
                     order: along.order + 1,
+                    bare: matches!(**body, Expr::Symbol(_)),
                     ..along
                 };
                 let series = self.series(body, inner)?.into_iter().enumerate().skip(1);
@@ -332,7 +334,15 @@ impl Values {
                 return Err(EvaluateError::Circular(symbol.clone()));
             }
             let depth = along.depth + 1;
-            self.series(term, Along { depth, ..along })
+            let bare = false;
+            self.series(
+                term,
+                Along {
+                    depth,
+                    bare,
+                    ..along
+                },
+            )
         };
         let variable = along.variable.filter(|_| along.order > 0);
         let Some(variable) = variable else {
@@ -360,12 +370,14 @@ impl Values {
             symbol: symbol.clone(),
             variable: variable.clone(),
         })?;
-        // Under a derivative of its own a symbol need not have a value.
+        // By itself under a derivative a symbol need not have a value.
         let value = match (known, term) {
             (Some(value), _) => value.clone(),
             (None, Some(term)) => self.value(term)?,
             (None, None) => match self.element(symbol) {
-                Err(EvaluateError::Missing(_)) if symbol != variable => BigRational::zero(),
+                Err(EvaluateError::Missing(_)) if along.bare && symbol != variable => {
+                    BigRational::zero()
+                }
                 value => value?,
             },
         };
@@ -474,6 +486,8 @@ struct Along<'a> {
     variable: Option<&'a Symbol>,
     order: usize,
     depth: usize,
+    /// Of a symbol by itself, whose value its derivative is nothing of.
+    bare: bool,
 }
 
 impl Along<'_> {

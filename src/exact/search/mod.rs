@@ -57,7 +57,7 @@ pub use scaling::{
     Repair, ScalingDecision, decide_scaling, is_plainly_possible, is_scaling, kept_hypotheses,
     prove_scaling,
 };
-pub use still::{are_tied, is_possible, still_in, with_constants};
+pub use still::{are_tied, is_possible, makes_goal_vanish, still_in, with_constants};
 pub use supposing::fewest;
 use supposing::{assuming, defines_afresh, nowhere_put};
 pub use unless::{Unless, missing_conditions};
@@ -241,6 +241,12 @@ pub fn refute_in_context(claim: &Claim, larger: Claim) -> Option<Refuted> {
     unfolds.dedup();
     first(&mut points, IN_CONTEXT, |mut point| {
         larger.model(point.clone()).ok()?;
+        if let Some(course) = &mut point.course {
+            let leads = std::mem::take(&mut course.leads).into_iter();
+            course.leads = leads
+                .filter_map(|(law, rate)| Some((position(&law)?, rate)))
+                .collect();
+        }
         unfolds.iter().find_map(|unfold| {
             point.unfold.clone_from(unfold);
             match check(claim.clone(), Candidate::Counterexample(point.clone())) {

@@ -57,13 +57,20 @@ pub fn is_possible(claim: &Claim, still: &[Formula]) -> bool {
     let held = assuming(claim, still);
     let unfold = definitions_to_unfold(&held);
     let premises = Obligation::of_premises(held.clone(), unfold);
-    premises.is_ok_and(|own| contradiction(&own).is_none()) && !makes_vanish(held)
+    let named = nowhere_put(&held);
+    premises.is_ok_and(|own| contradiction(&own).is_none()) && !makes_vanish(held, named)
 }
 
-/// Whether it follows from the premises of a claim, and from how they change, that something of all that they speak of is 0, and none of
-/// them says so.
-fn makes_vanish(claim: Claim) -> bool {
-    let named = nowhere_put(&claim);
+/// Whether it follows from the premises of a claim that something of which its goal speaks is 0, and none of them says so.
+pub fn makes_goal_vanish(claim: Claim) -> bool {
+    let mut named = nowhere_put(&claim);
+    let goal = claim.goal.free_symbols();
+    named.retain(|symbol| goal.contains(symbol));
+    !named.is_empty() && makes_vanish(claim, named)
+}
+
+/// Whether it follows from the premises of a claim, and from how they change, that one of these is 0.
+fn makes_vanish(claim: Claim, named: Vec<Symbol>) -> bool {
     let Ok(posed) = pose(claim) else {
         return false;
     };

@@ -1,6 +1,6 @@
 //! Claims under further suppositions.
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::kernel::{Claim, Hypothesis, Standing, definition};
 
 pub(super) fn assuming(claim: &Claim, formulas: &[Formula]) -> Claim {
@@ -43,8 +43,16 @@ pub(super) fn defines_afresh(claim: &Claim, formula: &Formula) -> bool {
 pub(super) fn nowhere_put(claim: &Claim) -> Vec<Symbol> {
     let is_put = |symbol: &Symbol| {
         let mut hypotheses = claim.hypotheses.iter();
-        hypotheses.any(|own| own.formula.set_to_number() == Some(symbol))
+        hypotheses.any(|own| {
+            own.formula.set_to_number() == Some(symbol) || measures(&own.formula, symbol)
+        })
     };
     let named = Formula::free_symbols_of(claim.formulas()).into_iter();
     named.filter(|symbol| !is_put(symbol)).cloned().collect()
+}
+
+/// Whether a formula says how many units a symbol is, `v_0 = 0 m/s`.
+fn measures(formula: &Formula, symbol: &Symbol) -> bool {
+    matches!(formula.as_equation(), Some((Expr::Symbol(own), value))
+        if own == symbol && value.free_symbols().iter().all(|own| own.is_unit()))
 }
