@@ -264,7 +264,8 @@ impl Judge<'_> {
         holds
     }
 
-    /// What must not vanish for the step to follow, where that is told of single symbols.
+    /// What must not vanish for the step to follow, where that is told of single symbols, or of what it is no equation for: who solves
+    /// `x (a - b) = c` for `x` means `a ≠ b`, and who draws `x = 1` from `x^2 = 1` does not mean `x ≠ -1`.
     fn nonzero(
         &self,
         claim: &Claim,
@@ -278,7 +279,9 @@ impl Judge<'_> {
         let unless = unless?;
         let may_be_meant = |condition: &Formula| {
             let names = condition.free_symbols();
-            names.len() == 1 && names.iter().all(|symbol| unbounded.contains(symbol))
+            let solved = || (claim.goal.as_equation()).map(|(left, _)| left.free_symbols());
+            names.iter().all(|symbol| unbounded.contains(symbol))
+                && (names.len() == 1 || solved().is_some_and(|own| own.is_disjoint(&names)))
         };
         let meant = unless.divided.iter().all(may_be_meant);
         let conditions = unless.conditions();
