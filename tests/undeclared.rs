@@ -851,3 +851,32 @@ fn a_slope_beside_a_factor_without_a_value_has_none() {
     assert!(text.contains("is false at"), "{text}");
     assert!(!text.contains("left 0, right 0"), "{text}");
 }
+
+/// Powers with symbols in the exponent, by their logarithms; where nobody says that the exponent is not 0, that is told.
+#[test]
+fn adiabats_and_half_lives_are_decided() {
+    let adiabats = |ratio: &str| {
+        verdicts(&format!(
+            "Along the adiabats\n\n$$ T x^{{\\gamma - 1}} = S y^{{\\gamma - 1}} \\tag{{1}} $$\n\n\
+             $$ T u^{{\\gamma - 1}} = S v^{{\\gamma - 1}} \\tag{{2}} $$\n\nDividing (1) by (2) and taking the root\n\n\
+             $$ \\frac{{x}}{{u}} = {ratio} \\tag{{3}} $$\n"
+        ))[2]
+    };
+    assert_eq!(adiabats(r"\frac{y}{v}"), "holds");
+    assert_eq!(adiabats(r"\frac{v}{y}"), "fails");
+    let step = |from: &str, to: &str| {
+        verdicts(&format!(
+            "<!-- check: symbols x, y, c, p, k, t: positive -->\n$$ {from} \\tag{{1}} $$\n\nHence by (1)\n\n$$ {to} \\tag{{2}} $$\n"
+        ))[1]
+    };
+    for (from, right, wrong) in [
+        ("x^p = c y", "x = (c y)^{1/p}", "x = (c y)^{2/p}"),
+        (r"\ln y = \ln x + 2 \ln c", "y = x c^2", "y = x c^3"),
+        (r"c e^{-k t} = \frac{c}{2}", r"k t = \ln 2", r"k t = -\ln 2"),
+        ("e^x = e^{2 y}", "x = 2 y", "x = y^2"),
+    ] {
+        assert_eq!(step(from, right), "holds", "{from}");
+        assert_ne!(step(from, wrong), "holds", "{from}");
+    }
+    assert_eq!(step("x^p = c y", "x = (c y)^{2/p}"), "fails");
+}

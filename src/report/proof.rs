@@ -101,6 +101,9 @@ impl Report<'_> {
                 let origin = match &problem.origins[at] {
                     Origin::Hypothesis(position) => premise(*position),
                     Origin::Rate(position) => format!("{}, differentiated", premise(*position)),
+                    Origin::Logarithms(position) => {
+                        format!("{}, logarithms taken", premise(*position))
+                    }
                     Origin::Domain(symbol) => {
                         format!("declared domain of {}", words::symbol(symbol))
                     }

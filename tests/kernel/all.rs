@@ -11,6 +11,7 @@ mod functions;
 mod induction;
 mod integrals;
 mod knowledge;
+mod logarithms;
 mod obligations;
 mod partial;
 mod proofs;

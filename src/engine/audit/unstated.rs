@@ -9,7 +9,7 @@ use crate::algebra::{Expr, Formula, Function, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Kind, Source, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort, InChain};
-use crate::sorted;
+use crate::sorted::{self, Set};
 
 use super::judge::{Found, Judge, NEARBY, condition, sources, step};
 use super::{Outcome, stated};
@@ -93,17 +93,30 @@ impl Judge<'_> {
         }
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
         let free = unbounded(&claim);
-        // Where it is false at a point at which they are, it does not follow so.
-        if let Outcome::Refuted(refuted) = &found.judged.outcome {
-            let values = &refuted.witness().symbols;
+        // Where it is false at a point at which they are, it does not follow so; but for an exponent that is 0 there.
+        let witness = match &found.judged.outcome {
+            Outcome::Refuted(refuted) => Some(refuted.witness().clone()),
+            _ => None,
+        };
+        let by_exponents = claim.formulas().any(has_exponents);
+        if let Some(witness) = &witness {
+            let values = &witness.symbols;
             let is_positive = |symbol| values.get(symbol).is_some_and(Signed::is_positive);
-            if free.iter().all(is_positive) {
+            if !by_exponents && free.iter().all(is_positive) {
                 return false;
             }
         }
-        let Some(conditions) = self.positive(goal, assumed, &free) else {
+        let Some(mut conditions) = self.positive(goal, assumed, &free) else {
             return false;
         };
+        if by_exponents {
+            let with = conditions.iter().map(step);
+            let with: Vec<Assumed> = assumed.iter().cloned().chain(with).collect();
+            let claim = self.derivation.claim(self.at, &with, &goal.formula);
+            let (witness, hints) = (witness.as_ref(), self.auditor.hints());
+            let unless = search::missing_conditions(&claim, witness, Effort::Full, &hints);
+            conditions.extend(unless.map(search::Unless::conditions).unwrap_or_default());
+        }
         // An inequality that says no more than the conditions do, `x > -3`, is no step.
         let alone = || {
             let with: Vec<Assumed> = conditions.iter().map(step).collect();
@@ -297,7 +310,7 @@ impl Judge<'_> {
 
     /// That all of the symbols are positive which are no numbers, with what must not vanish beside roots; if that can be.
     ///
-    /// Where that cannot be, `U = -k/r`, those that the step speaks of are.
+    /// Where that cannot be, `U = -k/r`, those that the step speaks of are; or what logarithms and powers are taken of, `Q = -n R T \ln r`.
     fn positive(&self, goal: &Goal, set: &[Assumed], unbounded: &[Symbol]) -> Option<Vec<Formula>> {
         self.all_positive(goal, set, unbounded).or_else(|| {
             let named = goal.formula.names();
@@ -307,9 +320,25 @@ impl Judge<'_> {
                 .cloned()
                 .collect();
             let fewer = of_goal.len() < unbounded.len();
-            fewer
+            let of_goal = fewer
                 .then(|| self.all_positive(goal, set, &of_goal))
-                .flatten()
+                .flatten();
+            of_goal.or_else(|| {
+                let mut below = Set::new();
+                let formulas = set.iter().map(|own| &*own.formula);
+                for term in formulas.chain([&goal.formula]).flat_map(Formula::terms) {
+                    collect_raised(term, &mut below);
+                }
+                let below: Vec<Symbol> = unbounded
+                    .iter()
+                    .filter(|&own| below.contains(own))
+                    .cloned()
+                    .collect();
+                let fewer = !below.is_empty() && below.len() < unbounded.len();
+                fewer
+                    .then(|| self.all_positive(goal, set, &below))
+                    .flatten()
+            })
         })
     }
 
@@ -386,6 +415,25 @@ impl Judge<'_> {
 /// Whether a root is written in a formula.
 fn takes_root(formula: &Formula) -> bool {
     any_part(formula, &Expr::is_root)
+}
+
+/// Whether there is a logarithm, or a power with symbols in the exponent.
+fn has_exponents(formula: &Formula) -> bool {
+    any_part(formula, &|part| raised(part).is_some())
+}
+
+/// What a logarithm is taken of, or a power with symbols in the exponent.
+fn raised(part: &Expr) -> Option<&Expr> {
+    match part {
+        Expr::Power(base, exponent) if !exponent.free_symbols().is_empty() => Some(base),
+        Expr::Call(Function::Ln, of) => Some(of),
+        _ => None,
+    }
+}
+
+fn collect_raised(term: &Expr, found: &mut Set<Symbol>) {
+    found.extend(raised(term).into_iter().flat_map(Expr::free_symbols));
+    (term.children()).for_each(|child| collect_raised(child, found));
 }
 
 /// Whether an absolute value is.

@@ -337,7 +337,16 @@ impl Lowering<'_> {
                         let argument = base.clone();
                         self.atom(Atom::Opaque(Expr::Call(Function::Ln, argument)))
                     }
-                    _ => return Ok(None),
+                    base => {
+                        let value = self.lower(base)?;
+                        let mut below = value.denominator();
+                        if !self.is_plainly_positive(value.numerator())
+                            || !below.all(|(own, _)| self.is_plainly_positive(own))
+                        {
+                            return Ok(None);
+                        }
+                        self.logarithm(&value)?
+                    }
                 };
                 Ok(Some(self.lower(&exponent)?.times(&base)?))
             }

@@ -128,6 +128,8 @@ pub enum Proof {
         /// That its negative is not.
         above: Box<Proof>,
     },
+    /// `\ln a = \ln b`: the goal, `a - b`, is 0. Of the claim's own goal only.
+    Logarithms(Box<Proof>),
     /// `-a² ≥ 0`: the goal is 0. So a vanishing sum of squares makes each of its terms vanish.
     Square(Box<Proof>),
     /// `a ≥ 0` and `a² − (a − goal)² ≥ 0`: what is taken from `a` has no greater square, so the goal is not negative;
@@ -330,7 +332,7 @@ impl Proof {
                 below.collect_polynomials(all);
                 above.collect_polynomials(all);
             }
-            Proof::Square(inner) => inner.collect_polynomials(all),
+            Proof::Square(inner) | Proof::Logarithms(inner) => inner.collect_polynomials(all),
             Proof::Larger { larger, squares } => {
                 all.push(larger);
                 squares.collect_polynomials(all);

@@ -57,7 +57,7 @@ impl Problem {
     /// What is true of functions at every point where their terms have values; where an argument has none, there
     /// are values that make it true all the same, so that nothing is said of the argument.
     pub(super) fn add_facts_about_functions(&mut self) -> Result<(), Reject> {
-        let called = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(..)));
+        let called = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(..) | Expr::Power(..)));
         if !self.atoms.iter().any(|(_, atom)| called(atom)) {
             return Ok(());
         }
@@ -106,7 +106,7 @@ impl Problem {
         for related in exponents.into_values() {
             self.relate_exponentials(related)?;
         }
-        Ok(())
+        self.take_logarithms()
     }
 
     fn learn(&mut self, polynomial: Polynomial, sign: Sign) {

@@ -1,7 +1,9 @@
-//! What an equation between logarithms says without them: `\ln x - \ln y + r = 0` says that `x e^r = y`.
+//! What an equation between logarithms says without them, `\ln x - \ln y + r = 0` says that `x e^r = y`; and what an equation between
+//! products says with them, `x^p = c y` that `p \ln x = \ln c + \ln y`.
 //!
 //! An exponential is taken of what is 0, so it is 1; that there are the logarithms says that what they are of is positive. A factor
-//! that all logarithms have, `u` in `v = u \ln(m_0/m)`, is divided by where it is known not to be 0.
+//! that all logarithms have, `u` in `v = u \ln(m_0/m)`, is divided by where it is known not to be 0. A logarithm is taken where both
+//! products are known to be positive; then it says the same, so that it may be shown instead.
 
 use super::{Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
@@ -53,6 +55,84 @@ impl Problem {
         Ok(())
     }
 
+    /// Adds the logarithms of premises between products, where exponentials or powers with symbols in the exponent are spoken of; and
+    /// reads that of the goal.
+    pub(super) fn take_logarithms(&mut self) -> Result<(), Reject> {
+        let is_logarithm = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Ln, _)));
+        let speaks = |atom: &Atom| is_raised(atom) || is_logarithm(atom);
+        if !self.atoms.iter().any(|(_, atom)| speaks(atom)) {
+            return Ok(());
+        }
+        let raises = self.atoms.iter().any(|(_, atom)| is_raised(atom));
+        let knowledge = &Knowledge::new(&self.facts);
+        let equations = self.facts.iter().zip(&self.origins);
+        let equations = equations.filter_map(|(fact, origin)| match origin {
+            Origin::Hypothesis(at) if fact.sign == Sign::Zero => {
+                Some((fact.polynomial.clone(), *at))
+            }
+            _ => None,
+        });
+        let equations: Vec<(Polynomial, usize)> = equations.collect();
+        for (equation, at) in equations {
+            if let Some(taken) = self.logarithm_of(&equation, raises, knowledge)? {
+                self.add(taken, Sign::Zero, Origin::Logarithms(at));
+            }
+        }
+        if self.goal.sign == Sign::Zero {
+            let goal = self.goal.polynomial.clone();
+            self.goal_in_logarithms = self.logarithm_of(&goal, raises, knowledge)?;
+        }
+        Ok(())
+    }
+
+    /// The difference of the logarithms of two products that are known to be positive: it is 0 just where the products are equal. Where
+    /// nothing `raises` anything to a power, only of what logarithms are spoken of.
+    fn logarithm_of(
+        &mut self,
+        equation: &Polynomial,
+        raises: bool,
+        knowledge: &Knowledge,
+    ) -> Result<Option<Polynomial>, Reject> {
+        if equation.len() != 2 {
+            return Ok(None);
+        }
+        let terms: Vec<Polynomial> = equation
+            .terms()
+            .map(|(monomial, number)| Polynomial::term(monomial.clone(), number.clone()))
+            .collect();
+        let (negative, positive): (Vec<Polynomial>, Vec<Polynomial>) = (terms.into_iter())
+            .partition(|own| own.leading().is_some_and(|(_, c)| c.is_negative()));
+        let ([negative], [positive]) = (negative.as_slice(), positive.as_slice()) else {
+            return Ok(None);
+        };
+        let sides = [positive.clone(), negative.negated()];
+        let [more, less] =
+            sides.map(|own| Expr::Call(Function::Ln, expr_of(&own, &self.atoms).into()));
+        // Unknowns are added only where the logarithms are of use.
+        let mut atoms = self.atoms.clone();
+        let mut lowering = self.lowering_over(&mut atoms);
+        let value = lowering.lower(&more)?.minus(&lowering.lower(&less)?)?;
+        let conditions = lowering.conditions;
+        let sure = conditions.divisors().all(|own| knowledge.is_nonzero(own))
+            && conditions
+                .positive
+                .iter()
+                .all(|own| knowledge.is_positive(own))
+            && conditions.nonnegative.is_empty()
+            && conditions.bases.is_empty()
+            && conditions.away.is_empty()
+            && conditions.zero.is_empty()
+            && conditions.doubtful.is_empty()
+            && value
+                .denominator()
+                .all(|(own, _)| knowledge.is_nonzero(own));
+        if !sure || !raises && atoms.len() > self.atoms.len() {
+            return Ok(None);
+        }
+        self.atoms = atoms;
+        Ok(Some(value.numerator().clone()))
+    }
+
     /// What all logarithms in an equation are multiplied by, where each stands once by itself.
     fn factor_of_logarithms(&self, equation: &Polynomial) -> Option<Monomial> {
         if equation.len() > MOST_TERMS {
@@ -88,5 +168,14 @@ impl Problem {
     fn speaks_of_logarithms(&self, value: &Fraction) -> bool {
         let is_logarithm = |part: &Expr| matches!(part, Expr::Call(Function::Ln, _));
         expr_of_fraction(value, &self.atoms).any(&is_logarithm)
+    }
+}
+
+/// `e^{-k t}`, `x^p`
+fn is_raised(atom: &Atom) -> bool {
+    match atom {
+        Atom::Opaque(Expr::Call(Function::Exp, _)) => true,
+        Atom::Opaque(Expr::Power(_, exponent)) => !matches!(**exponent, Expr::Number(_)),
+        _ => false,
     }
 }

@@ -12,6 +12,7 @@
 //! | [`Proof::Positivity`] | multiplier · goal = Σ nonnegative terms + Σ cofactor · equation |
 //! | [`Proof::BothBounds`] | a ≥ 0 and −a ≥ 0 |
 //! | [`Proof::Square`] | −a² ≥ 0 |
+//! | [`Proof::Logarithms`] | a > 0 and b > 0 and ln a = ln b |
 //! | [`Proof::Larger`] | a ≥ 0 and a² − (a − goal)² ≥ 0 |
 //! | [`Rate`] | a law differentiated anew: its derivative vanishes too |
 //! | [`Assignment`] | evaluate: premises true, goal false |

@@ -5,8 +5,8 @@ use num_traits::{One, Signed, Zero};
 
 use super::{Claim, Fact, Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
-    Atom, Atoms, BigInt, BigRational, Expr, Fraction, Function, Functions, Polynomial, Powers,
-    Rational, Symbol, Var, element_parts, mentions_symbol, sign_of_fraction,
+    Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Function, Functions, Polynomial,
+    Powers, Rational, Relation, Symbol, Var, element_parts, mentions_symbol, sign_of_fraction,
 };
 use crate::sorted::{Map, Set};
 
@@ -62,6 +62,21 @@ pub(super) fn powers_of<'a>(
             powers.roots.insert(symbol.clone(), order);
         }
     }
+    for symbol in claim
+        .hypotheses
+        .iter()
+        .filter_map(|own| said_positive(&own.formula))
+    {
+        let element = element_parts(symbol).is_some_and(|(s, _)| sequences.contains(&s));
+        if !element
+            && !sequences.contains(symbol)
+            && !elsewhere(symbol)
+            && !found.bound.contains(symbol)
+        {
+            powers.nonzero.insert(symbol.clone());
+            powers.positive.insert(symbol.clone());
+        }
+    }
     if pi {
         let pi = Symbol::new("\\pi");
         powers.nonzero.insert(pi.clone());
@@ -69,6 +84,25 @@ pub(super) fn powers_of<'a>(
     }
     functions.positive = powers.positive.clone();
     Some((powers, functions))
+}
+
+/// The symbol that a premise says to be positive.
+fn said_positive(formula: &Formula) -> Option<&Symbol> {
+    let Formula::Relation {
+        left,
+        relation,
+        right,
+    } = formula
+    else {
+        return None;
+    };
+    match (left, relation, right) {
+        (Expr::Symbol(symbol), Relation::Greater, Expr::Number(bound))
+        | (Expr::Number(bound), Relation::Less, Expr::Symbol(symbol)) => {
+            (!bound.is_negative()).then_some(symbol)
+        }
+        _ => None,
+    }
 }
 
 /// Whether there is a power with another exponent than an integer in a term.

@@ -35,6 +35,8 @@ pub struct Problem {
     pub origins: Vec<Origin>,
     /// What is to be shown.
     pub goal: Fact,
+    /// The same with logarithms taken of both sides, where it equates products that are known to be positive.
+    pub goal_in_logarithms: Option<Polynomial>,
     /// What must be known for the goal to be defined at all.
     pub conditions: Conditions,
     pub(super) readings: Vec<Reading>,
@@ -62,6 +64,8 @@ pub enum Origin {
     Hypothesis(usize),
     /// The hypothesis at this position, differentiated.
     Rate(usize),
+    /// The hypothesis at this position, with the logarithms of both sides taken.
+    Logarithms(usize),
     /// The declared domain of a symbol.
     Domain(Symbol),
     /// The nature of sums: counts and even power sums are not negative.
@@ -146,6 +150,7 @@ impl Problem {
                 polynomial: Polynomial::zero(),
                 sign: Sign::Zero,
             },
+            goal_in_logarithms: None,
             conditions: Conditions::default(),
             readings: Vec::with_capacity(likely),
             integers: Vec::new(),

@@ -124,6 +124,13 @@ impl<'a> State<'a> {
                 self.proof(&bound(goal.clone()), below)?;
                 self.proof(&bound(goal.negated()), above)
             }
+            (Proof::Logarithms(inner), Sign::Zero) => {
+                let own = Some(goal).filter(|goal| **goal == self.problem.goal.polynomial);
+                let taken = own.and(self.problem.goal_in_logarithms.clone());
+                let polynomial = taken.ok_or(Reject::WrongKind)?;
+                let sign = Sign::Zero;
+                self.proof(&Fact { polynomial, sign }, inner)
+            }
             (Proof::Square(inner), Sign::Zero) => {
                 let polynomial = goal.pow(2)?.negated();
                 let sign = Sign::NonNegative;

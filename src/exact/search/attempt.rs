@@ -6,8 +6,8 @@ use super::radical::base_of_power;
 use super::{Effort, assuming, pose, rates};
 use crate::algebra::{Atom, Atoms, Expr, Formula, Polynomial, Relation, expr_of};
 use crate::kernel::{
-    Candidate, Certificate, Checked, Claim, Fact, Knowledge, Obligation, Origin, Problem, Proven,
-    Reject, Sign,
+    Candidate, Certificate, Checked, Claim, Fact, Knowledge, Obligation, Origin, Problem, Proof,
+    Proven, Reject, Sign,
 };
 use crate::sorted::Set;
 
@@ -89,7 +89,9 @@ pub(super) fn attempt_with(
     if effort == Effort::Full && prover.learn_powers(problem).is_err() {
         return Attempt::Nothing;
     }
-    let Some(conclusion) = prover.prove(&problem.goal, effort) else {
+    let conclusion = prover.prove(&problem.goal, effort);
+    let Some(conclusion) = conclusion.or_else(|| in_logarithms(&mut prover, problem, effort))
+    else {
         return Attempt::Nothing;
     };
     let mut needs = Vec::new();
@@ -142,10 +144,20 @@ pub(super) fn attempt_with(
     })
 }
 
+/// `x = y` where it is `\ln x = \ln y` that follows.
+fn in_logarithms(prover: &mut Prover, problem: &Problem, effort: Effort) -> Option<Proof> {
+    let (polynomial, sign) = (problem.goal_in_logarithms.clone()?, Sign::Zero);
+    let proof = prover.prove(&Fact { polynomial, sign }, effort)?;
+    Some(Proof::Logarithms(proof.into()))
+}
+
 /// Whether a claim can still be proved by elimination when one hypothesis says nothing; in doubt, it can.
 pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
     let problem = obligation.problem();
-    let silenced = |fact: usize| problem.origins[fact] == Origin::Hypothesis(hypothesis);
+    let silenced = |fact: usize| match problem.origins[fact] {
+        Origin::Hypothesis(at) | Origin::Logarithms(at) => at == hypothesis,
+        _ => false,
+    };
     // What was put in is in every fact.
     obligation.unfold().contains(&hypothesis)
         || Prover::without(problem, silenced).is_ok_and(|prover| {

@@ -22,7 +22,11 @@ pub(super) fn combined_hypotheses(problem: &Problem, certificate: &Certificate) 
         }
         for fact in facts_of(proofs[at]) {
             match problem.origins.get(fact) {
-                Some(Origin::Hypothesis(position) | Origin::Rate(position)) => {
+                Some(
+                    Origin::Hypothesis(position)
+                    | Origin::Rate(position)
+                    | Origin::Logarithms(position),
+                ) => {
                     used.insert(*position);
                 }
                 Some(_) => {}
@@ -54,7 +58,9 @@ fn facts_of(proof: &Proof) -> Vec<usize> {
             all.extend(facts_of(above));
             all
         }
-        Proof::Square(inner) | Proof::Larger { squares: inner, .. } => facts_of(inner),
+        Proof::Square(inner) | Proof::Logarithms(inner) | Proof::Larger { squares: inner, .. } => {
+            facts_of(inner)
+        }
         Proof::OfPower { base, .. } => vec![*base],
     }
 }

@@ -121,6 +121,18 @@ impl<'a> Written<'a> {
                     self.step(&fact, squares, "(a² − b²)", indent + 2);
                 }
             }
+            Proof::Logarithms(inner) => {
+                if let Some(polynomial) = self.problem.goal_in_logarithms.clone() {
+                    let sign = Sign::Zero;
+                    let taken = Fact { polynomial, sign };
+                    let text = format!(
+                        "{name} = 0 equates what is positive, so that it is enough to equate the logarithms: {} (L)",
+                        self.fact(&taken)
+                    );
+                    self.say(indent, &text);
+                    self.step(&taken, inner, "L", indent + 2);
+                }
+            }
             Proof::Square(inner) => {
                 self.say(indent, &format!("{name} = 0, for −{name}² ≥ 0:"));
                 if let Ok(square) = goal.pow(2) {

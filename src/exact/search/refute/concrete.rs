@@ -9,7 +9,7 @@ use super::super::point::{Target, Wanted, satisfies};
 use super::super::values::candidates;
 use super::facts::{measured_in_units, negation, roots};
 use crate::algebra::{Atom, Atoms, Expr, Lowering, Rational, Symbol, Var, element_parts};
-use crate::kernel::{Assignment, Claim, Domain, Fact, Obligation, Sign, definition};
+use crate::kernel::{Assignment, Claim, Domain, Fact, Obligation, Origin, Sign, definition};
 use crate::sorted::Map;
 
 /// The claim itself, or what it is with definite numbers of elements.
@@ -63,7 +63,10 @@ impl<'a> Concrete<'a> {
         if hint.is_some() && facts.first().and_then(at_hint) == Some(false) {
             return None;
         }
-        for fact in &problem.facts {
+        // A point need not give the logarithms that no one speaks of.
+        let told = problem.facts.iter().zip(&problem.origins);
+        let told = told.filter(|(_, origin)| !matches!(origin, Origin::Logarithms(_)));
+        for (fact, _) in told {
             match hint.and_then(|_| at_hint(fact)) {
                 None => facts.push(fact.clone()),
                 Some(true) => {}

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use num_traits::Signed;
 
 use crate::algebra::{BigRational, Expr, Formula, Symbol, Values, element_symbol};
-use crate::kernel::{Assignment, Claim, Hypothesis, definition};
+use crate::kernel::{Assignment, Claim, Hypothesis, Standing, definition};
 use crate::sorted::{self, Map, Set};
 
 /// Sums over a symbolic number of elements are tried with up to this many.
@@ -13,36 +13,47 @@ pub(super) const MOST_ELEMENTS: i64 = 4;
 /// The most terms that sums in one claim are written out to: sums in sums multiply.
 const MOST_WRITTEN_OUT: usize = 4_000;
 
-/// The symbols that say how many elements there are, and the whole numbers in exponents: with a definite number in
-/// its place a power is a polynomial.
+/// The symbols that say how many elements there are, and those in exponents: with a definite number in its place a power is a polynomial.
+/// What varies below a derivative or an integral stays what it is.
 pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
-    let whole = |symbol: &Symbol| {
-        let domain = claim.domains.get(symbol);
-        domain.is_some_and(|d| {
-            d.integer && d.lower.as_ref().is_some_and(|lower| !lower.0.is_negative())
-        })
+    let mut varying = Set::new();
+    for term in claim.formulas().flat_map(Formula::terms) {
+        collect_varying(term, &mut varying);
+    }
+    let is_definite = |symbol: &Symbol| match claim.domains.get(symbol) {
+        Some(d) if d.integer => d.lower.as_ref().is_some_and(|lower| !lower.0.is_negative()),
+        _ => !varying.contains(symbol) && symbol.name() != "\\pi",
     };
-    fn collect(expr: &Expr, whole: &impl Fn(&Symbol) -> bool, found: &mut Set<Symbol>) {
+    fn collect(expr: &Expr, is_definite: &impl Fn(&Symbol) -> bool, found: &mut Set<Symbol>) {
         match expr {
             Expr::Series { to, .. } => found.extend(to.free_symbols()),
             Expr::Power(_, exponent) if !matches!(**exponent, Expr::Number(_)) => {
-                found.extend(exponent.free_symbols().into_iter().filter(whole));
+                found.extend(exponent.free_symbols().into_iter().filter(is_definite));
             }
             _ => {}
         }
-        (expr.children()).for_each(|child| collect(child, whole, found));
+        (expr.children()).for_each(|child| collect(child, is_definite, found));
     }
     let mut found = Set::new();
     for formula in claim.formulas() {
         formula
             .terms()
             .into_iter()
-            .for_each(|term| collect(term, &whole, &mut found));
+            .for_each(|term| collect(term, &is_definite, &mut found));
         if let Formula::AllEqual { to, .. } = formula {
             found.extend(to.free_symbols());
         }
     }
     found.into_iter().collect()
+}
+
+/// All that stands below a derivative, an integral or a limit.
+fn collect_varying(expr: &Expr, found: &mut Set<Symbol>) {
+    if !matches!(expr, Expr::Series { .. }) && expr.binder().is_some() {
+        found.extend(expr.binder().cloned());
+        found.extend(expr.free_symbols());
+    }
+    (expr.children()).for_each(|child| collect_varying(child, found));
 }
 
 /// All choices of sizes, the smallest total first.
@@ -128,6 +139,15 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
             hypotheses.push(Hypothesis { formula, standing });
         }
     }
+    // With another exponent than a whole number only what is positive has a power.
+    let mut bases = Vec::new();
+    for term in claim.formulas().flat_map(Formula::terms) {
+        collect_bases(term, claim, counts, &mut bases);
+    }
+    hypotheses.extend(bases.into_iter().map(|base| Hypothesis {
+        formula: Formula::positive(number(base)).into(),
+        standing: Standing::AtPoint,
+    }));
     // The conclusion is one formula: Σ (aᵢ − bᵢ)² = 0.
     let goals = written_out(&claim.goal.map_terms(number))?;
     if left.get() == 0 {
@@ -153,6 +173,20 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
         hypotheses,
         goal,
     })
+}
+
+/// What is raised to exponents that are given definite numbers and may be others than whole ones.
+fn collect_bases<'a>(expr: &'a Expr, claim: &Claim, counts: &[Symbol], found: &mut Vec<&'a Expr>) {
+    let is_real = |symbol: &Symbol| {
+        counts.contains(symbol) && claim.domains.get(symbol).is_none_or(|d| !d.integer)
+    };
+    if let Expr::Power(base, exponent) = expr
+        && exponent.free_symbols().iter().any(is_real)
+        && !found.contains(&&**base)
+    {
+        found.push(base);
+    }
+    (expr.children()).for_each(|child| collect_bases(child, claim, counts, found));
 }
 
 /// Sums over a definite number of elements, written out while there are terms left to be written.

@@ -1,0 +1,175 @@
+//! Equations between products by their logarithms: accepted, then with something in it that may not be positive, may vanish or is
+//! another equation.
+
+use cradle_verify::kernel::{Claim, Domain, Fact, Lemma, Origin, Proof, Reject, Sign};
+
+use super::claims::*;
+
+/// `x^p = y^p ⊢ x = y`
+fn injective() -> Claim {
+    claim(&["x^p = y^p"], "x = y")
+}
+
+fn all_positive(mut claim: Claim, names: &[&str]) -> Claim {
+    for name in names {
+        claim = claim.domain(name, positive());
+    }
+    claim
+}
+
+/// Where the logarithms of a premise stand among the facts.
+fn taken(p: &Proving) -> Option<usize> {
+    let mut origins = p.problem.origins.iter();
+    origins.position(|origin| matches!(origin, Origin::Logarithms(_)))
+}
+
+/// `factor · (\ln x - \ln y) = times · (p \ln x - p \ln y)`, up to the sign that the reading chose.
+fn by_logarithms(p: &Proving, factor: &str, times: &str) -> Proof {
+    let fact = taken(p).expect("the premise equates what is positive");
+    let goal = p
+        .problem
+        .goal_in_logarithms
+        .clone()
+        .expect("so does the goal");
+    let own = p.p("p").times(&goal).expect("small");
+    let times = match own == p.problem.facts[fact].polynomial {
+        true => times.to_owned(),
+        false => format!("-{times}"),
+    };
+    Proof::Logarithms(combined(p, &[(factor, 1)], (fact, &times)).into())
+}
+
+/// `multiplier · goal = times · fact`
+fn combined(p: &Proving, multiplier: &[(&str, u32)], (fact, times): (usize, &str)) -> Proof {
+    Proof::Combination {
+        multiplier: p.factors(multiplier),
+        power: 1,
+        cofactors: vec![(fact, p.p(times))],
+    }
+}
+
+#[test]
+fn what_is_positive_is_equal_where_the_logarithms_are() {
+    let p = Proving::new(all_positive(injective(), &["x", "y", "p"]));
+    assert_eq!(p.checked(by_logarithms(&p, "p", "1")), Ok(()));
+    let wrong = by_logarithms(&p, "p", "2");
+    assert_eq!(p.checked(wrong), Err(Reject::IdentityFails));
+}
+
+#[test]
+fn factor_of_logarithms_must_not_vanish() {
+    // 1 = 2^0 · 1 says nothing of 2.
+    let p = Proving::new(all_positive(injective(), &["x", "y"]));
+    let proof = by_logarithms(&p, "p", "1");
+    assert_eq!(p.checked(proof), Err(Reject::MayVanish(term("p"))));
+}
+
+#[test]
+fn nothing_is_taken_of_what_may_be_negative() {
+    let nonnegative = || Domain {
+        lower: Some((number(0), false)),
+        ..Domain::default()
+    };
+    let scaled = || all_positive(claim(&["c x^p = y^p"], "c x = y"), &["x", "y", "p"]);
+    assert!(taken(&Proving::new(scaled().domain("c", positive()))).is_some());
+    for claim in [scaled(), scaled().domain("c", nonnegative())] {
+        let p = Proving::new(claim);
+        assert_eq!(taken(&p), None);
+        assert_eq!(p.problem.goal_in_logarithms, None);
+        let inner = p.combination(&[], 1, &[]);
+        let proof = Proof::Logarithms(inner.into());
+        assert_eq!(p.checked(proof), Err(Reject::WrongKind));
+    }
+    // That there are the powers says that their bases are positive, where the exponent is any number; not for a whole one.
+    assert!(taken(&Proving::new(injective())).is_some());
+    let natural = Domain {
+        integer: true,
+        ..positive()
+    };
+    assert_eq!(taken(&Proving::new(injective().domain("p", natural))), None);
+}
+
+#[test]
+fn logarithms_are_taken_of_two_products_with_opposite_signs_only() {
+    let names = ["x", "y", "p"];
+    for goal in ["x + y = 0", "x^2 = y + 1", "x = 0"] {
+        let p = Proving::new(all_positive(claim(&["x^p = y^p"], goal), &names));
+        assert_eq!(p.problem.goal_in_logarithms, None, "{goal}");
+    }
+    for premise in ["x^p + y^p = 0", "x^p = y^p + 1"] {
+        let p = Proving::new(all_positive(claim(&[premise], "x = y"), &names));
+        assert_eq!(taken(&p), None, "{premise}");
+    }
+    let p = Proving::new(all_positive(claim(&["x^p = y^p"], r"x \geq y"), &names));
+    assert_eq!(p.problem.goal_in_logarithms, None);
+}
+
+#[test]
+fn exponent_that_may_have_no_value_is_left_alone() {
+    let goal = |names: &[&str]| {
+        let claim = all_positive(claim(&["x = y^p"], "x^{1/p} = y"), names);
+        Proving::new(claim).problem.goal_in_logarithms
+    };
+    assert!(goal(&["x", "y", "p"]).is_some());
+    assert!(goal(&["x", "y"]).is_none());
+}
+
+#[test]
+fn logarithms_prove_no_other_equation_than_the_goal() {
+    let p = Proving::new(all_positive(injective(), &["x", "y", "p"]));
+    let fact = |polynomial| Fact {
+        polynomial,
+        sign: Sign::Zero,
+    };
+    let with = |text: &str| {
+        let mut own = p.clone();
+        own.lemmas.push(Lemma {
+            fact: fact(p.p(text)),
+            proof: by_logarithms(&p, "p", "1"),
+        });
+        own.checked(by_logarithms(&p, "p", "1"))
+    };
+    assert_eq!(with("x - 2 y"), Err(Reject::WrongKind));
+    // `x ≠ y` follows from nothing of the kind.
+    let apart = Proving::new(all_positive(
+        claim(&["x^p = y^p"], r"x \neq y"),
+        &["x", "y", "p"],
+    ));
+    let inner = apart.combination(&[], 1, &[]);
+    let proof = Proof::Logarithms(inner.into());
+    assert_eq!(apart.checked(proof), Err(Reject::WrongKind));
+}
+
+#[test]
+fn exponentials_are_positive_whatever_their_exponents_are() {
+    let p = Proving::new(claim(&[r"\exp(a) = \exp(b)"], "a = b"));
+    let fact = taken(&p).expect("both are positive");
+    let times = match p.problem.facts[fact].polynomial == p.problem.goal.polynomial {
+        true => "1",
+        false => "-1",
+    };
+    assert_eq!(p.checked(combined(&p, &[], (fact, times))), Ok(()));
+    // Of a factor that may be negative there is no logarithm: c = 0 makes it true for all a and b.
+    let p = Proving::new(claim(&[r"c \exp(a) = c \exp(b)"], "a = b"));
+    assert_eq!(taken(&p), None);
+}
+
+#[test]
+fn premise_that_something_is_positive_takes_powers_apart() {
+    let apart = |premises: &[&str]| Proving::new(claim(premises, "(x y)^p = x^p y^p")).trivially();
+    assert_eq!(apart(&["x > 0", "y > 0"]), Ok(()));
+    assert_eq!(apart(&["0 < x", "1 < y"]), Ok(()));
+    for premises in [
+        &["x > 0"][..],
+        &[r"x \geq 0", "y > 0"],
+        &["x > -1", "y > 0"],
+        &["x < 0", "y > 0"],
+        &["x = 1", "y > 0"],
+        &[r"x \neq 0", "y > 0"],
+    ] {
+        assert!(apart(premises).is_err(), "{premises:?}");
+    }
+    // What is integrated over is something else of that name.
+    let bound = claim(&["x > 0"], r"\int_{-1}^{1} (x^2)^{1/2} \, dx = 0");
+    assert!(Proving::new(bound).trivially().is_err());
+}
