@@ -247,3 +247,136 @@ fn a_power_that_is_given_changes() {
                 $$ \\frac{dE}{dr} = -\\frac{k m}{r^2} $$\n";
     assert_eq!(last(page), ("holds", vec!["taken-as-constant"]));
 }
+
+/// The side of the equation that is cited is set to zero, whatever stands last.
+#[test]
+fn sides_of_what_is_cited_vanish() {
+    let slope = |lead: &str, end: &str| {
+        last(&format!(
+            "The first derivative is\n\n$$ \\frac{{df}}{{dx}} = 3 x^2 - 12 x \\tag{{1}} $$\n\nand the second\n\n\
+             $$ \\frac{{d^2 f}}{{dx^2}} = 6 x - 12. \\tag{{2}} $$\n\n{lead} for $x \\neq 0$,\n\n$$ x = {end}. $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "Setting (1) equal to zero gives,",
+        "Setting the derivative (1) to zero we find",
+        "Equating (1) to zero gives,",
+        "The right-hand side of (1) vanishes. Hence,",
+    ] {
+        assert_eq!(slope(lead, "4"), "holds", "{lead}");
+        assert_eq!(slope(lead, "2"), "fails", "{lead}");
+    }
+    let rest = |lead: &str, end: &str| {
+        verdicts(&format!(
+            "The rate is\n\n$$ \\frac{{dN}}{{dt}} = r N - H \\tag{{1}} $$\n\n{lead}\n\n$$ {end} \\tag{{2}} $$\n\nDifferentiating (2) by $r$,\n\n\
+             $$ \\frac{{dH}}{{dr}} = N + r \\frac{{dN}}{{dr}} $$\n"
+        ))
+    };
+    for lead in [
+        "In equilibrium the right-hand side of (1) vanishes:",
+        "In equilibrium (1) vanishes. Hence",
+        "At equilibrium the left side of (1) is zero, so",
+    ] {
+        assert_eq!(rest(lead, "r N = H")[1], "holds", "{lead}");
+        assert_eq!(rest(lead, "r H = N")[1], "fails", "{lead}");
+    }
+    let again = "In equilibrium the right-hand side of (1) vanishes:";
+    assert_eq!(rest(again, "r N = H")[2], "holds");
+}
+
+/// What must have a value is what the display before says the value of.
+#[test]
+fn it_must_be_equal_to_something() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "The integral is\n\n$$ N = \\frac{{A^2 L}}{{2}}. \\tag{{1}} $$\n\n{lead}\n\n$$ {end} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "It must be equal to one, so",
+        "It has to be 1. Hence",
+        "which must be 1. Hence",
+        "As the left-hand side of (1) must equal $1$, we get",
+        "This should be unity, so",
+        "Setting this equal to one, we get",
+        "Equating $N$ to 1 gives",
+    ] {
+        assert_eq!(page(lead, r"A^2 = \frac{2}{L}"), "holds", "{lead}");
+        assert_eq!(page(lead, r"A^2 = \frac{1}{L}"), "fails", "{lead}");
+    }
+    assert_eq!(
+        page("It must equal $M$, so", r"A^2 = \frac{2 M}{L}"),
+        "holds"
+    );
+    assert_eq!(
+        page("It must not be equal to one, so", r"A^2 = \frac{2}{L}"),
+        "fails"
+    );
+    let profit = |lead: &str, end: &str| {
+        last(&format!(
+            "The profit is\n\n$$ G = (a - c) q - b q^2. \\tag{{1}} $$\n\nThe derivative is\n\n\
+             $$ \\frac{{dG}}{{dq}} = a - c - 2 b q. \\tag{{2}} $$\n\n{lead}\n\n$$ q = {end} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "At the maximum it vanishes, so",
+        "At the maximum it must vanish, so",
+    ] {
+        assert_eq!(profit(lead, r"\frac{a - c}{2 b}"), "holds", "{lead}");
+        assert_eq!(profit(lead, r"\frac{a - c}{b}"), "fails", "{lead}");
+    }
+}
+
+/// Of two equations that are equated the left sides are equal.
+#[test]
+fn equations_are_equated() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "The kinetic energy is\n\n$$ K = \\frac12 m v^2 \\tag{{1}} $$\n\nand the potential energy\n\n$$ U = m g h. \\tag{{2}} $$\n\n\
+             {lead}\n\n$$ h = {end} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "Equating (1) and (2) we get",
+        "Setting (1) equal to (2) gives",
+        "Equating the two expressions,",
+        "Equating the kinetic energy (1) with the potential energy (2), we find",
+        "Since no energy is lost, $K = U$, and therefore",
+    ] {
+        assert_eq!(page(lead, r"\frac{v^2}{2 g}"), "holds", "{lead}");
+        assert_eq!(page(lead, r"\frac{v^2}{g}"), "fails", "{lead}");
+    }
+    assert_eq!(
+        page("Since no energy $K = U$ is lost,", r"\frac{v^2}{g}"),
+        "fails"
+    );
+}
+
+/// A condition in words that are not understood leaves open what may follow from it.
+#[test]
+fn conditions_that_are_not_understood_refute_nothing() {
+    let page = |lead: &str| {
+        last(&format!(
+            "The force is\n\n$$ F = a x - b \\tag{{1}} $$\n\nand the torque\n\n$$ M = F c + d x. \\tag{{2}} $$\n\n{lead}\n\n$$ x = \\frac{{b}}{{a}} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "Where both parts vanish,",
+        "Equating coefficients in (1) we get",
+        "It must be equal to the weight, so",
+    ] {
+        assert_eq!(page(lead), "undecided", "{lead}");
+    }
+    for lead in [
+        "From (1) we get",
+        "It never vanishes, so",
+        "Hence the sum vanishes for",
+    ] {
+        assert_eq!(page(lead), "fails", "{lead}");
+    }
+}

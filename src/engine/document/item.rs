@@ -230,6 +230,12 @@ pub enum SuppositionKind {
     Known,
     /// "Setting the derivative to zero gives": zero, and not written as an equation.
     Vanishes(Vanishing),
+    /// "In equilibrium the right-hand side of (1) vanishes": the same, as long as nothing changes.
+    StandsStill(Vanishing),
+    /// "It must be equal to one", "Equating (1) and (2)": what is said at the first place has the value that is named at the second.
+    Equals(Vanishing, Vanishing, Span),
+    /// "Both sides vanish": a condition that is not understood. It supposes nothing, and what follows cannot be refuted without it.
+    Unread,
     /// "Let $x$ be a real number": a letter is introduced. It supposes nothing.
     Anew,
     /// "In general": all special cases are left. It supposes nothing.
@@ -242,15 +248,23 @@ pub enum SuppositionKind {
     Define,
 }
 
-/// What is said to be zero.
+/// What is said to be zero, or to have a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Vanishing {
-    /// "Setting $F - k x$ to zero": the inline mathematics.
+    /// "Setting $F - k x$ to zero": the inline mathematics, a number, or "one".
     Term,
     /// "Setting the derivative to zero": the one that was displayed last; where there is none, that by what is displayed next.
     Slope,
     /// "Setting this to zero": what the display before says the value of.
     Display,
+    /// "Equating the two": what the display before that says the value of.
+    Previous,
+    /// "Setting (5) to zero": what the equation that is cited there says the value of.
+    Cited,
+    /// "The left-hand side of (5) vanishes": of the equation that is cited there, or of the display before.
+    LeftSide,
+    /// "The right-hand side of (5) vanishes".
+    RightSide,
     /// "which vanishes at $x = a$": the same, told in passing.
     Told,
     /// "the velocity vanishes, so": what the text calls by this word.

@@ -134,6 +134,8 @@ struct Sentence {
     means: bool,
     /// It has drawn a conclusion.
     concluded: bool,
+    /// A clause with a reason is open: "Since no heat is lost, $Q = P$". Whether that denies something.
+    reason: Option<bool>,
     /// What was introduced last, as far as it reaches.
     active: Option<(SuppositionKind, Reach)>,
 }
@@ -151,6 +153,7 @@ impl Sentence {
             factual: true,
             means: true,
             concluded: false,
+            reason: None,
             active: None,
         }
     }
@@ -198,7 +201,15 @@ impl Reader<'_> {
         let next = self.tokens.get(index + 1).map(|(token, _)| *token);
         // "The masses were measured to be" denies nothing.
         let told = word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.has(next));
-        if among(&UNDECIDED) || among(&DENYING) && !told {
+        let begins = !self.sentence.begun || follows_comma(index, self.tokens);
+        if begins && matches!(word, "since" | "because" | "as") {
+            self.sentence.reason = Some(false);
+        }
+        if let Some(denied) = &mut self.sentence.reason
+            && among(&DENYING)
+        {
+            *denied = true;
+        } else if among(&UNDECIDED) || among(&DENYING) && !told {
             self.sentence.factual = false;
             self.sentence.means &= among(&HYPOTHETICAL);
             // "A ball of radius $r = 2 a$ rolls without slipping": only what comes after it is denied.
@@ -227,6 +238,10 @@ impl Reader<'_> {
 
     fn mathematics(&mut self, index: usize, body: Span) {
         self.sentence.begun = true;
+        if self.sentence.reason == Some(true) && relates(self.text(body)) {
+            (self.sentence.factual, self.sentence.means) = (false, false);
+            self.withdraw_facts();
+        }
         let text = self.text(body);
         let (states, is_zero) = (relates(text), text.trim_end().ends_with("= 0"));
         let says_number = is_number(text);
@@ -361,6 +376,9 @@ impl Reader<'_> {
 
     /// A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
     fn mark(&mut self, mark: Token<'_>) {
+        if mark == Token::Mark(',') {
+            self.sentence.reason = None;
+        }
         let Some((kind, reach)) = self.sentence.active else {
             if mark == Token::Mark(';') {
                 self.open = self.found.len();
@@ -420,13 +438,42 @@ pub fn is_reason(source: &str, body: Span) -> bool {
     let before = source.get(..body.start).unwrap_or_default();
     let before = before.trim_end_matches(|c: char| !c.is_alphabetic());
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next();
-    word.is_some_and(|word| REASONS.has_in_any_case(word))
+    word.is_some_and(|word| REASONS.has_in_any_case(word)) || follows_a_reason(source, body)
+}
+
+/// Whether the clause before mathematics gives a reason in words: "Since no heat is lost, $a = b$".
+fn follows_a_reason(source: &str, body: Span) -> bool {
+    let before = source.get(..body.start).unwrap_or_default();
+    let before =
+        before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\'));
+    let Some(before) = before.strip_suffix(',') else {
+        return false;
+    };
+    let clause = before.rsplit([',', '.', ';', ':', '$', '}', ')']).next();
+    let mut words = clause.unwrap_or_default().split_whitespace();
+    let (first, next) = (words.next(), words.next());
+    let rest = words.count();
+    let is =
+        |word: Option<&str>, among: &[&str]| word.is_some_and(|word| among.has_in_any_case(word));
+    // "As a check," gives none.
+    let describes = is(
+        next,
+        &[
+            "a", "an", "in", "for", "we", "to", "with", "can", "shown", "expected",
+        ],
+    );
+    is(first, &["since", "because"]) && rest > 0 || is(first, &["as"]) && rest > 1 && !describes
 }
 
 /// Whether one of these words, in lower case, stands before what is at `index`.
 fn follows(index: usize, tokens: &[Placed<'_>], words: &(impl Listed + ?Sized)) -> bool {
     let before = index.checked_sub(1).and_then(|before| tokens.get(before));
     before.is_some_and(|(token, _)| token.is_among(words))
+}
+
+fn follows_comma(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = index.checked_sub(1).map(|before| tokens[before].0);
+    before == Some(Token::Mark(','))
 }
 
 /// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".
