@@ -380,3 +380,64 @@ fn conditions_that_are_not_understood_refute_nothing() {
         assert_eq!(page(lead), "fails", "{lead}");
     }
 }
+
+/// What a sentence begins with before it says anything.
+#[test]
+fn words_that_only_lead_on() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "We have\n\n$$ T = \\frac{{m (2 n + M)}}{{m + n + M}}. \\tag{{1}} $$\n\n{lead}\n\n$$ T = {end} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "As a check, for a massless pulley, $M = 0$, this is the well known result",
+        "As a test, for $M = 0$ we have",
+        "As expected, if $M = 0$, this becomes",
+        "For example, with $M = 0$ we get",
+        "For example, take $M = 0$. We get",
+        "Conversely, at $M = 0$,",
+        "Finally, setting $M = 0$ we find",
+        "In particular, for $M = 0$ this gives",
+        "To check this, let $M = 0$. Then",
+    ] {
+        assert_eq!(page(lead, r"\frac{2 m n}{m + n}"), "holds", "{lead}");
+        assert_eq!(page(lead, r"\frac{m n}{m + n}"), "fails", "{lead}");
+    }
+}
+
+/// Numbers that are taken are put in until the text speaks of the symbols again.
+#[test]
+fn numbers_are_taken() {
+    let page = |lead: &str, end: &str| {
+        verdicts(&format!(
+            "The chance is\n\n$$ P = p s + (1 - p)(1 - c). \\tag{{1}} $$\n\n{lead}\n\n$$ P = {end} $$\n\nIn other words,\n\n\
+             $$ P = 1 - p - c + p c + p s $$\n"
+        ))
+    };
+    for lead in [
+        "Now some numbers. Take $p = 0.01$, $s = 0.9$ and $c = 0.95$. We get",
+        "We take $p = 0.01$, $s = 0.9$, and $c = 0.95$. This gives",
+        "Let us take $p = 0.01$, $s = 0.9$ and $c = 0.95$. Hence",
+        "Set $p = 0.01$, $s = 0.9$ and $c = 0.95$. Then",
+    ] {
+        let right = page(lead, r"0.01 \cdot 0.9 + 0.99 \cdot 0.05 = 0.0585");
+        assert_eq!(right[1..], ["holds", "holds"], "{lead}");
+        let wrong = page(lead, r"0.01 \cdot 0.9 + 0.99 \cdot 0.95 = 0.9495");
+        assert_eq!(wrong[1], "fails", "{lead}");
+    }
+}
+
+/// A word in parentheses that numbers no equation cites none.
+#[test]
+fn remarks_in_parentheses_cite_nothing() {
+    let page = |remark: &str, law: &str| {
+        verdicts(&format!(
+            "We want the acceleration $a$ ({remark}). Newton's second law is\n\n$$ {law} = m a. $$\n\nHence\n\n$$ a = g - \\frac{{T}}{{m}} $$\n"
+        ))
+    };
+    assert_eq!(page("downwards", "m g - T"), ["given", "holds"]);
+    assert_eq!(page("downwards", "m g + T"), ["given", "fails"]);
+    let tagged = "$$ p v = c \\tag{gas} $$\n\nFrom the law of the ideal state (gas) we get\n\n$$ v = c p $$\n";
+    assert_eq!(verdicts(tagged)[1], "fails");
+}

@@ -118,7 +118,7 @@ pub struct Prose {
 
 impl Prose {
     /// Forgets the citations that are none.
-    pub(super) fn drop_citations(&mut self, such: impl Fn(&Citation) -> bool) {
+    pub(crate) fn drop_citations(&mut self, such: impl Fn(&Citation) -> bool) {
         let all = std::mem::take(&mut self.citations);
         let (tail, closing) = (self.tail, all.len() - self.closing);
         for (at, citation) in all.into_iter().enumerate() {

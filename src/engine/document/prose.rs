@@ -7,7 +7,7 @@ use super::citation;
 use super::conclusion;
 use super::qualities;
 use super::supposition;
-use super::words::Listed;
+use super::words::{Listed, Words};
 use super::{Citation, Inline, Prose, Span};
 
 /// A piece of prose.
@@ -65,6 +65,103 @@ pub(super) fn begins_with(sentence: &[Placed<'_>], words: &(impl Listed + ?Sized
     let mut tokens = sentence.iter().map(|(token, _)| token);
     let first = tokens.find(|token| matches!(token, Token::Word(_)));
     first.is_some_and(|token| token.is_among(words))
+}
+
+/// A sentence may begin with one of these and a comma, and says what it says all the same.
+static LEADING: Words = Words::of(&[
+    "finally",
+    "lastly",
+    "first",
+    "firstly",
+    "second",
+    "secondly",
+    "third",
+    "thirdly",
+    "next",
+    "now",
+    "conversely",
+    "similarly",
+    "likewise",
+    "analogously",
+    "correspondingly",
+    "moreover",
+    "furthermore",
+    "additionally",
+    "besides",
+    "also",
+    "again",
+    "indeed",
+    "clearly",
+    "obviously",
+    "evidently",
+    "naturally",
+    "alternatively",
+    "specifically",
+    "particularly",
+    "incidentally",
+    "interestingly",
+    "however",
+    "here",
+]);
+/// The same of several words.
+const LEADING_PHRASES: [&[&str]; 13] = [
+    &["in", "particular"],
+    &["in", "addition"],
+    &["for", "example"],
+    &["for", "instance"],
+    &["for", "comparison"],
+    &["for", "illustration"],
+    &["for", "completeness"],
+    &["of", "course"],
+    &["by", "contrast"],
+    &["in", "contrast"],
+    &["on", "the", "other", "hand"],
+    &["on", "the", "one", "hand"],
+    &["as", "it", "should", "be"],
+];
+/// What begins with one of these and ends at a comma leads on as well: "As a check,", "To test this result,".
+const LEADING_ON: [&[&str]; 12] = [
+    &["as", "a"],
+    &["as", "an"],
+    &["as", "another"],
+    &["as", "expected"],
+    &["as", "it"],
+    &["by", "way", "of"],
+    &["to", "check"],
+    &["to", "test"],
+    &["to", "verify"],
+    &["to", "illustrate"],
+    &["to", "see"],
+    &["to", "conclude"],
+];
+/// No more words lead on.
+const MOST_LEADING: usize = 6;
+
+/// How many tokens a sentence begins with that say nothing of what it is about: "As a check,", "Finally,".
+pub(super) fn lead(sentence: &[Placed<'_>]) -> usize {
+    let is_word = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
+    let comma = sentence
+        .iter()
+        .take(MOST_LEADING + 1)
+        .take_while(is_word)
+        .count();
+    if !matches!(sentence.get(comma), Some((Token::Mark(','), _))) {
+        return 0;
+    }
+    let words = &sentence[..comma];
+    let begins = |phrase: &[&str]| {
+        let mut both = words.iter().zip(phrase);
+        words.len() >= phrase.len() && both.all(|((token, _), word)| token.is_among(&[*word]))
+    };
+    let is = |phrase: &&[&str]| begins(phrase) && words.len() == phrase.len();
+    let leads = match words {
+        [(token, _)] => token.is_among(&LEADING),
+        words => {
+            LEADING_PHRASES.iter().any(is)
+                || LEADING_ON.iter().any(|phrase| begins(phrase)) && !words.is_empty()
+        }
+    };
+    if leads { comma + 1 } else { 0 }
 }
 
 /// Words that end in a full stop which ends no sentence.

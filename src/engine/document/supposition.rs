@@ -23,7 +23,7 @@ use self::words::{
 };
 use super::circumstance;
 use super::conclusion;
-use super::prose::{Placed, Token, ends_sentence, in_lower_case};
+use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
 use super::words::{Listed, Words};
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
@@ -62,6 +62,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         found: Vec::new(),
         mentions: Vec::new(),
         introduced: Vec::new(),
+        leading: 0,
         open: 0,
         sentence: Sentence::from(0),
     };
@@ -108,6 +109,8 @@ struct Reader<'a> {
     mentions: Vec<Span>,
     /// The letters that it introduces.
     introduced: Vec<Span>,
+    /// Up to here a sentence only leads on: "As a check,".
+    leading: usize,
     /// From here on, what was supposed runs on into the display after the text.
     open: usize,
     sentence: Sentence,
@@ -164,6 +167,20 @@ impl Reader<'_> {
         self.source.get(span.range()).unwrap_or_default()
     }
 
+    /// How many tokens from `index` on only lead on: "As a check,". An example is one of what comes next alone.
+    fn lead(&self, index: usize) -> usize {
+        let rest = &self.tokens[index..];
+        let lead = lead(rest);
+        let is_example = |(token, _): &Placed<'_>| token.is_among(&["example", "instance"]);
+        // "For example, take $x = 1$. We get"
+        let stops = || rest.iter().filter(|(token, _)| *token == Token::Stop);
+        let leads_on = || stops().count() <= 1;
+        match rest[..lead].iter().any(is_example) && !leads_on() {
+            true => 0,
+            false => lead,
+        }
+    }
+
     /// Whether the sentence has supposed nothing yet.
     fn is_silent(&self) -> bool {
         self.found.len() == self.sentence.start
@@ -181,6 +198,10 @@ impl Reader<'_> {
         let among = |words: &Words| words.has(word);
         if !self.sentence.begun {
             self.sentence.first = index;
+            self.leading = self.leading.max(index + self.lead(index));
+        }
+        if index < self.leading {
+            return;
         }
         let of_a_case = among(&OF_CASES) || among(&REGIMES);
         self.sentence.special |= !self.sentence.begun && of_a_case;

@@ -5,7 +5,7 @@
 //! follow may follow from it.
 
 use super::super::conclusion;
-use super::super::prose::{Placed, Token, begins_with, in_lower_case};
+use super::super::prose::{Placed, Token, begins_with, in_lower_case, lead};
 use super::super::words::{Listed, Words};
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
 use super::follows;
@@ -61,6 +61,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
     let mut found = Vec::new();
     let sentences: Vec<&[Placed<'_>]> = tokens
         .split(|(token, _)| *token == Token::Stop)
+        .map(|sentence| &sentence[lead(sentence)..])
         .filter(|sentence| !sentence.is_empty())
         .collect();
     for (number, &sentence) in sentences.iter().enumerate() {
