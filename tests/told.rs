@@ -441,3 +441,68 @@ fn remarks_in_parentheses_cite_nothing() {
     let tagged = "$$ p v = c \\tag{gas} $$\n\nFrom the law of the ideal state (gas) we get\n\n$$ v = c p $$\n";
     assert_eq!(verdicts(tagged)[1], "fails");
 }
+
+/// Values of one symbol for different things are each so of its own.
+#[test]
+fn values_of_kinds_are_told_apart() {
+    let page = |said: &str, end: &str| {
+        last(&format!(
+            "The heat capacity is\n\n$$ C = \\frac{{f}}{{2}} R \\tag{{1}} $$\n\n{said}\n\n$$ C = \\frac{{{end}}}{{2}} R $$\n"
+        ))
+        .0
+    };
+    for said in [
+        "where $f = 3$ for monatomic and $f = 5$ for diatomic gases. For a diatomic gas (1) gives",
+        "with $f = 3$ for a monatomic gas and $f = 5$ for a diatomic gas. For a diatomic gas, where $f = 5$, this becomes",
+        "where for a monatomic gas $f = 3$ and for a diatomic gas $f = 5$. For a diatomic gas we get from (1)",
+        "For a monatomic gas $f = 3$. For a diatomic gas $f = 5$. Hence for a diatomic gas",
+        "For a monatomic gas $f = 3$. For a diatomic gas $f = 5$, so",
+        "with $f = 5$ for a diatomic gas. Hence",
+    ] {
+        assert_eq!(page(said, "5"), "holds", "{said}");
+        assert_eq!(page(said, "3"), "fails", "{said}");
+    }
+    // Of what nobody says which it is neither is a premise.
+    let none = "where $f = 3$ for monatomic and $f = 5$ for diatomic gases. By (1)";
+    assert_eq!(page(none, "5"), "fails");
+    assert_eq!(page(none, "3"), "fails");
+    // Nor does the first let a display before it follow from anything.
+    let before = "The energy is\n\n$$ E = \\frac12 m v^2 + \\frac12 I w^2 $$\n\nWe write\n\n$$ I = b m r^2 $$\n\nwith $b = 1/2$ for a cylinder.\n";
+    assert_eq!(verdicts(before), ["given", "given"]);
+}
+
+/// What is so at one moment, or for the moment, is so no longer.
+#[test]
+fn what_is_so_for_a_moment() {
+    let page = |clause: &str, end: &str| {
+        last(&format!(
+            "The current is\n\n$$ I = I_0 + k t, \\tag{{1}} $$\n\n{clause} The power is\n\n$$ P = R I^2. \\tag{{2}} $$\n\n\
+             Inserting (1) into (2) we get\n\n$$ P = {end} $$\n"
+        ))
+        .0
+    };
+    for clause in [
+        "which starts with $I = I_0$ at $t = 0$.",
+        "where $I = I_0$ when $t = 0$.",
+        "so $I = I_0$ at the time $t = 0$.",
+    ] {
+        assert_eq!(page(clause, "R (I_0 + k t)^2"), "holds", "{clause}");
+        assert_eq!(page(clause, "R I_0^2"), "fails", "{clause}");
+    }
+    let force = |between: &str, end: &str| {
+        verdicts(&format!(
+            "The force is\n\n$$ F = m a + k v. \\tag{{1}} $$\n\nWe assume $k = 0$ for the moment. Then\n\n$$ F = m a. $$\n\n{between}The power is\n\n\
+             $$ P = F v. \\tag{{3}} $$\n\nInserting (1) into (3) we obtain\n\n$$ P = {end} $$\n"
+        ))
+    };
+    for between in [
+        "Now we include friction again. ",
+        "Now we allow for friction again. ",
+        "We no longer neglect friction. ",
+        "Restoring friction, we go on. ",
+    ] {
+        assert_eq!(force(between, "m a v + k v^2")[3], "holds", "{between}");
+        assert_eq!(force(between, "m a v")[3], "fails", "{between}");
+    }
+    assert_eq!(force("", "m a v")[1..], ["holds", "given", "holds"]);
+}

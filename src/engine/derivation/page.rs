@@ -23,6 +23,8 @@ use super::reader::Reader;
 use super::supposed::Local;
 use super::{Equation, counts, doubts, names};
 
+/// Of no more words in parentheses it is asked whether they cite.
+const MOST_REMARKS: usize = 64;
 /// A shorter word in parentheses may be a number: "(ii)".
 const SHORTEST_REMARK: usize = 4;
 
@@ -184,17 +186,15 @@ fn forget_remarks(source: &str, items: &mut [Item]) {
         };
         source.contains(&format!("\\tag{{{tag}}}")) || items.iter().any(set)
     };
-    let mut remarks = BTreeSet::new();
+    let mut remarks: BTreeSet<String> = BTreeSet::new();
     for item in items.iter() {
         if let Item::Prose(prose) = item {
             let words = prose.citations.iter().filter(|own| is_word(own));
-            remarks.extend(
-                words
-                    .filter(|own| !is_number(&own.tag))
-                    .map(|own| own.tag.clone()),
-            );
+            remarks.extend(words.take(MOST_REMARKS).map(|own| own.tag.clone()));
         }
     }
+    let asked = remarks.into_iter().take(MOST_REMARKS);
+    let remarks: BTreeSet<String> = asked.filter(|own| !is_number(own)).collect();
     for item in items {
         if let Item::Prose(prose) = item
             && !remarks.is_empty()

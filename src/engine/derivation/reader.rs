@@ -22,6 +22,11 @@ use super::{Equation, Kind};
 /// Of the values that a piece of text names, so many are looked at.
 const MOST_MENTIONED: usize = 6;
 
+/// So many kinds of things with values of their own are kept in mind.
+const MOST_KINDS: usize = 8;
+/// No shorter word names a kind: "a", "of".
+const SHORTEST_NAME: usize = 2;
+
 /// What is said between one display and the next.
 #[derive(Default)]
 struct Between {
@@ -93,6 +98,8 @@ pub(super) struct Reader<'p> {
     circumstances: Option<usize>,
     /// Where the text came to another place: "Outside".
     elsewhere: Option<usize>,
+    /// Values for kinds of things, each with the words that name the kind: "$\beta = 2/5$ for a ball".
+    kinds: Vec<(Span, Span)>,
     /// The letters that this section introduces anew.
     pub(super) anew: Set<Symbol>,
     /// The first display of the section.
@@ -132,6 +139,7 @@ impl<'p> Reader<'p> {
             laws: false,
             circumstances: None,
             elsewhere: None,
+            kinds: Vec::new(),
             anew: Set::new(),
             first_here: 0,
             extent: Extent::Throughout,
@@ -196,6 +204,7 @@ impl<'p> Reader<'p> {
         for supposition in &prose.suppositions {
             mentioned.extend(self.supposition(supposition, &prose.citations));
         }
+        self.kind_of(prose.leading);
         self.page.leave_passages(&mut self.active);
         self.page.forget_moments(&self.active, &mut self.told);
         mentioned.truncate(MOST_MENTIONED);
@@ -212,6 +221,33 @@ impl<'p> Reader<'p> {
         let left = left.map(|own| own.body.start).max().unwrap_or_default();
         let named = prose.named.iter().filter(|own| own.body.start >= left);
         self.between.named = self.named(named, before);
+    }
+
+    /// Takes up the value of the kind of things that the sentence is about that leads on to a display: "For a diatomic gas (1) gives".
+    fn kind_of(&mut self, leading: Option<Span>) {
+        let source = &self.page.document.source;
+        let Some(leading) = leading.filter(|_| !self.kinds.is_empty()) else {
+            return;
+        };
+        let said = words_of(source, leading);
+        let newest = self.kinds.len().saturating_sub(MOST_KINDS);
+        let kinds = &self.kinds[newest..];
+        let all: Vec<Set<String>> = kinds.iter().map(|own| words_of(source, own.0)).collect();
+        // What tells a kind from the others: "diatomic" of "diatomic gases".
+        let names = |at: usize| {
+            let others = (0..all.len()).filter(|&other| all[other] != all[at]);
+            let others: Vec<usize> = others.collect();
+            let own = all[at].iter();
+            let mut own =
+                own.filter(|word| others.iter().all(|&other| !all[other].contains(*word)));
+            own.any(|word| said.contains(word))
+        };
+        let meant: Vec<usize> = (0..all.len()).filter(|&at| names(at)).collect();
+        let is_one = meant.windows(2).all(|pair| all[pair[0]] == all[pair[1]]);
+        let meant: Vec<Span> = meant.into_iter().map(|at| kinds[at].1).collect();
+        for body in meant.into_iter().filter(|_| is_one) {
+            self.suppose(SuppositionKind::Case { runs_on: true }, body);
+        }
     }
 
     /// Takes up what a sentence names and does not suppose. What displays say already is a value of it, or has to be shown.
@@ -343,6 +379,7 @@ impl<'p> Reader<'p> {
                 }
             }
             SuppositionKind::Anew => self.introduce_anew(body),
+            SuppositionKind::OfKind(kind) => self.kinds.push((kind, body)),
             SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
             SuppositionKind::Vanishes(what) | SuppositionKind::StandsStill(what) => {
                 let place = (body, &self.equations[..], cited);
@@ -707,6 +744,16 @@ impl<'p> Reader<'p> {
             section: self.section.clone(),
         }
     }
+}
+
+/// The words of a piece of text that name something, in lower case and without the ending of the plural.
+fn words_of(source: &str, text: Span) -> Set<String> {
+    let text = source.get(text.range()).unwrap_or_default();
+    let words = text.split(|c: char| !c.is_alphabetic());
+    let words = words.filter(|word| word.len() > SHORTEST_NAME);
+    words
+        .map(|word| word.to_lowercase().trim_end_matches('s').to_owned())
+        .collect()
 }
 
 /// Whether a display says of something that it is zero.

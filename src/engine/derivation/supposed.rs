@@ -386,7 +386,8 @@ impl Page {
         let source = &self.document.source;
         let mut before = equations.iter().rev().take(MOST_BEFORE);
         // Of what is cited there, or else of the display before.
-        let meant = || match cited.iter().find(|own| own.span == body) {
+        let at = cited.partition_point(|own| own.span.start < body.start);
+        let meant = || match cited.get(at).filter(|own| own.span == body) {
             Some(cited) => equations.iter().rev().find(|own| match cited.key {
                 true => own.keys.contains(&cited.tag),
                 false => own.tag.as_ref() == Some(&cited.tag),

@@ -90,6 +90,8 @@ pub struct Prose {
     pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
+    /// The sentence that leads on to the display after it.
+    pub leading: Option<Span>,
     /// The relations in the sentences that lead on to the display after it, supposed or not, the nearest sentence first.
     pub named: Vec<Named>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
@@ -236,6 +238,9 @@ pub enum SuppositionKind {
     Equals(Vanishing, Vanishing, Span),
     /// "Both sides vanish": a condition that is not understood. It supposes nothing, and what follows cannot be refuted without it.
     Unread,
+    /// "$\beta = 1/2$ for a cylinder and $\beta = 2/5$ for a ball": the value for what is named there. It holds where the text says "for a
+    /// cylinder".
+    OfKind(Span),
     /// "Let $x$ be a real number": a letter is introduced. It supposes nothing.
     Anew,
     /// "In general": all special cases are left. It supposes nothing.

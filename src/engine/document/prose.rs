@@ -209,6 +209,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         all_vary: conclusion::names_rule_of_factors(&tokens),
         citations,
         suppositions,
+        leading: leading(source, &tokens),
         qualities,
         changing,
         mentions,
@@ -220,6 +221,12 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         announces_laws: conclusion::announces_laws(&tokens),
         extent: circumstance::read(source, &tokens),
     }
+}
+
+/// The sentence that the text breaks off in.
+fn leading(source: &str, tokens: &[Placed<'_>]) -> Option<Span> {
+    let last = tokens.rsplit(|token| ends_sentence(source, token)).next()?;
+    Some(last.first()?.1.to(last.last()?.1))
 }
 
 pub(super) fn tokens<'a>(

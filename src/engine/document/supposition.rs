@@ -28,6 +28,9 @@ use super::words::{Listed, Words};
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
 
+/// So many words may stand between "include" and "again".
+const MOST_RECALLED: usize = 8;
+
 /// How far a supposition reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Reach {
@@ -77,6 +80,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     let introduced = std::mem::take(&mut reader.introduced);
     let (mut found, mut mentions) = reader.finish();
     retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
+    retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));
     found.extend(introduced.into_iter().map(|body| Supposition {
         kind: SuppositionKind::Anew,
@@ -271,11 +275,14 @@ impl Reader<'_> {
         let active = self.sentence.active;
         if let Some((kind, reach)) = active {
             let may_begin = kind != SuppositionKind::Define || is_zero;
-            if states && !(may_begin && is_origin(index, text, reach, self.tokens)) {
+            // "where $I = I_0$ when $t = 0$" means nothing for good.
+            let is_then = !may_begin && is_at_a_value(self.source, index, self.tokens);
+            if states && !is_then && !(may_begin && is_origin(index, text, reach, self.tokens)) {
                 self.found.push(Supposition { kind, body });
                 self.sentence.named = false;
             }
-            self.sentence.active = reach.past_math(states).map(|reach| (kind, reach));
+            let reach = reach.past_math(states).filter(|_| !(states && is_then));
+            self.sentence.active = reach.map(|reach| (kind, reach));
         }
         if !states && self.introduces(index) && is_letters(self.text(body)) {
             self.introduced.push(body);
@@ -390,9 +397,11 @@ impl Reader<'_> {
             true => is_plain(index, self.tokens) || self.joins(index, is_fact),
             false => !(bounds && follows(index, self.tokens, &["for"])),
         };
+        // "which starts with $I = I_0$ at $t = 0$" is so then.
+        let is_then = is_at_a_value(self.source, index, self.tokens);
         // "The magnification $M = f/s$ is": what is no number is no origin.
         let is_name = is_number(text) && is_named(index, self.tokens);
-        plainly && !is_name && !follows(index, self.tokens, &NAMED_BEFORE)
+        plainly && !is_name && !is_then && !follows(index, self.tokens, &NAMED_BEFORE)
     }
 
     /// A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
@@ -540,6 +549,22 @@ fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> b
     named() && (is_number(math) || equals_a_name(math)) || starts()
 }
 
+/// Whether what comes after the mathematics at `index` says for which number it is so: "$q = q_0$ at $t = 0$".
+fn is_at_a_value(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 1..).unwrap_or_default();
+    let [(first, _), rest @ ..] = rest else {
+        return false;
+    };
+    let skipped = rest
+        .iter()
+        .take_while(|(token, _)| token.is_among(&["the", "time", "place", "point"]))
+        .count();
+    let place = rest.get(skipped).map(|(token, _)| *token);
+    first.is_among(&["at", "when"])
+        && matches!(place, Some(Token::Math(body))
+            if source.get(body.range()).is_some_and(|text| is_value(text) && is_number(text)))
+}
+
 /// Whether what comes after the mathematics at `index` makes it a name.
 fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
     match tokens.get(index + 1) {
@@ -573,6 +598,12 @@ fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<Suppos
             is(one && drops, General)
         }
         "to" => is(last == "return", General),
+        // "Now we include friction again", "Restoring the friction", "no longer neglecting friction"
+        "again" => is(recalls(index, tokens), General),
+        "restoring" | "reinstating" | "reinstate" => is(last.is_empty() || last == "we", General),
+        "neglect" | "neglecting" | "ignore" | "ignoring" | "assume" | "assuming" => {
+            is(last == "longer" && second == "no", General)
+        }
         "cases" => is(last == "all" && second == "in", Elsewhere),
         "all" | "any" | "every" if last == "at" => is(second.is_empty(), Elsewhere),
         "arbitrary" | "all" | "any" | "every" => is(last == "for", Elsewhere),
@@ -583,6 +614,32 @@ fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<Suppos
         word if REGIMES.has(word) => is(last.is_empty(), Elsewhere),
         _ => None,
     }
+}
+
+/// Whether the words before "again" say that something is taken into account: "Now we include friction again".
+fn recalls(index: usize, tokens: &[Placed<'_>]) -> bool {
+    const RECALLING: &[&str] = &[
+        "include",
+        "including",
+        "allow",
+        "allowing",
+        "restore",
+        "restoring",
+        "admit",
+        "reinstate",
+        "account",
+        "switch",
+        "turn",
+    ];
+    let before = tokens[..index].iter().rev();
+    let mut words = before.map_while(|(token, _)| match token {
+        Token::Word(_) => Some(*token),
+        _ => None,
+    });
+    words
+        .by_ref()
+        .take(MOST_RECALLED)
+        .any(|word| word.is_among(RECALLING))
 }
 
 impl Reach {

@@ -12,6 +12,8 @@ use super::follows;
 use super::mathematics::{is_value, relates};
 use super::words::{DENYING, DOUBTFUL};
 
+/// In a longer sentence nothing is looked for that stands in its middle.
+const LONGEST: usize = 200;
 /// How many tokens may stand between "setting" or "the derivative" and "zero".
 const MOST_BETWEEN: usize = 8;
 /// These set something to a value.
@@ -89,7 +91,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
             }
             None => {
                 let relative = match number {
-                    0 => of_display(source, sentence),
+                    0 => of_display(source, sentence, leads),
                     _ => Vec::new(),
                 };
                 if leads_over && relative.is_empty() {
@@ -212,6 +214,7 @@ fn equated(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
     let (mut says_equal, mut sides) = (equates, None);
     for at in sets + 1..sentence.len() {
         match sentence[at].0 {
+            token if is_zero(source, token) => return None,
             Token::Word(_) if among(sentence, at, &["equal"]) => says_equal = true,
             Token::Word(word) => {
                 let ends = among(sentence, at, &["into", "in", "for", "we", "then", "where"]);
@@ -230,7 +233,6 @@ fn equated(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
                 }
             }
             Token::Mark(_) => break,
-            token if is_zero(source, token) => return None,
             _ => {}
         }
         // "Setting this equal to one"
@@ -257,7 +259,7 @@ fn equated(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
 
 /// "It must be equal to one, so", "the right-hand side of (1) vanishes", "(1) is zero for".
 fn asserted(source: &str, sentence: &[Placed<'_>], is_first: bool) -> Option<Supposition> {
-    if !is_sure(sentence) {
+    if sentence.len() > LONGEST || !is_sure(sentence) {
         return None;
     }
     (0..sentence.len()).find_map(|at| {
@@ -272,10 +274,10 @@ fn asserted(source: &str, sentence: &[Placed<'_>], is_first: bool) -> Option<Sup
             }
         };
         let is_pronoun = what == Vanishing::Display;
+        let (must, value) = verb(sentence, after)?;
         if conclusion::read(&sentence[..at]) == Some(true) {
             return None;
         }
-        let (must, value) = verb(sentence, after)?;
         let refers = is_first && (at == 0 || begins_with(sentence, BEFORE_PRONOUN));
         if is_pronoun && !refers {
             return None;
@@ -284,6 +286,7 @@ fn asserted(source: &str, sentence: &[Placed<'_>], is_first: bool) -> Option<Sup
         match is_zero(source, sentence.get(value)?.0) {
             // "$v$ is zero" tells of a moment what others read; where "it" is zero, may come after it.
             true if !must && what == Vanishing::Term => None,
+            true if !must && among(sentence, at, &["which"]) => None,
             true if is_pronoun && leads_where(value + 1) && value + 2 < sentence.len() => None,
             true => Some(Supposition {
                 kind: SuppositionKind::Vanishes(what),
@@ -384,15 +387,17 @@ fn named(sentence: &[Placed<'_>]) -> Option<Supposition> {
     Some(Supposition { kind, body })
 }
 
-/// "…, which vanishes at $x = a$" after a display; also "which is zero when", before one.
-fn of_display(source: &str, sentence: &[Placed<'_>]) -> Vec<Supposition> {
+/// "…, which vanishes at $x = a$" after a display, "It vanishes at $x = a$, so" before another; also "which is zero when", before one.
+fn of_display(source: &str, sentence: &[Placed<'_>], leads: bool) -> Vec<Supposition> {
     let words = |(token, _): &Placed<'_>| !matches!(token, Token::Mark(',' | ';'));
     let Some(first) = sentence.iter().position(words) else {
         return Vec::new();
     };
     let says = |at: usize, words: &[&str]| among(sentence, first + at, words);
     let after = match () {
-        () if !says(0, &["which", "it", "this"]) => return Vec::new(),
+        () if !(says(0, &["which"]) || leads && says(0, &["it", "this"])) => {
+            return Vec::new();
+        }
         () if says(1, &["vanishes"]) => 2,
         () if says(1, &["is", "becomes"]) && says(2, &["zero"]) => 3,
         () => return Vec::new(),
@@ -429,7 +434,14 @@ fn not_understood(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> 
         Token::Math(body) => relates(text(source, *body)),
         _ => false,
     });
-    let denies = (0..sentence.len()).any(|at| says(at, &["not", "never", "cannot", "nowhere"]));
+    let denies = (0..sentence.len()).any(|at| {
+        says(
+            at,
+            &[
+                "not", "never", "cannot", "nowhere", "neither", "nor", "none", "no",
+            ],
+        )
+    });
     if is_written || denies {
         return None;
     }
