@@ -244,7 +244,9 @@ fn citations() {
 
 #[test]
 fn suppositions() {
-    use SuppositionKind::{Assume, Case, Define, Elsewhere, Fact, General, Known, Let, Vanishes};
+    use SuppositionKind::{
+        Assume, Case, Define, Elsewhere, Fact, General, Known, Let, Unread, Vanishes,
+    };
     let told = Fact {
         runs_on: false,
         of_case: false,
@@ -411,8 +413,14 @@ fn suppositions() {
             vec![(Vanishes(Vanishing::Display), "this")],
         ),
         ("The slope never vanishes:", vec![]),
-        ("If the slope vanishes,", vec![]),
-        ("where the second derivative is zero", vec![]),
+        (
+            "If the slope vanishes,",
+            vec![(Unread, "If the slope vanishes")],
+        ),
+        (
+            "where the second derivative is zero",
+            vec![(Unread, "where the second derivative is zero")],
+        ),
         (
             ", which vanishes at $x = 0$. Hence",
             vec![(Vanishes(Vanishing::Told), "which"), (of_case, "x = 0")],

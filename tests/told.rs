@@ -247,3 +247,262 @@ fn a_power_that_is_given_changes() {
                 $$ \\frac{dE}{dr} = -\\frac{k m}{r^2} $$\n";
     assert_eq!(last(page), ("holds", vec!["taken-as-constant"]));
 }
+
+/// The side of the equation that is cited is set to zero, whatever stands last.
+#[test]
+fn sides_of_what_is_cited_vanish() {
+    let slope = |lead: &str, end: &str| {
+        last(&format!(
+            "The first derivative is\n\n$$ \\frac{{df}}{{dx}} = 3 x^2 - 12 x \\tag{{1}} $$\n\nand the second\n\n\
+             $$ \\frac{{d^2 f}}{{dx^2}} = 6 x - 12. \\tag{{2}} $$\n\n{lead} for $x \\neq 0$,\n\n$$ x = {end}. $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "Setting (1) equal to zero gives,",
+        "Setting the derivative (1) to zero we find",
+        "Equating (1) to zero gives,",
+        "The right-hand side of (1) vanishes. Hence,",
+    ] {
+        assert_eq!(slope(lead, "4"), "holds", "{lead}");
+        assert_eq!(slope(lead, "2"), "fails", "{lead}");
+    }
+    let rest = |lead: &str, end: &str| {
+        verdicts(&format!(
+            "The rate is\n\n$$ \\frac{{dN}}{{dt}} = r N - H \\tag{{1}} $$\n\n{lead}\n\n$$ {end} \\tag{{2}} $$\n\nDifferentiating (2) by $r$,\n\n\
+             $$ \\frac{{dH}}{{dr}} = N + r \\frac{{dN}}{{dr}} $$\n"
+        ))
+    };
+    for lead in [
+        "In equilibrium the right-hand side of (1) vanishes:",
+        "In equilibrium (1) vanishes. Hence",
+        "At equilibrium the left side of (1) is zero, so",
+    ] {
+        assert_eq!(rest(lead, "r N = H")[1], "holds", "{lead}");
+        assert_eq!(rest(lead, "r H = N")[1], "fails", "{lead}");
+    }
+    let again = "In equilibrium the right-hand side of (1) vanishes:";
+    assert_eq!(rest(again, "r N = H")[2], "holds");
+}
+
+/// What must have a value is what the display before says the value of.
+#[test]
+fn it_must_be_equal_to_something() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "The integral is\n\n$$ N = \\frac{{A^2 L}}{{2}}. \\tag{{1}} $$\n\n{lead}\n\n$$ {end} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "It must be equal to one, so",
+        "It has to be 1. Hence",
+        "which must be 1. Hence",
+        "As the left-hand side of (1) must equal $1$, we get",
+        "This should be unity, so",
+        "Setting this equal to one, we get",
+        "Equating $N$ to 1 gives",
+    ] {
+        assert_eq!(page(lead, r"A^2 = \frac{2}{L}"), "holds", "{lead}");
+        assert_eq!(page(lead, r"A^2 = \frac{1}{L}"), "fails", "{lead}");
+    }
+    assert_eq!(
+        page("It must equal $M$, so", r"A^2 = \frac{2 M}{L}"),
+        "holds"
+    );
+    assert_eq!(
+        page("It must not be equal to one, so", r"A^2 = \frac{2}{L}"),
+        "fails"
+    );
+    let profit = |lead: &str, end: &str| {
+        last(&format!(
+            "The profit is\n\n$$ G = (a - c) q - b q^2. \\tag{{1}} $$\n\nThe derivative is\n\n\
+             $$ \\frac{{dG}}{{dq}} = a - c - 2 b q. \\tag{{2}} $$\n\n{lead}\n\n$$ q = {end} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "At the maximum it vanishes, so",
+        "At the maximum it must vanish, so",
+    ] {
+        assert_eq!(profit(lead, r"\frac{a - c}{2 b}"), "holds", "{lead}");
+        assert_eq!(profit(lead, r"\frac{a - c}{b}"), "fails", "{lead}");
+    }
+}
+
+/// Of two equations that are equated the left sides are equal.
+#[test]
+fn equations_are_equated() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "The kinetic energy is\n\n$$ K = \\frac12 m v^2 \\tag{{1}} $$\n\nand the potential energy\n\n$$ U = m g h. \\tag{{2}} $$\n\n\
+             {lead}\n\n$$ h = {end} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "Equating (1) and (2) we get",
+        "Setting (1) equal to (2) gives",
+        "Equating the two expressions,",
+        "Equating the kinetic energy (1) with the potential energy (2), we find",
+        "Since no energy is lost, $K = U$, and therefore",
+    ] {
+        assert_eq!(page(lead, r"\frac{v^2}{2 g}"), "holds", "{lead}");
+        assert_eq!(page(lead, r"\frac{v^2}{g}"), "fails", "{lead}");
+    }
+    assert_eq!(
+        page("Since no energy $K = U$ is lost,", r"\frac{v^2}{g}"),
+        "fails"
+    );
+}
+
+/// A condition in words that are not understood leaves open what may follow from it.
+#[test]
+fn conditions_that_are_not_understood_refute_nothing() {
+    let page = |lead: &str| {
+        last(&format!(
+            "The force is\n\n$$ F = a x - b \\tag{{1}} $$\n\nand the torque\n\n$$ M = F c + d x. \\tag{{2}} $$\n\n{lead}\n\n$$ x = \\frac{{b}}{{a}} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "Where both parts vanish,",
+        "Equating coefficients in (1) we get",
+        "It must be equal to the weight, so",
+    ] {
+        assert_eq!(page(lead), "undecided", "{lead}");
+    }
+    for lead in [
+        "From (1) we get",
+        "It never vanishes, so",
+        "Hence the sum vanishes for",
+    ] {
+        assert_eq!(page(lead), "fails", "{lead}");
+    }
+}
+
+/// What a sentence begins with before it says anything.
+#[test]
+fn words_that_only_lead_on() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "We have\n\n$$ T = \\frac{{m (2 n + M)}}{{m + n + M}}. \\tag{{1}} $$\n\n{lead}\n\n$$ T = {end} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "As a check, for a massless pulley, $M = 0$, this is the well known result",
+        "As a test, for $M = 0$ we have",
+        "As expected, if $M = 0$, this becomes",
+        "For example, with $M = 0$ we get",
+        "For example, take $M = 0$. We get",
+        "Conversely, at $M = 0$,",
+        "Finally, setting $M = 0$ we find",
+        "In particular, for $M = 0$ this gives",
+        "To check this, let $M = 0$. Then",
+    ] {
+        assert_eq!(page(lead, r"\frac{2 m n}{m + n}"), "holds", "{lead}");
+        assert_eq!(page(lead, r"\frac{m n}{m + n}"), "fails", "{lead}");
+    }
+}
+
+/// Numbers that are taken are put in until the text speaks of the symbols again.
+#[test]
+fn numbers_are_taken() {
+    let page = |lead: &str, end: &str| {
+        verdicts(&format!(
+            "The chance is\n\n$$ P = p s + (1 - p)(1 - c). \\tag{{1}} $$\n\n{lead}\n\n$$ P = {end} $$\n\nIn other words,\n\n\
+             $$ P = 1 - p - c + p c + p s $$\n"
+        ))
+    };
+    for lead in [
+        "Now some numbers. Take $p = 0.01$, $s = 0.9$ and $c = 0.95$. We get",
+        "We take $p = 0.01$, $s = 0.9$, and $c = 0.95$. This gives",
+        "Let us take $p = 0.01$, $s = 0.9$ and $c = 0.95$. Hence",
+        "Set $p = 0.01$, $s = 0.9$ and $c = 0.95$. Then",
+    ] {
+        let right = page(lead, r"0.01 \cdot 0.9 + 0.99 \cdot 0.05 = 0.0585");
+        assert_eq!(right[1..], ["holds", "holds"], "{lead}");
+        let wrong = page(lead, r"0.01 \cdot 0.9 + 0.99 \cdot 0.95 = 0.9495");
+        assert_eq!(wrong[1], "fails", "{lead}");
+    }
+}
+
+/// A word in parentheses that numbers no equation cites none.
+#[test]
+fn remarks_in_parentheses_cite_nothing() {
+    let page = |remark: &str, law: &str| {
+        verdicts(&format!(
+            "We want the acceleration $a$ ({remark}). Newton's second law is\n\n$$ {law} = m a. $$\n\nHence\n\n$$ a = g - \\frac{{T}}{{m}} $$\n"
+        ))
+    };
+    assert_eq!(page("downwards", "m g - T"), ["given", "holds"]);
+    assert_eq!(page("downwards", "m g + T"), ["given", "fails"]);
+    let tagged = "$$ p v = c \\tag{gas} $$\n\nFrom the law of the ideal state (gas) we get\n\n$$ v = c p $$\n";
+    assert_eq!(verdicts(tagged)[1], "fails");
+}
+
+/// Values of one symbol for different things are each so of its own.
+#[test]
+fn values_of_kinds_are_told_apart() {
+    let page = |said: &str, end: &str| {
+        last(&format!(
+            "The heat capacity is\n\n$$ C = \\frac{{f}}{{2}} R \\tag{{1}} $$\n\n{said}\n\n$$ C = \\frac{{{end}}}{{2}} R $$\n"
+        ))
+        .0
+    };
+    for said in [
+        "where $f = 3$ for monatomic and $f = 5$ for diatomic gases. For a diatomic gas (1) gives",
+        "with $f = 3$ for a monatomic gas and $f = 5$ for a diatomic gas. For a diatomic gas, where $f = 5$, this becomes",
+        "where for a monatomic gas $f = 3$ and for a diatomic gas $f = 5$. For a diatomic gas we get from (1)",
+        "For a monatomic gas $f = 3$. For a diatomic gas $f = 5$. Hence for a diatomic gas",
+        "For a monatomic gas $f = 3$. For a diatomic gas $f = 5$, so",
+        "with $f = 5$ for a diatomic gas. Hence",
+    ] {
+        assert_eq!(page(said, "5"), "holds", "{said}");
+        assert_eq!(page(said, "3"), "fails", "{said}");
+    }
+    // Of what nobody says which it is neither is a premise.
+    let none = "where $f = 3$ for monatomic and $f = 5$ for diatomic gases. By (1)";
+    assert_eq!(page(none, "5"), "fails");
+    assert_eq!(page(none, "3"), "fails");
+    // Nor does the first let a display before it follow from anything.
+    let before = "The energy is\n\n$$ E = \\frac12 m v^2 + \\frac12 I w^2 $$\n\nWe write\n\n$$ I = b m r^2 $$\n\nwith $b = 1/2$ for a cylinder.\n";
+    assert_eq!(verdicts(before), ["given", "given"]);
+}
+
+/// What is so at one moment, or for the moment, is so no longer.
+#[test]
+fn what_is_so_for_a_moment() {
+    let page = |clause: &str, end: &str| {
+        last(&format!(
+            "The current is\n\n$$ I = I_0 + k t, \\tag{{1}} $$\n\n{clause} The power is\n\n$$ P = R I^2. \\tag{{2}} $$\n\n\
+             Inserting (1) into (2) we get\n\n$$ P = {end} $$\n"
+        ))
+        .0
+    };
+    for clause in [
+        "which starts with $I = I_0$ at $t = 0$.",
+        "where $I = I_0$ when $t = 0$.",
+        "so $I = I_0$ at the time $t = 0$.",
+    ] {
+        assert_eq!(page(clause, "R (I_0 + k t)^2"), "holds", "{clause}");
+        assert_eq!(page(clause, "R I_0^2"), "fails", "{clause}");
+    }
+    let force = |between: &str, end: &str| {
+        verdicts(&format!(
+            "The force is\n\n$$ F = m a + k v. \\tag{{1}} $$\n\nWe assume $k = 0$ for the moment. Then\n\n$$ F = m a. $$\n\n{between}The power is\n\n\
+             $$ P = F v. \\tag{{3}} $$\n\nInserting (1) into (3) we obtain\n\n$$ P = {end} $$\n"
+        ))
+    };
+    for between in [
+        "Now we include friction again. ",
+        "Now we allow for friction again. ",
+        "We no longer neglect friction. ",
+        "Restoring friction, we go on. ",
+    ] {
+        assert_eq!(force(between, "m a v + k v^2")[3], "holds", "{between}");
+        assert_eq!(force(between, "m a v")[3], "fails", "{between}");
+    }
+    assert_eq!(force("", "m a v")[1..], ["holds", "given", "holds"]);
+}

@@ -274,7 +274,7 @@ pub fn usable<'a>(
                     standing = own;
                 }
                 // What was so at one moment is said of that moment alone, be what was concluded from it used elsewhere.
-                if derivation.local(page, local).is_momentary() {
+                if derivation.local(page, local).is_passing() {
                     continue;
                 }
                 carried.push(Assumed {

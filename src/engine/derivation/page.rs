@@ -8,7 +8,8 @@ use crate::algebra::{
 };
 use crate::dimension;
 use crate::document::{
-    Attribute, Bound, Citation, Directive, Document, Inline, Item, Premise, Problem, Span, nearest,
+    Attribute, Bound, Citation, Directive, Document, Inline, Item, Premise, Problem, Row, Span,
+    nearest,
 };
 use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
@@ -21,6 +22,11 @@ use super::meanings::{Meanings, section_ends};
 use super::reader::Reader;
 use super::supposed::Local;
 use super::{Equation, counts, doubts, names};
+
+/// Of no more words in parentheses it is asked whether they cite.
+const MOST_REMARKS: usize = 64;
+/// A shorter word in parentheses may be a number: "(ii)".
+const SHORTEST_REMARK: usize = 4;
 
 /// A document with its declarations read.
 #[derive(Clone, Debug)]
@@ -115,7 +121,8 @@ pub(super) fn read_page(
     };
     // What a preamble declares was told of where it stands.
     let inherited = std::mem::take(&mut page.document.inherited);
-    let items = std::mem::take(&mut page.document.items);
+    let mut items = std::mem::take(&mut page.document.items);
+    forget_remarks(&page.document.source, &mut items);
     if let Some(beside) = page.beside.clone() {
         let mut own = page.clone();
         let mut meanings = Meanings::default();
@@ -159,6 +166,42 @@ pub(super) fn read_page(
     sorted::sort_by_key(&mut page.problems, |p| p.span);
     page.document.items = items;
     (page, equations)
+}
+
+/// Forgets what looks like a citation and is a remark: "the acceleration $a$ (downwards)". A word that is the number of no equation cites
+/// none.
+fn forget_remarks(source: &str, items: &mut [Item]) {
+    let is_word = |own: &Citation| {
+        let plain = !own.explicit && !own.key && own.tag.len() >= SHORTEST_REMARK;
+        plain && own.tag.bytes().all(|byte| byte.is_ascii_lowercase())
+    };
+    let is_number = |tag: &str| {
+        let printed = |own: &Row| own.number.as_deref() == Some(tag);
+        let set = |item: &Item| match item {
+            Item::Display { layout, .. } => {
+                let rows = layout.iter().flat_map(|layout| &layout.rows);
+                rows.into_iter().any(printed)
+            }
+            _ => false,
+        };
+        source.contains(&format!("\\tag{{{tag}}}")) || items.iter().any(set)
+    };
+    let mut remarks: BTreeSet<String> = BTreeSet::new();
+    for item in items.iter() {
+        if let Item::Prose(prose) = item {
+            let words = prose.citations.iter().filter(|own| is_word(own));
+            remarks.extend(words.take(MOST_REMARKS).map(|own| own.tag.clone()));
+        }
+    }
+    let asked = remarks.into_iter().take(MOST_REMARKS);
+    let remarks: BTreeSet<String> = asked.filter(|own| !is_number(own)).collect();
+    for item in items {
+        if let Item::Prose(prose) = item
+            && !remarks.is_empty()
+        {
+            prose.drop_citations(|own| is_word(own) && remarks.contains(&own.tag));
+        }
+    }
 }
 
 /// Whether a directive says of an equation that it is given, or what it follows from.

@@ -16,11 +16,16 @@ use super::equation::formulas;
 use super::page::{Page, Premises};
 use super::qualities::{self, Sayings};
 use super::rows::{self, Part};
-use super::supposed::{Local, MOST_BEFORE, said_of_moment, slope_by};
+use super::supposed::{Local, MOST_BEFORE, rate_of, said_of_moment, slope_by};
 use super::{Equation, Kind};
 
 /// Of the values that a piece of text names, so many are looked at.
 const MOST_MENTIONED: usize = 6;
+
+/// So many kinds of things with values of their own are kept in mind.
+const MOST_KINDS: usize = 8;
+/// No shorter word names a kind: "a", "of".
+const SHORTEST_NAME: usize = 2;
 
 /// What is said between one display and the next.
 #[derive(Default)]
@@ -37,6 +42,8 @@ struct Between {
     named: Vec<usize>,
     /// What is supposed and could not be read.
     unread: Vec<Span>,
+    /// What is put as a condition in words that are not understood.
+    conditions: Vec<Span>,
     /// Whether words say that the display follows from something.
     concludes: Option<bool>,
     /// Whether they cite something just before the display.
@@ -55,6 +62,8 @@ struct Between {
     laws: bool,
     /// Of how much the display is said.
     extent: Option<Extent>,
+    /// Whether they say that something stands still: what comes next follows from that.
+    rests: bool,
     /// Where a slope is said to be zero that nobody has written yet.
     slope: Option<Span>,
 }
@@ -89,6 +98,8 @@ pub(super) struct Reader<'p> {
     circumstances: Option<usize>,
     /// Where the text came to another place: "Outside".
     elsewhere: Option<usize>,
+    /// Values for kinds of things, each with the words that name the kind: "$\beta = 2/5$ for a ball".
+    kinds: Vec<(Span, Span)>,
     /// The letters that this section introduces anew.
     pub(super) anew: Set<Symbol>,
     /// The first display of the section.
@@ -128,6 +139,7 @@ impl<'p> Reader<'p> {
             laws: false,
             circumstances: None,
             elsewhere: None,
+            kinds: Vec::new(),
             anew: Set::new(),
             first_here: 0,
             extent: Extent::Throughout,
@@ -190,8 +202,9 @@ impl<'p> Reader<'p> {
             self.forget_cases();
         }
         for supposition in &prose.suppositions {
-            mentioned.extend(self.supposition(supposition));
+            mentioned.extend(self.supposition(supposition, &prose.citations));
         }
+        self.kind_of(prose.leading);
         self.page.leave_passages(&mut self.active);
         self.page.forget_moments(&self.active, &mut self.told);
         mentioned.truncate(MOST_MENTIONED);
@@ -208,6 +221,33 @@ impl<'p> Reader<'p> {
         let left = left.map(|own| own.body.start).max().unwrap_or_default();
         let named = prose.named.iter().filter(|own| own.body.start >= left);
         self.between.named = self.named(named, before);
+    }
+
+    /// Takes up the value of the kind of things that the sentence is about that leads on to a display: "For a diatomic gas (1) gives".
+    fn kind_of(&mut self, leading: Option<Span>) {
+        let source = &self.page.document.source;
+        let Some(leading) = leading.filter(|_| !self.kinds.is_empty()) else {
+            return;
+        };
+        let said = words_of(source, leading);
+        let newest = self.kinds.len().saturating_sub(MOST_KINDS);
+        let kinds = &self.kinds[newest..];
+        let all: Vec<Set<String>> = kinds.iter().map(|own| words_of(source, own.0)).collect();
+        // What tells a kind from the others: "diatomic" of "diatomic gases".
+        let names = |at: usize| {
+            let others = (0..all.len()).filter(|&other| all[other] != all[at]);
+            let others: Vec<usize> = others.collect();
+            let own = all[at].iter();
+            let mut own =
+                own.filter(|word| others.iter().all(|&other| !all[other].contains(*word)));
+            own.any(|word| said.contains(word))
+        };
+        let meant: Vec<usize> = (0..all.len()).filter(|&at| names(at)).collect();
+        let is_one = meant.windows(2).all(|pair| all[pair[0]] == all[pair[1]]);
+        let meant: Vec<Span> = meant.into_iter().map(|at| kinds[at].1).collect();
+        for body in meant.into_iter().filter(|_| is_one) {
+            self.suppose(SuppositionKind::Case { runs_on: true }, body);
+        }
     }
 
     /// Takes up what a sentence names and does not suppose. What displays say already is a value of it, or has to be shown.
@@ -294,7 +334,11 @@ impl<'p> Reader<'p> {
     }
 
     /// Takes up what prose supposes; what it only names is returned.
-    fn supposition(&mut self, &Supposition { kind, body }: &Supposition) -> Option<Span> {
+    fn supposition(
+        &mut self,
+        &Supposition { kind, body }: &Supposition,
+        cited: &[Citation],
+    ) -> Option<Span> {
         let kind = self.as_introduced(kind, body);
         let (new, passage) = (self.page.locals.len().., self.equations.len());
         if matches!(kind, SuppositionKind::Fact { of_case: false, .. }) && self.is_said(body) {
@@ -335,20 +379,47 @@ impl<'p> Reader<'p> {
                 }
             }
             SuppositionKind::Anew => self.introduce_anew(body),
+            SuppositionKind::OfKind(kind) => self.kinds.push((kind, body)),
             SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
-            SuppositionKind::Vanishes(what) => match page.vanishing(what, body, &self.equations) {
-                Some(term) if what == Vanishing::Told => {
-                    self.told.push(page.suppose_zero(term, body, None));
+            SuppositionKind::Vanishes(what) | SuppositionKind::StandsStill(what) => {
+                let place = (body, &self.equations[..], cited);
+                match page.vanishing(what, place) {
+                    Some(term) if what == Vanishing::Told => {
+                        let zero = Expr::integer(0);
+                        self.told.push(page.suppose_equal(term, zero, body, None));
+                    }
+                    Some(term)
+                        if let SuppositionKind::StandsStill(_) = kind
+                            && let Some(rate) = rate_of(&term, &self.equations) =>
+                    {
+                        active.push(page.suppose_rest(rate, body));
+                        // That says all that the equation says here.
+                        let is_side = |own: &Citation| own.span == body;
+                        self.between.cited.retain(|own| !is_side(own));
+                        self.between.rests = true;
+                    }
+                    Some(term) => {
+                        page.begin_moment(passage, false, &[], active);
+                        let zero = Expr::integer(0);
+                        active.push(page.suppose_equal(term, zero, body, Some(passage)));
+                    }
+                    None if what == Vanishing::Slope => self.between.slope = Some(body),
+                    None if matches!(what, Vanishing::Term | Vanishing::Told) => {}
+                    // Of what has no letter nobody knows what it is to be zero.
+                    None => self.between.unread.push(body),
                 }
-                Some(term) => {
-                    page.begin_moment(passage, false, &[], active);
-                    active.push(page.suppose_zero(term, body, Some(passage)));
+            }
+            SuppositionKind::Equals(what, to, value) => {
+                let term = |what, body| page.vanishing(what, (body, &self.equations, cited));
+                match (term(what, body), term(to, value)) {
+                    (Some(term), Some(value)) => {
+                        page.begin_moment(passage, false, &[], active);
+                        active.push(page.suppose_equal(term, value, body, Some(passage)));
+                    }
+                    _ => self.between.unread.push(body),
                 }
-                None if what == Vanishing::Slope => self.between.slope = Some(body),
-                // Of what has no letter nobody knows what it is to be zero.
-                None if what == Vanishing::Named => self.between.unread.push(body),
-                None => {}
-            },
+            }
+            SuppositionKind::Unread => self.between.conditions.push(body),
             // "…, where $m = 2 a$" of what more than that display speaks of: told in passing.
             SuppositionKind::Define if !self.says_what_is_meant(body) => {
                 if !self.page.explains(body, |_| true) {
@@ -472,6 +543,10 @@ impl<'p> Reader<'p> {
         self.page.read_exponentials(statements.flatten());
         self.page
             .leave_cases(&read, &self.running, &mut self.active);
+        // "At the critical point both slopes vanish: $$p' = 0$$" says itself what the words announce.
+        if !said_to_be_zero(&read) {
+            said.unread.append(&mut said.conditions);
+        }
         let drawn = said.draws(&read);
         if !drawn {
             self.redefine(&read);
@@ -482,7 +557,8 @@ impl<'p> Reader<'p> {
             let passage = self.equations.len();
             self.page
                 .begin_moment(passage, false, &[], &mut self.active);
-            let slope = self.page.suppose_zero(slope, span, Some(passage));
+            let zero = Expr::integer(0);
+            let slope = self.page.suppose_equal(slope, zero, span, Some(passage));
             self.active.push(slope);
         }
         let of_display = read.len();
@@ -535,6 +611,8 @@ impl<'p> Reader<'p> {
             self.equations.push(equation);
         }
         self.running.clear();
+        let locals = &self.page.locals;
+        self.active.retain(|&at| !locals[at].at_rest);
         self.leave_told(&said, before);
     }
 
@@ -668,6 +746,29 @@ impl<'p> Reader<'p> {
     }
 }
 
+/// The words of a piece of text that name something, in lower case and without the ending of the plural.
+fn words_of(source: &str, text: Span) -> Set<String> {
+    let text = source.get(text.range()).unwrap_or_default();
+    let words = text.split(|c: char| !c.is_alphabetic());
+    let words = words.filter(|word| word.len() > SHORTEST_NAME);
+    words
+        .map(|word| word.to_lowercase().trim_end_matches('s').to_owned())
+        .collect()
+}
+
+/// Whether a display says of something that it is zero.
+fn said_to_be_zero(read: &[Part]) -> bool {
+    let statements = read
+        .iter()
+        .flat_map(|part| part.statements.iter().flatten());
+    let said: Vec<Formula> = statements.flat_map(formulas).collect();
+    let sides = said.iter().filter_map(Formula::as_equation);
+    let zero = Expr::integer(0);
+    sides
+        .into_iter()
+        .any(|(left, right)| *left == zero || *right == zero)
+}
+
 impl Between {
     /// Takes up a piece of text, with those of its citations that are of the next display.
     fn hear(&mut self, prose: &Prose, cited: &[Citation]) {
@@ -686,7 +787,7 @@ impl Between {
     /// Whether nothing is said of what the display comes from.
     fn is_uncited(&self) -> bool {
         let stated = self.given || self.derived || self.from.is_some() || self.numeric.is_some();
-        self.cited.is_empty() && !stated
+        self.cited.is_empty() && !stated && !self.rests
     }
 
     /// Whether all that is cited is the display itself: "Torricelli's law @eq-law:" announces what is displayed next.
@@ -703,6 +804,6 @@ impl Between {
     fn draws(&self, read: &[Part]) -> bool {
         // What is announced is not cited.
         let cites = self.cites && !self.announces_all(read);
-        (self.concludes == Some(true) || cites) && !self.defines
+        (self.concludes == Some(true) || cites || self.rests) && !self.defines
     }
 }

@@ -4,7 +4,7 @@ use std::ops::{Range, RangeFrom};
 use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, element_parts, element_symbol};
-use crate::document::{Extent, Span, SuppositionKind, Vanishing, is_reason};
+use crate::document::{Citation, Extent, Span, SuppositionKind, Vanishing, is_reason};
 use crate::kernel::Standing;
 use crate::notation::{Clause, Statement, SyntaxError, read_expr, read_formulas, read_symbol};
 
@@ -43,6 +43,8 @@ pub struct Local {
     pub(super) means: bool,
     /// It is said for good: headings do not end it.
     pub(super) lasts: bool,
+    /// It says that something does not change: "In equilibrium the right-hand side of (1) vanishes".
+    pub(super) at_rest: bool,
     /// It is so at one moment alone.
     pub(super) moment: Option<Moment>,
     pub(super) level: u8,
@@ -71,6 +73,11 @@ impl Local {
     /// Whether it is so at one moment alone: what was concluded from it is a premise elsewhere, too, but it is not.
     pub fn is_momentary(&self) -> bool {
         self.moment.is_some()
+    }
+
+    /// Whether it is said of the display alone that it leads to: what was concluded from it is a premise elsewhere, but it is not.
+    pub fn is_passing(&self) -> bool {
+        self.is_momentary() || self.at_rest
     }
 
     /// Whether "in general" leaves it; and what leaves cases and moments alone, "later".
@@ -170,6 +177,7 @@ impl Page {
                 is_special: false,
                 means: false,
                 lasts: false,
+                at_rest: false,
                 moment: None,
                 level,
             });
@@ -359,6 +367,7 @@ impl Page {
                 is_special: false,
                 means: false,
                 lasts: false,
+                at_rest: false,
                 level: 0,
             });
         }
@@ -367,16 +376,30 @@ impl Page {
         own
     }
 
-    /// What prose says to be zero, where that is known.
+    /// What prose says to be zero, or to have a value, where that is known: at its place in the text, after these equations, and with what
+    /// the text cites.
     pub(super) fn vanishing(
         &self,
         what: Vanishing,
-        body: Span,
-        equations: &[Equation],
+        (body, equations, cited): (Span, &[Equation], &[Citation]),
     ) -> Option<Expr> {
+        let source = &self.document.source;
         let mut before = equations.iter().rev().take(MOST_BEFORE);
+        // Of what is cited there, or else of the display before.
+        let at = cited.partition_point(|own| own.span.start < body.start);
+        let meant = || match cited.get(at).filter(|own| own.span == body) {
+            Some(cited) => equations.iter().rev().find(|own| match cited.key {
+                true => own.keys.contains(&cited.tag),
+                false => own.tag.as_ref() == Some(&cited.tag),
+            }),
+            None => equations.last().filter(|_| what != Vanishing::Cited),
+        };
         match what {
-            Vanishing::Term => read_expr(&self.document.source, body).ok(),
+            Vanishing::Term => match source.get(body.range())? {
+                "one" | "unity" => Some(Expr::integer(1)),
+                "zero" | "nought" => Some(Expr::integer(0)),
+                _ => read_expr(source, body).ok(),
+            },
             Vanishing::Slope => {
                 let is_slope = |side: &&Expr| matches!(side, Expr::Derivative { .. });
                 before
@@ -384,8 +407,20 @@ impl Page {
                     .cloned()
             }
             Vanishing::Display | Vanishing::Told => before.next().and_then(left_side).cloned(),
+            Vanishing::Previous => before.nth(1).and_then(left_side).cloned(),
+            Vanishing::Cited => meant().and_then(left_side).cloned(),
+            // What is said of one side is so of the other by the equation itself, which is cited for that.
+            Vanishing::LeftSide | Vanishing::RightSide => {
+                let sides = meant().map(|own| [left_side(own), right_side(own)])?;
+                let [own, other] = match what {
+                    Vanishing::LeftSide => sides,
+                    _ => [sides[1], sides[0]],
+                };
+                let is_number = |side: &&Expr| matches!(side, Expr::Number(_));
+                other.filter(|side| !is_number(side)).or(own).cloned()
+            }
             Vanishing::Named => {
-                let noun = self.document.source.get(body.range())?;
+                let noun = source.get(body.range())?;
                 let is_said = |own: &&Equation| self.says_what_is(noun, own.span);
                 let symbol = |side: &&Expr| matches!(side, Expr::Symbol(_));
                 before
@@ -427,22 +462,24 @@ impl Page {
             is_special: false,
             means: true,
             lasts: true,
+            at_rest: false,
             level: 0,
         });
         self.locals.len() - 1
     }
 
-    /// Supposes that a term is zero, at a moment whose passage begins there; in passing where there is none.
-    pub(super) fn suppose_zero(
+    /// Supposes that a term has a value, at a moment whose passage begins there; in passing where there is none.
+    pub(super) fn suppose_equal(
         &mut self,
         subject: Expr,
+        value: Expr,
         span: Span,
         passage: Option<usize>,
     ) -> usize {
-        let zero = Formula::equal(subject.clone(), Expr::integer(0));
+        let equal = Formula::equal(subject.clone(), value);
         self.locals.push(Local {
-            set: set_to_a_number(&zero).into_iter().collect(),
-            formulas: vec![Arc::new(zero)],
+            set: set_to_a_number(&equal).into_iter().collect(),
+            formulas: vec![Arc::new(equal)],
             is_let: false,
             span,
             of_case: true,
@@ -450,6 +487,7 @@ impl Page {
             is_special: false,
             means: false,
             lasts: false,
+            at_rest: false,
             moment: passage.map(|passage| Moment {
                 passage,
                 display: None,
@@ -458,6 +496,15 @@ impl Page {
             level: 0,
         });
         self.locals.len() - 1
+    }
+
+    /// Supposes of what says how fast something changes that it is zero: what the next display concludes from it is so as long as the text
+    /// is about that.
+    pub(super) fn suppose_rest(&mut self, rate: Expr, span: Span) -> usize {
+        let at = self.suppose_equal(rate, Expr::integer(0), span, None);
+        let own = &mut self.locals[at];
+        (own.is_told, own.of_case, own.means, own.at_rest) = (false, false, true, true);
+        at
     }
 
     /// Leaves the moments of which something is derived again that had a value there, or whose value is said afresh, unless it is that
@@ -607,6 +654,25 @@ fn bounds_of_all(source: &str, body: Span) -> Option<Vec<Formula>> {
 fn left_side(equation: &Equation) -> Option<&Expr> {
     match equation.statements().first()?.clauses.first()? {
         Clause::Chain { sides, .. } => sides.first().map(|side| &side.expr),
+        Clause::AllEqual { .. } => None,
+    }
+}
+
+/// How fast something changes, where an equation says so of this slope without speaking of the time: where that is zero, it is for good.
+pub(super) fn rate_of(slope: &Expr, equations: &[Equation]) -> Option<Expr> {
+    let Expr::Derivative { variable, .. } = slope else {
+        return None;
+    };
+    let mut before = equations.iter().rev();
+    let rate = right_side(before.find(|own| left_side(own) == Some(slope))?)?;
+    let changes = matches!(rate, Expr::Number(_)) || rate.mentions(variable);
+    (!changes).then(|| rate.clone())
+}
+
+/// What it ends with.
+fn right_side(equation: &Equation) -> Option<&Expr> {
+    match equation.statements().first()?.clauses.first()? {
+        Clause::Chain { sides, .. } => sides.last().map(|side| &side.expr),
         Clause::AllEqual { .. } => None,
     }
 }

@@ -5,7 +5,7 @@
 
 use super::Extent;
 use super::conclusion;
-use super::prose::{Placed, Token, ends_sentence};
+use super::prose::{Placed, Token, ends_sentence, lead};
 
 /// These begin a sentence about one moment.
 const MOMENTS: &[&str] = &["initially", "originally", "when", "once"];
@@ -102,6 +102,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Extent> {
 
 /// Of how much is said what comes after the words with which a sentence begins.
 pub(super) fn of_sentence(sentence: &[Placed<'_>]) -> Extent {
+    let sentence = &sentence[lead(sentence)..];
     let word = |at: usize| match sentence.get(at) {
         Some((Token::Word(word), _)) => word.to_lowercase(),
         _ => String::new(),

@@ -90,6 +90,8 @@ pub struct Prose {
     pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
+    /// The sentence that leads on to the display after it.
+    pub leading: Option<Span>,
     /// The relations in the sentences that lead on to the display after it, supposed or not, the nearest sentence first.
     pub named: Vec<Named>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
@@ -118,7 +120,7 @@ pub struct Prose {
 
 impl Prose {
     /// Forgets the citations that are none.
-    pub(super) fn drop_citations(&mut self, such: impl Fn(&Citation) -> bool) {
+    pub(crate) fn drop_citations(&mut self, such: impl Fn(&Citation) -> bool) {
         let all = std::mem::take(&mut self.citations);
         let (tail, closing) = (self.tail, all.len() - self.closing);
         for (at, citation) in all.into_iter().enumerate() {
@@ -230,6 +232,15 @@ pub enum SuppositionKind {
     Known,
     /// "Setting the derivative to zero gives": zero, and not written as an equation.
     Vanishes(Vanishing),
+    /// "In equilibrium the right-hand side of (1) vanishes": the same, as long as nothing changes.
+    StandsStill(Vanishing),
+    /// "It must be equal to one", "Equating (1) and (2)": what is said at the first place has the value that is named at the second.
+    Equals(Vanishing, Vanishing, Span),
+    /// "Both sides vanish": a condition that is not understood. It supposes nothing, and what follows cannot be refuted without it.
+    Unread,
+    /// "$\beta = 1/2$ for a cylinder and $\beta = 2/5$ for a ball": the value for what is named there. It holds where the text says "for a
+    /// cylinder".
+    OfKind(Span),
     /// "Let $x$ be a real number": a letter is introduced. It supposes nothing.
     Anew,
     /// "In general": all special cases are left. It supposes nothing.
@@ -242,15 +253,23 @@ pub enum SuppositionKind {
     Define,
 }
 
-/// What is said to be zero.
+/// What is said to be zero, or to have a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Vanishing {
-    /// "Setting $F - k x$ to zero": the inline mathematics.
+    /// "Setting $F - k x$ to zero": the inline mathematics, a number, or "one".
     Term,
     /// "Setting the derivative to zero": the one that was displayed last; where there is none, that by what is displayed next.
     Slope,
     /// "Setting this to zero": what the display before says the value of.
     Display,
+    /// "Equating the two": what the display before that says the value of.
+    Previous,
+    /// "Setting (5) to zero": what the equation that is cited there says the value of.
+    Cited,
+    /// "The left-hand side of (5) vanishes": of the equation that is cited there, or of the display before.
+    LeftSide,
+    /// "The right-hand side of (5) vanishes".
+    RightSide,
     /// "which vanishes at $x = a$": the same, told in passing.
     Told,
     /// "the velocity vanishes, so": what the text calls by this word.

@@ -7,7 +7,7 @@ use super::citation;
 use super::conclusion;
 use super::qualities;
 use super::supposition;
-use super::words::Listed;
+use super::words::{Listed, Words};
 use super::{Citation, Inline, Prose, Span};
 
 /// A piece of prose.
@@ -67,6 +67,103 @@ pub(super) fn begins_with(sentence: &[Placed<'_>], words: &(impl Listed + ?Sized
     first.is_some_and(|token| token.is_among(words))
 }
 
+/// A sentence may begin with one of these and a comma, and says what it says all the same.
+static LEADING: Words = Words::of(&[
+    "finally",
+    "lastly",
+    "first",
+    "firstly",
+    "second",
+    "secondly",
+    "third",
+    "thirdly",
+    "next",
+    "now",
+    "conversely",
+    "similarly",
+    "likewise",
+    "analogously",
+    "correspondingly",
+    "moreover",
+    "furthermore",
+    "additionally",
+    "besides",
+    "also",
+    "again",
+    "indeed",
+    "clearly",
+    "obviously",
+    "evidently",
+    "naturally",
+    "alternatively",
+    "specifically",
+    "particularly",
+    "incidentally",
+    "interestingly",
+    "however",
+    "here",
+]);
+/// The same of several words.
+const LEADING_PHRASES: [&[&str]; 13] = [
+    &["in", "particular"],
+    &["in", "addition"],
+    &["for", "example"],
+    &["for", "instance"],
+    &["for", "comparison"],
+    &["for", "illustration"],
+    &["for", "completeness"],
+    &["of", "course"],
+    &["by", "contrast"],
+    &["in", "contrast"],
+    &["on", "the", "other", "hand"],
+    &["on", "the", "one", "hand"],
+    &["as", "it", "should", "be"],
+];
+/// What begins with one of these and ends at a comma leads on as well: "As a check,", "To test this result,".
+const LEADING_ON: [&[&str]; 12] = [
+    &["as", "a"],
+    &["as", "an"],
+    &["as", "another"],
+    &["as", "expected"],
+    &["as", "it"],
+    &["by", "way", "of"],
+    &["to", "check"],
+    &["to", "test"],
+    &["to", "verify"],
+    &["to", "illustrate"],
+    &["to", "see"],
+    &["to", "conclude"],
+];
+/// No more words lead on.
+const MOST_LEADING: usize = 6;
+
+/// How many tokens a sentence begins with that say nothing of what it is about: "As a check,", "Finally,".
+pub(super) fn lead(sentence: &[Placed<'_>]) -> usize {
+    let is_word = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
+    let comma = sentence
+        .iter()
+        .take(MOST_LEADING + 1)
+        .take_while(is_word)
+        .count();
+    if !matches!(sentence.get(comma), Some((Token::Mark(','), _))) {
+        return 0;
+    }
+    let words = &sentence[..comma];
+    let begins = |phrase: &[&str]| {
+        let mut both = words.iter().zip(phrase);
+        words.len() >= phrase.len() && both.all(|((token, _), word)| token.is_among(&[*word]))
+    };
+    let is = |phrase: &&[&str]| begins(phrase) && words.len() == phrase.len();
+    let leads = match words {
+        [(token, _)] => token.is_among(&LEADING),
+        words => {
+            LEADING_PHRASES.iter().any(is)
+                || LEADING_ON.iter().any(|phrase| begins(phrase)) && !words.is_empty()
+        }
+    };
+    if leads { comma + 1 } else { 0 }
+}
+
 /// Words that end in a full stop which ends no sentence.
 const ABBREVIATED: [&str; 14] = [
     "eq", "eqs", "eqn", "eqns", "fig", "figs", "sec", "ref", "refs", "cf", "resp", "vs", "no",
@@ -112,6 +209,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         all_vary: conclusion::names_rule_of_factors(&tokens),
         citations,
         suppositions,
+        leading: leading(source, &tokens),
         qualities,
         changing,
         mentions,
@@ -123,6 +221,12 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         announces_laws: conclusion::announces_laws(&tokens),
         extent: circumstance::read(source, &tokens),
     }
+}
+
+/// The sentence that the text breaks off in.
+fn leading(source: &str, tokens: &[Placed<'_>]) -> Option<Span> {
+    let last = tokens.rsplit(|token| ends_sentence(source, token)).next()?;
+    Some(last.first()?.1.to(last.last()?.1))
 }
 
 pub(super) fn tokens<'a>(

@@ -23,10 +23,13 @@ use self::words::{
 };
 use super::circumstance;
 use super::conclusion;
-use super::prose::{Placed, Token, ends_sentence, in_lower_case};
+use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
 use super::words::{Listed, Words};
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
+
+/// So many words may stand between "include" and "again".
+const MOST_RECALLED: usize = 8;
 
 /// How far a supposition reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +65,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         found: Vec::new(),
         mentions: Vec::new(),
         introduced: Vec::new(),
+        leading: 0,
         open: 0,
         sentence: Sentence::from(0),
     };
@@ -76,6 +80,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     let introduced = std::mem::take(&mut reader.introduced);
     let (mut found, mut mentions) = reader.finish();
     retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
+    retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));
     found.extend(introduced.into_iter().map(|body| Supposition {
         kind: SuppositionKind::Anew,
@@ -108,6 +113,8 @@ struct Reader<'a> {
     mentions: Vec<Span>,
     /// The letters that it introduces.
     introduced: Vec<Span>,
+    /// Up to here a sentence only leads on: "As a check,".
+    leading: usize,
     /// From here on, what was supposed runs on into the display after the text.
     open: usize,
     sentence: Sentence,
@@ -134,6 +141,8 @@ struct Sentence {
     means: bool,
     /// It has drawn a conclusion.
     concluded: bool,
+    /// A clause with a reason is open: "Since no heat is lost, $Q = P$". Whether that denies something.
+    reason: Option<bool>,
     /// What was introduced last, as far as it reaches.
     active: Option<(SuppositionKind, Reach)>,
 }
@@ -151,6 +160,7 @@ impl Sentence {
             factual: true,
             means: true,
             concluded: false,
+            reason: None,
             active: None,
         }
     }
@@ -159,6 +169,20 @@ impl Sentence {
 impl Reader<'_> {
     fn text(&self, span: Span) -> &str {
         self.source.get(span.range()).unwrap_or_default()
+    }
+
+    /// How many tokens from `index` on only lead on: "As a check,". An example is one of what comes next alone.
+    fn lead(&self, index: usize) -> usize {
+        let rest = &self.tokens[index..];
+        let lead = lead(rest);
+        let is_example = |(token, _): &Placed<'_>| token.is_among(&["example", "instance"]);
+        // "For example, take $x = 1$. We get"
+        let stops = || rest.iter().filter(|(token, _)| *token == Token::Stop);
+        let leads_on = || stops().count() <= 1;
+        match rest[..lead].iter().any(is_example) && !leads_on() {
+            true => 0,
+            false => lead,
+        }
     }
 
     /// Whether the sentence has supposed nothing yet.
@@ -178,6 +202,10 @@ impl Reader<'_> {
         let among = |words: &Words| words.has(word);
         if !self.sentence.begun {
             self.sentence.first = index;
+            self.leading = self.leading.max(index + self.lead(index));
+        }
+        if index < self.leading {
+            return;
         }
         let of_a_case = among(&OF_CASES) || among(&REGIMES);
         self.sentence.special |= !self.sentence.begun && of_a_case;
@@ -198,7 +226,15 @@ impl Reader<'_> {
         let next = self.tokens.get(index + 1).map(|(token, _)| *token);
         // "The masses were measured to be" denies nothing.
         let told = word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.has(next));
-        if among(&UNDECIDED) || among(&DENYING) && !told {
+        let begins = !self.sentence.begun || follows_comma(index, self.tokens);
+        if begins && matches!(word, "since" | "because" | "as") {
+            self.sentence.reason = Some(false);
+        }
+        if let Some(denied) = &mut self.sentence.reason
+            && among(&DENYING)
+        {
+            *denied = true;
+        } else if among(&UNDECIDED) || among(&DENYING) && !told {
             self.sentence.factual = false;
             self.sentence.means &= among(&HYPOTHETICAL);
             // "A ball of radius $r = 2 a$ rolls without slipping": only what comes after it is denied.
@@ -227,6 +263,10 @@ impl Reader<'_> {
 
     fn mathematics(&mut self, index: usize, body: Span) {
         self.sentence.begun = true;
+        if self.sentence.reason == Some(true) && relates(self.text(body)) {
+            (self.sentence.factual, self.sentence.means) = (false, false);
+            self.withdraw_facts();
+        }
         let text = self.text(body);
         let (states, is_zero) = (relates(text), text.trim_end().ends_with("= 0"));
         let says_number = is_number(text);
@@ -235,11 +275,14 @@ impl Reader<'_> {
         let active = self.sentence.active;
         if let Some((kind, reach)) = active {
             let may_begin = kind != SuppositionKind::Define || is_zero;
-            if states && !(may_begin && is_origin(index, text, reach, self.tokens)) {
+            // "where $I = I_0$ when $t = 0$" means nothing for good.
+            let is_then = !may_begin && is_at_a_value(self.source, index, self.tokens);
+            if states && !is_then && !(may_begin && is_origin(index, text, reach, self.tokens)) {
                 self.found.push(Supposition { kind, body });
                 self.sentence.named = false;
             }
-            self.sentence.active = reach.past_math(states).map(|reach| (kind, reach));
+            let reach = reach.past_math(states).filter(|_| !(states && is_then));
+            self.sentence.active = reach.map(|reach| (kind, reach));
         }
         if !states && self.introduces(index) && is_letters(self.text(body)) {
             self.introduced.push(body);
@@ -354,13 +397,18 @@ impl Reader<'_> {
             true => is_plain(index, self.tokens) || self.joins(index, is_fact),
             false => !(bounds && follows(index, self.tokens, &["for"])),
         };
+        // "which starts with $I = I_0$ at $t = 0$" is so then.
+        let is_then = is_at_a_value(self.source, index, self.tokens);
         // "The magnification $M = f/s$ is": what is no number is no origin.
         let is_name = is_number(text) && is_named(index, self.tokens);
-        plainly && !is_name && !follows(index, self.tokens, &NAMED_BEFORE)
+        plainly && !is_name && !is_then && !follows(index, self.tokens, &NAMED_BEFORE)
     }
 
     /// A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
     fn mark(&mut self, mark: Token<'_>) {
+        if mark == Token::Mark(',') {
+            self.sentence.reason = None;
+        }
         let Some((kind, reach)) = self.sentence.active else {
             if mark == Token::Mark(';') {
                 self.open = self.found.len();
@@ -420,13 +468,42 @@ pub fn is_reason(source: &str, body: Span) -> bool {
     let before = source.get(..body.start).unwrap_or_default();
     let before = before.trim_end_matches(|c: char| !c.is_alphabetic());
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next();
-    word.is_some_and(|word| REASONS.has_in_any_case(word))
+    word.is_some_and(|word| REASONS.has_in_any_case(word)) || follows_a_reason(source, body)
+}
+
+/// Whether the clause before mathematics gives a reason in words: "Since no heat is lost, $a = b$".
+fn follows_a_reason(source: &str, body: Span) -> bool {
+    let before = source.get(..body.start).unwrap_or_default();
+    let before =
+        before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\'));
+    let Some(before) = before.strip_suffix(',') else {
+        return false;
+    };
+    let clause = before.rsplit([',', '.', ';', ':', '$', '}', ')']).next();
+    let mut words = clause.unwrap_or_default().split_whitespace();
+    let (first, next) = (words.next(), words.next());
+    let rest = words.count();
+    let is =
+        |word: Option<&str>, among: &[&str]| word.is_some_and(|word| among.has_in_any_case(word));
+    // "As a check," gives none.
+    let describes = is(
+        next,
+        &[
+            "a", "an", "in", "for", "we", "to", "with", "can", "shown", "expected",
+        ],
+    );
+    is(first, &["since", "because"]) && rest > 0 || is(first, &["as"]) && rest > 1 && !describes
 }
 
 /// Whether one of these words, in lower case, stands before what is at `index`.
 fn follows(index: usize, tokens: &[Placed<'_>], words: &(impl Listed + ?Sized)) -> bool {
     let before = index.checked_sub(1).and_then(|before| tokens.get(before));
     before.is_some_and(|(token, _)| token.is_among(words))
+}
+
+fn follows_comma(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = index.checked_sub(1).map(|before| tokens[before].0);
+    before == Some(Token::Mark(','))
 }
 
 /// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".
@@ -472,6 +549,22 @@ fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> b
     named() && (is_number(math) || equals_a_name(math)) || starts()
 }
 
+/// Whether what comes after the mathematics at `index` says for which number it is so: "$q = q_0$ at $t = 0$".
+fn is_at_a_value(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 1..).unwrap_or_default();
+    let [(first, _), rest @ ..] = rest else {
+        return false;
+    };
+    let skipped = rest
+        .iter()
+        .take_while(|(token, _)| token.is_among(&["the", "time", "place", "point"]))
+        .count();
+    let place = rest.get(skipped).map(|(token, _)| *token);
+    first.is_among(&["at", "when"])
+        && matches!(place, Some(Token::Math(body))
+            if source.get(body.range()).is_some_and(|text| is_value(text) && is_number(text)))
+}
+
 /// Whether what comes after the mathematics at `index` makes it a name.
 fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
     match tokens.get(index + 1) {
@@ -505,6 +598,12 @@ fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<Suppos
             is(one && drops, General)
         }
         "to" => is(last == "return", General),
+        // "Now we include friction again", "Restoring the friction", "no longer neglecting friction"
+        "again" => is(recalls(index, tokens), General),
+        "restoring" | "reinstating" | "reinstate" => is(last.is_empty() || last == "we", General),
+        "neglect" | "neglecting" | "ignore" | "ignoring" | "assume" | "assuming" => {
+            is(last == "longer" && second == "no", General)
+        }
         "cases" => is(last == "all" && second == "in", Elsewhere),
         "all" | "any" | "every" if last == "at" => is(second.is_empty(), Elsewhere),
         "arbitrary" | "all" | "any" | "every" => is(last == "for", Elsewhere),
@@ -515,6 +614,32 @@ fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<Suppos
         word if REGIMES.has(word) => is(last.is_empty(), Elsewhere),
         _ => None,
     }
+}
+
+/// Whether the words before "again" say that something is taken into account: "Now we include friction again".
+fn recalls(index: usize, tokens: &[Placed<'_>]) -> bool {
+    const RECALLING: &[&str] = &[
+        "include",
+        "including",
+        "allow",
+        "allowing",
+        "restore",
+        "restoring",
+        "admit",
+        "reinstate",
+        "account",
+        "switch",
+        "turn",
+    ];
+    let before = tokens[..index].iter().rev();
+    let mut words = before.map_while(|(token, _)| match token {
+        Token::Word(_) => Some(*token),
+        _ => None,
+    });
+    words
+        .by_ref()
+        .take(MOST_RECALLED)
+        .any(|word| word.is_among(RECALLING))
 }
 
 impl Reach {

@@ -3,7 +3,7 @@
 //!
 //! Such a sentence leads on to a display, which is said of that case.
 
-use super::super::prose::{Placed, Token};
+use super::super::prose::{Placed, Token, lead};
 use super::super::words::Words;
 use super::super::{Supposition, SuppositionKind};
 use super::mathematics::{is_value, relates};
@@ -34,6 +34,8 @@ const MOST_WORDS: usize = 8;
 /// The value in the last sentence, where that names a case with it.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {
     let sentence = tokens.rsplit(|(token, _)| *token == Token::Stop).next()?;
+    // "As a check, for a massless pulley, $M = 0$, this is"
+    let sentence = &sentence[lead(sentence)..];
     let mut rest = sentence.iter();
     let (first, _) = rest.next()?;
     let is_word = |token: &&Placed<'_>| matches!(token.0, Token::Word(_));

@@ -126,6 +126,14 @@ pub(super) fn introduced(
             Some((case, joined(true)))
         }
         "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
+        // "Take $a = 2$, $b = 3$ and $c = 4$. We get"
+        "take" | "pick" if by_us() && listed >= 1 => Some((
+            SuppositionKind::Case { runs_on: true },
+            Reach::List { left: listed },
+        )),
+        word if DEFINING.has(word) && by_us() && listed >= 2 => {
+            Some((SuppositionKind::Let, Reach::List { left: listed }))
+        }
         word if DEFINING.has(word) && by_us() && value() => {
             Some((SuppositionKind::Let, joined(true)))
         }
