@@ -57,9 +57,9 @@ impl Problem {
     /// What is true of functions at every point where their terms have values; where an argument has none, there
     /// are values that make it true all the same, so that nothing is said of the argument.
     pub(super) fn add_facts_about_functions(&mut self) -> Result<(), Reject> {
-        let called = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(..) | Expr::Power(..)));
+        let called = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(..)));
         if !self.atoms.iter().any(|(_, atom)| called(atom)) {
-            return Ok(());
+            return self.take_logarithms();
         }
         let knowledge = Knowledge::new(&self.facts);
         self.add_facts_about_logarithms(&knowledge)?;

@@ -5,7 +5,7 @@
 //! that all logarithms have, `u` in `v = u \ln(m_0/m)`, is divided by where it is known not to be 0. A logarithm is taken where both
 //! products are known to be positive; then it says the same, so that it may be shown instead.
 
-use super::{Knowledge, Origin, Problem, Reject, Sign};
+use super::{Fact, Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
     Atom, Expr, Fraction, Function, Monomial, Polynomial, Rational, Var, expr_of, expr_of_fraction,
 };
@@ -64,22 +64,24 @@ impl Problem {
             return Ok(());
         }
         let raises = self.atoms.iter().any(|(_, atom)| is_raised(atom));
-        let knowledge = &Knowledge::new(&self.facts);
+        let equates = |fact: &Fact| fact.sign == Sign::Zero && fact.polynomial.len() == 2;
         let equations = self.facts.iter().zip(&self.origins);
         let equations = equations.filter_map(|(fact, origin)| match origin {
-            Origin::Hypothesis(at) if fact.sign == Sign::Zero => {
-                Some((fact.polynomial.clone(), *at))
-            }
+            Origin::Hypothesis(at) if equates(fact) => Some((fact.polynomial.clone(), *at)),
             _ => None,
         });
         let equations: Vec<(Polynomial, usize)> = equations.collect();
+        let goal = equates(&self.goal).then(|| self.goal.polynomial.clone());
+        if equations.is_empty() && goal.is_none() {
+            return Ok(());
+        }
+        let knowledge = &Knowledge::new(&self.facts);
         for (equation, at) in equations {
             if let Some(taken) = self.logarithm_of(&equation, raises, knowledge)? {
                 self.add(taken, Sign::Zero, Origin::Logarithms(at));
             }
         }
-        if self.goal.sign == Sign::Zero {
-            let goal = self.goal.polynomial.clone();
+        if let Some(goal) = goal {
             self.goal_in_logarithms = self.logarithm_of(&goal, raises, knowledge)?;
         }
         Ok(())
@@ -93,9 +95,6 @@ impl Problem {
         raises: bool,
         knowledge: &Knowledge,
     ) -> Result<Option<Polynomial>, Reject> {
-        if equation.len() != 2 {
-            return Ok(None);
-        }
         let terms: Vec<Polynomial> = equation
             .terms()
             .map(|(monomial, number)| Polynomial::term(monomial.clone(), number.clone()))
@@ -106,6 +105,9 @@ impl Problem {
             return Ok(None);
         };
         let sides = [positive.clone(), negative.negated()];
+        if !sides.iter().all(|own| knowledge.is_positive(own)) {
+            return Ok(None);
+        }
         let [more, less] =
             sides.map(|own| Expr::Call(Function::Ln, expr_of(&own, &self.atoms).into()));
         // Unknowns are added only where the logarithms are of use.
