@@ -880,3 +880,41 @@ fn adiabats_and_half_lives_are_decided() {
     }
     assert_eq!(step("x^p = c y", "x = (c y)^{2/p}"), "fails");
 }
+
+/// Of two roots an author means one; on which side of the middle it lies is told.
+#[test]
+fn one_of_two_roots_is_one_side_of_the_middle() {
+    let solved = |root: &str| {
+        verdicts(&format!(
+            "The distances satisfy\n\n$$ s^2 - D s + D f = 0, $$\n\nwhose solution is\n\n$$ s = {root}. $$\n"
+        ))[1]
+    };
+    assert_eq!(solved(r"\frac{D + \sqrt{D^2 - 4 D f}}{2}"), "holds");
+    assert_eq!(solved(r"\frac{D - \sqrt{D^2 - 4 D f}}{2}"), "holds");
+    assert_eq!(solved(r"\frac{D + \sqrt{D^2 - 2 D f}}{2}"), "fails");
+    assert_eq!(solved(r"\frac{D + \sqrt{D^2 + 4 D f}}{2}"), "fails");
+}
+
+/// The slope of what the page gives by a term follows or does not, whatever word leads on to it.
+#[test]
+fn slope_of_what_is_given_is_no_law() {
+    let decay = |slope: &str| {
+        verdicts(&format!(
+            "The level is\n\n$$ y(t) = A e^{{-k t}}. $$\n\nThe derivative is\n\n$$ {slope}. $$\n"
+        ))[1]
+    };
+    assert_eq!(decay("y'(t) = -k A e^{-k t}"), "holds");
+    assert_eq!(decay("y'(t) = A e^{-k t}"), "fails");
+    assert_eq!(decay("y'(0) = -k A"), "holds");
+    assert_eq!(decay("y'(0) = k A"), "fails");
+    let wave = |slope: &str| {
+        verdicts(&format!(
+            "The wave function is\n\n$$ \\psi(x) = A \\sin(k x), $$\n\nwhose second derivative is\n\n$$ \\psi''(x) = {slope}. $$\n"
+        ))[1]
+    };
+    assert_eq!(wave(r"-k^2 A \sin(k x)"), "holds");
+    assert_eq!(wave(r"-k A \sin(k x)"), "fails");
+    // After a collision a prime is no slope.
+    let collision = "Before it the momentum is\n\n$$ p = m v(t) $$\n\nand after it\n\n$$ p = m v'. $$\n\nHence\n\n$$ m v(t) = m v'. $$\n";
+    assert_eq!(verdicts(collision)[2], "holds");
+}

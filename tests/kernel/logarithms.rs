@@ -100,8 +100,27 @@ fn logarithms_are_taken_of_two_products_with_opposite_signs_only() {
         let p = Proving::new(all_positive(claim(&[premise], "x = y"), &names));
         assert_eq!(taken(&p), None, "{premise}");
     }
+    // Nor of what is no equation; what else is one does not matter.
     let p = Proving::new(all_positive(claim(&["x^p = y^p"], r"x \geq y"), &names));
     assert_eq!(p.problem.goal_in_logarithms, None);
+    assert!(taken(&p).is_some());
+    for premise in [r"x^p \geq y^p", r"x^p \neq y^p", "x^p > y^p"] {
+        let p = Proving::new(all_positive(claim(&[premise], "x = y"), &names));
+        assert_eq!(taken(&p), None, "{premise}");
+        assert!(p.problem.goal_in_logarithms.is_some());
+    }
+    // Where nothing is raised to a power, and no logarithm is spoken of, there is none.
+    let p = Proving::new(all_positive(claim(&["x = 2 y"], "x^2 = 4 y^2"), &names));
+    assert_eq!((taken(&p), &p.problem.goal_in_logarithms), (None, &None));
+    // Of what logarithms are spoken of they are taken, and of nothing else.
+    let spoken = |premise| {
+        Proving::new(all_positive(
+            claim(&[premise], r"\ln x = \ln 2 + \ln y"),
+            &names,
+        ))
+    };
+    assert!(taken(&spoken("x = 2 y")).is_some());
+    assert_eq!(taken(&spoken("x p = 2 y")), None);
 }
 
 #[test]

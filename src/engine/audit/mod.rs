@@ -5,6 +5,7 @@
 //! citation is told apart from an error.
 
 mod borrowed;
+mod branch;
 mod cases;
 mod cited;
 mod constant;

@@ -18,6 +18,28 @@ use super::{Entry, Judged, Note, Outcome, Verdict, identity};
 use crate::sorted::Set;
 
 impl Judge<'_> {
+    /// Whether a side is the slope of something that a premise gives by a term in the variable.
+    fn is_slope_of_given(&self, side: &Expr) -> bool {
+        let side = match side {
+            Expr::Limit { body, .. } => body,
+            side => side,
+        };
+        let Expr::Derivative { body, variable } = side else {
+            return false;
+        };
+        let mut body = &**body;
+        while let Expr::Derivative { body: inner, .. } = body {
+            body = inner;
+        }
+        let gives = |own: &Assumed| match own.formula.as_equation() {
+            Some((left, right)) => {
+                left == body && right.mentions(variable) && !right.any(&|part| part == body)
+            }
+            None => false,
+        };
+        matches!(body, Expr::Symbol(_) | Expr::Apply(..)) && self.usable.assumed.iter().any(gives)
+    }
+
     /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.
     pub(super) fn stated(&self, entry: &Entry) -> Option<Vec<Symbol>> {
         let equation = &self.derivation.equations[self.at];
@@ -92,8 +114,9 @@ impl Judge<'_> {
                 vec![symbol.clone()]
             }
             _ if named == others => return None,
-            // A limit of what is written out could not be otherwise.
+            // A limit of what is written out could not be otherwise; nor could the slope of what the page gives by a term.
             _ if identity::is_carried_out(left, right, equation.drawn) => return None,
+            _ if self.is_slope_of_given(left) => return None,
             _ => {
                 let all = named.union(&others);
                 let domains = &self.derivation.pages[equation.page].domains;

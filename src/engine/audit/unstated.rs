@@ -64,7 +64,12 @@ impl Judge<'_> {
         self.follows_with_others(goal, assumed, premises, Effort::Light, found)
             || sound.len() < assumed.len()
                 && self.follows_with_others(goal, &sound, premises, Effort::Light, found)
-            || self.under_conditions(goal, sound.clone(), witness, earnest, found)
+            || self.under_conditions(goal, sound.clone(), witness, earnest, found) && {
+                if sound.len() == assumed.len() {
+                    found.instead.clear();
+                }
+                true
+            }
             || self.follows_with_others(goal, &sound, premises, Effort::Full, found)
     }
 
@@ -259,8 +264,9 @@ impl Judge<'_> {
             false => None,
         };
         // That there is a root at all may have to be proved.
-        conditions
-            .is_some_and(|conditions| self.holds_under(goal, set, &conditions, Effort::Full, found))
+        conditions.is_some_and(|conditions| {
+            self.holds_under(goal, set.clone(), &conditions, Effort::Full, found)
+        }) || effort == Effort::Full && self.follows_on_one_side(goal, &set, found)
     }
 
     /// Whether the step follows where what is differentiated nowhere does not change, and something is left that does.
@@ -311,7 +317,12 @@ impl Judge<'_> {
     /// That all of the symbols are positive which are no numbers, with what must not vanish beside roots; if that can be.
     ///
     /// Where that cannot be, `U = -k/r`, those that the step speaks of are; or what logarithms and powers are taken of, `Q = -n R T \ln r`.
-    fn positive(&self, goal: &Goal, set: &[Assumed], unbounded: &[Symbol]) -> Option<Vec<Formula>> {
+    pub(super) fn positive(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        unbounded: &[Symbol],
+    ) -> Option<Vec<Formula>> {
         self.all_positive(goal, set, unbounded).or_else(|| {
             let named = goal.formula.names();
             let of_goal: Vec<Symbol> = unbounded

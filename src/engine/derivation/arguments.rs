@@ -107,6 +107,18 @@ fn see<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, own: &mut Tree<Symbol, S
                 .for_each(|argument| see(argument, bound, own));
         }
         Expr::Series { index, .. } => within(term, index, bound, own),
+        // The value of a slope, `y'(0)`.
+        Expr::Limit {
+            body,
+            point: LimitPoint::Finite(place),
+            ..
+        } if matches!(
+            (&**body, &**place),
+            (Expr::Derivative { .. }, Expr::Number(_))
+        ) =>
+        {
+            see(body, bound, own);
+        }
         Expr::Limit { variable, .. } => within(term, variable, bound, own),
         term => term.children().for_each(|child| see(child, bound, own)),
     }

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::notation::{Before, BeforeKind, Clause, SyntaxError};
 
-use super::{Equation, formulas};
+use super::{Equation, formulas, slopes};
 
 /// So many in one display are no accident.
 const FEWEST_DIFFERENTIALS: usize = 2;
@@ -120,9 +120,9 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
         let doubtful = before.find(|before| match before.kind {
             BeforeKind::Function => false,
             BeforeKind::Value => {
-                let moving = undotted(&before.name);
+                let moving = slopes::base(&before.name);
                 !functions.contains(&before.name)
-                    && !moving.is_some_and(|own| functions.contains(&own))
+                    && !moving.is_some_and(|own| functions.contains(&own.0))
             }
             BeforeKind::Factor => functions.contains(&before.name),
             BeforeKind::Unit => symbols.contains(&before.name),

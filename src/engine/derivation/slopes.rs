@@ -9,7 +9,8 @@ use super::equation::{conditions, formulas, map_terms};
 use super::names::undotted;
 use super::page::Page;
 
-/// What a dot stands for a slope by. A prime stands for another thing there: what comes after, or another frame.
+/// What a dot stands for a slope by. A prime stands for another thing there, what comes after, or another frame, unless a page that speaks
+/// of derivatives gives `y(t)` and writes `y'(t)`.
 const TIME: &str = "t";
 
 /// What a marked name stands for.
@@ -19,6 +20,7 @@ struct Slope {
     order: usize,
     /// What it is differentiated by.
     by: Symbol,
+    is_dot: bool,
 }
 
 /// What a page gives by terms.
@@ -30,6 +32,14 @@ struct Given {
     functions: Map<Symbol, Option<Symbol>>,
     /// All names with marks.
     marked: Set<Symbol>,
+    /// Those that stand without what they are functions of.
+    alone: Set<Symbol>,
+    /// The text gives them by terms of their own.
+    own: Set<Symbol>,
+    /// What is differentiated somewhere.
+    differentiated: Set<Symbol>,
+    /// The text speaks of derivatives.
+    of_slopes: bool,
 }
 
 /// Reads dots over what is given by a term in `t` as derivatives by it, and primes on functions, unless they are declared.
@@ -43,6 +53,13 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
     }
     for formula in page.locals.iter().flat_map(|local| &local.formulas) {
         given.see(formula, &time);
+        if let Some((Expr::Symbol(name) | Expr::Apply(name, _), _)) = formula.as_equation() {
+            given.own.insert(name.clone());
+        }
+    }
+    if !given.marked.is_empty() {
+        let mut words = ["derivative", "Derivative", "ifferentiat"].into_iter();
+        given.of_slopes = words.any(|word| page.document.source.contains(word));
     }
     let marked = std::mem::take(&mut given.marked).into_iter();
     let meant = marked.filter(|name| !page.is_declared(name));
@@ -75,23 +92,46 @@ impl Given {
             }
         }
         for term in formula.terms() {
-            names(term, &mut self.marked);
+            self.collect_marked(term);
+            term.collect_differentiated(&mut self.differentiated);
         }
     }
 
+    /// The names with marks in a term.
+    fn collect_marked(&mut self, term: &Expr) {
+        if let Expr::Symbol(name) | Expr::Apply(name, _) = term
+            && base(name).is_some()
+        {
+            self.marked.insert(name.clone());
+            if matches!(term, Expr::Symbol(_)) {
+                self.alone.insert(name.clone());
+            }
+        }
+        (term.children()).for_each(|part| self.collect_marked(part));
+    }
+
     /// What a name stands for, if that is a slope of something that is given.
-    fn meaning(&self, name: &Symbol, time: &Symbol) -> Option<Slope> {
-        let (name, order, is_dot) = base(name)?;
+    fn meaning(&self, marked: &Symbol, time: &Symbol) -> Option<Slope> {
+        let (name, order, is_dot) = base(marked)?;
+        let says_so = || self.of_slopes || self.differentiated.contains(&name);
+        let may_be = |by: &Symbol| {
+            by != time || says_so() && !self.alone.contains(marked) && !self.own.contains(marked)
+        };
         let by = match is_dot {
             true => self.moving.contains(&name).then(|| time.clone()),
-            false => self.functions.get(&name)?.clone().filter(|by| by != time),
+            false => self.functions.get(&name)?.clone().filter(may_be),
         };
-        by.map(|by| Slope { name, order, by })
+        by.map(|by| Slope {
+            name,
+            order,
+            by,
+            is_dot,
+        })
     }
 }
 
 /// What stands below the dots of a name, or before its primes, how many they are, and whether they are dots.
-fn base(name: &Symbol) -> Option<(Symbol, usize, bool)> {
+pub(super) fn base(name: &Symbol) -> Option<(Symbol, usize, bool)> {
     if let Some(own) = undotted(name) {
         return Some((own, 1, true));
     }
@@ -101,16 +141,6 @@ fn base(name: &Symbol) -> Option<(Symbol, usize, bool)> {
     let stem = name.name().trim_end_matches('\'');
     let order = name.name().len() - stem.len();
     (order > 0 && !stem.is_empty()).then(|| (Symbol::new(stem), order, false))
-}
-
-/// The names with marks in a term.
-fn names(term: &Expr, found: &mut Set<Symbol>) {
-    if let Expr::Symbol(name) | Expr::Apply(name, _) = term
-        && base(name).is_some()
-    {
-        found.insert(name.clone());
-    }
-    term.children().for_each(|part| names(part, found));
 }
 
 impl Slope {
@@ -125,7 +155,7 @@ impl Slope {
         match arguments {
             [argument] if *argument == by => Some(slope()),
             // Of a dotted name the value at a number is read later.
-            [place @ Expr::Number(_)] if self.by.name() != TIME => Some(Expr::Limit {
+            [place @ Expr::Number(_)] if !self.is_dot => Some(Expr::Limit {
                 body: slope().into(),
                 variable: self.by.clone(),
                 point: LimitPoint::Finite(place.clone().into()),

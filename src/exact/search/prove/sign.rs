@@ -85,22 +85,35 @@ impl Prover {
         if !fact.polynomial.vars().into_iter().any(unsquared) {
             return None;
         }
-        let mut larger = Polynomial::zero();
+        // What is seen not to be negative term by term; or as a whole what has no root in it, `2 s - D`, or what has.
+        let mut choices = [(); 3].map(|()| Polynomial::zero());
         for (monomial, coefficient) in fact.polynomial.terms() {
             let term = Polynomial::term(monomial.clone(), coefficient.clone());
             if self.knowledge.is_nonnegative(&term) {
-                larger = larger.plus(&term);
+                choices[0] = choices[0].plus(&term);
+            }
+            let part = match monomial.powers().iter().any(|&(var, _)| unsquared(var)) {
+                false => 1,
+                true => 2,
+            };
+            choices[part] = choices[part].plus(&term);
+        }
+        let [by_terms, plain, roots] = choices;
+        let mut wholes = vec![by_terms];
+        for whole in [plain, roots] {
+            if !wholes.contains(&whole) && self.knowledge.is_nonnegative(&whole) {
+                wholes.push(whole);
             }
         }
-        if larger.is_zero() || larger == fact.polynomial {
-            return None;
-        }
-        let squares = Fact {
-            polynomial: Proof::difference_of_squares(&larger, &fact.polynomial).ok()?,
-            sign: fact.sign,
-        };
-        let squares = self.sign_within(&squares, depth)?.into();
-        Some(Proof::Larger { larger, squares })
+        wholes.retain(|own| !own.is_zero() && *own != fact.polynomial);
+        wholes.into_iter().find_map(|larger| {
+            let squares = Fact {
+                polynomial: Proof::difference_of_squares(&larger, &fact.polynomial).ok()?,
+                sign: fact.sign,
+            };
+            let squares = self.sign_within(&squares, depth)?.into();
+            Some(Proof::Larger { larger, squares })
+        })
     }
 
     fn sign_by_what_is_known(&mut self, fact: &Fact) -> Option<Proof> {
