@@ -584,3 +584,23 @@ fn what_is_fixed_does_not_change() {
         assert_eq!(page(said, r"4 \pi r - \frac{2 V}{r}").0, "fails", "{said}");
     }
 }
+
+/// The text may write with a slash what displays write as a fraction.
+#[test]
+fn slopes_with_a_slash() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "The rate is\n\n$$ \\frac{{dc}}{{dt}} = k e s - n c. \\tag{{1}} $$\n\n{lead}\n\n$$ k e s = {end}. \\tag{{2}} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "In the quasi-steady state $dc/dt = 0$, so that",
+        "Setting $dc/dt = 0$ we get",
+        "With $dc / dt = 0$ in (1) we get",
+        "At the maximum $d c/d t = 0$, so",
+    ] {
+        assert_eq!(page(lead, "n c"), "holds", "{lead}");
+        assert_eq!(page(lead, "2 n c"), "fails", "{lead}");
+    }
+}
