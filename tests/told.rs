@@ -506,3 +506,101 @@ fn what_is_so_for_a_moment() {
     }
     assert_eq!(force("", "m a v")[1..], ["holds", "given", "holds"]);
 }
+
+/// What goes on with a law by "and", names moments, or puts circumstances in words, is a law.
+#[test]
+fn laws_that_words_go_on_to() {
+    let page = |first: &str, law: &str, lead: &str, next: &str, end: &str| {
+        verdicts(&format!(
+            "{first}\n\n$$ {law} $$\n\n{lead}\n\n$$ {next} $$\n\nTherefore\n\n$$ {end} $$\n"
+        ))
+    };
+    let incline = |lead: &str, end: &str| {
+        let law = r"m a = m g \sin\theta - \mu N \tag{1}";
+        let next = r"N = m g \cos\theta \tag{2}";
+        page(
+            "Newton's second law along the incline gives",
+            law,
+            lead,
+            next,
+            end,
+        )
+    };
+    let right = ["given", "given", "holds"];
+    assert_eq!(
+        incline("and perpendicular to it", r"\mu N = \mu m g \cos\theta"),
+        right
+    );
+    assert_eq!(
+        incline("and perpendicular to it", r"\mu N = m g \cos\theta")[2],
+        "fails"
+    );
+    assert_eq!(incline("and hence", r"\mu N = m g \cos\theta")[1], "fails");
+    let beam = |lead: &str, end: &str| {
+        let law = "R + S = P + a + b \\tag{1}";
+        page(
+            "Equilibrium of the vertical forces demands",
+            law,
+            lead,
+            "S b = P a \\tag{2}",
+            end,
+        )
+    };
+    assert_eq!(beam("and the moments about A give", "2 S b = 2 P a"), right);
+    assert_eq!(
+        beam("and the moments about A give", "S b = 2 P a")[2],
+        "fails"
+    );
+    let flow = |lead: &str, end: &str| {
+        let law = r"Q = A \sqrt{\frac{2 P}{\rho}} \tag{1}";
+        page(
+            "The flow is",
+            law,
+            lead,
+            r"P = (\sigma - \rho) g h \tag{2}",
+            end,
+        )
+    };
+    let manometer = "If the pressure is read from a mercury manometer, then";
+    assert_eq!(flow(manometer, r"P = \sigma g h - \rho g h"), right);
+    assert_eq!(flow(manometer, r"P = \sigma g h")[2], "fails");
+}
+
+/// What is said to be fixed does not change, whatever the rest of the sentence says changes.
+#[test]
+fn what_is_fixed_does_not_change() {
+    let page = |said: &str, end: &str| {
+        last(&format!(
+            "The surface is\n\n$$ A = 2 \\pi r^2 + \\frac{{2 V}}{{r}}. \\tag{{1}} $$\n\n{said}\n\n$$ \\frac{{dA}}{{dr}} = {end} $$\n"
+        ))
+    };
+    for said in [
+        "Now $A$ depends on $r$ only, since $V$ is fixed. From (1) the derivative is",
+        "From (1) the derivative is, for a fixed volume $V$,",
+        "$V$ is fixed. By (1) the derivative is",
+    ] {
+        let right = page(said, r"4 \pi r - \frac{2 V}{r^2}");
+        assert_eq!(right, ("holds", vec![]), "{said}");
+        assert_eq!(page(said, r"4 \pi r - \frac{2 V}{r}").0, "fails", "{said}");
+    }
+}
+
+/// The text may write with a slash what displays write as a fraction.
+#[test]
+fn slopes_with_a_slash() {
+    let page = |lead: &str, end: &str| {
+        last(&format!(
+            "The rate is\n\n$$ \\frac{{dc}}{{dt}} = k e s - n c. \\tag{{1}} $$\n\n{lead}\n\n$$ k e s = {end}. \\tag{{2}} $$\n"
+        ))
+        .0
+    };
+    for lead in [
+        "In the quasi-steady state $dc/dt = 0$, so that",
+        "Setting $dc/dt = 0$ we get",
+        "With $dc / dt = 0$ in (1) we get",
+        "At the maximum $d c/d t = 0$, so",
+    ] {
+        assert_eq!(page(lead, "n c"), "holds", "{lead}");
+        assert_eq!(page(lead, "2 n c"), "fails", "{lead}");
+    }
+}

@@ -54,6 +54,8 @@ struct Between {
     relative: bool,
     /// Whether they give a reason that is no equation.
     reasons: bool,
+    /// Whether they go on with what was said before the display before.
+    goes_on: bool,
     /// Whether they say that all factors change.
     all_vary: bool,
     /// Whether they are a mere "where" or "with".
@@ -562,6 +564,9 @@ impl<'p> Reader<'p> {
             self.active.push(slope);
         }
         let of_display = read.len();
+        // "Newton's second law along the incline gives … and perpendicular to it …"
+        said.reasons |=
+            said.goes_on && (self.equations.last()).is_some_and(|own| own.reasons && own.bare);
         self.bare = said.is_uncited()
             && match said.concludes {
                 Some(concludes) => !concludes || said.reasons,
@@ -776,6 +781,7 @@ impl Between {
         self.relative |= prose.is_relative && self.concludes.is_none();
         self.concludes = prose.concludes.or(self.concludes);
         self.reasons |= prose.reasons;
+        self.goes_on |= prose.goes_on;
         self.all_vary |= prose.all_vary;
         self.meant |= prose.says_what_is_meant;
         self.laws |= prose.announces_laws;

@@ -1,5 +1,6 @@
 //! Marks that stand for slopes: `\dot x` and `\ddot x` where a page says how `x` goes with the time, `x = A \cos(\omega t)`, and `f'` where
-//! it says what a function is, `f(x) = x^3`. Elsewhere they are names like any other.
+//! it says what a function is, `f(x) = x^3`. Elsewhere they are names like any other. And slopes that the text writes with a slash, `dc/dt`,
+//! where displays write `\frac{dc}{dt}`.
 
 use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::sorted::{Map, Set};
@@ -175,4 +176,90 @@ fn written_out(term: &Expr, slopes: &Map<Symbol, Slope>) -> Expr {
         _ => None,
     };
     own.unwrap_or_else(|| term.map_children(|part| written_out(part, slopes)))
+}
+
+/// A piece of mathematics in the text with its slopes written as displays write them, `\frac{dc}{dt}` for `dc/dt`, where displays
+/// differentiate by the same with a `d`. By itself it might be a quotient of products.
+pub(super) fn without_slashes(source: &str, math: &str) -> Option<String> {
+    let mut written = String::new();
+    let mut rest = math;
+    let mut found = false;
+    while let Some(slash) = rest.find('/') {
+        let (before, after) = (rest[..slash].trim_end(), rest[slash + 1..].trim_start());
+        let slope = upper(before).zip(lower(after));
+        match slope.filter(|(_, lower)| differentiates(source, lower)) {
+            Some((upper, lower)) => {
+                written.push_str(&before[..before.len() - upper.len()]);
+                written.push_str(&format!("\\frac{{{}}}{{{lower}}}", upper.trim()));
+                rest = &after[lower.len()..];
+                found = true;
+            }
+            None => {
+                written.push_str(&rest[..=slash]);
+                rest = after;
+            }
+        }
+    }
+    written.push_str(rest);
+    found.then_some(written)
+}
+
+/// `dc` or `d^2 c` at the end of a text, as the upper part of a slope.
+fn upper(text: &str) -> Option<&str> {
+    let starts = text.match_indices('d').map(|(at, _)| at).rev();
+    let is_upper = |&at: &usize| {
+        let inside = text[..at].ends_with(|c: char| c.is_alphanumeric() || "\\_{^".contains(c));
+        let name = text[at + 1..].trim_start();
+        let name = name.strip_prefix("^2").unwrap_or(name).trim_start();
+        !inside && length_of_name(name) == Some(name.len())
+    };
+    starts.take(2).find(is_upper).map(|at| &text[at..])
+}
+
+/// `dt` or `dt^2` at the beginning of a text, as the lower part of a slope.
+fn lower(text: &str) -> Option<&str> {
+    let after = text.strip_prefix('d')?;
+    let name = after.trim_start();
+    let mut length = text.len() - name.len() + length_of_name(name)?;
+    if text[length..].starts_with("^2") {
+        length += 2;
+    }
+    Some(&text[..length])
+}
+
+/// The length of a letter or a command, with what is below it, that a text begins with.
+fn length_of_name(text: &str) -> Option<usize> {
+    let first = text.chars().next()?;
+    let mut length = match first {
+        '\\' => {
+            let letters = text[1..].find(|c: char| !c.is_ascii_alphabetic());
+            1 + letters.unwrap_or(text.len() - 1)
+        }
+        first if first.is_alphabetic() => first.len_utf8(),
+        _ => return None,
+    };
+    if let Some(below) = text[length..].strip_prefix('_') {
+        length += 1 + match below.strip_prefix('{') {
+            Some(inside) => inside.find('}')? + 2,
+            None => below.chars().next()?.len_utf8(),
+        };
+    }
+    Some(length)
+}
+
+/// Whether a text has a fraction of differentials with this one below: `\frac{dx}{dt}`.
+fn differentiates(source: &str, lower: &str) -> bool {
+    let plain = |text: &str| text.replace([' ', '~'], "").replace("^2", "");
+    let below = plain(lower);
+    let mut fractions = source.split("\\frac{").skip(1);
+    fractions.any(|own| {
+        let parts = own.split_once('}');
+        parts.is_some_and(|(over, rest)| {
+            let under = rest
+                .trim_start()
+                .strip_prefix('{')
+                .and_then(|own| own.split_once('}'));
+            plain(over).starts_with('d') && under.is_some_and(|(under, _)| plain(under) == below)
+        })
+    })
 }

@@ -14,6 +14,7 @@ use super::equation::{Equation, formulas};
 use super::meanings::renamed;
 use super::page::Page;
 use super::rows::Part;
+use super::slopes::without_slashes;
 use crate::sorted::Set;
 
 /// How many displays back is looked for what prose says to be zero.
@@ -187,7 +188,7 @@ impl Page {
     /// What a text says that is supposed, statement by statement.
     pub(super) fn supposed(&self, body: Span) -> Result<Vec<(Vec<Formula>, Span)>, SyntaxError> {
         let source = &self.document.source;
-        let mut statements = match read_formulas(source, body) {
+        let mut statements = match self.read_slopes(body) {
             Ok(statements) => statements,
             Err(error) => {
                 let bounds = bounds_of_all(source, body).ok_or(error)?;
@@ -210,6 +211,21 @@ impl Page {
                 .map(|own| (formulas(own), own.span))
                 .collect()),
         }
+    }
+
+    /// Reads mathematics in the text, slopes with a slash as displays write them: "In the steady state $dc/dt = 0$".
+    fn read_slopes(&self, body: Span) -> Result<Vec<Statement>, SyntaxError> {
+        let source = &self.document.source;
+        read_formulas(source, body).or_else(|error| {
+            let text = source.get(body.range()).unwrap_or_default();
+            let d = Symbol::new("d");
+            let written = without_slashes(source, text).filter(|_| !self.is_declared(&d));
+            let written = written.ok_or_else(|| error.clone())?;
+            let mut read =
+                read_formulas(&written, Span::new(0, written.len())).map_err(|_| error)?;
+            read.iter_mut().for_each(|own| own.span = body);
+            Ok(read)
+        })
     }
 
     /// Whether a text says by terms what symbols are, such as these.

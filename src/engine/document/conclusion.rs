@@ -151,6 +151,8 @@ static LAWS: Words = Words::of(&[
     "balance",
     "equilibrium",
     "symmetry",
+    "moments",
+    "torques",
     "assume",
     "assumes",
     "assuming",
@@ -367,6 +369,7 @@ pub(super) fn reasons_in_words(source: &str, tokens: &[Placed<'_>]) -> bool {
     let is_said = |words: &[Placed<'_>]| !words.is_empty() && !words.iter().any(is_equation);
     reason.is_some_and(is_said)
         || names_a_law(last) && is_said(last)
+        || is_said(last) && puts_circumstances(last)
         || is_said(last) && concludes_from_words(last)
 }
 
@@ -382,6 +385,33 @@ fn names_a_law(sentence: &[Placed<'_>]) -> bool {
         let verb = sentence[..law].iter().rposition(concludes);
         verb.is_none_or(|verb| sentence[verb..law].iter().any(among(&LEADING)))
     })
+}
+
+/// "If the pressure is read from a manometer, then": circumstances in words, of which something else is so.
+fn puts_circumstances(sentence: &[Placed<'_>]) -> bool {
+    let begins = sentence
+        .first()
+        .is_some_and(|(token, _)| token.is_among(&["if"]));
+    let then = sentence
+        .iter()
+        .position(|(token, _)| token.is_among(&["then"]));
+    let works = |(token, _): &Placed<'_>| match token {
+        Token::Word(word) => WORKED.has(&in_lower_case(word)) || token.is_among(&["we"]),
+        _ => false,
+    };
+    begins && then.is_some_and(|then| then > LEAST_REASON && !sentence[..then].iter().any(works))
+}
+
+/// Whether a text goes on with what was said before the display before it, and concludes nothing: "and perpendicular to it".
+pub(super) fn goes_on_with_and(tokens: &[Placed<'_>]) -> bool {
+    let begins = matches!(tokens.first(), Some((Token::Word("and" | "while"), _)));
+    let is_one = !tokens.iter().any(|(token, _)| {
+        matches!(
+            token,
+            Token::Stop | Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..)
+        )
+    });
+    begins && is_one && read(tokens) == Some(false)
 }
 
 /// "No heat is lost, so": a sentence that draws one conclusion, from words that say how things are.

@@ -114,6 +114,8 @@ pub struct Prose {
     pub says_what_is_meant: bool,
     /// Its last sentence announces several laws: "The two conditions of equilibrium are".
     pub announces_laws: bool,
+    /// It goes on with what is said before the display before it: "and perpendicular to it".
+    pub goes_on: bool,
     /// Of how much the display after it is said; `None` where it says nothing.
     pub extent: Option<Extent>,
 }

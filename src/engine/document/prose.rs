@@ -219,7 +219,17 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         is_relative: conclusion::is_relative(&tokens),
         says_what_is_meant: conclusion::says_what_is_meant(&tokens),
         announces_laws: conclusion::announces_laws(&tokens),
+        goes_on: conclusion::goes_on_with_and(trimmed(&tokens)),
         extent: circumstance::read(source, &tokens),
+    }
+}
+
+/// Without the ends of paragraphs around them.
+fn trimmed<'t, 'a>(tokens: &'t [Placed<'a>]) -> &'t [Placed<'a>] {
+    let says = |(token, _): &Placed<'_>| *token != Token::Stop;
+    match (tokens.iter().position(says), tokens.iter().rposition(says)) {
+        (Some(first), Some(last)) => &tokens[first..=last],
+        _ => &[],
     }
 }
 

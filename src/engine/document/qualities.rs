@@ -278,20 +278,36 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Qualities>, Vec<
     let mut following = sentences.clone().skip(1);
     for sentence in sentences {
         let next = following.next().unwrap_or_default();
-        let has = |words: &[&str]| sentence.iter().any(|token| token.0.is_among(words));
-        let changes = sentence.iter().any(|token| token.0.is_among(&CHANGING));
-        if (changes || has(&["constant", "constants"])) && changes != has(&DENYING) {
-            changing.extend(sentence.iter().filter_map(|token| match token.0 {
-                Token::Math(body) => Some(body),
-                _ => None,
-            }));
-        }
-        let told = of_sentence(sentence);
-        if !told.is_empty() && !is_doubtful(source, sentence) && !takes_back(next) {
-            found.extend(told);
+        let (main, reason) = sentence.split_at(begin_of_reason(sentence));
+        for part in [main, reason] {
+            let has = |words: &[&str]| part.iter().any(|token| token.0.is_among(words));
+            let changes = part.iter().any(|token| token.0.is_among(&CHANGING));
+            if (changes || has(&["constant", "constants", "fixed"])) && changes != has(&DENYING) {
+                changing.extend(part.iter().filter_map(|token| match token.0 {
+                    Token::Math(body) => Some(body),
+                    _ => None,
+                }));
+            }
+            let mut told = of_sentence(part);
+            if !told.is_empty() && !is_doubtful(source, part) && !takes_back(next) {
+                let goes_on = goes_on(sentence);
+                told.iter_mut().for_each(|own| own.goes_on = goes_on);
+                found.extend(told);
+            }
         }
     }
     (found, changing)
+}
+
+/// Where the clause begins that gives a reason for what a sentence says: "Now $A$ depends on $r$ only, since $V$ is fixed".
+fn begin_of_reason(sentence: &[Placed<'_>]) -> usize {
+    let begins = |&at: &usize| {
+        sentence[at].0.is_among(&["since", "because"]) && sentence[at - 1].0 == Token::Mark(',')
+    };
+    (1..sentence.len())
+        .rev()
+        .find(begins)
+        .unwrap_or(sentence.len())
 }
 
 /// Whether a sentence tells no fact.
@@ -352,7 +368,7 @@ fn attributes(token: Token<'_>) -> Option<Vec<Attribute>> {
     };
     let among = |words: &[&str]| token.is_among(words);
     Some(match () {
-        () if among(&["constant", "constants"]) => vec![Attribute::Constant],
+        () if among(&["constant", "constants", "fixed"]) => vec![Attribute::Constant],
         () if among(&["positive"]) => vec![Attribute::Positive],
         () if among(&["nonnegative"]) => vec![Attribute::Nonnegative],
         () if among(&["nonzero"]) => vec![Attribute::Nonzero],
