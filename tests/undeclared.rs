@@ -907,6 +907,7 @@ fn slope_of_what_is_given_is_no_law() {
     assert_eq!(decay("y'(t) = A e^{-k t}"), "fails");
     assert_eq!(decay("y'(0) = -k A"), "holds");
     assert_eq!(decay("y'(0) = k A"), "fails");
+    assert_eq!(decay("y'(0) = v_0"), "given");
     let wave = |slope: &str| {
         verdicts(&format!(
             "The wave function is\n\n$$ \\psi(x) = A \\sin(k x), $$\n\nwhose second derivative is\n\n$$ \\psi''(x) = {slope}. $$\n"
