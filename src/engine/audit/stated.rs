@@ -116,7 +116,13 @@ impl Judge<'_> {
             _ if named == others => return None,
             // A limit of what is written out could not be otherwise; nor could the slope of what the page gives by a term, in what is known.
             _ if identity::is_carried_out(left, right, equation.drawn) => return None,
-            _ if self.is_slope_of_given(left) && !others.iter().any(is_new) => return None,
+            // That it is 0 is a condition.
+            _ if self.is_slope_of_given(left)
+                && !others.is_empty()
+                && !others.iter().any(is_new) =>
+            {
+                return None;
+            }
             _ => {
                 let all = named.union(&others);
                 let domains = &self.derivation.pages[equation.page].domains;

@@ -47,10 +47,12 @@ pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
     found.into_iter().collect()
 }
 
-/// All that stands below a derivative, an integral or a limit.
+/// All that stands below a derivative, an integral or a limit, and what sums go over.
 fn collect_varying(expr: &Expr, found: &mut Set<Symbol>) {
-    if !matches!(expr, Expr::Series { .. }) && expr.binder().is_some() {
-        found.extend(expr.binder().cloned());
+    if let Expr::Series { index, .. } = expr {
+        found.insert(index.clone());
+    } else if let Some(variable) = expr.binder() {
+        found.insert(variable.clone());
         found.extend(expr.free_symbols());
     }
     (expr.children()).for_each(|child| collect_varying(child, found));
