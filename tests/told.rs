@@ -604,3 +604,18 @@ fn slopes_with_a_slash() {
         assert_eq!(page(lead, "2 n c"), "fails", "{lead}");
     }
 }
+
+/// A volume that is fixed is tied to what is solved for by it, and has another form where the surface is least: it is fixed all the same.
+#[test]
+fn what_is_fixed_may_be_given() {
+    let page = |slope: &str| {
+        verdicts(&format!(
+            "The volume is\n\n$$ V = \\pi r^2 h. \\tag{{1}} $$\n\nWe solve (1) for the height, with $r > 0$,\n\n$$ h = \\frac{{V}}{{\\pi r^2}}. \\tag{{2}} $$\n\n\
+             The surface is\n\n$$ A = 2 \\pi r^2 + \\frac{{2 V}}{{r}}. \\tag{{3}} $$\n\nNow $A$ depends on $r$ only, since $V$ is fixed. From (3) the derivative is\n\n\
+             $$ \\frac{{dA}}{{dr}} = {slope}. \\tag{{4}} $$\n\nSetting (4) to zero gives\n\n$$ V = 2 \\pi r^3. $$\n"
+        ))
+    };
+    let right = ["given", "holds", "given", "holds", "holds"];
+    assert_eq!(page(r"4 \pi r - \frac{2 V}{r^2}"), right);
+    assert_eq!(page(r"4 \pi r - \frac{2 V}{r}")[3], "fails");
+}

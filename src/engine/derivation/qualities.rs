@@ -102,7 +102,13 @@ pub(super) fn leave_out_what_moves(page: &Page, equations: &mut [Equation]) {
 
 /// What something runs through, what is differentiated or a function, and what is given by a term in these; also in the text.
 fn moving(page: &Page, equations: &[Equation]) -> Set<Symbol> {
-    let stated = equations.iter().flat_map(Equation::statements);
+    // At the minimum $V = 2 \pi r^3$, and elsewhere not.
+    let is_throughout = |own: &&Equation| {
+        let mut locals = own.locals.iter();
+        !locals.any(|&at| page.locals[at].is_momentary())
+    };
+    let stated = equations.iter().filter(is_throughout);
+    let stated = stated.flat_map(Equation::statements);
     let mut said: Vec<Formula> = stated.flat_map(formulas).collect();
     let locals = page.locals.iter().flat_map(|local| &local.formulas);
     said.extend(locals.map(|formula| (**formula).clone()));
@@ -119,6 +125,7 @@ fn moving(page: &Page, equations: &[Equation]) -> Set<Symbol> {
         for (side, other) in [(left, right), (right, left)] {
             if let Expr::Symbol(symbol) = side
                 && speaks_of(other, &moving)
+                && !ties_another(symbol, other, &said)
             {
                 given.insert(symbol.clone());
             }
@@ -149,6 +156,17 @@ impl Page {
         }
         found
     }
+}
+
+/// Whether an equation for a symbol is solved for another that is in it: by `h = V/(\pi r^2)`, `V = \pi r^2 h` ties `h` to a volume that
+/// may be fixed.
+fn ties_another(symbol: &Symbol, value: &Expr, said: &[Formula]) -> bool {
+    let tied = value.free_symbols();
+    let mut sides = said.iter().filter_map(Formula::as_equation);
+    sides.any(|(left, right)| match left {
+        Expr::Symbol(own) => own != symbol && tied.contains(own) && right.mentions(symbol),
+        _ => false,
+    })
 }
 
 /// Whether a term speaks of one of these but in slopes: `F = m \frac{dv}{dt}` gives no force by the time.
