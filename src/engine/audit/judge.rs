@@ -21,9 +21,6 @@ pub(super) const COMPLEX: &str =
 /// Why nothing is proved from premises that cannot all be true.
 pub(super) const CONTRADICTORY: &str =
     "the premises contradict one another, so anything would follow";
-/// Why nothing is proved from what stands before and is not cited.
-const TOGETHER: &str =
-    "with what stands before and is not cited it is so only where something else vanishes";
 const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
 
 /// Judges the goals of one statement.
@@ -197,6 +194,17 @@ impl Judge<'_> {
             && all.any(|formula| !formula.names().is_disjoint(disputed))
     }
 
+    /// What a goal is judged from, where nothing else is needed.
+    pub(super) fn cited(&self, goal: &Goal, steps: &[(usize, Formula)]) -> Vec<Assumed> {
+        let mut assumed = self.usable.assumed.clone();
+        // The other side of an equivalence is supposed; what was shown before in the statement is known.
+        assumed.extend(goal.suppositions.iter().map(step));
+        if goal.suppositions.is_empty() {
+            assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
+        }
+        assumed
+    }
+
     /// The goal judged from some premises.
     pub(super) fn judged_from(
         &self,
@@ -204,12 +212,7 @@ impl Judge<'_> {
         steps: &[(usize, Formula)],
         premises: &[usize],
     ) -> Found {
-        let mut assumed = self.usable.assumed.clone();
-        // The other side of an equivalence is supposed; what was shown before in the statement is known.
-        assumed.extend(goal.suppositions.iter().map(step));
-        if goal.suppositions.is_empty() {
-            assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
-        }
+        let mut assumed = self.cited(goal, steps);
         let left_out = match self.usable.cases.is_empty() {
             true => None,
             false => self.cases(goal, &mut assumed),
@@ -497,53 +500,6 @@ impl Judge<'_> {
         // The hints are given back before a new one is remembered.
         let consistency = search::consistency(&claim, &self.auditor.hints());
         self.cannot_be(consistency)
-    }
-
-    /// The step judged from what it cites alone, where it follows only with premises that no author joins, and these can all be true only
-    /// where something that it speaks of is 0: those of two cases, "at the top" and "on landing", are mostly true together where nothing
-    /// is thrown.
-    fn alone_after_all(
-        &self,
-        goal: &Goal,
-        steps: &[(usize, Formula)],
-        premises: &[usize],
-        found: &Found,
-    ) -> Option<Found> {
-        let nought = Expr::integer(0);
-        let (left, right) = goal.formula.as_equation()?;
-        let is_own = |own: &Assumed| match own.source {
-            Source::Equation(at) => premises.contains(&at),
-            _ => true,
-        };
-        let joined = &found.judged.assumed;
-        if joined.iter().all(is_own) || *left == nought || *right == nought {
-            return None;
-        }
-        // What is false may be what makes it vanish.
-        if !self.failing(premises).is_empty() {
-            return None;
-        }
-        let claim = self.derivation.claim(self.at, joined, &goal.formula);
-        let constants = found.constant.iter().cloned();
-        if !search::makes_goal_vanish(search::with_constants(claim, constants)) {
-            return None;
-        }
-        let mut assumed = self.usable.assumed.clone();
-        assumed.extend(goal.suppositions.iter().map(step));
-        assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
-        let mut own = Found::open(Judged {
-            goal: goal.clone(),
-            assumed: assumed.clone(),
-            outcome: Outcome::open(TOGETHER),
-        });
-        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-        let decision = search::pose(claim)
-            .map(|posed| search::decide_within(&posed, &self.auditor.hints(), self.points()));
-        if let Ok(Decision::Refuted(refuted)) = decision {
-            own.judged.outcome = Outcome::Refuted(refuted.into());
-            self.instead(goal, &assumed, premises, &mut own);
-        }
-        Some(own)
     }
 
     /// The same of the hypotheses of a claim that was read before.

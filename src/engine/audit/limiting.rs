@@ -5,9 +5,11 @@
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::derivation::{Approach, Assumed, Goal, Source};
+use crate::kernel::definition;
 use crate::search::{self, Decision};
 
 use super::judge::{Found, Judge, condition, sources, step};
+use super::throughout::stands_still;
 use super::{Judged, Outcome};
 
 /// How many definitions are put in one after another.
@@ -117,7 +119,7 @@ impl Judge<'_> {
         assumed.retain(|own| !own.formula.names().contains(variable) && !used.contains(own));
         let others = limit.free_symbols().into_iter();
         let others = others.filter(|own| own != variable && !own.is_unit());
-        assumed.extend(others.map(|own| condition(&stays(own, variable))));
+        assumed.extend(others.map(|own| condition(&stands_still(&own, variable))));
         let goal = Goal {
             formula: limit,
             ..goal.clone()
@@ -166,27 +168,6 @@ impl Judge<'_> {
     }
 }
 
-/// That a symbol does not change with what moves.
-fn stays(symbol: Symbol, variable: &Symbol) -> Formula {
-    let slope = Expr::Derivative {
-        body: Expr::Symbol(symbol).into(),
-        variable: variable.clone(),
-    };
-    Formula::equal(slope, Expr::integer(0))
-}
-
-/// What a formula plainly says that a symbol is.
-fn defined(formula: &Formula) -> Option<(&Symbol, &Expr)> {
-    match formula.as_equation()? {
-        (Expr::Symbol(symbol), value) | (value, Expr::Symbol(symbol))
-            if !value.mentions(symbol) =>
-        {
-            Some((symbol, value))
-        }
-        _ => None,
-    }
-}
-
 /// `\lim v = -u`, of what premises say that `v` is, with those that say so.
 fn as_limit(goal: &Goal, approach: &Approach, all: &[&Assumed]) -> Option<(Formula, Vec<Assumed>)> {
     let Formula::Relation {
@@ -209,18 +190,19 @@ fn as_limit(goal: &Goal, approach: &Approach, all: &[&Assumed]) -> Option<(Formu
     for _ in 0..MOST_PUT_IN {
         let of_body = body.free_symbols();
         let definitions = all.iter().filter_map(|own| {
-            let (symbol, value) = defined(&own.formula)?;
-            let is_open = of_body.contains(symbol) && symbol != variable && !kept.contains(symbol);
+            let (symbol, value) = definition(&own.formula)?;
+            let is_open =
+                of_body.contains(&symbol) && symbol != *variable && !kept.contains(&symbol);
             let is_new = is_open && !used.contains(own);
             is_new.then(|| ((*own).clone(), symbol, value))
         });
         // What goes somewhere with the variable is what is asked for.
-        let moves = |(_, _, value): &(Assumed, &Symbol, &Expr)| value.mentions(variable);
-        let definition = (definitions.clone().find(moves)).or_else(|| definitions.clone().next());
-        let Some((own, symbol, value)) = definition else {
+        let moves = |(_, _, value): &(Assumed, Symbol, Expr)| value.mentions(variable);
+        let found = (definitions.clone().find(moves)).or_else(|| definitions.clone().next());
+        let Some((own, symbol, value)) = found else {
             break;
         };
-        body = body.substitute(symbol, value);
+        body = body.substitute(&symbol, &value);
         used.push(own);
     }
     let limit = Expr::Limit {

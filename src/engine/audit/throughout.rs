@@ -202,7 +202,8 @@ fn varies(assumed: &Assumed, variable: &Symbol) -> bool {
     assumed.standing == Standing::Identity && terms.any(|term| term.any(&is_variable))
 }
 
-fn stands_still(symbol: &Symbol, variable: &Symbol) -> Formula {
+/// That a symbol does not change with a variable.
+pub(super) fn stands_still(symbol: &Symbol, variable: &Symbol) -> Formula {
     let slope = Expr::Symbol(symbol.clone()).differentiated_by(variable);
     Formula::equal(slope, Expr::integer(0))
 }

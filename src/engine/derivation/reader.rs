@@ -766,12 +766,9 @@ fn said_to_be_zero(read: &[Part]) -> bool {
     let statements = read
         .iter()
         .flat_map(|part| part.statements.iter().flatten());
-    let said: Vec<Formula> = statements.flat_map(formulas).collect();
-    let sides = said.iter().filter_map(Formula::as_equation);
     let zero = Expr::integer(0);
-    sides
-        .into_iter()
-        .any(|(left, right)| *left == zero || *right == zero)
+    let mut said = statements.flat_map(formulas);
+    said.any(|own| own.as_equation().is_some() && own.terms().contains(&&zero))
 }
 
 impl Between {

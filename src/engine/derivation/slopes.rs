@@ -2,6 +2,8 @@
 //! it says what a function is, `f(x) = x^3`. Elsewhere they are names like any other. And slopes that the text writes with a slash, `dc/dt`,
 //! where displays write `\frac{dc}{dt}`.
 
+use std::cell::LazyCell;
+
 use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::sorted::{Map, Set};
 
@@ -39,8 +41,6 @@ struct Given {
     own: Set<Symbol>,
     /// What is differentiated somewhere.
     differentiated: Set<Symbol>,
-    /// The text speaks of derivatives.
-    of_slopes: bool,
 }
 
 /// Reads dots over what is given by a term in `t` as derivatives by it, and primes on functions, unless they are declared.
@@ -58,14 +58,16 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
             given.own.insert(name.clone());
         }
     }
-    if !given.marked.is_empty() {
+    let source = &page.document.source;
+    let of_slopes = LazyCell::new(|| {
         let mut words = ["derivative", "Derivative", "ifferentiat"].into_iter();
-        given.of_slopes = words.any(|word| page.document.source.contains(word));
-    }
+        words.any(|word| source.contains(word))
+    });
+    let of_slopes = || *of_slopes;
     let marked = std::mem::take(&mut given.marked).into_iter();
     let meant = marked.filter(|name| !page.is_declared(name));
     let slopes: Map<Symbol, Slope> = meant
-        .filter_map(|name| Some((name.clone(), given.meaning(&name, &time)?)))
+        .filter_map(|name| Some((name.clone(), given.meaning(&name, &time, &of_slopes)?)))
         .collect();
     if !slopes.is_empty() {
         map_terms(page, equations, |term| written_out(term, &slopes));
@@ -111,13 +113,18 @@ impl Given {
         (term.children()).for_each(|part| self.collect_marked(part));
     }
 
-    /// What a name stands for, if that is a slope of something that is given.
-    fn meaning(&self, marked: &Symbol, time: &Symbol) -> Option<Slope> {
+    /// What a name stands for, if that is a slope of something that is given; of what is given in the time only where the text speaks `of_slopes`,
+    /// which is asked last.
+    fn meaning(
+        &self,
+        marked: &Symbol,
+        time: &Symbol,
+        of_slopes: &impl Fn() -> bool,
+    ) -> Option<Slope> {
         let (name, order, is_dot) = base(marked)?;
-        let says_so = || self.of_slopes || self.differentiated.contains(&name);
-        let may_be = |by: &Symbol| {
-            by != time || says_so() && !self.alone.contains(marked) && !self.own.contains(marked)
-        };
+        let is_another = || self.alone.contains(marked) || self.own.contains(marked);
+        let says_so = || self.differentiated.contains(&name) || of_slopes();
+        let may_be = |by: &Symbol| by != time || !is_another() && says_so();
         let by = match is_dot {
             true => self.moving.contains(&name).then(|| time.clone()),
             false => self.functions.get(&name)?.clone().filter(may_be),

@@ -32,13 +32,14 @@ pub(super) fn powers_of<'a>(
     let mut found = Occurrences::default();
     terms.for_each(|term| found.collect(term, Some(1), false));
     let (mut powers, mut functions) = (Powers::default(), Functions::default());
-    for (symbol, domain) in &claim.domains {
+    // A bound symbol of that name is another.
+    let is_other = |symbol: &Symbol| {
         let element = element_parts(symbol).is_some_and(|(s, _)| sequences.contains(&s));
-        if element || sequences.contains(symbol) || elsewhere(symbol) {
-            continue;
-        }
-        // A bound symbol of that name is another.
-        if found.bound.contains(symbol) {
+        let of_sequences = element || sequences.contains(symbol);
+        of_sequences || elsewhere(symbol) || found.bound.contains(symbol)
+    };
+    for (symbol, domain) in &claim.domains {
+        if is_other(symbol) {
             continue;
         }
         if domain.integer {
@@ -62,20 +63,11 @@ pub(super) fn powers_of<'a>(
             powers.roots.insert(symbol.clone(), order);
         }
     }
-    for symbol in claim
-        .hypotheses
-        .iter()
-        .filter_map(|own| said_positive(&own.formula))
-    {
-        let element = element_parts(symbol).is_some_and(|(s, _)| sequences.contains(&s));
-        if !element
-            && !sequences.contains(symbol)
-            && !elsewhere(symbol)
-            && !found.bound.contains(symbol)
-        {
-            powers.nonzero.insert(symbol.clone());
-            powers.positive.insert(symbol.clone());
-        }
+    let hypotheses = claim.hypotheses.iter();
+    let said = hypotheses.filter_map(|own| said_positive(&own.formula));
+    for symbol in said.filter(|symbol| !is_other(symbol)) {
+        powers.nonzero.insert(symbol.clone());
+        powers.positive.insert(symbol.clone());
     }
     if pi {
         let pi = Symbol::new("\\pi");

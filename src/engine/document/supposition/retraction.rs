@@ -59,9 +59,11 @@ pub(super) fn tell_kinds_apart(
         };
         let is_rival = |other: &&(Span, &str, &str, Option<Span>)| {
             let &&(other, its_left, its_right, its_kind) = other;
-            let parted = kind.is_some() && its_kind.is_some()
-                || is_number(body) && is_number(other) && same_sentence(other);
-            left == its_left && right != its_right && parted
+            let parted = || {
+                kind.is_some() && its_kind.is_some()
+                    || is_number(body) && is_number(other) && same_sentence(other)
+            };
+            left == its_left && right != its_right && parted()
         };
         let is_apart = values.iter().any(|other| is_rival(&other));
         if is_apart && body.start >= leads_from && leads_from > 0 {
