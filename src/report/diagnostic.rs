@@ -9,6 +9,7 @@ use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Level, Rende
 
 use crate::audit::{Entry, Note, Verdict};
 use crate::document::{File, Span};
+use crate::parallel::in_order;
 use crate::sorted;
 
 use super::remark::{Known, Subject};
@@ -40,12 +41,10 @@ impl Finding {
 impl Report<'_> {
     /// All findings but those that are known, in reading order; those that rest on the same failing equation together.
     pub fn diagnostics(&self, known: &Known) -> String {
-        let mut text = String::new();
-        for finding in self.all_findings(known) {
-            text += &self.lay_out(&finding);
-            text += "\n\n";
-        }
-        text
+        let written = in_order(self.all_findings(known), |finding| {
+            self.lay_out(&finding) + "\n\n"
+        });
+        written.concat()
     }
 
     fn all_findings(&self, known: &Known) -> Vec<Finding> {
@@ -55,7 +54,9 @@ impl Report<'_> {
             .filter(|(subject, finding)| is_new(*subject, finding.code) && self.is_grave(finding));
         let mut all: Vec<Finding> = elsewhere.map(|(_, finding)| finding).collect();
         let mut told: Vec<&[usize]> = Vec::new();
-        for (at, entry) in self.audit.entries.iter().enumerate() {
+        let entries = &self.audit.entries;
+        let of_entries = in_order(entries, |entry| self.of_entry(entry));
+        for ((at, entry), findings) in entries.iter().enumerate().zip(of_entries) {
             let is_new = |code: &'static str| is_new(Subject::Entry(at), code);
             for note in entry.notes.iter().filter(|note| is_new(note.code())) {
                 if let Note::RestsOn(on) = note
@@ -66,7 +67,7 @@ impl Report<'_> {
                     all.push(self.leveled(self.resting(on)));
                 }
             }
-            all.extend(self.of_entry(entry).into_iter().filter(|f| is_new(f.code)));
+            all.extend(findings.into_iter().filter(|f| is_new(f.code)));
         }
         sorted::sort_by_key(&mut all, |finding| (finding.page, finding.primary.0.start));
         all

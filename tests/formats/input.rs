@@ -359,6 +359,13 @@ fn colours_stay_and_other_commands_do_not() {
 }
 
 #[test]
+fn where_nothing_is_asked_all_is_as_the_options_say() {
+    // The bare command takes these without looking at what could be asked.
+    let parsed = Args::parse_from(["cradle-verify"]);
+    assert_eq!(format!("{parsed:?}"), format!("{:?}", Args::default()));
+}
+
+#[test]
 fn the_audit_is_the_same_by_any_number_of_threads() {
     let derivation = proofs::report();
     let seen = |threads: usize| {

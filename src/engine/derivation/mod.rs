@@ -134,19 +134,18 @@ impl Derivation {
             own.beside = beside.as_ref().map(|beside| Arc::clone(&beside.file));
             (own, beside)
         });
-        let read = |(at, (own, beside))| page::read_page(own, beside, at);
+        let read = |(at, (own, beside))| {
+            let (mut page, mut equations) = page::read_page(own, beside, at);
+            slopes::read_marks(&mut page, &mut equations);
+            arguments::leave_out(&mut page, &mut equations);
+            partials::tell_what_is_held(&mut page, &mut equations);
+            (page, equations)
+        };
         for (page, equations) in in_order(documents.enumerate(), read) {
             derivation.pages.push(page);
             derivation.equations.extend(equations);
         }
         let (pages, equations) = (&mut derivation.pages, &mut derivation.equations);
-        for (at, page) in pages.iter_mut().enumerate() {
-            let own = equation::of_page(at, equations);
-            let own = &mut equations[own];
-            slopes::read_marks(page, own);
-            arguments::leave_out(page, own);
-            partials::tell_what_is_held(page, own);
-        }
         for own in page::of_documents(pages) {
             euler::recognize(&own, pages, equations);
             imaginary::recognize(&own, pages, equations);
