@@ -24,6 +24,7 @@ mod implied;
 mod init;
 mod interval;
 mod latex;
+mod laws;
 mod markdown;
 mod notation;
 mod pages;

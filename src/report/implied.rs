@@ -1,7 +1,7 @@
 //! What follows in the place of a failing equation: the slip of the pen undone, or what its premises give, and how
 //! far what is printed is from it.
 
-use crate::algebra::{BigRational, Expr, Formula};
+use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::audit::Entry;
 use crate::derivation::{Kind, Premises};
 use crate::kernel::Proven;
@@ -101,8 +101,12 @@ impl Report<'_> {
             return None;
         }
         let named = judged.goal.formula.free_symbols();
+        // What a law says of particular things is spoken of.
+        let said = judged.assumed.iter().map(|own| own.formula.names());
+        let said: Vec<_> = said.collect();
+        let is_said = |symbol: &Symbol| said.iter().any(|names| names.contains(symbol));
         let mut new = named.intersection(&equation.introduces);
-        let symbol = new.find(|symbol| measured(symbol).is_none())?;
+        let symbol = new.find(|symbol| measured(symbol).is_none() && !is_said(symbol))?;
         let is_latex = self.derivation.pages[equation.page].document.is_latex;
         let directive = if is_latex {
             "% check: law"

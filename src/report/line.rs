@@ -325,6 +325,10 @@ impl Report<'_> {
                     true => "taken as given, not checked",
                     false => "taken as given",
                 };
+                // Of what goes on with what follows the beginning is meant.
+                let holds = |e: &Entry| e.verdict == Verdict::Holds;
+                let of_chain = self.audit.of_equation(own).iter().all(holds);
+                let taken = format!("{}{taken}", if of_chain { "its first step " } else { "" });
                 let held = |symbol| self.derivation.is_some_constant(symbol);
                 let new = |symbol| equation.introduces.contains(symbol);
                 let shown = || words::list(symbols.iter().map(words::symbol).collect());

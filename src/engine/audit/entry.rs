@@ -335,13 +335,13 @@ pub(super) fn blank(
 }
 
 /// What the links together say of the statement.
-pub(super) fn verdict(judged: &[Judged], defines: bool) -> Verdict {
+pub(super) fn verdict(judged: &[Judged]) -> Verdict {
     let any = |test: fn(&Outcome) -> bool| judged.iter().any(|j| test(&j.outcome));
     if any(Outcome::is_refuted) {
         Verdict::Fails
     } else if judged.is_empty() || any(|o| matches!(o, Outcome::Open(_))) {
         Verdict::Undecided
-    } else if defines && judged.len() == 1 {
+    } else if matches!(judged, [only] if matches!(only.outcome, Outcome::Defined)) {
         Verdict::Given
     } else {
         Verdict::Holds

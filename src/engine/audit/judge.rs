@@ -202,6 +202,8 @@ impl Judge<'_> {
         if goal.suppositions.is_empty() {
             assumed.extend(steps.iter().map(|(_, formula)| step(formula)));
         }
+        let instances = self.instances(goal, &assumed);
+        assumed.extend(instances);
         assumed
     }
 
@@ -343,6 +345,16 @@ impl Judge<'_> {
             }
             Decision::Open(stop) => {
                 let hopeless = stop.hopeless;
+                // Premises that say nothing to an identity or inequality only stand in its way.
+                let bare = self.derivation.claim(self.at, &[], &goal.formula);
+                if !hopeless
+                    && !assumed.is_empty()
+                    && let Some(derived) = search::prove_unconditionally(bare, Effort::Full)
+                {
+                    found.judged.assumed.clear();
+                    found.judged.outcome = Outcome::Proven(derived.proven.into());
+                    return found;
+                }
                 found.judged.outcome = Outcome::Open(stop);
                 let rescued = !hopeless && {
                     let attempts = self.attempts(goal, &assumed, premises, None);

@@ -18,6 +18,7 @@ mod figures;
 mod given;
 mod identity;
 mod induction;
+mod instances;
 mod joined;
 mod judge;
 mod least;

@@ -7,7 +7,7 @@
 //! follows, still fails.
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Equation, Kind, Source, is_put};
+use crate::derivation::{Assumed, Equation, Goal, Kind, Source, is_put};
 use crate::document::Extent;
 use crate::kernel::Standing;
 use crate::notation::measured;
@@ -65,11 +65,23 @@ impl Judge<'_> {
         if !equation.uncited {
             return None;
         }
+        // What a law gives that stands on the page follows from what stands there.
+        let is_value = matches!(
+            judged.goal.formula.as_equation(),
+            Some((Expr::Symbol(_), _))
+        );
+        if equation.law_stands && equation.introduces.is_empty() && is_value {
+            return None;
+        }
         // What could not be read may speak of all of it.
         if !self.usable.unreadable.is_empty() {
             return None;
         }
         if self.is_complex(&judged.goal) {
+            return None;
+        }
+        // Nor is what laws say of particular things.
+        if self.is_of_instances(&judged.goal) {
             return None;
         }
         let (goal, outcome) = (judged.goal.clone(), &judged.outcome);
@@ -170,7 +182,16 @@ impl Judge<'_> {
         let named = symbols.into_iter();
         let named = named.filter(|symbol| !self.derivation.is_some_constant(symbol));
         let named = named.collect();
-        (!self.is_contradictory(&all, &goal)).then_some(named)
+        let is_drawn = equation.drawn && equation.extent == Extent::Throughout;
+        let is_out = is_drawn && self.leaves_nothing(&all, &goal);
+        (!is_out && !self.is_contradictory(&all, &goal)).then_some(named)
+    }
+
+    /// Whether a law of which words draw the step leaves hardly anything of what stands before: `w = m v/(m + 2 M)` beside
+    /// `m v = (m + M) w`, which both are so where nothing moves.
+    fn leaves_nothing(&self, all: &[Assumed], goal: &Goal) -> bool {
+        let claim = self.derivation.claim(self.at, all, &goal.formula);
+        goal.formula.as_equation().is_some() && search::makes_goal_vanish(claim)
     }
 }
 
@@ -220,6 +241,23 @@ impl Judge<'_> {
             })
         });
         (!follows).then(|| Note::TakenAsGiven(vec![symbol.clone()]))
+    }
+
+    /// The same of what is cited for a chain, and used for none of it that is proved: only what defines something can be drawn from it.
+    /// "By (1), `u = \sqrt{g h} = 2 \sqrt{g R}`."
+    pub(super) fn begins_unchecked(&self, entry: &Entry) -> Option<Note> {
+        let equation = &self.derivation.equations[self.at];
+        let [first, _, ..] = &entry.judged[..] else {
+            return None;
+        };
+        let (left, value) = first.goal.formula.as_equation()?;
+        let new = quantities(left).into_iter();
+        let new: Vec<Symbol> = new
+            .filter(|own| equation.introduces.contains(own))
+            .collect();
+        let is_defined = matches!(first.outcome, Outcome::Defined) && !quantities(value).is_empty();
+        (self.names_its_premises() && equation.drawn && is_defined && !new.is_empty())
+            .then_some(Note::TakenAsGiven(new))
     }
 
     /// Whether an equation that stands before says what a term is.
@@ -347,7 +385,7 @@ pub(super) fn begin(entry: &mut Entry) {
     if !first.outcome.is_proven() && !matches!(first.outcome, Outcome::Defined) {
         first.outcome = Outcome::Stated;
         first.assumed.clear();
-        entry.verdict = super::entry::verdict(&entry.judged, false);
+        entry.verdict = super::entry::verdict(&entry.judged);
     }
 }
 

@@ -34,7 +34,7 @@ impl Auditor<'_> {
         let mut entry = blank(at, 0, 1, equation.kind, Verdict::Holds);
         let judge = Judge::new(self, at, usable);
         let links = self.links(&judge, statement, how, &mut entry);
-        entry.verdict = verdict(&entry.judged, how.defines);
+        entry.verdict = verdict(&entry.judged);
         if entry.verdict == Verdict::Fails {
             // With what another link needs the one that fails does not follow.
             entry.notes.retain(|note| match note {
@@ -61,6 +61,9 @@ impl Auditor<'_> {
             entry.notes.extend(judge.unchecked(&entry));
         }
         let used = used(&entry);
+        if entry.verdict == Verdict::Holds && how.premises.iter().all(|own| !used.contains(own)) {
+            entry.notes.extend(judge.begins_unchecked(&entry));
+        }
         if !links.instead.is_empty() {
             entry.notes.push(self.instead(how, links, &used));
         }
@@ -106,7 +109,10 @@ impl Auditor<'_> {
         for (position, goal) in goals(statement).into_iter().enumerate() {
             if how.defines && position == 0 {
                 links.steps.push((goal.clause, goal.formula.clone()));
-                entry.judged.push(self.defined(goal, how));
+                match judge.as_instance(&goal, how.premises) {
+                    Some(found) => self.take_up(found, &mut links, entry),
+                    None => entry.judged.push(self.defined(goal, how)),
+                }
                 continue;
             }
             let recent = &links.steps[links.steps.len().saturating_sub(MOST_STEPS)..];

@@ -48,6 +48,8 @@ pub struct Equation {
     pub uncited: bool,
     /// Whether the reason that words give for it is no equation: a law by its name, "since the string does not slip".
     pub reasons: bool,
+    /// Whether the law that words name for it stands on the page already.
+    pub law_stands: bool,
     /// Whether words say that all factors of what is differentiated change: "by the product rule".
     pub all_vary: bool,
     /// Whether a mere "where" or "with" introduces it.

@@ -220,6 +220,11 @@ impl Derivation {
             .map(|&at| &self.equations[at])
     }
 
+    /// Whether any equation of a page speaks of a symbol.
+    pub fn is_spoken_of(&self, page: usize, symbol: &Symbol) -> bool {
+        self.mentions[page].get(symbol).is_some()
+    }
+
     /// The equations that bear the same number or name as an earlier one.
     pub fn duplicates(&self) -> Vec<(usize, usize)> {
         let several = self.labels.values().filter(|all| all.len() > 1);

@@ -26,6 +26,8 @@ const MOST_MENTIONED: usize = 6;
 const MOST_KINDS: usize = 8;
 /// No shorter word names a kind: "a", "of".
 const SHORTEST_NAME: usize = 2;
+/// So much of two words is the same where one is made of the other: "conserved", "conservation".
+const STEM: usize = 7;
 
 /// What is said between one display and the next.
 #[derive(Default)]
@@ -54,6 +56,10 @@ struct Between {
     relative: bool,
     /// Whether they give a reason that is no equation.
     reasons: bool,
+    /// The names of laws that they give for a reason.
+    laws_named: Vec<Span>,
+    /// The last sentence of them.
+    said_last: Option<Span>,
     /// Whether they go on with what was said before the display before.
     goes_on: bool,
     /// Whether they say that all factors change.
@@ -102,6 +108,8 @@ pub(super) struct Reader<'p> {
     elsewhere: Option<usize>,
     /// Values for kinds of things, each with the words that name the kind: "$\beta = 2/5$ for a ball".
     kinds: Vec<(Span, Span)>,
+    /// The sentences that introduced displays so far.
+    introduced: Vec<Span>,
     /// The letters that this section introduces anew.
     pub(super) anew: Set<Symbol>,
     /// The first display of the section.
@@ -142,6 +150,7 @@ impl<'p> Reader<'p> {
             circumstances: None,
             elsewhere: None,
             kinds: Vec::new(),
+            introduced: Vec::new(),
             anew: Set::new(),
             first_here: 0,
             extent: Extent::Throughout,
@@ -573,6 +582,8 @@ impl<'p> Reader<'p> {
                 // Where nothing is said between two displays, they are introduced together.
                 None => self.bare,
             };
+        let law_stands = said.laws_named.iter().any(|&law| self.stands(law));
+        self.introduced.extend(said.said_last);
         let goes_on = said.concludes.is_none() || said.extent == Some(Extent::AsBefore);
         self.laws = said.laws || self.laws && goes_on;
         if said.extent == Some(Extent::Circumstances) {
@@ -606,6 +617,7 @@ impl<'p> Reader<'p> {
             }
             equation.opens &= alone;
             equation.drawn &= drawn;
+            equation.law_stands = law_stands;
             self.derived.push(said.derives);
             self.leave_announced(&mut equation);
             if let Some(passage) = passage {
@@ -619,6 +631,22 @@ impl<'p> Reader<'p> {
         let locals = &self.page.locals;
         self.active.retain(|&at| !locals[at].at_rest);
         self.leave_told(&said, before);
+    }
+
+    /// Whether a law stands on the page already, by its name: "conservation of momentum" after "Momentum is conserved:".
+    fn stands(&self, law: Span) -> bool {
+        let source = &self.page.document.source;
+        let stems = |text| -> Set<String> {
+            let words = words_of(source, text).into_iter();
+            let words = words.filter(|word| word != "the");
+            words
+                .map(|word| word.chars().take(STEM).collect())
+                .collect()
+        };
+        let name = stems(law);
+        let recent = self.introduced.iter().rev().take(MOST_BEFORE);
+        // "The law" may be any.
+        name.len() > 1 && recent.into_iter().any(|&own| name.is_subset(&stems(own)))
     }
 
     /// What the words before a display announce is no case that it is said of: "With $x \geq a$ always, (1) gives $$x \geq a$$".
@@ -722,6 +750,7 @@ impl<'p> Reader<'p> {
             joined: self.bare && !opened && (row > 0 || said.concludes.is_none()),
             uncited: said.is_uncited() && is_derived && part.continues == 0,
             reasons: said.reasons,
+            law_stands: false,
             all_vary: said.all_vary,
             meant: said.meant,
             is_law: self.laws && said.is_uncited() && !drawn,
@@ -778,6 +807,8 @@ impl Between {
         self.relative |= prose.is_relative && self.concludes.is_none();
         self.concludes = prose.concludes.or(self.concludes);
         self.reasons |= prose.reasons;
+        self.laws_named.extend_from_slice(&prose.laws_named);
+        self.said_last = prose.said_last.or(self.said_last);
         self.goes_on |= prose.goes_on;
         self.all_vary |= prose.all_vary;
         self.meant |= prose.says_what_is_meant;

@@ -1,5 +1,6 @@
 //! Whether prose says that what is displayed next follows: "Hence", "Substituting (3) into (4) gives".
 
+use super::Span;
 use super::prose::{Placed, Token, ends_sentence, in_lower_case};
 use super::supposition::relates;
 use super::words::Words;
@@ -168,6 +169,13 @@ static LAWS: Words = Words::of(&[
 const LEADING: [&str; 8] = [
     "from", "by", "using", "with", "through", "via", "applying", "of",
 ];
+/// None of these is part of a law's name, nor what comes before it.
+const OUTSIDE: [&str; 14] = [
+    "from", "by", "using", "with", "through", "via", "applying", "of", "the", "a", "and", "to",
+    "this", "since",
+];
+/// A name has no more words before "law", nor after "conservation of".
+const LONGEST_NAME: usize = 4;
 /// After these comes a reason.
 const BECAUSE: [&str; 2] = ["since", "because"];
 /// Between a reason in words and what follows from it: "No heat is lost, so".
@@ -334,7 +342,11 @@ pub(super) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
 
 /// Whether the last sentence says what is meant by what comes after it.
 pub(super) fn defines(tokens: &[Placed<'_>]) -> bool {
-    let defining = |(token, _): &Placed<'_>| token.is_among(&DEFINING);
+    // "From the definition of restitution it follows that" defines nothing.
+    let is_reason = read(tokens) == Some(true);
+    let defining = |(token, _): &Placed<'_>| {
+        token.is_among(&DEFINING) && !(is_reason && token.is_among(&["definition"]))
+    };
     last_sentence(tokens).is_some_and(|last| last.iter().any(defining))
 }
 
@@ -375,15 +387,48 @@ pub(super) fn reasons_in_words(source: &str, tokens: &[Placed<'_>]) -> bool {
 
 /// Whether a law is named that may be a reason. "This gives Snell's law" names what is concluded.
 fn names_a_law(sentence: &[Placed<'_>]) -> bool {
+    laws(sentence).next().is_some()
+}
+
+/// The names of laws that the last sentence gives for a reason: "conservation of momentum", "Newton's second law".
+pub(super) fn laws_named(tokens: &[Placed<'_>]) -> Vec<Span> {
+    let last = last_sentence(tokens).unwrap_or_default();
+    let named = laws(last).filter_map(|law| {
+        let joins = |(token, _): &&Placed<'_>| match token {
+            Token::Word(word) => !draws(&in_lower_case(word)) && !token.is_among(&OUTSIDE),
+            token => matches!(token, Token::Mark('\'' | '’')),
+        };
+        let before = last[..law].iter().rev().take(LONGEST_NAME);
+        let start = law - before.take_while(joins).count();
+        let of = last.get(law + 1);
+        let end = match of.is_some_and(|(token, _)| token.is_among(&["of"])) {
+            true => {
+                let after = last[law + 2..].iter().take(LONGEST_NAME);
+                law + 1
+                    + after
+                        .take_while(|own| joins(own) || own.0.is_among(&["the"]))
+                        .count()
+            }
+            false => law,
+        };
+        Some(last.get(start)?.1.to(last.get(end)?.1))
+    });
+    named.collect()
+}
+
+/// Where laws are named in a sentence that may be reasons.
+fn laws(sentence: &[Placed<'_>]) -> impl Iterator<Item = usize> {
     let among = |words: &'static [&str]| move |(token, _): &Placed<'_>| token.is_among(words);
     let concludes = |(token, _): &Placed<'_>| match token {
         Token::Word(word) => draws(&in_lower_case(word)) || token.is_among(&["derived", "derive"]),
         _ => false,
     };
-    let mut laws = (0..sentence.len()).filter(|&at| sentence[at].0.is_among(&LAWS));
-    laws.any(|law| {
-        let verb = sentence[..law].iter().rposition(concludes);
-        verb.is_none_or(|verb| sentence[verb..law].iter().any(among(&LEADING)))
+    (0..sentence.len()).filter(move |&law| {
+        let is_reason = || {
+            let verb = sentence[..law].iter().rposition(concludes);
+            verb.is_none_or(|verb| sentence[verb..law].iter().any(among(&LEADING)))
+        };
+        sentence[law].0.is_among(&LAWS) && is_reason()
     })
 }
 

@@ -104,6 +104,10 @@ pub struct Prose {
     pub says_from: bool,
     /// Whether the reason for what comes next is no equation: a law by its name, "since the string does not slip".
     pub reasons: bool,
+    /// The names of such laws: "conservation of momentum".
+    pub laws_named: Vec<Span>,
+    /// Its last sentence, ended or not.
+    pub said_last: Option<Span>,
     /// Whether its last sentence names the rule by which several factors change together: "by the product rule".
     pub all_vary: bool,
     /// Whether its last sentence says what is meant by what comes next: "we define".

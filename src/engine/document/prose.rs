@@ -206,6 +206,8 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         tail: citations.iter().take_while(in_tail).count(),
         says_from: conclusion::says_from(tail),
         reasons: conclusion::reasons_in_words(source, &tokens),
+        laws_named: conclusion::laws_named(&tokens),
+        said_last: conclusion::last_sentence(&tokens).and_then(whole),
         all_vary: conclusion::names_rule_of_factors(&tokens),
         citations,
         suppositions,
@@ -235,8 +237,11 @@ fn trimmed<'t, 'a>(tokens: &'t [Placed<'a>]) -> &'t [Placed<'a>] {
 
 /// The sentence that the text breaks off in.
 fn leading(source: &str, tokens: &[Placed<'_>]) -> Option<Span> {
-    let last = tokens.rsplit(|token| ends_sentence(source, token)).next()?;
-    Some(last.first()?.1.to(last.last()?.1))
+    whole(tokens.rsplit(|token| ends_sentence(source, token)).next()?)
+}
+
+fn whole(sentence: &[Placed<'_>]) -> Option<Span> {
+    Some(sentence.first()?.1.to(sentence.last()?.1))
 }
 
 pub(super) fn tokens<'a>(

@@ -1,0 +1,103 @@
+//! Laws for particular things: `P = \sigma A T^4` says `P_1 = \sigma A T_1^4` as well, where a step speaks of `P_1` and `T_1`.
+//!
+//! Who compares two cases gives an index to what differs between them, and to nothing else. A law that speaks of one of the indexed
+//! symbols itself, `v = v_0 + a t`, is none for that index; nor is one of which a single symbol has the index.
+
+use crate::algebra::{Expr, Symbol, split_subscript};
+use crate::derivation::{Assumed, Goal, Source};
+use crate::sorted::{Map, Set};
+
+use super::judge::{Found, Judge};
+
+/// So many symbols of a law have the index where it is meant for that.
+const LEAST_INDEXED: usize = 2;
+/// A step compares few things.
+const MOST_INDICES: usize = 4;
+
+impl Judge<'_> {
+    /// What equations say of the particular things that a step speaks of.
+    pub(super) fn instances(&self, goal: &Goal, assumed: &[Assumed]) -> Vec<Assumed> {
+        let page = self.derivation.equations[self.at].page;
+        let mut spoken = goal.formula.names();
+        let told = |own: &&Assumed| matches!(own.source, Source::Local(..));
+        spoken.extend(
+            assumed
+                .iter()
+                .filter(told)
+                .flat_map(|own| own.formula.names()),
+        );
+        let indices: Set<&str> = spoken.iter().filter_map(index).collect();
+        if indices.is_empty() || indices.len() > MOST_INDICES {
+            return Vec::new();
+        }
+        let said = |own: &&Assumed| matches!(own.source, Source::Equation(_));
+        let laws = || assumed.iter().filter(said);
+        let known: Set<Symbol> = laws().flat_map(|own| own.formula.names()).collect();
+        let instance = |law: &Assumed, index: &str| {
+            let names = law.formula.names();
+            let indexed = |name: &Symbol| {
+                let own = with_index(name, index)?;
+                let is_spoken_of =
+                    spoken.contains(&own) || self.derivation.is_spoken_of(page, &own);
+                is_spoken_of.then(|| (name.clone(), own))
+            };
+            law.formula.as_equation()?;
+            let put: Map<Symbol, Symbol> = names.iter().filter_map(indexed).collect();
+            let here = put.values().filter(|own| spoken.contains(*own)).count();
+            let is_own = put.values().any(|own| names.contains(own));
+            // Of what has an equation of its own nothing is said by another.
+            let is_new = put.values().any(|own| !known.contains(own));
+            if here < LEAST_INDEXED || is_own || !is_new {
+                return None;
+            }
+            let formula = law.formula.map_terms(|term| {
+                let all = put.iter();
+                all.fold(term.clone(), |term, (name, own)| {
+                    term.substitute(name, &Expr::Symbol(own.clone()))
+                })
+            });
+            Some(Assumed {
+                formula: formula.into(),
+                ..law.clone()
+            })
+        };
+        let all = laws().flat_map(|law| indices.iter().filter_map(|index| instance(law, index)));
+        all.collect()
+    }
+
+    /// Whether all that a step speaks of is spoken of by laws for particular things, and what they are applied to.
+    pub(super) fn is_of_instances(&self, goal: &Goal) -> bool {
+        let assumed = &self.usable.assumed;
+        let instances = self.instances(goal, assumed);
+        let said = assumed.iter().chain(&instances);
+        let said: Set<Symbol> = said.flat_map(|own| own.formula.names()).collect();
+        !instances.is_empty() && goal.formula.names().is_subset(&said)
+    }
+
+    /// What would define something new by its first link, where a law for particular things says what that is. Who writes a ratio of two
+    /// new symbols, or draws the step, means the law; what speaks of more than the law does may define something else, `p_1 = m v_1 + M w`.
+    pub(super) fn as_instance(&self, goal: &Goal, premises: &[usize]) -> Option<Found> {
+        if !self.is_of_instances(goal) {
+            return None;
+        }
+        let (left, _) = goal.formula.as_equation()?;
+        let found = self.goal(goal, &[], premises);
+        let is_drawn = self.derivation.equations[self.at].drawn;
+        let outcome = &found.judged.outcome;
+        let is_meant = is_drawn || !matches!(left, Expr::Symbol(_));
+        (outcome.is_proven() || is_meant && outcome.is_refuted()).then_some(found)
+    }
+}
+
+/// The index of a symbol as it is written, `_1`, if it tells things apart and does not run.
+fn index(symbol: &Symbol) -> Option<&str> {
+    let (stem, index) = split_subscript(symbol.name())?;
+    let runs = index.len() == 1 && index.bytes().all(|byte| (b'i'..=b'n').contains(&byte));
+    symbol.name().get(stem.len()..).filter(|_| !runs)
+}
+
+/// A symbol that has no index yet, with one.
+fn with_index(symbol: &Symbol, index: &str) -> Option<Symbol> {
+    let plain = split_subscript(symbol.name()).is_none();
+    plain.then(|| Symbol::new(format!("{symbol}{index}")))
+}
