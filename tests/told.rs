@@ -619,3 +619,47 @@ fn what_is_fixed_may_be_given() {
     assert_eq!(page(r"4 \pi r - \frac{2 V}{r^2}"), right);
     assert_eq!(page(r"4 \pi r - \frac{2 V}{r}")[3], "fails");
 }
+
+/// A volume that is fixed ties the height to the radius, be it named by its letter or by its word.
+#[test]
+fn what_is_fixed_lets_what_it_is_made_of_keep_up() {
+    let page = |said: &str, slope: &str| {
+        last(&format!(
+            "The volume is\n\n$$ V = \\pi r^2 h \\tag{{1}} $$\n\nand the surface\n\n$$ A = 2 \\pi r^2 + 2 \\pi r h \\tag{{2}} $$\n\n\
+             {said}, differentiating (2) gives\n\n$$ \\frac{{dA}}{{dr}} = {slope} \\tag{{3}} $$\n"
+        ))
+    };
+    for said in [
+        "For a fixed volume",
+        "For fixed volume",
+        "With the volume fixed",
+        "For a fixed volume $V$",
+    ] {
+        let (verdict, codes) = page(said, r"4 \pi r - 2 \pi h");
+        assert_eq!((verdict, codes), ("holds", vec!["miscited"]), "{said}");
+        assert_eq!(page(said, r"4 \pi r + 2 \pi h").0, "undecided", "{said}");
+    }
+    // A height that is fixed lets the volume change.
+    assert_eq!(
+        page("For a fixed height $h$", r"4 \pi r + 2 \pi h").0,
+        "holds"
+    );
+    assert_eq!(
+        page("For a fixed height $h$", r"4 \pi r - 2 \pi h").0,
+        "fails"
+    );
+}
+
+/// What was shown for a constant inflow says nothing of one that is controlled.
+#[test]
+fn what_was_constant_and_is_given_by_what_moves_is_constant_no_more() {
+    let page = |sign: &str| {
+        verdicts(&format!(
+            "The balance reads\n\n$$ \\tau \\frac{{dy}}{{dt}} + y = R u \\tag{{1}} $$\n\nFor a constant inflow $u$ and an empty tank the solution is\n\n\
+             $$ y = R u \\left( 1 - e^{{-t/\\tau}} \\right) \\tag{{2}} $$\n\nNow we close the loop with a controller,\n\n$$ u = K (w - y) \\tag{{3}} $$\n\n\
+             Inserting (3) into (1) yields\n\n$$ \\tau \\frac{{dy}}{{dt}} + (1 {sign} K R) y = K R w \\tag{{4}} $$\n"
+        ))
+    };
+    assert_eq!(page("+"), ["given", "given", "given", "holds"]);
+    assert_eq!(page("-")[3], "fails");
+}

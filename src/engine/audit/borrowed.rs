@@ -385,6 +385,7 @@ impl Judge<'_> {
             let is_given = entries.iter().any(|e| e.verdict == Verdict::Given);
             if is_wrong
                 || is_given && self.is_of_other_circumstances(other)
+                || self.derivation.is_released(self.at, other).is_some()
                 || !self.may_borrow(other, cites)
             {
                 continue;

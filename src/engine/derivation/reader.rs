@@ -305,7 +305,16 @@ impl<'p> Reader<'p> {
 
     fn quality(&mut self, quality: &Qualities) {
         self.displayed.learn(&self.equations, &[]);
-        let named = qualities::named(&self.page.document.source, quality.body);
+        let named = match quality.by_name {
+            true => {
+                let place = (quality.body, &self.equations[..], &[][..]);
+                match self.page.vanishing(Vanishing::Named, place) {
+                    Some(Expr::Symbol(symbol)) => vec![symbol],
+                    _ => Vec::new(),
+                }
+            }
+            false => qualities::named(&self.page.document.source, quality.body),
+        };
         let attributes = quality.attributes.iter().cloned();
         let attributes: Vec<Spanned<Attribute>> = attributes
             .map(|value| Spanned {
@@ -743,6 +752,7 @@ impl<'p> Reader<'p> {
             told: (self.told.iter().rev().take(MOST_MENTIONED).copied()).collect(),
             said: self.sayings.here(),
             disputed: Set::new(),
+            released: Set::new(),
             mentioned: said.mentioned.clone(),
             named: said.named.clone(),
             unread: said.unread.clone(),

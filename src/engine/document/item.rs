@@ -140,8 +140,10 @@ impl Prose {
 /// What prose says of symbols by adjectives: "where $a$ and $b$ are positive constants".
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Qualities {
-    /// The mathematics: a symbol or several.
+    /// The mathematics: a symbol or several; or the word for what a display says the value of.
     pub body: Span,
+    /// Whether it is such a word: "for a fixed volume".
+    pub by_name: bool,
     /// What is said of it.
     pub attributes: Vec<Attribute>,
     /// It is said of circumstances: "with constant force $F$".
