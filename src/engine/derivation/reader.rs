@@ -5,8 +5,8 @@ use std::vec;
 
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::document::{
-    Attribute, Citation, Directive, Extent, Item, Layout, Named, Premise, Prose, Qualities, Span,
-    Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
+    Attribute, Citation, Directive, Extent, Item, Layout, Named, Premise, Prose, Qualities, Slope,
+    Span, Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
 };
 use crate::notation::{Spanned, SyntaxError, read_formulas};
 use crate::sorted::Set;
@@ -58,6 +58,8 @@ struct Between {
     goes_on: bool,
     /// Whether they say that all factors change.
     all_vary: bool,
+    /// The slope that they take of what they cite.
+    takes: Option<Slope>,
     /// Whether they are a mere "where" or "with".
     meant: bool,
     /// Whether they announce several laws.
@@ -572,6 +574,7 @@ impl<'p> Reader<'p> {
             let slope = self.page.suppose_equal(slope, zero, span, Some(passage));
             self.active.push(slope);
         }
+        self.take_slope(&said, &read);
         let of_display = read.len();
         // "Newton's second law along the incline gives … and perpendicular to it …"
         said.reasons |=
@@ -628,6 +631,47 @@ impl<'p> Reader<'p> {
         let locals = &self.page.locals;
         self.active.retain(|&at| !locals[at].at_rest);
         self.leave_told(&said, before);
+    }
+
+    /// Takes up what a new symbol is that the words before its display take as the slope of another: "Differentiating (1) we obtain the
+    /// velocity". Where it is not known by what they differentiate, nothing is.
+    fn take_slope(&mut self, said: &Between, read: &[Part]) {
+        let Some(slope) = said.takes.filter(|_| said.draws(read)) else {
+            return;
+        };
+        self.spoken_of.learn(&self.equations, &self.page.locals);
+        let [Ok([statement])] = read
+            .iter()
+            .map(|part| part.statements.as_deref())
+            .collect::<Vec<_>>()[..]
+        else {
+            return;
+        };
+        let said_first = formulas(statement).into_iter().next();
+        let name = match said_first.as_ref().and_then(Formula::as_equation) {
+            Some((Expr::Symbol(name), _)) if !self.spoken_of.speaks_of(name) => name.clone(),
+            _ => return,
+        };
+        let variable = match slope.by {
+            Some(body) => qualities::named(&self.page.document.source, body)
+                .into_iter()
+                .next(),
+            None => slope.by_time.then(|| Symbol::new("t")),
+        };
+        let place = (slope.cited, &self.equations[..], &said.cited[..]);
+        let (Some(variable), Some(of)) = (variable, self.page.vanishing(Vanishing::Cited, place))
+        else {
+            return;
+        };
+        let mut value = of.differentiated_by(&variable);
+        if slope.twice {
+            value = value.differentiated_by(&variable);
+        }
+        let formula = Formula::equal(Expr::Symbol(name), value);
+        let local = self.page.suppose_meant(vec![formula], slope.cited);
+        let own = &mut self.page.locals[local];
+        (own.lasts, own.level) = (false, self.level);
+        self.active.push(local);
     }
 
     /// What the words before a display announce is no case that it is said of: "With $x \geq a$ always, (1) gives $$x \geq a$$".
@@ -790,6 +834,7 @@ impl Between {
         self.reasons |= prose.reasons;
         self.goes_on |= prose.goes_on;
         self.all_vary |= prose.all_vary;
+        self.takes = prose.slope;
         self.meant |= prose.says_what_is_meant;
         self.laws |= prose.announces_laws;
         self.extent = prose.extent.or(self.extent);

@@ -104,6 +104,8 @@ pub struct Prose {
     pub says_from: bool,
     /// Whether the reason for what comes next is no equation: a law by its name, "since the string does not slip".
     pub reasons: bool,
+    /// The slope that its last sentence takes of what it cites.
+    pub slope: Option<Slope>,
     /// Whether its last sentence names the rule by which several factors change together: "by the product rule".
     pub all_vary: bool,
     /// Whether its last sentence says what is meant by what comes next: "we define".
@@ -135,6 +137,19 @@ impl Prose {
             }
         }
     }
+}
+
+/// "Differentiating (1) with respect to $t$": a slope that a sentence takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slope {
+    /// Where it is cited what the slope is of.
+    pub cited: Span,
+    /// The inside of the inline math by which is differentiated.
+    pub by: Option<Span>,
+    /// Whether that is the time, by words.
+    pub by_time: bool,
+    /// Whether it is the slope of the slope.
+    pub twice: bool,
 }
 
 /// What prose says of symbols by adjectives: "where $a$ and $b$ are positive constants".

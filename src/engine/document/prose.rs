@@ -6,6 +6,7 @@ use super::circumstance;
 use super::citation;
 use super::conclusion;
 use super::qualities;
+use super::slope;
 use super::supposition;
 use super::words::{Listed, Words};
 use super::{Citation, Inline, Prose, Span};
@@ -206,6 +207,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         tail: citations.iter().take_while(in_tail).count(),
         says_from: conclusion::says_from(tail),
         reasons: conclusion::reasons_in_words(source, &tokens),
+        slope: slope::read(&tokens),
         all_vary: conclusion::names_rule_of_factors(&tokens),
         citations,
         suppositions,

@@ -90,10 +90,12 @@ pub fn prove_throughout(claim: Claim, variable: &Symbol) -> Option<Derived> {
 /// A proof with the laws of a claim differentiated by the variables that it differentiates by, or what it needs besides.
 pub(super) fn attempt(obligation: &Obligation) -> Option<Attempt> {
     let narrow = with_rates(obligation).and_then(|found| attempt_from(obligation, found));
-    // That takes work: only what speaks of slopes itself is worth it.
+    // That takes work: it is worth it for a slope, where something is constant that laws tie to what moves.
+    let claim = obligation.claim();
     let slopes = |part: &Expr| matches!(part, Expr::Derivative { .. });
-    let mut goal = obligation.claim().goal.terms().into_iter();
+    let mut goal = claim.goal.terms().into_iter();
     let speaks = goal.any(|term| term.any(&slopes));
+    let speaks = speaks && claim.domains.iter().any(|(_, domain)| domain.constant);
     narrow.or_else(|| {
         attempt_from(
             obligation,
