@@ -744,3 +744,17 @@ fn this_that_something_is_compared_with_is_the_display_before() {
     assert_eq!(page("2 r"), "holds");
     assert_eq!(page("3 r"), "fails");
 }
+
+/// Who cites another equation goes on from the display before all the same, and from what that was shown under.
+#[test]
+fn a_step_goes_on_from_the_display_before_as_it_is_meant() {
+    let page = |sign: &str, said: &str| {
+        verdicts(&format!(
+            "The total enzyme is\n\n$$ z = e + c \\tag{{1}} $$\n\nand the rate\n\n$$ \\frac{{dc}}{{dt}} = k e s - n c \\tag{{2}} $$\n\n\
+             In the steady state $dc/dt = 0$, so that\n\n$$ k e s = n c \\tag{{3}} $$\n\n{said}Eliminating $e$ with (1),\n\n\
+             $$ c = \\frac{{k z s}}{{n {sign} k s}} \\tag{{4}} $$\n"
+        ))[3]
+    };
+    assert_eq!(page("+", ""), "holds");
+    assert_eq!(page("-", ""), "fails");
+}
