@@ -228,11 +228,11 @@ impl<'p> Reader<'p> {
     }
 
     /// Takes up the value of the kind of things that the sentence is about that leads on to a display: "For a diatomic gas (1) gives".
-    fn kind_of(&mut self, leading: Option<Span>) {
+    fn kind_of(&mut self, leading: Span) {
         let source = &self.page.document.source;
-        let Some(leading) = leading.filter(|_| !self.kinds.is_empty()) else {
+        if self.kinds.is_empty() || leading == Span::default() {
             return;
-        };
+        }
         let said = words_of(source, leading);
         let newest = self.kinds.len().saturating_sub(MOST_KINDS);
         let kinds = &self.kinds[newest..];
@@ -834,7 +834,7 @@ impl Between {
         self.reasons |= prose.reasons;
         self.goes_on |= prose.goes_on;
         self.all_vary |= prose.all_vary;
-        self.takes = prose.slope;
+        self.takes = prose.slope.as_deref().copied();
         self.meant |= prose.says_what_is_meant;
         self.laws |= prose.announces_laws;
         self.extent = prose.extent.or(self.extent);

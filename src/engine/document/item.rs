@@ -90,8 +90,8 @@ pub struct Prose {
     pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
-    /// The sentence that leads on to the display after it.
-    pub leading: Option<Span>,
+    /// The sentence that leads on to the display after it; empty where there is none.
+    pub leading: Span,
     /// The relations in the sentences that lead on to the display after it, supposed or not, the nearest sentence first.
     pub named: Vec<Named>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
@@ -105,7 +105,7 @@ pub struct Prose {
     /// Whether the reason for what comes next is no equation: a law by its name, "since the string does not slip".
     pub reasons: bool,
     /// The slope that its last sentence takes of what it cites.
-    pub slope: Option<Slope>,
+    pub slope: Option<Box<Slope>>,
     /// Whether its last sentence names the rule by which several factors change together: "by the product rule".
     pub all_vary: bool,
     /// Whether its last sentence says what is meant by what comes next: "we define".
