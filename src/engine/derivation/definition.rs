@@ -121,9 +121,15 @@ fn is_told(
         .flat_map(Formula::names)
         .collect();
     // "$v^2 = 2 a \ell$. Combining this with (1) yields" tells what the new one is by what is known.
+    // Of a root nobody has said yet where it lies what it is taken of.
+    let takes_root = |own: &Formula| own.terms().into_iter().any(|term| term.any(&Expr::is_root));
+    let has_root = formulas(statement).iter().any(takes_root);
     let ties = |names: &Set<Symbol>| {
         let mut others = names.iter().filter(|own| *own != symbol);
-        equation.drawn && names.contains(symbol) && others.all(|own| seen.contains(own))
+        equation.drawn
+            && !has_root
+            && names.contains(symbol)
+            && others.all(|own| seen.contains(own))
     };
     told.any(|formula| match formula.as_equation() {
         Some((Expr::Symbol(own), _)) if own == symbol => true,
