@@ -619,3 +619,142 @@ fn what_is_fixed_may_be_given() {
     assert_eq!(page(r"4 \pi r - \frac{2 V}{r^2}"), right);
     assert_eq!(page(r"4 \pi r - \frac{2 V}{r}")[3], "fails");
 }
+
+/// A volume that is fixed ties the height to the radius, be it named by its letter or by its word.
+#[test]
+fn what_is_fixed_lets_what_it_is_made_of_keep_up() {
+    let page = |said: &str, slope: &str| {
+        last(&format!(
+            "The volume is\n\n$$ V = \\pi r^2 h \\tag{{1}} $$\n\nand the surface\n\n$$ A = 2 \\pi r^2 + 2 \\pi r h \\tag{{2}} $$\n\n\
+             {said}, differentiating (2) gives\n\n$$ \\frac{{dA}}{{dr}} = {slope} \\tag{{3}} $$\n"
+        ))
+    };
+    for said in [
+        "For a fixed volume",
+        "For fixed volume",
+        "With the volume fixed",
+        "For a fixed volume $V$",
+    ] {
+        let (verdict, codes) = page(said, r"4 \pi r - 2 \pi h");
+        assert_eq!((verdict, codes), ("holds", vec!["miscited"]), "{said}");
+        assert_eq!(page(said, r"4 \pi r + 2 \pi h").0, "undecided", "{said}");
+    }
+    // A height that is fixed lets the volume change.
+    assert_eq!(
+        page("For a fixed height $h$", r"4 \pi r + 2 \pi h").0,
+        "holds"
+    );
+    assert_eq!(
+        page("For a fixed height $h$", r"4 \pi r - 2 \pi h").0,
+        "fails"
+    );
+}
+
+/// What was shown for a constant inflow says nothing of one that is controlled.
+#[test]
+fn what_was_constant_and_is_given_by_what_moves_is_constant_no_more() {
+    let page = |sign: &str| {
+        verdicts(&format!(
+            "The balance reads\n\n$$ \\tau \\frac{{dy}}{{dt}} + y = R u \\tag{{1}} $$\n\nFor a constant inflow $u$ and an empty tank the solution is\n\n\
+             $$ y = R u \\left( 1 - e^{{-t/\\tau}} \\right) \\tag{{2}} $$\n\nNow we close the loop with a controller,\n\n$$ u = K (w - y) \\tag{{3}} $$\n\n\
+             Inserting (3) into (1) yields\n\n$$ \\tau \\frac{{dy}}{{dt}} + (1 {sign} K R) y = K R w \\tag{{4}} $$\n"
+        ))
+    };
+    assert_eq!(page("+"), ["given", "given", "given", "holds"]);
+    assert_eq!(page("-")[3], "fails");
+}
+
+/// What words draw is checked, be its left side a new letter.
+#[test]
+fn what_words_draw_is_no_definition() {
+    let end = |text: &str, right: &str, wrong: &str| {
+        let page = |formula: &str| last(&format!("{text}\n\n$$ {formula} $$\n")).0;
+        (page(right), page(wrong))
+    };
+    let segment = "The area is\n\n$$ A = \\frac{r^2}{2} (\\varphi - \\sin\\varphi) \\tag{1} $$\n\nFor a half circle, $\\varphi = \\pi$, we recover";
+    let (right, wrong) = (r"A = \frac{\pi r^2}{2}", r"A = \frac{\pi r}{2}");
+    assert_eq!(end(segment, right, wrong), ("holds", "fails"));
+
+    let lost = "The momentum balance reads\n\n$$ m v = (m + M) V \\tag{1} $$\n\nThe energy that is lost is\n\n\
+                $$ Q = \\frac12 m v^2 - \\frac12 (m+M) V^2 \\tag{2} $$\n\nAs a fraction of the initial energy this is";
+    let share = |part: &str| format!("\\frac{{2Q}}{{m v^2}} = \\frac{{{part}}}{{m + M}}");
+    assert_eq!(end(lost, &share("M"), &share("m")), ("holds", "fails"));
+
+    let rolling = "The speed is\n\n$$ v^2 = \\frac{2 g h}{1+\\beta} \\tag{1} $$\n\nwhere\n\n$$ h = \\ell \\sin\\theta \\tag{2} $$\n\n\
+                   Because the acceleration is constant, $v^2 = 2 a \\ell$. Combining this with (1) and (2) yields";
+    let slope = |function: &str| format!("a = \\frac{{g {function}\\theta}}{{1 + \\beta}}");
+    let found = end(rolling, &slope("\\sin"), &slope("\\cos"));
+    assert_eq!(found, ("holds", "fails"));
+
+    // What is told of another new letter says nothing of this one.
+    let other = "The speed is\n\n$$ v^2 = 2 g h \\tag{1} $$\n\nThe kinetic energy is $K = \\frac12 m w^2$. By (1) we get";
+    let page = |formula: &str| last(&format!("{other}\n\n$$ {formula} $$\n")).0;
+    assert_eq!(page(r"w = 2 g h"), "given");
+}
+
+/// "We obtain the velocity": it is the slope of what is cited.
+#[test]
+fn a_slope_that_words_take_is_that_of_what_they_cite() {
+    let page = |words: &str, value: &str| {
+        last(&format!(
+            "The position is\n\n$$ x = A \\cos(\\omega t) \\tag{{1}} $$\n\n{words}\n\n$$ v = {value} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "Differentiating (1) with respect to time we obtain the velocity",
+        "Differentiating (1) with respect to $t$ gives",
+        "Differentiating (1), we find the velocity",
+    ] {
+        let right = page(words, r"-A \omega \sin(\omega t)");
+        assert_eq!(right, "holds", "{words}");
+        assert_eq!(page(words, r"-A \sin(\omega t)"), "fails", "{words}");
+    }
+    let twice = "Differentiating (1) twice with respect to time we obtain";
+    assert_eq!(page(twice, r"-A \omega^2 \cos(\omega t)"), "holds");
+    assert_eq!(page(twice, r"-A \omega \sin(\omega t)"), "fails");
+    // By what is not said here.
+    assert_eq!(page("Differentiating (1) we find", "-A"), "given");
+}
+
+/// Two symbols take two equations to define.
+#[test]
+fn all_rows_define_what_is_defined_through_them() {
+    let page = |words: &str| {
+        verdicts(&format!(
+            "At the apsides\n\n$$ p v = q w \\tag{{1}} $$\n\n{words}\n\n\
+             $$ \\begin{{aligned}} p &= a (1 - e) \\\\ q &= a (1 + e) \\end{{aligned}} $$\n"
+        ))
+    };
+    let two = "The semi-major axis $a$ and the eccentricity $e$ are defined through";
+    assert_eq!(page(two), ["given", "given", "given"]);
+    assert_eq!(page("Hence")[2], "fails");
+}
+
+#[test]
+fn this_that_something_is_compared_with_is_the_display_before() {
+    let page = |height: &str| {
+        last(&format!(
+            "The volume is\n\n$$ V = \\pi r^2 h \\tag{{1}} $$\n\nand the area\n\n$$ A = 2 \\pi r^2 + \\frac{{2 V}}{{r}} \\tag{{2}} $$\n\n\
+             Its derivative is\n\n$$ \\frac{{dA}}{{dr}} = 4 \\pi r - \\frac{{2 V}}{{r^2}} \\tag{{3}} $$\n\n\
+             Setting (3) equal to zero gives\n\n$$ V = 2 \\pi r^3 \\tag{{4}} $$\n\nComparing this with (1), we see that\n\n$$ h = {height} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("2 r"), "holds");
+    assert_eq!(page("3 r"), "fails");
+}
+
+/// Who cites another equation goes on from the display before all the same, and from what that was shown under.
+#[test]
+fn a_step_goes_on_from_the_display_before_as_it_is_meant() {
+    let page = |sign: &str, said: &str| {
+        verdicts(&format!(
+            "The total enzyme is\n\n$$ z = e + c \\tag{{1}} $$\n\nand the rate\n\n$$ \\frac{{dc}}{{dt}} = k e s - n c \\tag{{2}} $$\n\n\
+             In the steady state $dc/dt = 0$, so that\n\n$$ k e s = n c \\tag{{3}} $$\n\n{said}Eliminating $e$ with (1),\n\n\
+             $$ c = \\frac{{k z s}}{{n {sign} k s}} \\tag{{4}} $$\n"
+        ))[3]
+    };
+    assert_eq!(page("+", ""), "holds");
+    assert_eq!(page("-", ""), "fails");
+}

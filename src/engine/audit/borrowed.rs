@@ -385,6 +385,7 @@ impl Judge<'_> {
             let is_given = entries.iter().any(|e| e.verdict == Verdict::Given);
             if is_wrong
                 || is_given && self.is_of_other_circumstances(other)
+                || self.derivation.is_released(self.at, other).is_some()
                 || !self.may_borrow(other, cites)
             {
                 continue;
@@ -463,10 +464,25 @@ impl Judge<'_> {
         let Some(offer) = self.auditor.offer(self.at, other) else {
             return false;
         };
+        let goes_on = self.goes_on_from(other);
         offer.under.iter().all(|&(page, local)| {
-            let formulas = &self.derivation.local(page, local).formulas;
-            own.is_under(page, local) || cites && formulas.iter().all(|f| f.as_equation().is_none())
+            let said = self.derivation.local(page, local);
+            let bounds = || said.formulas.iter().all(|f| f.as_equation().is_none());
+            let special = said.is_let || said.is_case() || said.is_momentary();
+            own.is_under(page, local) || goes_on && !special || cites && bounds()
         })
+    }
+
+    /// Whether the step is drawn where the text goes on from an equation: what that was shown under is meant as it is by a step that cites
+    /// nothing. "In the steady state $dc/dt = 0$, so that … Eliminating $e$ with (1),".
+    fn goes_on_from(&self, other: usize) -> bool {
+        let equations = &self.derivation.equations;
+        let own = &equations[self.at];
+        let last = (self.at - own.row.min(self.at)).checked_sub(1);
+        let before = last.map(|last| last - equations[last].row.min(last)..last + 1);
+        let is_before = before.is_some_and(|before| before.contains(&other));
+        let starts = self.derivation.equations_of(own.page).start + own.section_start;
+        own.drawn && is_before && other >= starts
     }
 
     /// What is given further on in the page and not cited: an author may have used it too soon.

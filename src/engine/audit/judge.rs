@@ -125,6 +125,13 @@ impl Judge<'_> {
         {
             return own;
         }
+        if found.judged.outcome.is_proven()
+            && let Some(symbol) = self.joins_what_moves(&found.judged)
+        {
+            found.leave_open(format!(
+                "it joins what was said of a constant `{symbol}` with how that changes"
+            ));
+        }
         if !found.judged.outcome.is_proven()
             && found.contradictory.is_empty()
             && let Some(own) = self.integrated(goal, premises)
@@ -174,6 +181,25 @@ impl Judge<'_> {
         let formulas = assumed.map(|own| &*own.formula);
         let mut all = formulas.chain([&judged.goal.formula]);
         all.any(|formula| formula.terms().into_iter().any(|term| term.any(&is_one)))
+    }
+
+    /// What is constant by one of the premises of a proof and changes by another.
+    fn joins_what_moves(&self, judged: &Judged) -> Option<&Symbol> {
+        let all = sources(&judged.assumed).into_iter();
+        let all: Vec<usize> = all
+            .filter_map(|source| match source {
+                Source::Equation(premise) => Some(premise),
+                _ => None,
+            })
+            .collect();
+        let derivation = self.derivation;
+        let constant = all
+            .iter()
+            .find_map(|&own| derivation.is_released(self.at, own));
+        constant.filter(|&symbol| {
+            let mut own = all.iter().map(|&own| &derivation.equations[own]);
+            own.any(|own| own.released.contains(symbol) && own.symbols().contains(symbol))
+        })
     }
 
     /// Whether a goal speaks of what may be complex.

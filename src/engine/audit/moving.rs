@@ -10,6 +10,9 @@ use super::throughout::slope;
 use super::{Auditor, Outcome, stated};
 use crate::sorted::Set;
 
+/// Why a step is left open that follows only where something stands still.
+const MOVES: &str =
+    "it follows only where something stands still that what stands before lets change";
 /// So many equations before that speak of a variable are asked what moves with it.
 const MOST_LAWS: usize = 64;
 
@@ -127,8 +130,9 @@ impl Moving {
 }
 
 impl Judge<'_> {
-    /// The counterexample to a step that follows only where something stands still of which the page says how it moves: one that obeys
-    /// what the page says of that, and at which all else stands still.
+    /// What to say of a step that follows only where something stands still of which the page says how it moves. The counterexample obeys
+    /// what the page says of that, and at it all else stands still. Where there is none, and what the text
+    /// says is fixed lets nothing else stand still, the step is left open.
     pub(super) fn moves_after_all(
         &self,
         goal: &Goal,
@@ -183,8 +187,15 @@ impl Judge<'_> {
         }));
         let claim = self.derivation.claim(self.at, &cited, &goal.formula);
         let larger = self.derivation.claim(self.at, &with, &goal.formula);
-        let refuted = search::refute_in_context(&claim, larger)?;
         let mut own = Found::open(found.judged.clone());
+        let Some(refuted) = search::refute_in_context(&claim, larger) else {
+            let all = self.derivation.claim(self.at, &all, &goal.formula);
+            let equation = &self.derivation.equations[self.at];
+            let mut named = all.free_symbols().into_iter();
+            let is_fixed = named.any(|symbol| equation.is_told_constant(symbol));
+            own.leave_open(MOVES);
+            return (is_fixed && !search::is_possible(&all, &still)).then_some(own);
+        };
         own.judged.assumed = cited;
         own.judged.outcome = Outcome::Refuted(refuted.into());
         self.instead(goal, &all, premises, &mut own);

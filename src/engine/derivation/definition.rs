@@ -54,8 +54,8 @@ fn settle_page(
             let defined = defined
                 .filter(|symbol| !sequences.know(symbol, seen) && !constants.contains(symbol));
             // "The magnification $M = -s'/s$ is": the display says what comes of it.
-            let told =
-                (defined.as_ref()).is_some_and(|symbol| is_told(symbol, statement, equation, page));
+            let told = (defined.as_ref())
+                .is_some_and(|symbol| is_told(symbol, statement, equation, (page, seen)));
             explains |= told;
             let defined = defined.filter(|_| !told);
             if defined.is_none() {
@@ -99,7 +99,12 @@ fn stands_alone(page: &Page, own: &[Equation]) -> bool {
 }
 
 /// Whether the text has told in passing what a symbol is, or something of all that a statement about it speaks of.
-fn is_told(symbol: &Symbol, statement: &Statement, equation: &Equation, page: &Page) -> bool {
+fn is_told(
+    symbol: &Symbol,
+    statement: &Statement,
+    equation: &Equation,
+    (page, seen): (&Page, &BTreeSet<Symbol>),
+) -> bool {
     // What is gathered here costs something for each equation.
     if equation.told.is_empty() && equation.named.is_empty() {
         return false;
@@ -115,9 +120,22 @@ fn is_told(symbol: &Symbol, statement: &Statement, equation: &Equation, page: &P
         .iter()
         .flat_map(Formula::names)
         .collect();
+    // "$v^2 = 2 a \ell$. Combining this with (1) yields" tells what the new one is by what is known.
+    // Of a root nobody has said yet where it lies what it is taken of.
+    let takes_root = |own: &Formula| own.terms().into_iter().any(|term| term.any(&Expr::is_root));
+    let has_root = formulas(statement).iter().any(takes_root);
+    let ties = |names: &Set<Symbol>| {
+        let mut others = names.iter().filter(|own| *own != symbol);
+        equation.drawn
+            && !has_root
+            && names.contains(symbol)
+            && others.all(|own| seen.contains(own))
+    };
     told.any(|formula| match formula.as_equation() {
         Some((Expr::Symbol(own), _)) if own == symbol => true,
-        Some(_) => said.is_subset(&formula.names()),
+        // "All of it becomes kinetic energy, $U = K$, where" goes on to say what the new one is.
+        Some((Expr::Symbol(_), Expr::Symbol(_))) => said.is_subset(&formula.names()),
+        Some(_) => said.is_subset(&formula.names()) || ties(&formula.names()),
         None => false,
     })
 }

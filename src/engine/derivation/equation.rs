@@ -87,6 +87,8 @@ pub struct Equation {
     pub said: Map<Symbol, Said>,
     /// What it says is constant, and the page lets change all the same.
     pub disputed: Set<Symbol>,
+    /// What was said to be constant, and since is given by what moves.
+    pub released: Set<Symbol>,
     /// Values that the text around it names and does not plainly suppose, unread.
     pub mentioned: Vec<Span>,
     /// What the sentence that leads on to it names, by position among the page's locals: it may be meant to follow from that.

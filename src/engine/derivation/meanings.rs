@@ -67,6 +67,7 @@ impl Meanings {
             }
             equation.introduces = equation.introduces.iter().map(own).collect();
             equation.disputed = equation.disputed.iter().map(own).collect();
+            equation.released = equation.released.iter().map(own).collect();
             let said = std::mem::take(&mut equation.said).into_iter();
             equation.said = said.map(|(symbol, said)| (own(&symbol), said)).collect();
         }

@@ -580,6 +580,15 @@ impl Derivation {
         found
     }
 
+    /// What an earlier equation speaks of as constant, and what stands before this one has let change since.
+    pub fn is_released(&self, at: usize, other: usize) -> Option<&Symbol> {
+        let (own, other) = (&self.equations[at], &self.equations[other]);
+        let was_constant =
+            |symbol: &Symbol| other.is_told_constant(symbol) && other.symbols().contains(symbol);
+        let mut released = own.released.iter().filter(|_| own.page == other.page);
+        released.find(|symbol| was_constant(symbol))
+    }
+
     /// The claim that a goal of an equation follows from hypotheses, with the domains of all symbols in it.
     pub fn claim(&self, at: usize, assumed: &[Assumed], goal: &Formula) -> Claim {
         let mut claim = Claim {

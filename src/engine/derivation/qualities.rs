@@ -1,15 +1,17 @@
 //! What the text says of symbols by adjectives, "where $g$ is constant", as far as nothing on the page speaks against it.
 
+use std::ops::Range;
+
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Attribute, Span};
 use crate::kernel::{Domain, running_in};
 use crate::notation::{Spanned, read_expr, read_formulas, read_symbol};
 use crate::sorted::{Map, Set};
 
-use super::Equation;
 use super::equation::formulas;
 use super::names::undotted;
 use super::page::{Page, is_empty, narrow};
+use super::{Equation, Kind};
 
 /// No more than this is kept in mind of what is said, the latest: each display after it is told of all.
 const MOST_SAYINGS: usize = 64;
@@ -85,11 +87,14 @@ pub(super) fn leave_out_what_moves(page: &Page, equations: &mut [Equation]) {
     if !equations.iter().any(constant) {
         return;
     }
-    let moving = moving(page, equations);
-    for equation in equations {
+    let moving = Moving::of(page, equations);
+    let mut last = 0;
+    for equation in equations.iter_mut() {
         let mut disputed = Set::new();
+        let here = last..equation.span.start;
+        last = equation.span.end;
         for (symbol, said) in equation.said.iter_mut() {
-            if said.is_constant() && moving.contains(symbol) {
+            if said.is_constant() && moving.has(symbol) && !moving.lets_rest(symbol, said, &here) {
                 disputed.insert(symbol.clone());
                 said.attributes
                     .retain(|own| own.value != Attribute::Constant);
@@ -98,41 +103,121 @@ pub(super) fn leave_out_what_moves(page: &Page, equations: &mut [Equation]) {
         equation.said.retain(|_, said| !said.attributes.is_empty());
         equation.disputed = disputed;
     }
+    release(page, equations, &moving);
 }
 
-/// What something runs through, what is differentiated or a function, and what is given by a term in these; also in the text.
-fn moving(page: &Page, equations: &[Equation]) -> Set<Symbol> {
-    // At the minimum $V = 2 \pi r^3$, and elsewhere not.
-    let is_throughout = |own: &&Equation| {
-        let mut locals = own.locals.iter();
-        !locals.any(|&at| page.locals[at].is_momentary())
+/// Takes back that something is constant where a law says how it moves: "For a constant inflow $u$ $$y = \\dots$$ Now $$u = K (w - y)$$". What was
+/// said before the law is said of another inflow.
+fn release(page: &Page, equations: &mut [Equation], moving: &Moving) {
+    let lets_move = |at: usize| {
+        let own = &equations[at];
+        let momentary = own.locals.iter().any(|&at| page.locals[at].is_momentary());
+        let is_law = own.kind == Kind::Given || own.bare && !own.drawn && !momentary;
+        let said = own.statements().iter().filter(|_| is_law);
+        let said = said.flat_map(formulas).filter_map(|law| {
+            let (Expr::Symbol(symbol), value) = law.as_equation()? else {
+                return None;
+            };
+            let before = || equations[..at].iter();
+            // "For a fixed volume $V$" and `V = \pi r^2 h` go together.
+            let was_said =
+                |own: &Equation| own.is_told_constant(symbol) && own.symbols().contains(symbol);
+            // What only solves an equation before for it is no law of its own.
+            let names = law.names();
+            let is_new = || !before().any(|own| names.is_subset(&own.symbols()));
+            let moves = own.is_told_constant(symbol) && speaks_of(value, &moving.by_itself);
+            (moves && before().any(was_said) && is_new()).then(|| symbol.clone())
+        });
+        said.collect::<Vec<Symbol>>()
     };
-    let stated = equations.iter().filter(is_throughout);
-    let stated = stated.flat_map(Equation::statements);
-    let mut said: Vec<Formula> = stated.flat_map(formulas).collect();
-    let locals = page.locals.iter().flat_map(|local| &local.formulas);
-    said.extend(locals.map(|formula| (**formula).clone()));
-    let mut moving = running_in(said.iter());
-    moving.extend(page.changing());
-    moving.extend(Formula::differentiated_in(said.iter()));
-    for term in said.iter().flat_map(Formula::terms) {
-        term.collect_applied(&|_| true, &mut moving);
-    }
-    let named = said.iter().flat_map(Formula::names);
-    moving.extend(named.filter_map(|own| undotted(&own)));
-    let mut given = Set::new();
-    for (left, right) in said.iter().filter_map(Formula::as_equation) {
-        for (side, other) in [(left, right), (right, left)] {
-            if let Expr::Symbol(symbol) = side
-                && speaks_of(other, &moving)
-                && !ties_another(symbol, other, &said)
-            {
-                given.insert(symbol.clone());
+    let laws =
+        (0..equations.len()).flat_map(|at| lets_move(at).into_iter().map(move |own| (at, own)));
+    for (at, symbol) in laws.collect::<Vec<_>>() {
+        let place = equations[at].span.start;
+        for equation in &mut equations[at..] {
+            if let Some(said) = equation.said.get_mut(&symbol) {
+                let stays = |own: &Spanned<Attribute>| {
+                    own.value != Attribute::Constant || own.span.start > place
+                };
+                said.attributes.retain(stays);
             }
+            equation.released.insert(symbol.clone());
         }
     }
-    moving.extend(given);
-    moving
+}
+
+/// What the page lets change.
+struct Moving {
+    /// What something runs through, what is differentiated or a function; also in the text.
+    by_itself: Set<Symbol>,
+    /// What is given by a term in these, each with that and its place.
+    given: Vec<(Symbol, Expr, usize)>,
+}
+
+impl Moving {
+    fn of(page: &Page, equations: &[Equation]) -> Moving {
+        // At the minimum $V = 2 \pi r^3$, and elsewhere not.
+        let is_throughout = |own: &&Equation| {
+            let mut locals = own.locals.iter();
+            !locals.any(|&at| page.locals[at].is_momentary())
+        };
+        let stated = equations.iter().filter(is_throughout);
+        let stated = stated.flat_map(|own| {
+            let said = own.statements().iter().flat_map(formulas);
+            said.map(|formula| (own.span.start, formula))
+        });
+        let locals = page.locals.iter().flat_map(|local| {
+            let said = local.formulas.iter();
+            said.map(|formula| (local.span.start, (**formula).clone()))
+        });
+        let (places, said): (Vec<usize>, Vec<Formula>) = stated.chain(locals).unzip();
+        let mut moving = running_in(said.iter());
+        moving.extend(page.changing());
+        moving.extend(Formula::differentiated_in(said.iter()));
+        for term in said.iter().flat_map(Formula::terms) {
+            term.collect_applied(&|_| true, &mut moving);
+        }
+        let named = said.iter().flat_map(Formula::names);
+        moving.extend(named.filter_map(|own| undotted(&own)));
+        let mut given = Vec::new();
+        for (&place, law) in places.iter().zip(&said) {
+            let Some((left, right)) = law.as_equation() else {
+                continue;
+            };
+            for (side, other) in [(left, right), (right, left)] {
+                if let Expr::Symbol(symbol) = side
+                    && speaks_of(other, &moving)
+                    && !ties_another(symbol, other, &said)
+                {
+                    given.push((symbol.clone(), other.clone(), place));
+                }
+            }
+        }
+        Moving {
+            by_itself: moving,
+            given,
+        }
+    }
+
+    fn has(&self, symbol: &Symbol) -> bool {
+        self.by_itself.contains(symbol) || self.given.iter().any(|own| own.0 == *symbol)
+    }
+
+    /// Whether the text that leads on to an equation says that something stands still which the page gives by what moves: "For a fixed
+    /// volume $V$" beside `V = \pi r^2 h`. Then something else in that must keep up with it.
+    fn lets_rest(&self, symbol: &Symbol, said: &Said, leading: &Range<usize>) -> bool {
+        let is_here = |own: &Spanned<Attribute>| {
+            own.value == Attribute::Constant && leading.contains(&own.span.start)
+        };
+        let keeps_up = |value: &Expr| {
+            let mut names = value.free_symbols().into_iter();
+            names.any(|own| !self.has(&own) && own != *symbol && own.name() != "\\pi")
+        };
+        let mut given = self.given.iter().filter(|own| own.0 == *symbol);
+        said.attributes.iter().any(is_here)
+            && !self.by_itself.contains(symbol)
+            && given.all(|own| own.2 < leading.start && keeps_up(&own.1))
+    }
 }
 
 impl Page {

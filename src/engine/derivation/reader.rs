@@ -5,8 +5,8 @@ use std::vec;
 
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::document::{
-    Attribute, Citation, Directive, Extent, Item, Layout, Named, Premise, Prose, Qualities, Span,
-    Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
+    Attribute, Citation, Directive, Extent, Item, Layout, Named, Premise, Prose, Qualities, Slope,
+    Span, Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
 };
 use crate::notation::{Spanned, SyntaxError, read_formulas};
 use crate::sorted::Set;
@@ -64,6 +64,8 @@ struct Between {
     goes_on: bool,
     /// Whether they say that all factors change.
     all_vary: bool,
+    /// The slope that they take of what they cite.
+    takes: Option<Slope>,
     /// Whether they are a mere "where" or "with".
     meant: bool,
     /// Whether they announce several laws.
@@ -235,11 +237,11 @@ impl<'p> Reader<'p> {
     }
 
     /// Takes up the value of the kind of things that the sentence is about that leads on to a display: "For a diatomic gas (1) gives".
-    fn kind_of(&mut self, leading: Option<Span>) {
+    fn kind_of(&mut self, leading: Span) {
         let source = &self.page.document.source;
-        let Some(leading) = leading.filter(|_| !self.kinds.is_empty()) else {
+        if self.kinds.is_empty() || leading == Span::default() {
             return;
-        };
+        }
         let said = words_of(source, leading);
         let newest = self.kinds.len().saturating_sub(MOST_KINDS);
         let kinds = &self.kinds[newest..];
@@ -314,7 +316,16 @@ impl<'p> Reader<'p> {
 
     fn quality(&mut self, quality: &Qualities) {
         self.displayed.learn(&self.equations, &[]);
-        let named = qualities::named(&self.page.document.source, quality.body);
+        let named = match quality.by_name {
+            true => {
+                let place = (quality.body, &self.equations[..], &[][..]);
+                match self.page.vanishing(Vanishing::Named, place) {
+                    Some(Expr::Symbol(symbol)) => vec![symbol],
+                    _ => Vec::new(),
+                }
+            }
+            false => qualities::named(&self.page.document.source, quality.body),
+        };
         let attributes = quality.attributes.iter().cloned();
         let attributes: Vec<Spanned<Attribute>> = attributes
             .map(|value| Spanned {
@@ -572,6 +583,7 @@ impl<'p> Reader<'p> {
             let slope = self.page.suppose_equal(slope, zero, span, Some(passage));
             self.active.push(slope);
         }
+        self.take_slope(&said, &read);
         let of_display = read.len();
         // "Newton's second law along the incline gives … and perpendicular to it …"
         said.reasons |=
@@ -647,6 +659,47 @@ impl<'p> Reader<'p> {
         let recent = self.introduced.iter().rev().take(MOST_BEFORE);
         // "The law" may be any.
         name.len() > 1 && recent.into_iter().any(|&own| name.is_subset(&stems(own)))
+    }
+
+    /// Takes up what a new symbol is that the words before its display take as the slope of another: "Differentiating (1) we obtain the
+    /// velocity". Where it is not known by what they differentiate, nothing is.
+    fn take_slope(&mut self, said: &Between, read: &[Part]) {
+        let Some(slope) = said.takes.filter(|_| said.draws(read)) else {
+            return;
+        };
+        self.spoken_of.learn(&self.equations, &self.page.locals);
+        let [Ok([statement])] = read
+            .iter()
+            .map(|part| part.statements.as_deref())
+            .collect::<Vec<_>>()[..]
+        else {
+            return;
+        };
+        let said_first = formulas(statement).into_iter().next();
+        let name = match said_first.as_ref().and_then(Formula::as_equation) {
+            Some((Expr::Symbol(name), _)) if !self.spoken_of.speaks_of(name) => name.clone(),
+            _ => return,
+        };
+        let variable = match slope.by {
+            Some(body) => qualities::named(&self.page.document.source, body)
+                .into_iter()
+                .next(),
+            None => slope.by_time.then(|| Symbol::new("t")),
+        };
+        let place = (slope.cited, &self.equations[..], &said.cited[..]);
+        let (Some(variable), Some(of)) = (variable, self.page.vanishing(Vanishing::Cited, place))
+        else {
+            return;
+        };
+        let mut value = of.differentiated_by(&variable);
+        if slope.twice {
+            value = value.differentiated_by(&variable);
+        }
+        let formula = Formula::equal(Expr::Symbol(name), value);
+        let local = self.page.suppose_meant(vec![formula], slope.cited);
+        let own = &mut self.page.locals[local];
+        (own.lasts, own.level) = (false, self.level);
+        self.active.push(local);
     }
 
     /// What the words before a display announce is no case that it is said of: "With $x \geq a$ always, (1) gives $$x \geq a$$".
@@ -772,6 +825,7 @@ impl<'p> Reader<'p> {
             told: (self.told.iter().rev().take(MOST_MENTIONED).copied()).collect(),
             said: self.sayings.here(),
             disputed: Set::new(),
+            released: Set::new(),
             mentioned: said.mentioned.clone(),
             named: said.named.clone(),
             unread: said.unread.clone(),
@@ -811,6 +865,7 @@ impl Between {
         self.said_last = prose.said_last.or(self.said_last);
         self.goes_on |= prose.goes_on;
         self.all_vary |= prose.all_vary;
+        self.takes = prose.slope.as_deref().copied();
         self.meant |= prose.says_what_is_meant;
         self.laws |= prose.announces_laws;
         self.extent = prose.extent.or(self.extent);

@@ -27,6 +27,8 @@ static DRAWN: Words = Words::of(&[
     "become",
     "obtain",
     "obtains",
+    "recover",
+    "recovers",
     "get",
     "find",
     "prove",
@@ -53,6 +55,8 @@ static WORKED: Words = Words::of(&[
     "follow",
     "finds",
     "found",
+    "recovered",
+    "recovering",
     "leading",
     "reduce",
     "reducing",
@@ -248,7 +252,20 @@ pub(super) fn is_relative(tokens: &[Placed<'_>]) -> bool {
     let first = tokens
         .iter()
         .find(|(token, _)| !matches!(token, Token::Mark(',' | ';')));
-    matches!(first, Some((Token::Word("which"), _))) || works_on_it(tokens)
+    matches!(first, Some((Token::Word("which"), _))) || works_on_it(tokens) || works_on_this(tokens)
+}
+
+/// "Comparing this with (1)": where nothing else is said after the display before, that is what is meant.
+fn works_on_this(tokens: &[Placed<'_>]) -> bool {
+    const WORKED_ON_THIS: &[&str] = &["comparing", "combining", "equating"];
+    let words =
+        |sentence: &&[Placed<'_>]| sentence.iter().any(|own| matches!(own.0, Token::Word(_)));
+    let mut sentences = tokens.split(|own| own.0 == Token::Stop).filter(words);
+    let (Some(sentence), None) = (sentences.next(), sentences.next()) else {
+        return false;
+    };
+    matches!(sentence, [(works, _), (this, _), (with, _), ..]
+        if works.is_among(WORKED_ON_THIS) && this.is_among(&["this"]) && with.is_among(&["with", "to", "and"]))
 }
 
 /// What is done with the display before where nothing else is named: "Differentiating with respect to time and using (1)".
@@ -301,7 +318,7 @@ static SEVERAL: Words = Words::of(&[
 ]);
 
 /// Whether the last sentence announces several laws, and draws them from nothing: "The two conditions are", "We have the following
-/// equations."
+/// equations.", "$a$ and $b$ are defined by".
 pub(super) fn announces_laws(tokens: &[Placed<'_>]) -> bool {
     let last = last_sentence(tokens).unwrap_or_default();
     let has = |words: &[&'static str]| last.iter().any(|(token, _)| token.is_among(words));
@@ -310,8 +327,11 @@ pub(super) fn announces_laws(tokens: &[Placed<'_>]) -> bool {
         _ => None,
     });
     let cites = |(token, _): &Placed<'_>| matches!(token, Token::Tag(_) | Token::Keys(_));
-    last.iter().any(|(token, _)| token.is_among(&SEVERAL))
-        && (ends == Some("are") || has(&["following"]))
+    // "The semi-major axis $a$ and the eccentricity $e$ are defined through"
+    let symbols = last.iter().filter(|own| matches!(own.0, Token::Math(_)));
+    let defines = has(&["are"]) && has(&["defined"]) && symbols.count() > 1;
+    let announces = ends == Some("are") || has(&["following"]);
+    (defines || announces && last.iter().any(|(token, _)| token.is_among(&SEVERAL)))
         && read(tokens) == Some(false)
         && !last.iter().any(cites)
 }
@@ -524,11 +544,20 @@ fn says_the_same(sentence: &[Placed<'_>]) -> bool {
     })
 }
 
+/// "As a fraction of the initial energy this is": another name for what was displayed.
+fn says_it_is(sentence: &[Placed<'_>]) -> bool {
+    let begins =
+        matches!(sentence, [(own, _), ..] if own.is_among(&["as", "in", "per", "relative"]));
+    let ends = matches!(sentence, [.., (this, _), (is, _)]
+        if this.is_among(&["this", "that"]) && is.is_among(&["is", "equals"]));
+    begins && ends
+}
+
 /// Whether the last sentence says that what comes after it follows from something, as far as words tell; `None` where nothing
 /// is said.
 pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
     let last = last_sentence(tokens)?;
-    if says_the_same(last) {
+    if says_the_same(last) || says_it_is(last) {
         return Some(true);
     }
     Some(last.iter().enumerate().any(|(at, (token, _))| {

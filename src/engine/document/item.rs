@@ -90,8 +90,8 @@ pub struct Prose {
     pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.
     pub mentions: Vec<Span>,
-    /// The sentence that leads on to the display after it.
-    pub leading: Option<Span>,
+    /// The sentence that leads on to the display after it; empty where there is none.
+    pub leading: Span,
     /// The relations in the sentences that lead on to the display after it, supposed or not, the nearest sentence first.
     pub named: Vec<Named>,
     /// Whether its last sentence says that what comes next follows: "hence", "gives". `None` where nothing is said.
@@ -108,6 +108,8 @@ pub struct Prose {
     pub laws_named: Vec<Span>,
     /// Its last sentence, ended or not.
     pub said_last: Option<Span>,
+    /// The slope that its last sentence takes of what it cites.
+    pub slope: Option<Box<Slope>>,
     /// Whether its last sentence names the rule by which several factors change together: "by the product rule".
     pub all_vary: bool,
     /// Whether its last sentence says what is meant by what comes next: "we define".
@@ -141,11 +143,26 @@ impl Prose {
     }
 }
 
+/// "Differentiating (1) with respect to $t$": a slope that a sentence takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slope {
+    /// Where it is cited what the slope is of.
+    pub cited: Span,
+    /// The inside of the inline math by which is differentiated.
+    pub by: Option<Span>,
+    /// Whether that is the time, by words.
+    pub by_time: bool,
+    /// Whether it is the slope of the slope.
+    pub twice: bool,
+}
+
 /// What prose says of symbols by adjectives: "where $a$ and $b$ are positive constants".
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Qualities {
-    /// The mathematics: a symbol or several.
+    /// The mathematics: a symbol or several; or the word for what a display says the value of.
     pub body: Span,
+    /// Whether it is such a word: "for a fixed volume".
+    pub by_name: bool,
     /// What is said of it.
     pub attributes: Vec<Attribute>,
     /// It is said of circumstances: "with constant force $F$".

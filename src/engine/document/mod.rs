@@ -25,6 +25,7 @@ mod origin;
 mod outline;
 mod prose;
 mod qualities;
+mod slope;
 mod source;
 mod span;
 mod supposition;
@@ -37,7 +38,7 @@ pub use attribute::declaration;
 pub(crate) use citation::above_signs;
 pub use item::{
     Attribute, Bound, Citation, Directive, Extent, Inline, Item, Layout, Named, Premise, Problem,
-    Prose, Qualities, Row, Supposition, SuppositionKind, Vanishing,
+    Prose, Qualities, Row, Slope, Supposition, SuppositionKind, Vanishing,
 };
 pub use latex::Library;
 pub use nearest::nearest;

@@ -6,6 +6,7 @@ use super::circumstance;
 use super::citation;
 use super::conclusion;
 use super::qualities;
+use super::slope;
 use super::supposition;
 use super::words::{Listed, Words};
 use super::{Citation, Inline, Prose, Span};
@@ -208,10 +209,11 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         reasons: conclusion::reasons_in_words(source, &tokens),
         laws_named: conclusion::laws_named(&tokens),
         said_last: conclusion::last_sentence(&tokens).and_then(whole),
+        slope: slope::read(&tokens).map(Box::new),
         all_vary: conclusion::names_rule_of_factors(&tokens),
         citations,
         suppositions,
-        leading: leading(source, &tokens),
+        leading: leading(source, &tokens).unwrap_or_default(),
         qualities,
         changing,
         mentions,

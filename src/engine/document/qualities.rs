@@ -335,14 +335,16 @@ fn of_sentence(sentence: &[Placed<'_>]) -> Vec<Qualities> {
             continue;
         };
         let (before, after) = (&sentence[..at], &sentence[at + 1..]);
-        let named =
-            said_before(before, own.clone(), after).or_else(|| named_after(before, own, after));
+        let named = said_before(before, own.clone(), after)
+            .or_else(|| named_after(before, own.clone(), after))
+            .or_else(|| of_word(before, own, after));
         let Some(said) = named else {
             continue;
         };
         if tells(&sentence[..said.begin]) {
             found.extend(said.bodies.into_iter().map(|body| Qualities {
                 body,
+                by_name: said.by_name,
                 attributes: said.attributes.clone(),
                 of_case: said.of_case,
                 goes_on: goes_on(sentence),
@@ -387,6 +389,7 @@ struct Said {
     attributes: Vec<Attribute>,
     begin: usize,
     of_case: bool,
+    by_name: bool,
 }
 
 /// "$A$ and $B$ are positive constants": what stands before the adjective and is said to be so, with all that is said and the token with which
@@ -430,6 +433,7 @@ fn said_before(before: &[Placed<'_>], own: Vec<Attribute>, after: &[Placed<'_>])
         attributes: all,
         begin,
         of_case: false,
+        by_name: false,
     })
 }
 
@@ -468,12 +472,66 @@ fn named_after(before: &[Placed<'_>], own: Vec<Attribute>, after: &[Placed<'_>])
         let qualifies = [&OF_ANOTHER[..], &OF_A_PART, &LINKING, &QUALIFYING];
         matches!(own.0, Token::Word(_)) && !qualifies.iter().any(|words| own.0.is_among(*words))
     });
-    (goes_on || ends_clause(rest)).then_some(Said {
+    // "For a constant force $F$ and an initial velocity $v_0$"
+    let has_article = |own: &Placed<'_>| own.0.is_among(&["a", "an", "the", "no"]);
+    let is_joined = begins_with(rest, &["and"]) && rest.get(1).is_some_and(has_article);
+    (goes_on || is_joined || ends_clause(rest)).then_some(Said {
         bodies,
         attributes: all,
         begin: before.len(),
         of_case: last.is_some_and(|token| token.is_among(&["with", "under", "for"])),
+        by_name: false,
     })
+}
+
+/// "For a fixed volume, differentiating (2) gives", "With the volume fixed,": what a display may say the value of. "At constant
+/// temperature" is a process.
+fn of_word(before: &[Placed<'_>], own: Vec<Attribute>, after: &[Placed<'_>]) -> Option<Said> {
+    if own != [Attribute::Constant] || !ends_phrase(after) && !ends_phrase(after.get(1..)?) {
+        return None;
+    }
+    let words = |tokens: &[Placed<'_>], words: &[&[&str]]| {
+        tokens.len() == words.len()
+            && tokens
+                .iter()
+                .zip(words)
+                .all(|(token, own)| token.0.is_among(*own))
+    };
+    let is_noun = |(token, _): &Placed<'_>| matches!(token, Token::Word(word) if word.bytes().all(|b| b.is_ascii_lowercase()));
+    const CASES: &[&str] = &["for", "with", "under", "given"];
+    let noun = match ends_phrase(after) {
+        false => {
+            let is_case = words(before, &[CASES]) || words(before, &[CASES, &["a", "the"]]);
+            after.first().filter(|own| is_case && is_noun(own))?
+        }
+        true => {
+            let (noun, begin) = match before {
+                [begin @ .., noun, is] if is.0.is_among(&["is", "being", "held", "kept"]) => {
+                    (noun, begin)
+                }
+                [begin @ .., noun] => (noun, begin),
+                [] => return None,
+            };
+            const HELD: &[&str] = &["with", "since", "because", "keeping", "holding", "as"];
+            let is_case = words(begin, &[HELD, &["the"]]) || words(begin, &[&["the"]]);
+            Some(noun).filter(|own| is_case && is_noun(own))?
+        }
+    };
+    Some(Said {
+        bodies: vec![noun.1],
+        attributes: own,
+        begin: 0,
+        of_case: true,
+        by_name: true,
+    })
+}
+
+/// Whether a phrase at the beginning of a sentence, or the sentence, has come to its end.
+fn ends_phrase(rest: &[Placed<'_>]) -> bool {
+    matches!(
+        rest.first(),
+        None | Some((Token::Stop | Token::Mark(','), _))
+    )
 }
 
 /// Whether a clause has come to its end.

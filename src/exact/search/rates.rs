@@ -89,7 +89,19 @@ pub fn prove_throughout(claim: Claim, variable: &Symbol) -> Option<Derived> {
 
 /// A proof with the laws of a claim differentiated by the variables that it differentiates by, or what it needs besides.
 pub(super) fn attempt(obligation: &Obligation) -> Option<Attempt> {
-    attempt_from(obligation, with_rates(obligation)?)
+    let narrow = with_rates(obligation).and_then(|found| attempt_from(obligation, found));
+    // That takes work: it is worth it for a slope, where something is constant that laws tie to what moves.
+    let claim = obligation.claim();
+    let slopes = |part: &Expr| matches!(part, Expr::Derivative { .. });
+    let mut goal = claim.goal.terms().into_iter();
+    let speaks = goal.any(|term| term.any(&slopes));
+    let speaks = speaks && claim.domains.iter().any(|(_, domain)| domain.constant);
+    narrow.or_else(|| {
+        attempt_from(
+            obligation,
+            with_rates_of_variables(obligation).filter(|_| speaks)?,
+        )
+    })
 }
 
 fn attempt_from(

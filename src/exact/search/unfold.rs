@@ -51,8 +51,11 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
                 false if found.counts.contains(&symbol) => true,
                 false if found.called.contains(&symbol) => true,
                 false if found.rooted.contains(&symbol) && !positive() => true,
-                // Beside the number π a value need not be rational: what nothing else speaks of needs none.
-                false => pi && is_alone(&symbol, at, &formulas),
+                // Beside the number π a value need not be rational: what nothing else speaks of needs none. Of what is constant and made of
+                // what moves it says how that moves: `V = \pi r^2 h`.
+                false => {
+                    pi && is_alone(&symbol, at, &formulas) && !(constant && found.moves(&term))
+                }
             };
             let number = symbol.name() == "\\pi" && pi;
             let fits = fits && !number && !found.variables.contains(&symbol);
@@ -117,6 +120,12 @@ struct Operands {
 }
 
 impl Operands {
+    /// Whether a term speaks of what is differentiated, or of what is differentiated by.
+    fn moves(&self, term: &Expr) -> bool {
+        let mut names = self.moving.iter().chain(&self.variables);
+        names.any(|own| term.mentions(own))
+    }
+
     /// How well a term may be what partial derivatives of a symbol are meant of: it is written in the variables, and in nothing else but what
     /// is held fixed.
     fn rank(&self, symbol: &Symbol, term: &Expr, claim: &Claim) -> u8 {
