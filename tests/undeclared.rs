@@ -919,3 +919,10 @@ fn slope_of_what_is_given_is_no_law() {
     let collision = "Before it the momentum is\n\n$$ p = m v(t) $$\n\nand after it\n\n$$ p = m v'. $$\n\nHence\n\n$$ m v(t) = m v'. $$\n";
     assert_eq!(verdicts(collision)[2], "holds");
 }
+
+#[test]
+fn differentials_in_the_text_are_no_products() {
+    let after = |supposed: &str| verdicts(&format!("Let {supposed}. Then\n\n$$ U = T S $$\n"));
+    assert_eq!(after(r"$dU = T\,dS$"), ["given"]);
+    assert_eq!(after(r"$a U = T\,a S$"), ["holds"]);
+}
