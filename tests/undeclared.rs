@@ -926,3 +926,17 @@ fn differentials_in_the_text_are_no_products() {
     assert_eq!(after(r"$dU = T\,dS$"), ["given"]);
     assert_eq!(after(r"$a U = T\,a S$"), ["holds"]);
 }
+
+#[test]
+fn what_holds_under_a_condition_alone_rests_on_nothing_else() {
+    let rests = |after: &str| {
+        let text =
+            format!("$$ F = m a $$\n\nHence\n\n$$ 2 F = 3 m a $$\n\nHence\n\n$$ {after} $$\n");
+        let audit = Audit::of(&Derivation::from_markdown("page.md", &text));
+        !audit.entries[2].rests_on.is_empty()
+    };
+    assert!(!rests(r"\tan x = \frac{\sin x}{\cos x}"));
+    assert!(!rests(r"\frac{y^2}{y} = y"));
+    // What comes from the failing step rests on it under a condition, too.
+    assert!(rests(r"\frac{2 F}{m} = 3 a"));
+}
