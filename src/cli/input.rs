@@ -111,8 +111,7 @@ pub fn derivation(
         Ok(((documents, opened), looks))
     });
     let read: Vec<_> = read.into_iter().collect::<Result<_, Failure>>()?;
-    let (read, looks): (Vec<(Vec<Document>, BTreeSet<PathBuf>)>, Vec<Look>) =
-        read.into_iter().unzip();
+    let (read, looks): (Vec<_>, Vec<Look>) = read.into_iter().unzip();
     let own: Vec<PathBuf> = files.iter().map(|file| same(file)).collect();
     let opened = read.iter().flat_map(|(_, opened)| opened);
     let all: BTreeSet<PathBuf> = own.iter().chain(opened).cloned().collect();
