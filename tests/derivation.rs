@@ -15,6 +15,24 @@ fn differentials_are_refused() {
     assert_eq!(read(r"$$ \mathrm{d}U = T \mathrm{d}S $$"), [false]);
     // Derivatives and integrals are understood.
     assert_eq!(read(r"$$ \frac{dU}{dT} = \int_0^T c\, dT $$"), [true]);
+    // Before a parenthesis and before a power they are differentials too.
+    assert_eq!(read(r"$$ \mathrm{d}(v^2) = 2v\,\mathrm{d}v $$"), [false]);
+    assert_eq!(read(r"$$ d(x^2) = 2x\,dx $$"), [false]);
+    assert_eq!(read(r"$$ d(xy) = x\,dy + y\,dx $$"), [false]);
+    assert_eq!(read(r"$$ \delta(x^2) = 2x\delta x $$"), [false]);
+    assert_eq!(read(r"$$ \delta W = F\,\delta x $$"), [false]);
+    assert_eq!(read(r"$$ ds^2 = dx^2 + dy^2 $$"), [false]);
+    assert_eq!(read(r"$$ P = d(m v^2)/dt $$"), [false]);
+    // An upright one needs no second.
+    for single in ["v = a", "(v) = a", "^2 x = a", "(v^2) = 2 v a"] {
+        assert_eq!(
+            read(&format!(r"$$ \mathrm{{d}}{single} $$")),
+            [false],
+            "{single}"
+        );
+    }
+    // What a page shows in one display is so in the next.
+    assert_eq!(read("$$ dU = T\\,dS $$\n$$ dU = 0 $$"), [false, false]);
 }
 
 #[test]
@@ -23,6 +41,18 @@ fn distance_is_no_differential() {
     let declared = "<!-- check: symbols d: length -->\n$$ d a = d b $$";
     assert_eq!(read(declared), [true]);
     assert_eq!(read("$$ F = q d E $$"), [true]);
+    // A product with a sum, and what the text speaks of.
+    assert_eq!(read("$$ A = d(a + b) $$"), [true]);
+    assert_eq!(read("$$ A = d(a + b) + d c $$"), [false]);
+    let spoken_of = "Between the plates is a distance $d$.\n\n$$ A = d(a + b) + d c $$";
+    assert_eq!(read(spoken_of), [true]);
+    assert_eq!(read(r"$$ A = d \cdot (a + b) + d^2 $$"), [true]);
+    assert_eq!(
+        read("$$ F = k \\delta^2 $$\n$$ \\delta a = \\delta(b + c) $$"),
+        [true, true]
+    );
+    let upright = "<!-- check: symbols \\text{d}: length -->\n$$ \\mathrm{d}(a + b) = c $$";
+    assert_eq!(read(upright), [true]);
     // In the middle of a chain it stands once.
     assert_eq!(read("$$ W = q d E = F $$"), [true]);
 }

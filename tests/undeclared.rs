@@ -919,3 +919,24 @@ fn slope_of_what_is_given_is_no_law() {
     let collision = "Before it the momentum is\n\n$$ p = m v(t) $$\n\nand after it\n\n$$ p = m v'. $$\n\nHence\n\n$$ m v(t) = m v'. $$\n";
     assert_eq!(verdicts(collision)[2], "holds");
 }
+
+#[test]
+fn differentials_in_the_text_are_no_products() {
+    let after = |supposed: &str| verdicts(&format!("Let {supposed}. Then\n\n$$ U = T S $$\n"));
+    assert_eq!(after(r"$dU = T\,dS$"), ["given"]);
+    assert_eq!(after(r"$a U = T\,a S$"), ["holds"]);
+}
+
+#[test]
+fn what_holds_under_a_condition_alone_rests_on_nothing_else() {
+    let rests = |after: &str| {
+        let text =
+            format!("$$ F = m a $$\n\nHence\n\n$$ 2 F = 3 m a $$\n\nHence\n\n$$ {after} $$\n");
+        let audit = Audit::of(&Derivation::from_markdown("page.md", &text));
+        !audit.entries[2].rests_on.is_empty()
+    };
+    assert!(!rests(r"\tan x = \frac{\sin x}{\cos x}"));
+    assert!(!rests(r"\frac{y^2}{y} = y"));
+    // What comes from the failing step rests on it under a condition, too.
+    assert!(rests(r"\frac{2 F}{m} = 3 a"));
+}

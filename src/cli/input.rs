@@ -1,9 +1,10 @@
 //! Documents from files, directories and standard input.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
+use std::time::SystemTime;
 
 use crate::derivation::{Beside, Derivation};
 use crate::document::{Document, Library, Problem, Span, decode};
@@ -20,15 +21,29 @@ const ENDINGS: [&str; 4] = ["md", "markdown", "tex", "ipynb"];
 /// Nobody writes a longer document.
 const MOST_BYTES: u64 = 256 << 20;
 
+/// What can be seen of files without reading them: when they were changed, and how long they are. `None` where there is none.
+pub type Look = BTreeMap<PathBuf, Option<(SystemTime, u64)>>;
+
+/// What can be seen of one.
+pub(super) fn seen(path: &Path) -> Option<(SystemTime, u64)> {
+    let about = std::fs::metadata(path).ok()?;
+    Some((about.modified().ok()?, about.len()))
+}
+
 /// The files on this machine, remembering which were asked for.
 #[derive(Default)]
 struct Disk {
     opened: Mutex<BTreeSet<PathBuf>>,
+    /// What was seen of each before it was read, and of what was not there.
+    looks: Mutex<Look>,
 }
 
 impl Library for Disk {
     fn open(&self, path: &str) -> Option<Vec<u8>> {
         let path = Path::new(path);
+        if let Ok(mut looks) = self.looks.lock() {
+            looks.entry(path.to_owned()).or_insert_with(|| seen(path));
+        }
         let about = std::fs::metadata(path).ok()?;
         if !about.is_file() || about.len() > MOST_BYTES {
             return None;
@@ -48,6 +63,8 @@ pub struct Documents {
     pub derivation: Derivation,
     /// The files that they are in, those that they take in among them; each in one spelling.
     pub files: BTreeSet<PathBuf>,
+    /// What was seen of the files that documents take in, or would if they were there.
+    pub taken_in: Look,
 }
 
 /// Reads all documents at some paths as one derivation. `stdin` is what standard input is called, and its ending says
@@ -89,10 +106,12 @@ pub fn derivation(
             Err(failure) if !paths.contains(file) => vec![unreadable(name, failure)],
             read => read?,
         };
-        Ok((documents, disk.opened.into_inner().unwrap_or_default()))
+        let looks = disk.looks.into_inner().unwrap_or_default();
+        let opened = disk.opened.into_inner().unwrap_or_default();
+        Ok(((documents, opened), looks))
     });
-    let read: Vec<(Vec<Document>, BTreeSet<PathBuf>)> =
-        read.into_iter().collect::<Result<_, Failure>>()?;
+    let read: Vec<_> = read.into_iter().collect::<Result<_, Failure>>()?;
+    let (read, looks): (Vec<_>, Vec<Look>) = read.into_iter().unzip();
     let own: Vec<PathBuf> = files.iter().map(|file| same(file)).collect();
     let opened = read.iter().flat_map(|(_, opened)| opened);
     let all: BTreeSet<PathBuf> = own.iter().chain(opened).cloned().collect();
@@ -119,6 +138,7 @@ pub fn derivation(
     Ok(Documents {
         derivation: Derivation::beside(documents.collect()),
         files: all,
+        taken_in: looks.into_iter().flatten().collect(),
     })
 }
 

@@ -8,6 +8,7 @@ use num_traits::One;
 
 use super::args::{Args, Builtin, Command, Format, Gate};
 use super::config::{self, Configs};
+use super::input::Look;
 use super::output::{self, Content};
 use super::{Failure, audit, file, halves, html, init, input, manual, plot, scenario, simulate};
 use crate::audit::Audit;
@@ -21,6 +22,11 @@ pub(super) type Done = Result<(Content, bool), Failure>;
 
 /// Does what is asked.
 pub(super) fn run(args: &Args) -> Done {
+    run_looking(args, &mut Look::new())
+}
+
+/// The same; of a check, with what is seen of the files that its documents take in.
+pub(super) fn run_looking(args: &Args, taken_in: &mut Look) -> Done {
     let drawn = matches!(args.format, Format::Dot | Format::Svg);
     if drawn && !matches!(args.command, Some(Command::Graph { .. } | Command::Plot(_))) {
         return Err(Failure::new("only `graph` and `plot` draw").help(
@@ -75,7 +81,8 @@ pub(super) fn run(args: &Args) -> Done {
             gate,
             watch: _,
         }) => {
-            let (derivation, shown) = read(args, paths, stdin_filename.as_deref())?;
+            let (derivation, shown, looks) = looked_at(args, paths, stdin_filename.as_deref())?;
+            *taken_in = looks;
             audit::audit(derivation, args, gate, &shown)
         }
         Some(Command::Explain {
@@ -215,6 +222,16 @@ fn read(
     paths: &[PathBuf],
     stdin_filename: Option<&str>,
 ) -> Result<(Derivation, Vec<String>), Failure> {
+    let (derivation, asked, _) = looked_at(args, paths, stdin_filename)?;
+    Ok((derivation, asked))
+}
+
+/// The same, with what is seen of the files that documents take in.
+fn looked_at(
+    args: &Args,
+    paths: &[PathBuf],
+    stdin_filename: Option<&str>,
+) -> Result<(Derivation, Vec<String>, Look), Failure> {
     let mut configs = Configs::new(args);
     let mut asked = shown(paths);
     let (files, listing) = match paths.is_empty() && stdin_filename.is_none() {
@@ -233,6 +250,7 @@ fn read(
     let input::Documents {
         derivation,
         files: mut read,
+        taken_in,
     } = input::derivation(&files, stdin_filename, &mut configs)?;
     // What `init --update` writes has all in it that it reads there.
     if !matches!(args.command, Some(Command::Init { update: true, .. })) {
@@ -242,7 +260,7 @@ fn read(
         file::spare(target, &read)?;
     }
     output::say(&config::unmet(&derivation));
-    Ok((derivation, asked))
+    Ok((derivation, asked, taken_in))
 }
 
 /// The files that are about to be written.

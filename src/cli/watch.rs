@@ -1,22 +1,21 @@
-//! Audits again whenever a document changes. Files are looked at a few times a second: their names, times and lengths.
+//! Audits again whenever a document changes, or a file that one takes in. Files are looked at a few times a second: their names, times and
+//! lengths.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 use super::args::Args;
 use super::config::{self, Configs};
-use super::{Failure, input, output, refuse, run};
+use super::input::{self, Look};
+use super::{Failure, output, refuse, run};
 
 /// How long is waited between two looks.
 const PAUSE: Duration = Duration::from_millis(200);
 /// Clears a terminal and what was scrolled away.
 const CLEAR: &str = "\x1b[2J\x1b[3J\x1b[H";
-
-/// What can be seen of the documents without reading them.
-type Look = BTreeMap<PathBuf, Option<(SystemTime, u64)>>;
 
 /// Goes on until Ctrl-C, or until nobody reads any more.
 pub fn watch(args: &Args, paths: &[PathBuf]) -> ExitCode {
@@ -25,9 +24,14 @@ pub fn watch(args: &Args, paths: &[PathBuf]) -> ExitCode {
         return refuse(&failure.help("name a file or a directory"), args.color);
     }
     let terminal = std::io::stdout().is_terminal() && args.output.is_none();
+    // Where documents cannot be read, what they took in before.
+    let mut taken_in = Look::new();
     loop {
         let before = look(args, paths);
-        let done = run::run(args);
+        for (path, own) in &mut taken_in {
+            *own = input::seen(path);
+        }
+        let done = run::run_looking(args, &mut taken_in);
         if terminal {
             let _ = output::data(CLEAR, super::args::Color::Always);
         }
@@ -42,7 +46,8 @@ pub fn watch(args: &Args, paths: &[PathBuf]) -> ExitCode {
         output::say(&format!(
             "watching {documents} document{plural}; Ctrl-C ends\n"
         ));
-        while look(args, paths) == before {
+        let is_same = |(path, own): (&PathBuf, &_)| input::seen(path) == *own;
+        while look(args, paths) == before && taken_in.iter().all(is_same) {
             std::thread::sleep(PAUSE);
         }
     }
@@ -67,12 +72,8 @@ fn look(args: &Args, paths: &[PathBuf]) -> Look {
         .filter_map(|file| Some(file.parent()?.to_owned()))
         .collect();
     files.extend(config::candidates(args, &folders));
-    let seen = |file: &PathBuf| {
-        let about = std::fs::metadata(file).ok()?;
-        Some((about.modified().ok()?, about.len()))
-    };
     files
         .into_iter()
-        .map(|file| (file.clone(), seen(&file)))
+        .map(|file| (file.clone(), input::seen(&file)))
         .collect()
 }

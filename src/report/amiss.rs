@@ -2,7 +2,7 @@
 
 use annotate_snippets::{AnnotationKind, Element, Group, Level, Renderer};
 
-use super::diagnostic::snippet;
+use super::diagnostic::with_snippet;
 use crate::config::Amiss;
 
 /// All that is wrong, laid out as findings are.
@@ -11,7 +11,7 @@ pub fn amiss(amiss: &Amiss) -> String {
     for problem in &amiss.problems {
         let title = Level::ERROR.primary_title(problem.message.as_str());
         let marks = [(AnnotationKind::Primary, problem.span, "")];
-        let mut group = Group::with_title(title).element(snippet(&amiss.file, &marks));
+        let mut group = with_snippet(Group::with_title(title), &amiss.file, &marks);
         if let Some(help) = problem.help.as_deref().filter(|help| !help.is_empty()) {
             group = group.element(Element::Message(Level::HELP.message(help)));
         }

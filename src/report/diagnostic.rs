@@ -5,7 +5,7 @@ mod dimensions;
 mod fails;
 mod notes;
 
-use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
 
 use crate::audit::{Entry, Note, Verdict};
 use crate::document::{File, Span};
@@ -15,6 +15,9 @@ use crate::sorted;
 use super::remark::{Known, Subject};
 use super::words::plain_statement;
 use super::{Report, codes};
+
+/// So much of a line is given to the renderer on either side of what is marked; it shows less.
+const MOST_BESIDE: usize = 512;
 
 /// One finding, before it is laid out.
 pub(super) struct Finding {
@@ -174,9 +177,10 @@ impl Report<'_> {
             }
         }
         let title = finding.level.clone().primary_title(finding.title.as_str());
-        let mut group = Group::with_title(title.id(finding.code)).element(snippet(own, &marks));
+        let titled = Group::with_title(title.id(finding.code));
+        let mut group = with_snippet(titled, own, &marks);
         for (file, span, label) in elsewhere {
-            group = group.element(snippet(file, &[(AnnotationKind::Context, span, label)]));
+            group = with_snippet(group, file, &[(AnnotationKind::Context, span, label)]);
         }
         for (level, text) in &finding.said {
             group = group.element(Element::Message(level.clone().message(text.as_str())));
@@ -185,25 +189,37 @@ impl Report<'_> {
     }
 }
 
-/// A part of a file with marks in it.
-pub(super) fn snippet<'a>(
+/// A group with a part of a file in it, with marks.
+pub(super) fn with_snippet<'a>(
+    mut group: Group<'a>,
     file: &'a File,
     marks: &[(AnnotationKind, Span, &str)],
-) -> Snippet<'a, Annotation<'a>> {
-    // Only the lines that are shown: the renderer reads all it is given, and there may be many findings.
+) -> Group<'a> {
+    // Only what is shown: the renderer reads all it is given, there may be many findings, and lines may be long.
     let whole = marks.iter().map(|mark| mark.1).reduce(Span::to);
     let whole = whole.unwrap_or_default();
     let full: &str = &file.source;
-    let start = full
-        .get(..whole.start)
-        .and_then(|s| s.rfind('\n'))
-        .map_or(0, |at| at + 1);
-    let rest = full.get(whole.end..).and_then(|s| s.find('\n'));
-    let end = rest.map_or(full.len(), |at| whole.end + at);
+    let far = |at: usize| within(full, Span::new(at, at)).start;
+    let (from, to) = (
+        far(whole.start.saturating_sub(MOST_BESIDE)),
+        far(whole.end + MOST_BESIDE),
+    );
+    let before = full.get(from..whole.start).and_then(|s| s.rfind('\n'));
+    let is_whole = before.is_some() || from == 0;
+    let start = before.map_or(from, |at| from + at + 1);
+    let after = full.get(whole.end..to).and_then(|s| s.find('\n'));
+    let end = after.map_or(to, |at| whole.end + at);
     let source = full.get(start..end).unwrap_or_default();
-    let mut snippet = Snippet::source(source)
-        .line_start(file.position(start).line)
-        .path(file.path.as_str());
+    let first = file.position(start);
+    let mut snippet = Snippet::source(source).line_start(first.line);
+    if is_whole {
+        snippet = snippet.path(file.path.as_str());
+    } else {
+        // The renderer counts columns from where its text begins.
+        let place = file.position(marks.first().map_or(start, |mark| mark.1.start));
+        let origin = Origin::path(file.path.as_str()).line(place.line);
+        group = group.element(origin.char_column(place.column));
+    }
     for (kind, span, label) in marks {
         let local = Span::new(
             span.start.saturating_sub(start),
@@ -215,7 +231,7 @@ pub(super) fn snippet<'a>(
             false => mark.label((*label).to_owned()),
         });
     }
-    snippet
+    group.element(snippet)
 }
 
 /// A place that could not be read.

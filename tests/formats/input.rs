@@ -1,6 +1,7 @@
 //! Standard input, files that are written, what is generated from the arguments, and the watch.
 
 use std::io::{BufRead, BufReader};
+use std::path::Path;
 use std::process::Stdio;
 use std::sync::atomic::AtomicUsize;
 use std::time::{Duration, Instant};
@@ -40,6 +41,23 @@ fn standard_input_has_the_name_that_it_is_given() {
         "{}",
         err(&useless)
     );
+}
+
+#[test]
+fn a_finding_in_a_long_line_is_shown_where_it_is() {
+    let shown = |words: &str| {
+        let text = FALSE.replace("$$ 1", &format!("{words}$$ 1")) + words;
+        out(&piped(&["check", "-"], &text))
+    };
+    let column = |shown: &str| -> usize {
+        let (_, place) = shown.split_once("--> standard input:2:").unwrap();
+        place.lines().next().unwrap().parse().unwrap()
+    };
+    let near = column(&shown(""));
+    let far = shown(&"wörd ".repeat(1_000));
+    assert_eq!(column(&far), near + 5_000, "{far}");
+    let excerpt = far.lines().find(|line| line.contains("$$ 1 + 1 = 3"));
+    assert!(excerpt.is_some_and(|line| line.len() < 200), "{far}");
 }
 
 #[test]
@@ -423,11 +441,14 @@ fn completions_and_manual_pages_know_the_commands() {
     assert!(err(&unknown).contains("check"), "{}", err(&unknown));
 }
 
-#[test]
-fn a_watched_page_is_audited_again_when_it_changes() {
-    let (folder, text) = well("watch");
-    let mut child = command(&["check", "well.md", "--watch", "--format", "short"])
-        .current_dir(&folder)
+/// What a watch says, until it has told a story.
+fn watched(
+    folder: &Path,
+    file: &str,
+    story: impl FnOnce(&mut dyn FnMut(&str) -> Result<(), String>) -> Result<(), String>,
+) -> Result<(), String> {
+    let mut child = command(&["check", file, "--watch", "--format", "short"])
+        .current_dir(folder)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
@@ -460,8 +481,17 @@ fn a_watched_page_is_audited_again_when_it_changes() {
             }
         }
     };
+    let told = story(&mut wait_for);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    told
+}
+
+#[test]
+fn a_watched_page_is_audited_again_when_it_changes() {
+    let (folder, text) = well("watch");
     let page = folder.join("well.md");
-    let story = (|| {
+    let story = watched(&folder, "well.md", |wait_for| {
         wait_for("watching 1 document; Ctrl-C ends")?;
         std::fs::write(&page, text.replace(r"\frac{v^2}{2 g}", r"\frac{v^2}{50 g}")).unwrap();
         wait_for("well.md:25:8: error[fails]: equation (4)")?;
@@ -471,10 +501,32 @@ fn a_watched_page_is_audited_again_when_it_changes() {
         wait_for("there is no file or directory")?;
         std::fs::write(&page, &text).unwrap();
         wait_for("watching 1 document")
-    })();
-    child.kill().unwrap();
-    child.wait().unwrap();
+    });
     assert_eq!(story, Ok(()));
     let refused = piped(&["check", "-", "--watch"], FALSE);
     assert_eq!(code(&refused), 2);
+}
+
+#[test]
+fn what_a_watched_document_takes_in_is_watched_too() {
+    let (folder, _) = well("watch-input");
+    let main = r"\begin{document} \input{sub} \end{document}";
+    std::fs::write(folder.join("main.tex"), main).unwrap();
+    let sub = folder.join("sub.tex");
+    let write = |right: &str| {
+        let derived = "% check: derived\n";
+        std::fs::write(&sub, format!("{derived}\\[ 1 + 1 = {right} \\]\n")).unwrap();
+    };
+    let story = watched(&folder, "main.tex", |wait_for| {
+        // It is not there yet.
+        wait_for("main.tex:1:18: error[unreadable]")?;
+        wait_for("watching 1 document")?;
+        write("3");
+        wait_for("sub.tex:2:12: error[fails]")?;
+        wait_for("watching 1 document")?;
+        write("22");
+        wait_for("right 22")?;
+        wait_for("watching 1 document")
+    });
+    assert_eq!(story, Ok(()));
 }

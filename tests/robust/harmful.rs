@@ -51,6 +51,10 @@ pub fn made() -> Vec<(String, Vec<u8>)> {
             ]),
         ),
         (
+            "many-names.md",
+            page(&[format!("{} = 1", named(1_000).join(" + "))]),
+        ),
+        (
             "many-sides.md",
             page(&[format!("x = {}", vec!["a"; 3_000].join(" = "))]),
         ),
@@ -73,6 +77,7 @@ pub fn made() -> Vec<(String, Vec<u8>)> {
             "many-rows-of-one-chain.tex",
             format!("\\begin{{align}}\na &= b{go_on}\n\\end{{align}}").into_bytes(),
         ),
+        ("many-empty.md", "$$".repeat(5_000).into_bytes()),
         ("many-unclosed.md", "\\[".repeat(2_000).into_bytes()),
         (
             "many-quotations.md",

@@ -320,15 +320,25 @@ impl Judge<'_> {
                     return found;
                 }
                 // A condition that the premises rule out proves nothing.
-                let with: Vec<Assumed> = conditions.iter().map(step).collect();
-                let all: Vec<Assumed> = assumed.iter().cloned().chain(with.clone()).collect();
+                let with = conditions.iter().map(step);
+                let all: Vec<Assumed> = assumed.iter().cloned().chain(with).collect();
                 if self.is_contradictory(&all, goal) {
                     found.contradictory = sources(&assumed);
                     return found;
                 }
-                found.judged.assumed.extend(with);
-                found.conditions = conditions;
-                found.judged.outcome = Outcome::Proven(derived.proven.into());
+                // What follows under a condition alone rests on nothing else.
+                let posed = search::pose(self.derivation.claim(self.at, &all, &goal.formula));
+                let again = posed
+                    .ok()
+                    .and_then(|posed| Some((search::prove_posed(&posed, Effort::Light)?, posed)));
+                let (kept, least) = match again {
+                    Some((derived, posed)) => self.least(all, goal, &posed, derived),
+                    None => (all, derived.proven),
+                };
+                let is_kept = |own: &Formula| kept.contains(&step(own));
+                found.conditions = conditions.into_iter().filter(is_kept).collect();
+                found.judged.assumed = kept;
+                found.judged.outcome = Outcome::Proven(least.into());
             }
             Decision::Refuted(refuted) => {
                 let claim = self.derivation.claim(self.at, &assumed, &goal.formula);

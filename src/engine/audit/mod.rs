@@ -42,7 +42,7 @@ mod throughout;
 mod unstated;
 mod without;
 
-use std::cell::{OnceCell, Ref, RefCell};
+use std::cell::{Ref, RefCell};
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
@@ -111,6 +111,7 @@ impl Audit {
             schedule: Schedule::new(derivation, is_wanted),
             dimensions: OnceLock::new(),
             givens: derivation.pages.iter().map(|_| OnceLock::new()).collect(),
+            moving: derivation.pages.iter().map(|_| OnceLock::new()).collect(),
             duplicates: derivation.duplicates().into_iter().collect(),
             done: derivation
                 .equations
@@ -184,6 +185,8 @@ struct Shared<'a> {
     dimensions: OnceLock<Dimensions>,
     /// What is given on each page, once somebody has looked at it.
     givens: Vec<OnceLock<given::Models>>,
+    /// What each page says of what moves, once it is asked for.
+    moving: Vec<OnceLock<moving::Moving>>,
     duplicates: Map<usize, usize>,
     /// Filled in reading order within each part.
     done: Vec<OnceLock<Done>>,
@@ -229,8 +232,6 @@ struct Auditor<'a> {
     givens: &'a given::Models,
     /// Points at which premises were found to hold together, the latest first.
     points: RefCell<Vec<Assignment>>,
-    /// What the page says of what moves, once it is asked for.
-    moving: OnceCell<moving::Moving>,
 }
 
 impl<'a> Auditor<'a> {
@@ -240,7 +241,6 @@ impl<'a> Auditor<'a> {
             derivation: shared.derivation,
             givens,
             points: RefCell::new(points),
-            moving: OnceCell::new(),
         }
     }
 }

@@ -226,8 +226,8 @@ impl Judge<'_> {
 
 impl Auditor<'_> {
     fn moving(&self, page: usize) -> &Moving {
-        let derivation = self.derivation;
-        self.moving.get_or_init(|| Moving::of(derivation, page))
+        let of_page = || Moving::of(self.derivation, page);
+        self.shared.moving[page].get_or_init(of_page)
     }
 
     /// By what an equation and those before it on its page differentiate.

@@ -66,6 +66,7 @@ impl<'a> Review<'a> {
             schedule: Schedule::finished(),
             dimensions: OnceLock::new(),
             givens: Vec::new(),
+            moving: derivation.pages.iter().map(|_| OnceLock::new()).collect(),
             duplicates: Map::new(),
             done: done.into_iter().map(OnceLock::from).collect(),
             progress: &FINISHED,

@@ -12,6 +12,7 @@ mod checker;
 mod constants;
 mod counts;
 mod definition;
+mod differentials;
 mod doubts;
 mod equation;
 mod euler;

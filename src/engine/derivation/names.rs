@@ -3,82 +3,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Expr, Formula, Symbol};
-use crate::notation::{Before, BeforeKind, Clause, SyntaxError};
+use crate::algebra::{Formula, Symbol};
+use crate::notation::{Before, BeforeKind, SyntaxError};
 
 use super::{Equation, formulas, slopes};
-
-/// So many in one display are no accident.
-const FEWEST_DIFFERENTIALS: usize = 2;
-
-/// Refuses the equations of a page with differentials, `dU = T\,dS - p\,dV`: what they mean is not known here, and a product with a
-/// number `d` it is not.
-///
-/// A `d` that is declared, or stands anywhere but before a symbol, is a symbol like others.
-pub(super) fn refuse_differentials(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
-    for d in ["d", "\\text{d}"].map(Symbol::new) {
-        if declared(&d) {
-            continue;
-        }
-        let count = |equation: &Equation| {
-            let mut found = Occurrences::default();
-            let clauses = equation.statements().iter().flat_map(|s| &s.clauses);
-            let sides = clauses.flat_map(|clause| match clause {
-                Clause::Chain { sides, .. } => sides.as_slice(),
-                Clause::AllEqual { value, .. } => value.as_slice(),
-            });
-            for side in sides {
-                found.count(&side.expr, &d);
-            }
-            found
-        };
-        let all: Vec<Occurrences> = equations.iter().map(count).collect();
-        if all.iter().any(|found| found.alone > 0) {
-            continue;
-        }
-        for (equation, found) in equations.iter_mut().zip(&all) {
-            if found.before_a_symbol >= FEWEST_DIFFERENTIALS
-                && let Some(first) = equation.statements().first()
-            {
-                equation.statements = Err(SyntaxError {
-                    span: first.span,
-                    message: "differentials are not understood".to_owned(),
-                    help: Some(format!(
-                        "write a derivative, or an integral; where `{d}` is a number, say `symbols {d}: …`"
-                    )),
-                });
-            }
-        }
-    }
-}
-
-/// Where a symbol stands.
-#[derive(Default)]
-struct Occurrences {
-    before_a_symbol: usize,
-    alone: usize,
-}
-
-impl Occurrences {
-    fn count(&mut self, term: &Expr, d: &Symbol) {
-        let children: Vec<&Expr> = term.children().collect();
-        for (at, child) in children.iter().enumerate() {
-            let follows = matches!(children.get(at + 1), Some(Expr::Symbol(_)));
-            match child {
-                Expr::Symbol(own) if own == d => {
-                    match matches!(term, Expr::Product(_)) && follows {
-                        true => self.before_a_symbol += 1,
-                        false => self.alone += 1,
-                    }
-                }
-                child => self.count(child, d),
-            }
-        }
-        if matches!(term, Expr::Symbol(own) if own == d) {
-            self.alone += 1;
-        }
-    }
-}
 
 /// `x` of `\dot{x}`.
 pub(super) fn undotted(name: &Symbol) -> Option<Symbol> {

@@ -21,7 +21,7 @@ use super::equation::each_side;
 use super::meanings::{Meanings, section_ends};
 use super::reader::Reader;
 use super::supposed::Local;
-use super::{Equation, counts, doubts, names};
+use super::{Equation, counts, differentials, doubts, names};
 
 /// Of no more words in parentheses it is asked whether they cite.
 const MOST_REMARKS: usize = 64;
@@ -157,8 +157,10 @@ pub(super) fn read_page(
         _ => None,
     });
     let alone = |math: &Inline| read_symbol(page.document.text(math.body)).ok();
-    doubts::refuse(&mut equations, declared, prose.flatten().filter_map(alone));
-    names::refuse_differentials(&mut equations, declared);
+    let spoken_of: Set<Symbol> = prose.flatten().filter_map(alone).collect();
+    let is_symbol = |name: &Symbol| declared(name) || spoken_of.contains(name);
+    doubts::refuse(&mut equations, declared, spoken_of.iter().cloned());
+    differentials::refuse(&mut equations, is_symbol);
     if let Some(beside) = page.beside.clone() {
         page.give(&beside, &mut equations, &derived);
     }

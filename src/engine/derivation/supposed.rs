@@ -9,6 +9,7 @@ use crate::kernel::Standing;
 use crate::notation::{Clause, Statement, SyntaxError, read_expr, read_formulas, read_symbol};
 
 use super::definition::Known;
+use super::differentials;
 use super::doubts::{OnPage, doubtful};
 use super::equation::{Equation, formulas};
 use super::meanings::renamed;
@@ -196,7 +197,8 @@ impl Page {
             }
         };
         let declared = |name: &Symbol| self.is_declared(name);
-        if let Some(error) = doubtful(&statements, &declared, &OnPage::default()) {
+        let doubtful = doubtful(&statements, &declared, &OnPage::default());
+        if let Some(error) = doubtful.or_else(|| differentials::shown(&statements, declared)) {
             return Err(error);
         }
         self.read_exponentials(statements.iter_mut());

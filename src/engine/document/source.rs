@@ -62,17 +62,40 @@ pub(super) fn decode(bytes: &[u8]) -> Result<&str, NotUtf8> {
     })
 }
 
+/// Of so many bytes the characters are counted once: a line may be very long, and much be asked of it.
+const BLOCK: usize = 1024;
+
 /// Where each line starts; found once, then asked by bisection.
 #[derive(Clone, Debug)]
 pub(super) struct Lines {
     starts: Vec<usize>,
+    /// How many characters begin before each block of bytes.
+    before: Vec<usize>,
 }
 
 impl Lines {
     pub(super) fn of(source: &str) -> Lines {
+        let mut sum = 0;
+        let counted = source.as_bytes().chunks(BLOCK).map(|block| {
+            let before = sum;
+            sum += characters(block);
+            before
+        });
+        let before = counted.collect();
         Lines {
             starts: line_starts(source.as_bytes()),
+            before,
         }
+    }
+
+    /// How many characters begin before an offset.
+    fn characters_before(&self, source: &str, offset: usize) -> usize {
+        let block = offset / BLOCK;
+        let Some(before) = self.before.get(block) else {
+            // The end of a text that ends with a block.
+            return source.chars().count();
+        };
+        before + characters(&source.as_bytes()[block * BLOCK..offset])
     }
 
     pub(super) fn position(&self, source: &str, offset: usize) -> Position {
@@ -82,12 +105,19 @@ impl Lines {
         }
         let line = self.starts.partition_point(|&start| start <= offset);
         let start = line.checked_sub(1).map_or(0, |index| self.starts[index]);
-        let before = source[start..offset].trim_start_matches('\u{feff}');
+        let mark = usize::from(source[start..offset].starts_with('\u{feff}'));
+        let before = |at| self.characters_before(source, at);
         Position {
             line: line.max(1),
-            column: before.chars().count() + 1,
+            column: before(offset) - before(start) - mark + 1,
         }
     }
+}
+
+/// How many characters begin in a part of a text.
+fn characters(bytes: &[u8]) -> usize {
+    let begins = |byte: &&u8| **byte & 0b1100_0000 != 0b1000_0000;
+    bytes.iter().filter(begins).count()
 }
 
 /// `\n`, `\r\n` and a lone `\r` each end a line.

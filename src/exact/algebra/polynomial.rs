@@ -150,16 +150,12 @@ impl Polynomial {
     pub fn vars(&self) -> Vars {
         let mut vars = Vars::new();
         for (monomial, _) in &self.terms {
-            for &(var, _) in monomial.powers() {
-                match vars.last() {
-                    Some(last) if *last >= var => {
-                        if let Err(at) = vars.binary_search(&var) {
-                            vars.insert(at, var);
-                        }
-                    }
-                    _ => vars.push(var),
-                }
-            }
+            let powers = monomial.powers().iter().map(|power| power.0);
+            vars.extend(powers);
+        }
+        if !vars.is_sorted_by(|a, b| a < b) {
+            vars.sort_unstable();
+            vars.dedup();
         }
         vars
     }

@@ -11,7 +11,7 @@ use super::units::unit_choices;
 use super::values::{candidates, rational_roots};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
 use crate::kernel::{Fact, Sign};
-use crate::sorted::{self, Map};
+use crate::sorted::{self, Map, Set};
 
 /// What a point must satisfy.
 pub struct Target {
@@ -97,7 +97,7 @@ type Solution = Map<Var, Rational>;
 struct Open {
     polynomial: Polynomial,
     sign: Sign,
-    vars: Mask,
+    vars: Unknowns,
     /// The unknown to solve for, where the fact is an equation that is linear in one with a constant
     /// coefficient: one that may be any number before an integer, then the one met last.
     solvable: Option<(bool, Var)>,
@@ -115,9 +115,73 @@ impl Mask {
         Mask(1 << bit)
     }
 
+    /// Whether others share its bit.
+    fn is_shared(self) -> bool {
+        self.0 == 1 << Mask::LAST
+    }
+
     /// Whether an unknown may be in the set; certain but for the last bit.
     fn may_have(self, var: Var) -> bool {
         self.0 & Mask::of(var).0 != 0
+    }
+}
+
+/// The unknowns of a polynomial.
+struct Unknowns {
+    /// The first in order.
+    first: Option<Var>,
+    met: Mask,
+    /// Those in more than one term.
+    again: Mask,
+    /// Those that have no bit of their own, in order, each as often as there are terms with it.
+    far: Vec<Var>,
+}
+
+impl Unknowns {
+    fn of(polynomial: &Polynomial) -> Unknowns {
+        let (mut met, mut again) = (Mask::default(), Mask::default());
+        let (mut first, mut far) = (None, Vec::new());
+        for (monomial, _) in polynomial.terms() {
+            for &(var, _) in monomial.powers() {
+                if first.is_none_or(|first| var < first) {
+                    first = Some(var);
+                }
+                let own = Mask::of(var);
+                again.0 |= met.0 & own.0;
+                met.0 |= own.0;
+                if own.is_shared() {
+                    far.push(var);
+                }
+            }
+        }
+        far.sort_unstable();
+        Unknowns {
+            first,
+            met,
+            again,
+            far,
+        }
+    }
+
+    fn has(&self, var: Var) -> bool {
+        self.met.may_have(var)
+            && (!Mask::of(var).is_shared() || self.far.binary_search(&var).is_ok())
+    }
+
+    /// Whether one of these is in a single term.
+    fn is_once(&self, var: Var) -> bool {
+        match Mask::of(var).is_shared() {
+            true => {
+                let first = self.far.partition_point(|own| *own < var);
+                self.far.get(first + 1) != Some(&var)
+            }
+            false => !self.again.may_have(var),
+        }
+    }
+
+    /// Whether there is one at most.
+    fn is_single(&self) -> bool {
+        self.met.0.count_ones() <= 1 && self.far.first() == self.far.last()
     }
 }
 
@@ -127,14 +191,9 @@ impl Open {
         if let Some(value) = polynomial.as_constant() {
             return Err(satisfies(&value, sign));
         }
-        let mut vars = Mask::default();
-        for (monomial, _) in polynomial.terms() {
-            for &(var, _) in monomial.powers() {
-                vars.0 |= Mask::of(var).0;
-            }
-        }
+        let vars = Unknowns::of(&polynomial);
         let solvable = match sign {
-            Sign::Zero => solvable(&polynomial, integers),
+            Sign::Zero => solvable(&polynomial, &vars, integers),
             _ => None,
         };
         Ok(Open {
@@ -146,35 +205,25 @@ impl Open {
     }
 
     fn has(&self, var: Var) -> bool {
-        self.vars.may_have(var)
-            && (Mask::of(var).0 != 1 << Mask::LAST || self.polynomial.degree_in(var) > 0)
+        self.vars.has(var)
     }
 
     /// The only unknown, where there is just one.
     fn single(&self) -> Option<Var> {
-        if self.vars.0.count_ones() > 1 {
-            return None;
-        }
-        let vars = self.polynomial.vars();
-        (vars.len() == 1).then(|| vars[0])
+        let vars = self.vars.is_single().then(|| self.polynomial.vars())?;
+        vars.first().copied()
     }
 }
 
 /// Unknowns met late are solved for first: those of the goal stay free.
-fn solvable(equation: &Polynomial, integers: &[Var]) -> Option<(bool, Var)> {
+fn solvable(equation: &Polynomial, vars: &Unknowns, integers: &[Var]) -> Option<(bool, Var)> {
     let mut best = None;
     for (monomial, _) in equation.terms() {
         let [(var, 1)] = monomial.powers() else {
             continue;
         };
         let own = Some((!integers.contains(var), *var));
-        if own > best
-            && equation
-                .terms()
-                .filter(|(m, _)| m.exponent(*var) > 0)
-                .count()
-                == 1
-        {
+        if own > best && vars.is_once(*var) {
             best = own;
         }
     }
@@ -190,7 +239,7 @@ impl Target {
         let certain = facts
             .iter()
             .filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive));
-        let nonzero: Vec<Var> = certain.filter_map(|f| f.polynomial.as_var()).collect();
+        let nonzero: Set<Var> = certain.filter_map(|f| f.polynomial.as_var()).collect();
         let mut preferred = target.order.clone();
         sorted::sort_by_key(&mut preferred, |var| !nonzero.contains(var));
         let all = facts.iter().map(|f| &f.polynomial);
@@ -406,8 +455,7 @@ impl Search<'_> {
     /// The next unknown to try numbers for, and whether an equation ties it down: one of the equation with the fewest unknowns,
     /// for what is wrong with a choice is then soonest seen; without equations, one of a condition.
     fn next_var(&self, state: &State) -> Option<(Var, bool)> {
-        let unknowns = |equation: &&Rc<Open>| equation.vars.0.count_ones();
-        let first = |open: &Rc<Open>| self.order.iter().copied().find(|&var| open.has(var));
+        let unknowns = |equation: &&Rc<Open>| equation.vars.met.0.count_ones();
         let urgent = match self.wanted {
             Wanted::Any => self.urgent(state),
             Wanted::Simple => None,
@@ -416,11 +464,10 @@ impl Search<'_> {
             return Some((var, true));
         }
         if let Some(narrowest) = state.equations.iter().min_by_key(unknowns) {
-            return first(narrowest).map(|var| (var, true));
+            return narrowest.vars.first.map(|var| (var, true));
         }
-        let in_conditions = |var: &&Var| state.conditions.iter().any(|f| f.has(**var));
-        let free = self.order.iter().find(in_conditions);
-        free.map(|&var| (var, false))
+        let free = state.conditions.iter().filter_map(|own| own.vars.first);
+        free.min().map(|var| (var, false))
     }
 
     /// An unknown that cannot wait.
@@ -441,7 +488,7 @@ impl Search<'_> {
         };
         let all = state.equations.iter();
         let narrowest = all
-            .map(|equation| (own(equation), equation.vars.0.count_ones()))
+            .map(|equation| (own(equation), equation.vars.met.0.count_ones()))
             .min_by_key(|((waits, _), unknowns)| (*waits, *unknowns));
         narrowest.and_then(|((_, asked), _)| asked)
     }
@@ -451,18 +498,19 @@ impl Search<'_> {
             return None;
         }
         let mut point: Map<Var, Rational> = Map::new();
-        // What was solved first may depend on what was solved later. Unknowns that are free still are 1.
+        // Unknowns that are free still are 1.
+        let settled: Set<Var> = state.solved.iter().map(|own| own.0).collect();
+        for free in state.solved.iter().flat_map(|(_, value)| value.vars()) {
+            if !settled.contains(&free) {
+                point.insert(free, Rational::one());
+            }
+        }
+        // What was solved first may depend on what was solved later.
         for (var, value) in state.solved.iter().rev() {
             let known = |v: Var| Some(point.get(&v).cloned().unwrap_or_else(Rational::one));
             let value = value.evaluate(known).ok()??;
             if self.integers.contains(var) && !value.is_integer() {
                 return None;
-            }
-            for free in state.solved.iter().flat_map(|(_, p)| p.vars()) {
-                let settled = state.solved.iter().any(|(v, _)| *v == free);
-                if !settled {
-                    point.entry(free).or_insert_with(Rational::one);
-                }
             }
             point.insert(*var, value);
         }

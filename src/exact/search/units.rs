@@ -5,7 +5,7 @@
 //! physicist's "let m = v₀ = 1".
 
 use crate::algebra::{Polynomial, Rational, Var};
-use crate::sorted::{Map, Set};
+use crate::sorted::{self, Map, Set};
 
 /// An equation between exponents: the coefficients that are not 0, by the place of the unknown. Most rows name two or three.
 type Row = Map<usize, Rational>;
@@ -26,12 +26,18 @@ pub fn unit_choices<'a>(
     }
     // All terms of a polynomial must scale alike.
     for polynomial in polynomials {
-        let mut terms = polynomial.terms().map(|(monomial, _)| -> Row {
+        let terms = polynomial.terms().map(|(monomial, _)| -> Row {
             let powers = monomial.powers().iter();
             powers
                 .filter_map(|(var, exponent)| Some((*place.get(var)?, (*exponent).into())))
                 .collect()
         });
+        // Each is held against the one whose last unknown comes first: in a sum of many unknowns every row is then led by one of its own,
+        // and none has to be led on through those before it.
+        let mut terms: Vec<Row> = terms.collect();
+        let last = |row: &Row| row.last_key_value().map(|own| *own.0);
+        sorted::sort_by_key(&mut terms, last);
+        let mut terms = terms.into_iter();
         let Some(first) = terms.next() else {
             continue;
         };
