@@ -15,63 +15,62 @@ const LEAST_INDEXED: usize = 2;
 const MOST_INDICES: usize = 4;
 
 impl Judge<'_> {
-    /// What equations say of the particular things that a step speaks of.
+    /// What equations say of the particular things that a step speaks of; nothing where it speaks of something that none of them does:
+    /// that may be what differs as well.
     pub(super) fn instances(&self, goal: &Goal, assumed: &[Assumed]) -> Vec<Assumed> {
-        let page = self.derivation.equations[self.at].page;
-        let mut spoken = goal.formula.names();
-        let told = |own: &&Assumed| matches!(own.source, Source::Local(..));
-        spoken.extend(
-            assumed
-                .iter()
-                .filter(told)
-                .flat_map(|own| own.formula.names()),
-        );
-        let indices: Set<&str> = spoken.iter().filter_map(index).collect();
+        let names = goal.formula.names();
+        let said = |own: &&Assumed| matches!(own.source, Source::Equation(_));
+        let told = assumed.iter().filter(|own| !said(own));
+        let mut spoken = names.clone();
+        spoken.extend(told.flat_map(|own| own.formula.names()));
+        let laws = || assumed.iter().filter(said);
+        let known: Set<Symbol> = laws().flat_map(|own| own.formula.names()).collect();
+        // Of what has an equation of its own nothing is said by another.
+        let new = spoken.iter().filter(|own| !known.contains(*own));
+        let indices: Set<&str> = new.filter_map(index).collect();
         if indices.is_empty() || indices.len() > MOST_INDICES {
             return Vec::new();
         }
-        let said = |own: &&Assumed| matches!(own.source, Source::Equation(_));
-        let laws = || assumed.iter().filter(said);
-        let known: Set<Symbol> = laws().flat_map(|own| own.formula.names()).collect();
-        let instance = |law: &Assumed, index: &str| {
-            let names = law.formula.names();
-            let indexed = |name: &Symbol| {
-                let own = with_index(name, index)?;
-                let is_spoken_of =
-                    spoken.contains(&own) || self.derivation.is_spoken_of(page, &own);
-                is_spoken_of.then(|| (name.clone(), own))
-            };
-            law.formula.as_equation()?;
-            let put: Map<Symbol, Symbol> = names.iter().filter_map(indexed).collect();
-            let here = put.values().filter(|own| spoken.contains(*own)).count();
-            let is_own = put.values().any(|own| names.contains(own));
-            // Of what has an equation of its own nothing is said by another.
-            let is_new = put.values().any(|own| !known.contains(own));
-            if here < LEAST_INDEXED || is_own || !is_new {
-                return None;
-            }
-            let formula = law.formula.map_terms(|term| {
-                let all = put.iter();
-                all.fold(term.clone(), |term, (name, own)| {
-                    term.substitute(name, &Expr::Symbol(own.clone()))
-                })
-            });
-            Some(Assumed {
-                formula: formula.into(),
-                ..law.clone()
-            })
-        };
+        let instance = |law, index| self.instance(law, index, &spoken);
         let all = laws().flat_map(|law| indices.iter().filter_map(|index| instance(law, index)));
-        all.collect()
+        let all: Vec<Assumed> = all.collect();
+        let mut said = known;
+        said.extend(all.iter().flat_map(|own| own.formula.names()));
+        match names.is_subset(&said) {
+            true => all,
+            false => Vec::new(),
+        }
     }
 
-    /// Whether all that a step speaks of is spoken of by laws for particular things, and what they are applied to.
+    /// A law for the thing with an index, where enough is `spoken` of that has the index.
+    fn instance(&self, law: &Assumed, index: &str, spoken: &Set<Symbol>) -> Option<Assumed> {
+        law.formula.as_equation()?;
+        let page = self.derivation.equations[self.at].page;
+        let names = law.formula.names();
+        let indexed = |name: &Symbol| {
+            let own = with_index(name, index)?;
+            let exists = spoken.contains(&own) || self.derivation.is_spoken_of(page, &own);
+            exists.then(|| (name.clone(), own))
+        };
+        let put: Map<Symbol, Symbol> = names.iter().filter_map(indexed).collect();
+        let here = put.values().filter(|own| spoken.contains(*own)).count();
+        if here < LEAST_INDEXED || put.values().any(|own| names.contains(own)) {
+            return None;
+        }
+        let formula = law.formula.map_terms(|term| {
+            put.iter().fold(term.clone(), |term, (name, own)| {
+                term.substitute(name, &Expr::Symbol(own.clone()))
+            })
+        });
+        Some(Assumed {
+            formula: formula.into(),
+            ..law.clone()
+        })
+    }
+
+    /// Whether a step is about particular things of which laws say something.
     pub(super) fn is_of_instances(&self, goal: &Goal) -> bool {
-        let assumed = &self.usable.assumed;
-        let instances = self.instances(goal, assumed);
-        let said = assumed.iter().chain(&instances);
-        let said: Set<Symbol> = said.flat_map(|own| own.formula.names()).collect();
-        !instances.is_empty() && goal.formula.names().is_subset(&said)
+        !self.instances(goal, &self.usable.assumed).is_empty()
     }
 
     /// What would define something new by its first link, where a law for particular things says what that is. Who writes a ratio of two

@@ -131,8 +131,8 @@ impl Moving {
 
 impl Judge<'_> {
     /// What to say of a step that follows only where something stands still of which the page says how it moves. The counterexample obeys
-    /// what the page says of that, and at it all else stands still. Where there is none, and what the text
-    /// says is fixed lets nothing else stand still, the step is left open.
+    /// what the page says of that, and at it all else stands still. Where there is none, and that cannot stand
+    /// still beside what the page says, the step is left open.
     pub(super) fn moves_after_all(
         &self,
         goal: &Goal,
@@ -190,11 +190,8 @@ impl Judge<'_> {
         let mut own = Found::open(found.judged.clone());
         let Some(refuted) = search::refute_in_context(&claim, larger) else {
             let all = self.derivation.claim(self.at, &all, &goal.formula);
-            let equation = &self.derivation.equations[self.at];
-            let mut named = all.free_symbols().into_iter();
-            let is_fixed = named.any(|symbol| equation.is_told_constant(symbol));
             own.leave_open(MOVES);
-            return (is_fixed && !search::is_possible(&all, &still)).then_some(own);
+            return (!search::is_possible(&all, &still)).then_some(own);
         };
         own.judged.assumed = cited;
         own.judged.outcome = Outcome::Refuted(refuted.into());
