@@ -940,3 +940,37 @@ fn what_holds_under_a_condition_alone_rests_on_nothing_else() {
     // What comes from the failing step rests on it under a condition, too.
     assert!(rests(r"\frac{2 F}{m} = 3 a"));
 }
+
+/// Who divides one equation by another means that the other is not 0; which symbols that asks for is told.
+#[test]
+fn what_is_divided_by_is_not_nought() {
+    let drawn = |words: &str, value: &str| {
+        verdicts(&format!(
+            "At the critical point\n\n$$ T V^3 = 2 a (V - b)^2 \\tag{{1}} $$\n\n$$ T V^4 = 3 a (V - b)^3 \\tag{{2}} $$\n\n{words}\n\n$$ V = {value}. $$\n"
+        ))[2]
+    };
+    assert_eq!(drawn("Dividing (2) by (1) gives", "3 b"), "holds");
+    assert_eq!(drawn("Dividing (2) by (1) gives", "2 b"), "fails");
+    assert_eq!(drawn("From (1) and (2) we get", "3 b"), "fails");
+}
+
+/// What is integrated begins with the number that the text gives.
+#[test]
+fn integration_begins_with_a_number() {
+    let integrated = |words: &str, value: &str| {
+        verdicts(&format!(
+            "The slope is\n\n$$ \\frac{{dw}}{{dx}} = k x \\tag{{1}} $$\n\n{words} gives\n\n$$ w = {value}. $$\n"
+        ))[1]
+    };
+    let from_nought = "Integrating with $w = 0$ at $x = 0$";
+    assert_eq!(integrated(from_nought, r"\frac{k x^2}{2}"), "holds");
+    assert_eq!(integrated(from_nought, "k x^2"), "fails");
+    let from_two = "Integrating with $w = 2$ at $x = 0$";
+    assert_eq!(integrated(from_two, r"2 + \frac{k x^2}{2}"), "holds");
+    assert_eq!(integrated(from_two, r"\frac{k x^2}{2}"), "fails");
+    assert_ne!(
+        integrated("Integrating", r"\frac{k x^2}{2}"),
+        "holds",
+        "nothing is said of where it begins"
+    );
+}

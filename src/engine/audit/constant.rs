@@ -13,6 +13,8 @@ use super::judge::{Found, Judge, sources, step};
 use super::{Judged, Outcome, stated};
 use crate::sorted::Set;
 
+/// What integrates a slope brings along, where nobody gives it a name.
+const OF_INTEGRATION: &str = "\\text{constant of integration}";
 /// Why it is not known whether something is constant.
 const UNKNOWN: &str = "nothing that it may follow from shows that this does not change";
 
@@ -88,7 +90,9 @@ impl Judge<'_> {
             let mut terms = assumed.iter().flat_map(|own| own.formula.terms());
             terms.any(|term| term.mentions(symbol))
         };
-        let (constant, what) = isolated(left, right, is_known)?;
+        let Some((constant, what)) = isolated(left, right, is_known) else {
+            return self.integrated_from_a_number(goal, given, right, assumed, premises);
+        };
         let begins = self.derivation.values_said(equation.page, &constant)?;
         if begins.is_empty() && !equation.introduces.contains(&constant) {
             return None;
@@ -111,6 +115,37 @@ impl Judge<'_> {
         if !begins.iter().all(keeps) {
             return None;
         }
+        let own = Goal {
+            formula: Formula::equal(what, Expr::Symbol(constant.clone())),
+            ..goal.clone()
+        };
+        let mut found = self.is_constant(&own, &constant, assumed, premises);
+        found.judged.goal = goal.clone();
+        found.judged.outcome.is_proven().then_some(found)
+    }
+
+    /// The same where the text gives the number that something begins with: "Integrating with $w = 0$ at $x = 0$".
+    fn integrated_from_a_number(
+        &self,
+        goal: &Goal,
+        given: &Symbol,
+        right: &Expr,
+        assumed: Vec<Assumed>,
+        premises: &[usize],
+    ) -> Option<Found> {
+        let variable = self.variable()?;
+        let (said, number) = self.derivation.number_said(self.at, given)?;
+        if said.variable.is_some_and(|own| own != variable) {
+            return None;
+        }
+        let there = Formula::equal(right.substitute(&variable, &said.place), number);
+        let claim = self.derivation.claim(self.at, &[], &there);
+        search::prove_unconditionally(claim, Effort::Light)?;
+        let constant = Symbol::new(OF_INTEGRATION);
+        let what = Expr::Sum(vec![
+            Expr::Symbol(given.clone()),
+            Expr::Negate(right.clone().into()),
+        ]);
         let own = Goal {
             formula: Formula::equal(what, Expr::Symbol(constant.clone())),
             ..goal.clone()

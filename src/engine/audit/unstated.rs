@@ -258,6 +258,9 @@ impl Judge<'_> {
         if still && self.holds_still(goal, &set, claim, found) {
             return true;
         }
+        if effort == Effort::Full && self.follows_divided(goal, &set, &unbounded, found) {
+            return true;
+        }
         // Who writes a root means the positive one.
         let conditions = match takes_root(&goal.formula) {
             true => self.positive(goal, &set, &unbounded),
@@ -267,6 +270,35 @@ impl Judge<'_> {
         conditions.is_some_and(|conditions| {
             self.holds_under(goal, set.clone(), &conditions, Effort::Full, found)
         }) || effort == Effort::Full && self.follows_on_one_side(goal, &set, found)
+    }
+
+    /// Whether the step follows where nothing that is divided by is 0, if words say that something is: "Dividing (2) by (1)".
+    fn follows_divided(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        unbounded: &[Symbol],
+        found: &mut Found,
+    ) -> bool {
+        if !self.derivation.equations[self.at].divides {
+            return false;
+        }
+        let mut factors = Set::new();
+        let cited = set
+            .iter()
+            .filter(|own| matches!(own.source, Source::Equation(_)));
+        for (left, right) in cited.filter_map(|own| own.formula.as_equation()) {
+            collect_factors(left, &mut factors);
+            collect_factors(right, &mut factors);
+        }
+        let factors = factors.into_iter().filter(|own| unbounded.contains(own));
+        let conditions: Vec<Formula> = factors
+            .map(|own| Formula::nonzero(Expr::Symbol(own)))
+            .collect();
+        let with = conditions.iter().map(step);
+        let with: Vec<Assumed> = set.iter().cloned().chain(with).collect();
+        !self.is_contradictory(&with, goal)
+            && self.holds_under(goal, set.to_vec(), &conditions, Effort::Full, found)
     }
 
     /// Whether the step follows where what is differentiated nowhere does not change, and something is left that does.
@@ -420,6 +452,20 @@ impl Judge<'_> {
         found.judged.assumed = kept;
         found.judged.outcome = Outcome::Proven(least.into());
         true
+    }
+}
+
+/// The symbols that a side of an equation is divided by where one is divided by it.
+fn collect_factors(side: &Expr, factors: &mut Set<Symbol>) {
+    match side {
+        Expr::Symbol(symbol) => {
+            factors.insert(symbol.clone());
+        }
+        Expr::Product(parts) => parts.iter().for_each(|own| collect_factors(own, factors)),
+        Expr::Power(part, _) | Expr::Quotient(part, _) | Expr::Negate(part) => {
+            collect_factors(part, factors);
+        }
+        _ => {}
     }
 }
 

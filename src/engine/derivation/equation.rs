@@ -52,6 +52,8 @@ pub struct Equation {
     pub law_stands: bool,
     /// Whether words say that all factors of what is differentiated change: "by the product rule".
     pub all_vary: bool,
+    /// Whether words say that something is divided by something: "Dividing (2) by (1)".
+    pub divides: bool,
     /// Whether a mere "where" or "with" introduces it.
     pub meant: bool,
     /// It is one of several laws that the text announces.

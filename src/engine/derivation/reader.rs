@@ -64,6 +64,8 @@ struct Between {
     goes_on: bool,
     /// Whether they say that all factors change.
     all_vary: bool,
+    /// Whether they divide something by something.
+    divides: bool,
     /// The slope that they take of what they cite.
     takes: Option<Slope>,
     /// Whether they are a mere "where" or "with".
@@ -805,6 +807,7 @@ impl<'p> Reader<'p> {
             reasons: said.reasons,
             law_stands: false,
             all_vary: said.all_vary,
+            divides: said.divides,
             meant: said.meant,
             is_law: self.laws && said.is_uncited() && !drawn,
             circumstances: self.circumstances,
@@ -865,6 +868,7 @@ impl Between {
         self.said_last = prose.said_last.or(self.said_last);
         self.goes_on |= prose.goes_on;
         self.all_vary |= prose.all_vary;
+        self.divides |= prose.divides;
         self.takes = prose.slope.as_deref().copied();
         self.meant |= prose.says_what_is_meant;
         self.laws |= prose.announces_laws;

@@ -85,28 +85,60 @@ impl Derivation {
         if document.inline().count() > MOST_SAID {
             return None;
         }
-        let said = |body: Span| -> Vec<Formula> {
-            let read = read_formulas(&document.source, body).unwrap_or_default();
-            read.iter().flat_map(formulas).collect()
-        };
         let all: Vec<Span> = document.inline().map(|math| math.body).collect();
+        let value_of = Expr::Symbol(symbol.clone());
         let mut values = Vec::new();
         for (at, &body) in all.iter().enumerate() {
-            for formula in said(body) {
-                if !formula.names().contains(symbol) {
-                    continue;
+            for formula in said(document, body) {
+                if formula.names().contains(symbol) {
+                    let place = || place(document, &all, at);
+                    let value = value(&formula, &value_of);
+                    values.push(value.or_else(|| value_at(&formula, &value_of, &place()?))?);
                 }
-                let before = at.checked_sub(1).map(|at| all[at]);
-                let place = || match all.get(at + 1) {
-                    Some(&next) if comes_at(document, body, next) => Some(said(next)),
-                    _ => before.filter(|&own| goes_on(document, own, body)).map(said),
-                };
-                values.push(
-                    value(&formula, symbol).or_else(|| value_at(&formula, symbol, &place()?))?,
-                );
             }
         }
         Some(values)
+    }
+
+    /// The number that the text before a display says a symbol has at a place, the last one: "with $w = 0$ at $x = 0$".
+    pub fn number_said(&self, at: usize, of: &Symbol) -> Option<(ValueSaid, Expr)> {
+        let equation = &self.equations[at];
+        let document = &self.pages[equation.page].document;
+        let all: Vec<Span> = (document.inline().map(|math| math.body))
+            .take_while(|body| body.end <= equation.span.start)
+            .take(MOST_SAID)
+            .collect();
+        let number = |formula: &Formula| match formula.as_equation() {
+            Some((Expr::Symbol(own), number @ Expr::Number(_))) if own == of => {
+                Some(number.clone())
+            }
+            _ => None,
+        };
+        (0..all.len()).rev().find_map(|at| {
+            let mut read = said(document, all[at]).into_iter();
+            read.find_map(|formula| {
+                let number = number(&formula)?;
+                let place = place(document, &all, at)?;
+                Some((value_at(&formula, &number, &place)?, number))
+            })
+        })
+    }
+}
+
+fn said(document: &Document, body: Span) -> Vec<Formula> {
+    let read = read_formulas(&document.source, body).unwrap_or_default();
+    read.iter().flat_map(formulas).collect()
+}
+
+/// Where something has the value that a formula of a text gives it: what comes "at" after it, or begins the sentence.
+fn place(document: &Document, all: &[Span], at: usize) -> Option<Vec<Formula>> {
+    let body = all[at];
+    let before = at.checked_sub(1).map(|at| all[at]);
+    match all.get(at + 1) {
+        Some(&next) if comes_at(document, body, next) => Some(said(document, next)),
+        _ => before
+            .filter(|&own| goes_on(document, own, body))
+            .map(|own| said(document, own)),
     }
 }
 
@@ -147,9 +179,9 @@ fn figure(statement: &Statement) -> Option<Goal> {
 }
 
 /// `v(0) = v_0`.
-fn value(formula: &Formula, symbol: &Symbol) -> Option<ValueSaid> {
+fn value(formula: &Formula, value: &Expr) -> Option<ValueSaid> {
     match formula.as_equation()? {
-        (Expr::Apply(name, arguments), Expr::Symbol(own)) if own == symbol => {
+        (Expr::Apply(name, arguments), own) if own == value => {
             let [place @ Expr::Number(_)] = arguments.as_slice() else {
                 return None;
             };
@@ -164,19 +196,20 @@ fn value(formula: &Formula, symbol: &Symbol) -> Option<ValueSaid> {
 }
 
 /// `q = q_0`, where something is a number.
-fn value_at(formula: &Formula, symbol: &Symbol, place: &[Formula]) -> Option<ValueSaid> {
+fn value_at(formula: &Formula, value: &Expr, place: &[Formula]) -> Option<ValueSaid> {
     let [place] = place else {
         return None;
     };
     match (formula.as_equation()?, place.as_equation()?) {
-        (
-            (Expr::Symbol(name), Expr::Symbol(own)),
-            (Expr::Symbol(variable), place @ Expr::Number(_)),
-        ) if own == symbol => Some(ValueSaid {
-            of: name.clone(),
-            variable: Some(variable.clone()),
-            place: place.clone(),
-        }),
+        ((Expr::Symbol(name), own), (Expr::Symbol(variable), place @ Expr::Number(_)))
+            if own == value =>
+        {
+            Some(ValueSaid {
+                of: name.clone(),
+                variable: Some(variable.clone()),
+                place: place.clone(),
+            })
+        }
         _ => None,
     }
 }

@@ -138,6 +138,10 @@ static DEFINING: Words = Words::of(&[
     "notation",
 ]);
 
+/// These divide.
+const DIVIDING: [&str; 6] = [
+    "divide", "divides", "dividing", "divided", "division", "ratio",
+];
 /// Rules for slopes that nobody needs for a factor that is constant.
 const OF_FACTORS: [&str; 3] = ["product", "quotient", "leibniz"];
 /// What physics brings along, and no equation before need have said.
@@ -375,6 +379,12 @@ pub(super) fn last_sentence<'t, 'a>(tokens: &'t [Placed<'a>]) -> Option<&'t [Pla
     let says = |(token, _): &Placed<'_>| matches!(token, Token::Word(_));
     let mut sentences = tokens.split(|(token, _)| *token == Token::Stop);
     sentences.rfind(|sentence| sentence.iter().any(says))
+}
+
+/// Whether the last sentence divides one equation by another: what it divides by is meant not to vanish.
+pub(super) fn divides(tokens: &[Placed<'_>]) -> bool {
+    let last = last_sentence(tokens).unwrap_or_default();
+    last.iter().any(|(token, _)| token.is_among(&DIVIDING))
 }
 
 /// Whether the last sentence names the rule for the slope of a product, of which every factor changes.

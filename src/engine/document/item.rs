@@ -112,6 +112,8 @@ pub struct Prose {
     pub slope: Option<Box<Slope>>,
     /// Whether its last sentence names the rule by which several factors change together: "by the product rule".
     pub all_vary: bool,
+    /// Whether its last sentence divides something by something: "Dividing (2) by (1)".
+    pub divides: bool,
     /// Whether its last sentence says what is meant by what comes next: "we define".
     pub defines: bool,
     /// Its first sentence is about the display before it: "which by (2) is".

@@ -211,6 +211,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         said_last: conclusion::last_sentence(&tokens).and_then(whole),
         slope: slope::read(&tokens).map(Box::new),
         all_vary: conclusion::names_rule_of_factors(&tokens),
+        divides: conclusion::divides(&tokens),
         citations,
         suppositions,
         leading: leading(source, &tokens).unwrap_or_default(),
