@@ -43,7 +43,7 @@ fn headings(document: &Document) -> Vec<(u8, &str)> {
 
 fn prose<'d>(document: &'d Document) -> Vec<&'d Prose> {
     let prose = |item: &'d Item| match item {
-        Item::Prose(prose) => Some(prose),
+        Item::Prose(prose) => Some(&**prose),
         _ => None,
     };
     document.items.iter().filter_map(prose).collect()

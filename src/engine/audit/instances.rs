@@ -24,19 +24,23 @@ impl Judge<'_> {
         let mut spoken = names.clone();
         spoken.extend(told.flat_map(|own| own.formula.names()));
         let laws = || assumed.iter().filter(said);
-        let known: Set<Symbol> = laws().flat_map(|own| own.formula.names()).collect();
+        let has_law = |symbol: &Symbol| {
+            let mut terms = laws().flat_map(|own| own.formula.terms());
+            terms.any(|term| term.mentions(symbol))
+        };
         // Of what has an equation of its own nothing is said by another.
-        let new = spoken.iter().filter(|own| !known.contains(*own));
-        let indices: Set<&str> = new.filter_map(index).collect();
+        let indexed = spoken.iter().filter_map(|own| Some((own, index(own)?)));
+        let new = indexed.filter(|(own, _)| !has_law(own));
+        let indices: Set<&str> = new.map(|(_, index)| index).collect();
         if indices.is_empty() || indices.len() > MOST_INDICES {
             return Vec::new();
         }
         let instance = |law, index| self.instance(law, index, &spoken);
         let all = laws().flat_map(|law| indices.iter().filter_map(|index| instance(law, index)));
         let all: Vec<Assumed> = all.collect();
-        let mut said = known;
-        said.extend(all.iter().flat_map(|own| own.formula.names()));
-        match names.is_subset(&said) {
+        let of_instances: Set<Symbol> = all.iter().flat_map(|own| own.formula.names()).collect();
+        let mut names = names.iter();
+        match names.all(|own| of_instances.contains(own) || has_law(own)) {
             true => all,
             false => Vec::new(),
         }

@@ -869,7 +869,7 @@ impl Between {
         self.goes_on |= prose.goes_on;
         self.all_vary |= prose.all_vary;
         self.divides |= prose.divides;
-        self.takes = prose.slope.as_deref().copied();
+        self.takes = prose.slope;
         self.meant |= prose.says_what_is_meant;
         self.laws |= prose.announces_laws;
         self.extent = prose.extent.or(self.extent);

@@ -17,7 +17,7 @@ pub enum Item {
         span: Span,
     },
     /// The text between two other items.
-    Prose(Prose),
+    Prose(Box<Prose>),
     /// A displayed equation.
     Display {
         /// With its fences: `$$ a = b $$`.
@@ -109,7 +109,7 @@ pub struct Prose {
     /// Its last sentence, ended or not.
     pub said_last: Option<Span>,
     /// The slope that its last sentence takes of what it cites.
-    pub slope: Option<Box<Slope>>,
+    pub slope: Option<Slope>,
     /// Whether its last sentence names the rule by which several factors change together: "by the product rule".
     pub all_vary: bool,
     /// Whether its last sentence divides something by something: "Dividing (2) by (1)".

@@ -73,7 +73,7 @@ impl Document {
     /// The text between headings, displays and directives, in source order.
     pub fn prose(&self) -> impl Iterator<Item = &Prose> {
         self.items.iter().filter_map(|item| match item {
-            Item::Prose(prose) => Some(prose),
+            Item::Prose(prose) => Some(&**prose),
             _ => None,
         })
     }

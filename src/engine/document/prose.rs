@@ -209,7 +209,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         reasons: conclusion::reasons_in_words(source, &tokens),
         laws_named: conclusion::laws_named(&tokens),
         said_last: conclusion::last_sentence(&tokens).and_then(whole),
-        slope: slope::read(&tokens).map(Box::new),
+        slope: slope::read(&tokens),
         all_vary: conclusion::names_rule_of_factors(&tokens),
         divides: conclusion::divides(&tokens),
         citations,

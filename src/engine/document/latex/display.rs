@@ -188,7 +188,7 @@ impl Scanner<'_> {
                 Before::Directive(at) => drop(self.directive(at)),
                 Before::Words(span) => {
                     let prose = prose::read(self.text, span, &[], &[]);
-                    self.items.push(Item::Prose(prose));
+                    self.items.push(Item::Prose(prose.into()));
                 }
             }
         }

@@ -326,7 +326,7 @@ impl<'a> Scanner<'a> {
         }
         sorted::sort(&mut hidden);
         let prose = prose::read(self.text, span, &inline, &hidden);
-        self.items.push(Item::Prose(prose));
+        self.items.push(Item::Prose(prose.into()));
     }
 
     /// From here on prose goes on.

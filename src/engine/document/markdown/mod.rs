@@ -298,7 +298,7 @@ impl<'a> Scanner<'a> {
         );
         sorted::sort(&mut hidden);
         let prose = prose::read(self.source, span, &inline, &hidden);
-        self.items.push(Item::Prose(prose));
+        self.items.push(Item::Prose(prose.into()));
     }
 
     fn trimmed(&self, span: Span) -> Span {
