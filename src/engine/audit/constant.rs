@@ -115,13 +115,7 @@ impl Judge<'_> {
         if !begins.iter().all(keeps) {
             return None;
         }
-        let own = Goal {
-            formula: Formula::equal(what, Expr::Symbol(constant.clone())),
-            ..goal.clone()
-        };
-        let mut found = self.is_constant(&own, &constant, assumed, premises);
-        found.judged.goal = goal.clone();
-        found.judged.outcome.is_proven().then_some(found)
+        self.where_constant(goal, (what, &constant), assumed, premises)
     }
 
     /// The same where the text gives the number that something begins with: "Integrating with $w = 0$ at $x = 0$".
@@ -146,11 +140,22 @@ impl Judge<'_> {
             Expr::Symbol(given.clone()),
             Expr::Negate(right.clone().into()),
         ]);
+        self.where_constant(goal, (what, &constant), assumed, premises)
+    }
+
+    /// A step that says what something is up to a constant, where a term does not change.
+    fn where_constant(
+        &self,
+        goal: &Goal,
+        (term, constant): (Expr, &Symbol),
+        assumed: Vec<Assumed>,
+        premises: &[usize],
+    ) -> Option<Found> {
         let own = Goal {
-            formula: Formula::equal(what, Expr::Symbol(constant.clone())),
+            formula: Formula::equal(term, Expr::Symbol(constant.clone())),
             ..goal.clone()
         };
-        let mut found = self.is_constant(&own, &constant, assumed, premises);
+        let mut found = self.is_constant(&own, constant, assumed, premises);
         found.judged.goal = goal.clone();
         found.judged.outcome.is_proven().then_some(found)
     }
