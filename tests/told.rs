@@ -758,3 +758,52 @@ fn a_step_goes_on_from_the_display_before_as_it_is_meant() {
     assert_eq!(page("+", ""), "holds");
     assert_eq!(page("-", ""), "fails");
 }
+
+/// What tells `r` from `s` is of no case in which they are one; nor is what is said in general.
+#[test]
+fn what_is_beyond_a_special_case_does_not_rest_on_it() {
+    let risks = |words: &str, first: &str, second: &str| {
+        verdicts(&format!(
+            "The variance is\n\n$$ V = w^2 s^2 + (1 - w)^2 r^2 \\tag{{1}} $$\n\n{words}\n\n\
+             $$ V = (1 - 2 w + 2 w^2) s^2 \\tag{{2}} $$\n\nDifferentiating (1) gives\n\n\
+             $$ \\frac{{dV}}{{dw}} = 2 w {first}^2 - 2 (1 - w) {second}^2 \\tag{{3}} $$\n"
+        ))
+    };
+    for words in ["For equal risks $s = r$ this is", "If $s = r$ this is"] {
+        assert_eq!(risks(words, "s", "r"), ["given", "holds", "holds"]);
+        assert_eq!(risks(words, "r", "s"), ["given", "holds", "fails"]);
+    }
+
+    let lens = |begins: &str, ratio: &str| {
+        last(&format!(
+            "The lens equation and the magnification are\n\n\
+             $$ \\frac1s + \\frac1t = \\frac1f, \\qquad M = \\frac{{t}}{{s}} \\tag{{1}} $$\n\n\
+             Object and image have the same size where $s = t$. From (1) we find\n\n$$ s = 2 f \\tag{{2}} $$\n\n\
+             {begins} the magnification is, by (1),\n\n$$ M = {ratio} \\tag{{3}} $$\n"
+        ))
+        .0
+    };
+    for begins in ["In all cases", "In general"] {
+        assert_eq!(lens(begins, "\\frac{f}{s - f}"), "holds");
+        assert_eq!(lens(begins, "\\frac{s - f}{f}"), "fails");
+    }
+}
+
+/// What is told to be so is no case: a law may speak of both sides again, and so may the display that the case leads to.
+#[test]
+fn what_holds_anyway_is_in_force_for_what_speaks_of_all_of_it() {
+    let page = |words: &str, speed: &str| {
+        last(&format!(
+            "The momentum is\n\n$$ p = m v + n w \\tag{{1}} $$\n\n{words}\n\n$$ p = (m + n) v \\tag{{2}} $$\n\n\
+             The energy\n\n$$ E = \\frac12 m v^2 + \\frac12 n w^2 \\tag{{3}} $$\n\ntherefore is\n\n$$ E = {speed} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "The string is taut and $v = w$. Then",
+        "Since $v = w$ we have",
+    ] {
+        assert_eq!(page(words, "\\frac12 (m + n) v w"), "holds");
+        assert_eq!(page(words, "(m + n) v w"), "fails");
+    }
+}

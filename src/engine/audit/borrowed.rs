@@ -469,7 +469,10 @@ impl Judge<'_> {
             let said = self.derivation.local(page, local);
             let bounds = || said.formulas.iter().all(|f| f.as_equation().is_none());
             let special = said.is_let || said.is_case() || said.is_momentary();
-            own.is_under(page, local) || goes_on && !special || cites && bounds()
+            let beyond = self.derivation.is_beyond(self.at, (page, local));
+            !beyond && own.is_under(page, local)
+                || !beyond && goes_on && !special
+                || cites && bounds()
         })
     }
 

@@ -228,6 +228,7 @@ pub fn usable<'a>(
         // That $k > 0$ is not taken back by $k = m \omega^2$.
         own.is_equation() && others.any(|other| !other.values().is_disjoint(&values))
     };
+    let (_, named, _) = derivation.premises(at);
     let together: Vec<usize> = premises.iter().copied().chain([at]).collect();
     for &premise in premises {
         let equation = &derivation.equations[premise];
@@ -257,6 +258,7 @@ pub fn usable<'a>(
             let local = derivation.local(place.0, place.1);
             let is_case = local.is_let || local.is_case() || local.is_told && replaced(local);
             is_case && !local.is_momentary() && !in_effect.contains(place)
+                || !named && derivation.is_beyond(at, *place)
         };
         if offer.under.iter().any(is_left) {
             usable.out_of_scope.push(premise);

@@ -7,6 +7,7 @@
 mod approach;
 mod arguments;
 mod beside;
+mod beyond;
 mod chain;
 mod checker;
 mod constants;
@@ -512,7 +513,10 @@ impl Derivation {
     fn supposed(&self, at: usize, locals: &[usize]) -> Vec<Assumed> {
         let number = self.equations[at].page;
         let page = &self.pages[number];
-        let all = locals.iter().flat_map(|&local| {
+        let meant = locals
+            .iter()
+            .filter(|&&local| !self.is_beyond(at, (number, local)));
+        let all = meant.flat_map(|&local| {
             let source = self.source_of(number, local);
             let local = &page.locals[local];
             local.formulas.iter().map(move |formula| Assumed {

@@ -52,6 +52,8 @@ pub struct Page {
     pub dependent: Set<Symbol>,
     /// The same with the variable, where it is not clear what is held fixed: nothing that is said with it fails.
     pub unclear_slopes: Set<(Symbol, Symbol)>,
+    /// Where the text leaves special cases, "In general", in order.
+    pub(super) general: Vec<usize>,
     /// Partial derivatives of terms that hold fixed what might depend on the variable: nothing is drawn from what is said with these.
     pub presumed_slopes: Set<Expr>,
     /// Everything supposed on the page, by `let` or `assuming`.
@@ -109,6 +111,7 @@ pub(super) fn read_page(
         complex: BTreeSet::new(),
         dependent: Set::new(),
         unclear_slopes: Set::new(),
+        general: Vec::new(),
         presumed_slopes: Set::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),

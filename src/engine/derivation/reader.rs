@@ -373,6 +373,7 @@ impl<'p> Reader<'p> {
             SuppositionKind::General | SuppositionKind::Elsewhere => {
                 let all = kind == SuppositionKind::General;
                 active.retain(|&at| !page.locals[at].is_left_by(all));
+                page.general.push(body.start);
                 self.forget_cases();
                 // "Inside, $E = k Q r/R^3$. Outside" leaves what was said of the place before.
                 if let Some(from) = self.elsewhere.take() {

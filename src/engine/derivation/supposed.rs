@@ -40,7 +40,7 @@ pub struct Local {
     /// The text told it in passing.
     pub is_told: bool,
     /// It lets something that was spoken of before have a value.
-    is_special: bool,
+    pub(super) is_special: bool,
     /// It says what a new symbol means: "Let $u = 1/N$".
     pub(super) means: bool,
     /// It is said for good: headings do not end it.

@@ -468,7 +468,13 @@ pub fn is_reason(source: &str, body: Span) -> bool {
     let before = source.get(..body.start).unwrap_or_default();
     let before = before.trim_end_matches(|c: char| !c.is_alphabetic());
     let word = before.rsplit(|c: char| !c.is_alphabetic()).next();
-    word.is_some_and(|word| REASONS.has_in_any_case(word)) || follows_a_reason(source, body)
+    // "They have the same size where $s = t$" says at which place.
+    let is_place = |word: &str| {
+        let before = before[..before.len() - word.len()].trim_end();
+        word == "where" && before.ends_with(char::is_alphabetic)
+    };
+    word.is_some_and(|word| REASONS.has_in_any_case(word) && !is_place(word))
+        || follows_a_reason(source, body)
 }
 
 /// Whether the clause before mathematics gives a reason in words: "Since no heat is lost, $a = b$".

@@ -1,0 +1,75 @@
+//! What is said of more than a special case of which the text told before.
+
+use crate::algebra::Formula;
+
+use super::{Derivation, formulas};
+use crate::document::Span;
+
+/// Words before a relation by which it is a condition, and no law: "equal if $a = b$".
+const CONDITIONAL: &[&str] = &[
+    "at", "case", "for", "if", "letting", "once", "provided", "putting", "setting", "taking",
+    "when", "whenever", "where",
+];
+/// So many words before it are looked at.
+const MOST_WORDS: usize = 6;
+
+impl Derivation {
+    /// Whether an equation is of more than a special case that was told before the display before it: of what goes together in that,
+    /// it speaks apart. "For equal risks $r = s$ this is $$…$$ Differentiating (1) gives $$V' = 2 w r^2 - …s^2$$" is said of any `r`
+    /// and `s`. What is said "in general" is, too.
+    pub fn is_beyond(&self, at: usize, (number, local): (usize, usize)) -> bool {
+        let equation = &self.equations[at];
+        let page = &self.pages[number];
+        let local = &page.locals[local];
+        let first = at - equation.row.min(at);
+        let Some(before) = first.checked_sub(1).map(|before| &self.equations[before]) else {
+            return false;
+        };
+        let names = local.names();
+        let is_said = local.is_told || local.is_special;
+        if !is_said
+            || local.means
+            || local.is_momentary()
+            || !local.is_equation()
+            || before.page != number
+            || equation.page != number
+            || local.span.start >= before.span.start
+            || !(local.is_case() || is_conditional(&page.document.source, local.span))
+        {
+            return false;
+        }
+        let left = page
+            .general
+            .partition_point(|&place| place < local.span.start);
+        if (page.general.get(left)).is_some_and(|&place| place < equation.span.start) {
+            return true;
+        }
+        names.len() > 1
+            && equation.statements().iter().any(|statement| {
+                let said = formulas(statement);
+                let equations: Vec<_> = said.iter().filter_map(Formula::as_equation).collect();
+                // On the way to where a chain arrives both may be spoken of.
+                let arrived = match &equations[..] {
+                    [] => return false,
+                    [(left, _), .., (_, right)] | [(left, right)] => {
+                        Formula::equal((*left).clone(), (*right).clone())
+                    }
+                };
+                names.is_subset(&arrived.names())
+                    && !local.formulas.iter().any(|own| said.contains(own))
+            })
+    }
+}
+
+/// Whether the words right before a relation say that it is a condition.
+fn is_conditional(source: &str, span: Span) -> bool {
+    let before = source.get(..span.start).unwrap_or_default();
+    let before =
+        before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\'));
+    let clause = before.rsplit(|c: char| !(c.is_alphabetic() || c.is_whitespace() || c == '-'));
+    let clause = clause.into_iter().next().unwrap_or_default();
+    let words = clause.split_whitespace().rev().take(MOST_WORDS);
+    words
+        .into_iter()
+        .any(|word| CONDITIONAL.contains(&&*word.to_lowercase()))
+}
