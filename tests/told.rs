@@ -807,3 +807,20 @@ fn what_holds_anyway_is_in_force_for_what_speaks_of_all_of_it() {
         assert_eq!(page(words, "(m + n) v w"), "fails");
     }
 }
+
+/// Whoever goes on from what holds under a condition means that, whatever else is cited.
+#[test]
+fn a_step_goes_on_from_what_holds_under_a_condition() {
+    let page = |power: u8| {
+        last(&format!(
+            "The star gives off\n\n$$ L = 4 \\pi R^2 \\sigma T^4 \\tag{{1}} $$\n\nof which there arrives\n\n\
+             $$ S = \\frac{{L}}{{4 \\pi d^2}} \\tag{{2}} $$\n\nA planet absorbs\n\n$$ P = \\pi r^2 S \\tag{{3}} $$\n\nand emits\n\n\
+             $$ Q = 4 \\pi r^2 \\sigma U^4 \\tag{{4}} $$\n\nIn equilibrium, $P = Q$, so that from (3) and (4)\n\n\
+             $$ U^4 = \\frac{{S}}{{4 \\sigma}} \\tag{{5}} $$\n\nInserting (1) and (2) we get\n\n\
+             $$ U^4 = \\frac{{R^2}}{{4 d^{power}}} T^4 \\tag{{6}} $$\n"
+        ))
+    };
+    let (verdict, codes) = page(2);
+    assert_eq!((verdict, codes.contains(&"miscited")), ("holds", false));
+    assert_eq!(page(3).0, "fails");
+}

@@ -151,10 +151,37 @@ impl Judge<'_> {
         found: &mut Found,
     ) -> bool {
         let open = self.open_on_this_page(premises);
+        self.rescue_from(&open, goal, assumed, premises, found)
+    }
+
+    /// The same from the display before, where the text goes on from that and it holds under conditions: whoever goes on means them.
+    pub(super) fn rescue_going_on(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        let mut before = self.open_on_this_page(premises);
+        let is_undecided = |entry: &Entry| entry.verdict == Verdict::Undecided;
+        before.retain(|&other| {
+            self.goes_on_from(other) && !self.auditor.entries_of(other).any(is_undecided)
+        });
+        self.rescue_from(&before, goal, assumed, premises, found)
+    }
+
+    fn rescue_from(
+        &self,
+        open: &[usize],
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
         if open.is_empty() {
             return false;
         }
-        let open = [self.gathered(&open)];
+        let open = [self.gathered(open)];
         let attempts = self.attempts_with(goal, assumed, premises, None, &open);
         self.rescue(goal, &attempts, &NEARBY, found)
     }

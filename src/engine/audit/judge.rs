@@ -351,6 +351,7 @@ impl Judge<'_> {
                 let settled = marked && goal.questioned || {
                     let attempts = self.attempts(goal, &assumed, premises, Some(witness));
                     self.rescue(goal, &attempts, &NEARBY, &mut found)
+                        || self.rescue_going_on(goal, &assumed, premises, &mut found)
                         || named().is_some_and(|all| {
                             self.follows_from_words(goal, all, premises, &mut found)
                         })
