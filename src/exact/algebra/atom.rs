@@ -40,6 +40,9 @@ pub enum Atom {
     Opaque(Expr),
 }
 
+/// Few claims have more unknowns: for so many room is made at once.
+const FEW: usize = 12;
+
 /// The unknowns of a set of polynomials, in the order in which they were first met.
 #[derive(Clone, Debug, Default)]
 pub struct Atoms {
@@ -72,6 +75,10 @@ impl Atoms {
 
     /// Takes in an atom that has not been met, at its place among the sorted ones.
     fn put(&mut self, atom: Atom, at: usize) -> Var {
+        if self.list.is_empty() {
+            self.list.reserve(FEW);
+            self.sorted.reserve(FEW);
+        }
         // A document of 2^32 symbols does not fit in memory.
         let var = Var(self.list.len() as u32);
         self.list.push(atom);

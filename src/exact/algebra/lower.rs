@@ -114,7 +114,10 @@ impl Lowering<'_> {
                 let above = self.lower(above)?;
                 Ok(above.times(&self.inverse(below)?)?)
             }
-            Expr::Power(base, exponent) => self.power(base, exponent),
+            Expr::Power(base, exponent) => match self.simple_factor(expr) {
+                Some((power, number)) => Ok(Polynomial::term(power, number).into()),
+                None => self.power(base, exponent),
+            },
             Expr::Series {
                 index,
                 from,

@@ -150,8 +150,12 @@ impl Polynomial {
     pub fn vars(&self) -> Vars {
         let mut vars = Vars::new();
         for (monomial, _) in &self.terms {
-            let powers = monomial.powers().iter().map(|power| power.0);
-            vars.extend(powers);
+            for &(var, _) in monomial.powers() {
+                // One that is in all terms is met again and again.
+                if vars.last() != Some(&var) {
+                    vars.push(var);
+                }
+            }
         }
         if !vars.is_sorted_by(|a, b| a < b) {
             vars.sort_unstable();
@@ -261,6 +265,9 @@ impl Polynomial {
 
     /// `coefficient · monomial · self`.
     pub fn times_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
+        if monomial.is_one() {
+            return self.scaled(coefficient);
+        }
         if coefficient.is_zero() {
             return Polynomial::zero();
         }
@@ -330,9 +337,9 @@ impl Polynomial {
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
         let (lead, coefficient) = other.leading()?;
         if let [(monomial, coefficient)] = other.terms.as_slice() {
-            let mut terms = Terms::new();
+            let (mut terms, inverse) = (Terms::new(), coefficient.recip());
             for (m, c) in &self.terms {
-                let quotient = (m.divided_by(monomial)?, c / coefficient);
+                let quotient = (m.divided_by(monomial)?, c * &inverse);
                 // Room is asked for once something divides: most divisions that fail, fail at the first term.
                 if terms.is_empty() {
                     terms.reserve(self.len());
@@ -383,8 +390,15 @@ impl Polynomial {
     /// The greatest monomial that divides every term.
     pub fn content(&self) -> Monomial {
         let mut monomials = self.terms.iter().map(|t| &t.0);
-        let first = monomials.next().cloned().unwrap_or_default();
-        monomials.fold(first, |gcd, m| gcd.gcd(m))
+        let mut content = monomials.next().cloned().unwrap_or_default();
+        for other in monomials {
+            // Nothing is left to have in common.
+            if content.is_one() {
+                break;
+            }
+            content = content.gcd(other);
+        }
+        content
     }
 
     /// The greatest monomial that divides every term, and the rest.
@@ -430,7 +444,7 @@ impl Polynomial {
         }
         if let Some(value) = value.as_constant() {
             spend(self.len());
-            let mut terms = Terms::with_capacity(self.len());
+            let mut terms = Vec::with_capacity(self.len());
             for (m, c) in &self.terms {
                 if is_spent() {
                     return Err(TooLarge);
@@ -444,7 +458,7 @@ impl Polynomial {
                     }
                 }
             }
-            return Ok(Polynomial::collect(terms));
+            return Ok(Polynomial::collect(terms.into()));
         }
         let coefficients = self.in_powers_of_bounded(var)?;
         // Horner's rule.

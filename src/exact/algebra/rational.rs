@@ -221,6 +221,17 @@ fn counted(a: &BigRational, b: &BigRational) {
     spend(usize::try_from(units).unwrap_or(usize::MAX));
 }
 
+/// The product, in lowest terms once each numerator has nothing in common with the other denominator: num-rational looks
+/// for more, which is most of its work.
+fn product(a: &BigRational, b: &BigRational) -> BigRational {
+    if a.is_integer() && b.is_integer() {
+        return BigRational::from_integer(a.numer() * b.numer());
+    }
+    let (first, second) = (a.numer().gcd(b.denom()), b.numer().gcd(a.denom()));
+    let over = (a.numer() / &first) * (b.numer() / &second);
+    BigRational::new_raw(over, (a.denom() / second) * (b.denom() / first))
+}
+
 /// Binary for what fits in a machine word, Euclid's to get there.
 fn gcd(mut a: u128, mut b: u128) -> u128 {
     loop {
@@ -298,9 +309,13 @@ impl Add for &Rational {
     type Output = Rational;
     fn add(self, other: &Rational) -> Rational {
         match (&self.0, &other.0) {
-            (Form::Small(a, 1), Form::Small(c, 1)) => {
-                Rational::whole(i128::from(*a) + i128::from(*c))
-            }
+            (Form::Small(a, 1), Form::Small(c, 1)) => match a.checked_add(*c) {
+                Some(sum) if sum != i64::MIN => Rational::small(sum, 1),
+                _ => Rational::whole(i128::from(*a) + i128::from(*c)),
+            },
+            // Nothing to reduce.
+            (Form::Small(0, _), Form::Small(..)) => other.clone(),
+            (Form::Small(..), Form::Small(0, _)) => self.clone(),
             // Below 2^126 each, so below 2^127 together.
             (Form::Small(a, b), Form::Small(c, d)) => {
                 let (a, b, c, d) = (
@@ -330,9 +345,13 @@ impl Mul for &Rational {
         match (&self.0, &other.0) {
             (Form::Small(1, 1), _) => other.clone(),
             (_, Form::Small(1, 1)) => self.clone(),
-            (Form::Small(a, 1), Form::Small(c, 1)) => {
-                Rational::whole(i128::from(*a) * i128::from(*c))
+            (Form::Small(-1, 1), Form::Small(n, d)) | (Form::Small(n, d), Form::Small(-1, 1)) => {
+                Rational::small(-n, *d)
             }
+            (Form::Small(a, 1), Form::Small(c, 1)) => match a.checked_mul(*c) {
+                Some(product) if product != i64::MIN => Rational::small(product, 1),
+                _ => Rational::whole(i128::from(*a) * i128::from(*c)),
+            },
             (Form::Small(a, b), Form::Small(c, d)) => Rational::reduced(
                 i128::from(*a) * i128::from(*c),
                 i128::from(*b) * i128::from(*d),
@@ -340,10 +359,7 @@ impl Mul for &Rational {
             _ => {
                 let (a, b) = (self.to_big(), other.to_big());
                 counted(&a, &b);
-                match a.is_integer() && b.is_integer() {
-                    true => Rational::from(a.numer() * b.numer()),
-                    false => Rational::from_big(a * b),
-                }
+                Rational::from_big(product(&a, &b))
             }
         }
     }

@@ -191,6 +191,13 @@ impl Mul for &Interval {
             ];
             all.map(|(a, b)| product(a, b, side))
         };
+        // What is below 0 throughout is multiplied without its sign: then its ends need not be sought.
+        if self.high.is_negative() {
+            return -&(&-self * other);
+        }
+        if other.high.is_negative() {
+            return -&(self * &-other);
+        }
         if !self.low.is_negative() && !other.low.is_negative() {
             return Interval {
                 low: product(&self.low, &other.low, Ordering::Less),

@@ -11,7 +11,7 @@
 
 use num_traits::{Signed, ToPrimitive};
 
-use super::problem::sequences;
+use super::problem::sequences_and_counts;
 use super::{Assignment, Candidate, Checked, Claim, Domain, Proven, Refuted, Reject, check};
 use crate::algebra::{BigRational, Expr, Formula, Symbol, Values, element_parts};
 use crate::sorted::{Map, Set};
@@ -256,7 +256,7 @@ impl Family {
     /// Whether the parameter may be any number from the least one on, and every term is in what is free, whole where it
     /// must be, and there where it is needed.
     fn is_possible(&self, claim: &Claim) -> Result<(), Reject> {
-        let sequences = sequences(claim);
+        let (sequences, _) = sequences_and_counts(claim);
         let least = BigRational::from_integer(self.least.into());
         let all_above = |domain: &Domain| domain.upper.is_none() && domain.contains(&least);
         if !claim.domains.get(&self.parameter).is_none_or(all_above)

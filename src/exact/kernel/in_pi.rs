@@ -90,14 +90,16 @@ impl InPi {
         let (low, high) = &*DIGITS;
         let (mut least, mut most) = (Rational::zero(), Rational::zero());
         let (mut low_power, mut high_power) = (Rational::one(), Rational::one());
-        for c in &self.0 {
+        for (at, c) in self.0.iter().enumerate() {
+            if at > 0 {
+                low_power *= low;
+                high_power *= high;
+            }
             let (a, b) = (c * &low_power, c * &high_power);
             match c.is_negative() {
                 true => (least, most) = (least + b, most + a),
                 false => (least, most) = (least + a, most + b),
             }
-            low_power *= low;
-            high_power *= high;
         }
         match (least.is_positive(), most.is_negative()) {
             (true, _) => Ok(Ordering::Greater),

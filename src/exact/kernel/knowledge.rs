@@ -28,6 +28,16 @@ impl Knowledge {
     /// Adds a fact.
     pub fn learn(&mut self, fact: &Fact) {
         let polynomial = &fact.polynomial;
+        // Most facts are about an unknown alone, and that is found where terms are looked at.
+        if let Some(var) = unknown_alone(polynomial) {
+            if matches!(fact.sign, Sign::NonNegative | Sign::Positive) {
+                self.nonnegative_vars.insert(var);
+            }
+            if matches!(fact.sign, Sign::NonZero | Sign::Positive) {
+                self.nonzero_vars.insert(var);
+            }
+            return;
+        }
         match fact.sign {
             Sign::Zero => return,
             Sign::NonZero => {
@@ -134,6 +144,18 @@ impl Knowledge {
                 && (self.nonzero.contains(&*rest.as_monic())
                     || self.is_positive(&rest)
                     || self.is_positive(&rest.negated()))
+    }
+}
+
+/// The unknown of which a polynomial is a positive multiple.
+fn unknown_alone(polynomial: &Polynomial) -> Option<Var> {
+    let mut terms = polynomial.terms();
+    let (Some((monomial, coefficient)), None) = (terms.next(), terms.next()) else {
+        return None;
+    };
+    match monomial.powers() {
+        [(var, 1)] if coefficient.is_positive() => Some(*var),
+        _ => None,
     }
 }
 

@@ -68,8 +68,8 @@ pub(crate) use problem::applied_definition;
 pub use problem::{Origin, Problem, definition};
 pub use rates::Rate;
 pub use scaling::{
-    Alike, Combination, Product, Row, Rows, Scales, ScalesNot, ScalingCandidate, ScalingProof,
-    ScalingVerdict, Situations, Size, check_scaling,
+    Alike, Combination, PosedScaling, Product, Row, Rows, Scales, ScalesNot, ScalingCandidate,
+    ScalingProof, ScalingVerdict, Situations, Size, check_scaling,
 };
 pub(crate) use series::bounded_series;
 pub use unknown::{running_in, with_constant_functions};

@@ -15,8 +15,8 @@ use crate::algebra::{
     Atoms, Conditions, Expr, Formula, Fraction, Functions, Lowering, Polynomial, Powers, Symbol,
 };
 use crate::sorted::{Map, Set};
-pub(super) use symbols::sequences;
-use symbols::{by_whole_number, constants, counts, still};
+pub(super) use symbols::sequences_and_counts;
+use symbols::{by_whole_number, constants, still};
 pub(crate) use unfold::applied_definition;
 pub use unfold::definition;
 use unfold::unfolded;
@@ -81,7 +81,8 @@ pub enum Origin {
 /// A premise as it is evaluated at a point: `None` where its relation has no exact meaning there.
 #[derive(Clone, Debug)]
 pub(super) struct Reading {
-    pub fact: Option<Fact>,
+    /// Its position among the facts.
+    pub fact: Option<usize>,
     pub conditions: Conditions,
 }
 
@@ -117,7 +118,7 @@ impl Problem {
         if let Some(slope) = by_whole_number(claim) {
             return Err(Reject::MayHaveNoValue(slope));
         }
-        let sequences = sequences(claim);
+        let (sequences, counts) = sequences_and_counts(claim);
         let (formulas, goal, values) = unfolded(claim, unfold, &sequences)?;
         let named = claim.free_symbols();
         let pi = named.iter().any(|s| s.name() == "\\pi") && pi_is_the_number(claim);
@@ -125,7 +126,6 @@ impl Problem {
         if pi && let Some(at) = values.iter().position(|v| v.0.name() == "\\pi") {
             return Err(Reject::NotUnfoldable(at));
         }
-        let counts = counts(claim);
         let powers = {
             let all = formulas.iter().map(|f| &*f.0).chain([&goal]);
             let terms = all

@@ -83,7 +83,9 @@ impl<'a> Point<'a> {
             }
         }
         for (position, reading) in self.problem.readings.iter().enumerate() {
-            let fact = reading.fact.as_ref().ok_or(Reject::NoValue)?;
+            let fact = reading.fact.ok_or(Reject::NoValue)?;
+            let fact = self.problem.facts.get(fact);
+            let fact = fact.ok_or(Reject::NoSuchFact(position))?;
             if !self.is_defined(&reading.conditions)? || !self.is_true(fact)? {
                 return Err(Reject::PremiseFalse(position));
             }

@@ -394,6 +394,7 @@ impl Search<'_> {
             }
         }
         let var = numbers.var;
+        let (is_whole, is_unit) = (self.integers.contains(&var), self.units.contains(&var));
         while let Some((own, value)) = self.values.get(numbers.tried) {
             if *self.budget == 0 {
                 return None;
@@ -405,10 +406,10 @@ impl Search<'_> {
                 return None;
             };
             numbers.tried += 1;
-            if self.integers.contains(&var) && !value.is_integer() {
+            if is_whole && !value.is_integer() {
                 continue;
             }
-            if self.units.contains(&var) && !value.is_zero() && !value.abs().is_one() {
+            if is_unit && !value.is_zero() && !value.abs().is_one() {
                 continue;
             }
             let met = |fact: &Rc<Open>| {
@@ -432,7 +433,7 @@ impl Search<'_> {
         // Where none of the usual numbers is allowed, the simplest that is.
         if numbers.tried == self.values.len() && *self.budget > 0 {
             numbers.tried += 1;
-            let value = match numbers.met || self.integers.contains(&var) {
+            let value = match numbers.met || is_whole {
                 true => None,
                 false => simplest_allowed(&numbers.conditions, var),
             };

@@ -328,29 +328,35 @@ fn prune(columns: &mut Vec<Column>, goal: &Polynomial) {
 
 /// Which columns have no monomial that nothing else can cancel.
 fn kept(columns: &[Column], goal: &Polynomial) -> Vec<bool> {
+    // Each term as the place of its monomial among all, and whether it can add to that, and take from it.
     let all = columns.iter().map(|column| &column.value).chain([goal]);
-    let mut monomials: Vec<&Monomial> = all.flat_map(|p| p.terms().map(|term| term.0)).collect();
-    monomials.sort_unstable();
-    monomials.dedup();
-    let place = |monomial: &Monomial| monomials.binary_search(&monomial).unwrap_or(0);
-    // Each term as the place of its monomial, and whether it can add to that, and take from it.
-    let signed = |(m, c): (&Monomial, &Rational)| (place(m), (c.is_positive(), c.is_negative()));
-    let terms = columns.iter().map(|column| match column.made {
-        Made::Product(..) => column.value.terms().map(signed).collect(),
-        Made::Equation(..) => (column.value.terms())
-            .map(|(m, _)| (place(m), (true, true)))
-            .collect(),
-    });
-    let terms: Vec<Vec<(usize, (bool, bool))>> = terms.collect();
+    let of_all = all
+        .enumerate()
+        .flat_map(|(at, p)| p.terms().map(move |term| (term, at)));
+    let mut sorted: Vec<((&Monomial, &Rational), usize)> = of_all.collect();
+    sorted.sort_unstable_by(|a, b| a.0.0.cmp(b.0.0));
+    let mut terms: Vec<Vec<(usize, (bool, bool))>> = vec![Vec::new(); columns.len() + 1];
+    let (mut places, mut last) = (0, None);
+    for ((monomial, coefficient), at) in sorted {
+        if last.replace(monomial).is_some_and(|last| last != monomial) {
+            places += 1;
+        }
+        let signs = match columns.get(at).map(|column| &column.made) {
+            Some(Made::Equation(..)) => (true, true),
+            _ => (coefficient.is_positive(), coefficient.is_negative()),
+        };
+        terms[at].push((places, signs));
+    }
+    let of_goal = terms.pop().unwrap_or_default();
     let mut kept = vec![true; columns.len()];
     loop {
-        let mut balance = vec![(false, false); monomials.len()];
+        let mut balance = vec![(false, false); places + 1];
         let mut add = |at: usize, (adds, takes): (bool, bool)| {
             balance[at].0 |= adds;
             balance[at].1 |= takes;
         };
         // The goal stands on the other side.
-        for (at, (adds, takes)) in goal.terms().map(signed) {
+        for &(at, (adds, takes)) in &of_goal {
             add(at, (takes, adds));
         }
         let left = terms.iter().zip(&kept).filter(|(_, kept)| **kept);
@@ -374,7 +380,7 @@ fn kept(columns: &[Column], goal: &Polynomial) -> Vec<bool> {
 
 fn candidates(goal: &Polynomial, known: &Known) -> Option<Vec<Column>> {
     let knowledge = known.knowledge;
-    let mut columns: Vec<Column> = Vec::new();
+    let mut columns: Vec<Column> = Vec::with_capacity(MOST_COLUMNS);
     let mut push = |value: Polynomial, weight: &Monomial, of: Of, strict: bool| {
         if !value.is_zero() && columns.len() < MOST_CANDIDATES {
             columns.push(Column {

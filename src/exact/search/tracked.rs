@@ -46,7 +46,10 @@ fn accumulate(
     for (at, cofactor) in from {
         let scaled = cofactor.times(weight)?;
         let slot = to.entry(*at).or_default();
-        *slot = slot.plus(&scaled);
+        *slot = match slot.is_zero() {
+            true => scaled,
+            false => slot.plus(&scaled),
+        };
     }
     Ok(())
 }

@@ -1,5 +1,7 @@
 //! Which definitions must be put in before anything can be computed.
 
+use std::sync::Arc;
+
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::kernel::{Claim, Domain, Standing, applied_definition, definition, pi_is_the_number};
 use crate::sorted::Set;
@@ -9,20 +11,22 @@ use crate::sorted::Set;
 /// declared positive, for the term may be seen to be.
 pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     // Most claims have nothing of the kind.
-    let pi = pi_is_the_number(claim);
-    if !pi && !claim.formulas().any(has_operands) {
+    if !claim.formulas().any(has_operands) {
         return Vec::new();
     }
-    let mut formulas: Vec<Formula> = claim.formulas().cloned().collect();
+    let pi = pi_is_the_number(claim);
+    let hypotheses = claim.hypotheses.iter().map(|own| own.formula.clone());
+    let mut formulas: Vec<Arc<Formula>> = hypotheses.collect();
+    formulas.push(claim.goal.clone().into());
     let goal = formulas.len() - 1;
     let mut chosen = Vec::new();
     loop {
         let mut found = Operands::default();
-        for term in formulas.iter().flat_map(Formula::terms) {
+        for term in formulas.iter().flat_map(|own| own.terms()) {
             found.collect(term);
         }
         for formula in &formulas {
-            if let Formula::AllEqual { to, .. } = formula {
+            if let Formula::AllEqual { to, .. } = &**formula {
                 found.counts.extend(to.free_symbols());
             }
         }
@@ -37,7 +41,7 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             }
             let (symbol, term) = definition(&formulas[at])?;
             let rank = |term: &Expr| found.rank(&symbol, term, claim);
-            let others = || formulas[..goal].iter().filter_map(definition);
+            let others = || formulas[..goal].iter().filter_map(|own| definition(own));
             let own = rank(&term);
             if own < BEST && others().any(|(name, other)| name == symbol && rank(&other) > own) {
                 return None;
@@ -66,16 +70,17 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
         };
         chosen.push(at);
         for formula in &mut formulas {
-            *formula = formula.map_terms(|t| match &unfolded {
+            let put_in = |t: &Expr| match &unfolded {
                 Expr::Symbol(symbol) => t.substitute(symbol, &term),
                 applied => t.replace(applied, &term),
-            });
+            };
+            *formula = formula.map_terms(put_in).into();
         }
     }
 }
 
 /// Whether no other formula speaks of a symbol.
-fn is_alone(symbol: &Symbol, at: usize, formulas: &[Formula]) -> bool {
+fn is_alone(symbol: &Symbol, at: usize, formulas: &[Arc<Formula>]) -> bool {
     let mut others = formulas
         .iter()
         .enumerate()
@@ -83,9 +88,13 @@ fn is_alone(symbol: &Symbol, at: usize, formulas: &[Formula]) -> bool {
     !others.any(|(_, formula)| formula.terms().iter().any(|term| term.mentions(symbol)))
 }
 
+/// Whether something is done to a symbol in a formula, or it speaks of `\pi`.
 fn has_operands(formula: &Formula) -> bool {
-    let is_operand =
-        |part: &Expr| matches!(part, Expr::Call(..)) || part.binder().is_some() || part.is_root();
+    let is_operand = |part: &Expr| match part {
+        Expr::Call(..) => true,
+        Expr::Symbol(symbol) => symbol.name() == "\\pi",
+        _ => part.binder().is_some() || part.is_root(),
+    };
     matches!(formula, Formula::AllEqual { .. })
         || formula.terms().iter().any(|term| term.any(&is_operand))
 }

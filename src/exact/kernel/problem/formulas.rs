@@ -51,7 +51,8 @@ impl Problem {
     pub(super) fn take(&mut self, fact: Option<Fact>, conditions: Conditions, origin: &Origin) {
         // A limit that was taken with something held constant means what was read only if that is so.
         let fact = fact.filter(|_| conditions.zero.is_empty());
-        if let Some(fact) = fact.clone() {
+        let position = fact.as_ref().map(|_| self.facts.len());
+        if let Some(fact) = fact {
             self.add(fact.polynomial, fact.sign, origin.clone());
             // What is asserted is defined.
             for factor in &conditions.nonzero {
@@ -64,7 +65,10 @@ impl Problem {
                 self.add(base.clone(), Sign::Positive, origin.clone());
             }
         }
-        self.readings.push(Reading { fact, conditions });
+        self.readings.push(Reading {
+            fact: position,
+            conditions,
+        });
     }
 }
 

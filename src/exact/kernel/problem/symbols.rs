@@ -6,13 +6,6 @@ use super::super::{Claim, Hypothesis, Standing};
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::sorted::Set;
 
-/// The symbols that name sequences, declared or not.
-pub(in crate::kernel) fn sequences(claim: &Claim) -> Set<Symbol> {
-    let mut all = Formula::sequences_of(claim.formulas());
-    all.extend(claim.sequences.keys().cloned());
-    all
-}
-
 /// A derivative by what is always a whole number: there is none.
 pub(super) fn by_whole_number(claim: &Claim) -> Option<Expr> {
     let whole = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(|d| d.integer);
@@ -71,39 +64,62 @@ pub(super) fn still(claim: &Claim) -> Set<(Symbol, Symbol)> {
     laws.filter_map(pair).collect()
 }
 
-/// The symbols that say how many elements there are. A sum up to the index of another says nothing of the symbol
-/// outside of it.
-pub(super) fn counts(claim: &Claim) -> Set<Symbol> {
-    fn collect<'a>(expr: &'a Expr, bound: &mut Vec<&'a Symbol>, found: &mut Set<Symbol>) {
-        if let Expr::Series { to, .. } = expr
-            && let Expr::Symbol(count) = &**to
-            && !bound.contains(&count)
-        {
-            found.insert(count.clone());
+/// The symbols that name sequences, declared or not, and those that say how many elements there are. A sum up to the index of another
+/// says nothing of the symbol outside of it.
+pub(in crate::kernel) fn sequences_and_counts(claim: &Claim) -> (Set<Symbol>, Set<Symbol>) {
+    let mut found = Sums {
+        sequences: claim.sequences.keys().cloned().collect(),
+        ..Sums::default()
+    };
+    for formula in claim.formulas() {
+        let terms = formula.terms().into_iter();
+        terms.for_each(|term| found.collect(term));
+        if let Formula::AllEqual { sequence, to, .. } = formula {
+            found.sequences.insert(sequence.clone());
+            if let Expr::Symbol(count) = to {
+                found.counts.insert(count.clone());
+            }
+        }
+    }
+    (found.sequences, found.counts)
+}
+
+/// What sums are of.
+#[derive(Default)]
+struct Sums<'a> {
+    sequences: Set<Symbol>,
+    counts: Set<Symbol>,
+    /// The indices and variables of what is around.
+    bound: Vec<&'a Symbol>,
+}
+
+impl<'a> Sums<'a> {
+    fn collect(&mut self, expr: &'a Expr) {
+        match expr {
+            // Most terms are one of these.
+            Expr::Symbol(_) | Expr::Number(_) => return,
+            Expr::Sum(terms) | Expr::Product(terms) => {
+                return terms.iter().for_each(|term| self.collect(term));
+            }
+            Expr::Element { sequence, .. } => {
+                self.sequences.insert(sequence.clone());
+            }
+            Expr::Series { to, .. } => {
+                if let Expr::Symbol(count) = &**to
+                    && !self.bound.contains(&count)
+                {
+                    self.counts.insert(count.clone());
+                }
+            }
+            _ => {}
         }
         let scope = expr.binder().and_then(|_| expr.scope());
         let Some((own, body, outside)) = scope else {
-            let children = expr.children();
-            return children.for_each(|child| collect(child, bound, found));
+            return expr.children().for_each(|child| self.collect(child));
         };
-        outside.into_iter().for_each(|e| collect(e, bound, found));
-        bound.push(own);
-        collect(body, bound, found);
-        bound.pop();
+        outside.into_iter().for_each(|e| self.collect(e));
+        self.bound.push(own);
+        self.collect(body);
+        self.bound.pop();
     }
-    let mut found = Set::new();
-    for formula in claim.formulas() {
-        formula
-            .terms()
-            .into_iter()
-            .for_each(|term| collect(term, &mut Vec::new(), &mut found));
-        if let Formula::AllEqual {
-            to: Expr::Symbol(count),
-            ..
-        } = formula
-        {
-            found.insert(count.clone());
-        }
-    }
-    found
 }

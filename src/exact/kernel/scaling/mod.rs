@@ -77,7 +77,7 @@ pub enum ScalingCandidate {
     Counterexample(Situations),
 }
 
-/// A scaling relation that the kernel has seen proved. Only [`check_scaling`] builds one.
+/// A scaling relation that the kernel has seen proved. Only [`PosedScaling`] builds one.
 ///
 /// ```compile_fail
 /// use cradle_exact::kernel::{Claim, ScalingProof, Scales};
@@ -121,13 +121,53 @@ pub enum ScalingVerdict {
 pub fn check_scaling(claim: Claim, candidate: ScalingCandidate) -> Result<ScalingVerdict, Reject> {
     match candidate {
         ScalingCandidate::Proof(proof) => {
-            Rows::new(&claim)?.check(&proof)?;
-            Ok(ScalingVerdict::Proven(Scales { claim, proof }))
+            let proven = PosedScaling::new(claim)?.check(proof)?;
+            Ok(ScalingVerdict::Proven(proven))
         }
         ScalingCandidate::Counterexample(situations) => {
             situations::check(&claim, &situations)?;
             Ok(ScalingVerdict::Refuted(ScalesNot { claim, situations }))
         }
+    }
+}
+
+/// A scaling relation together with the rows that the kernel makes of it, so that several proofs can be checked
+/// without reading the claim anew for each.
+///
+/// The fields are private: the rows are the claim's own, and stay so.
+pub struct PosedScaling {
+    claim: Claim,
+    rows: Rows,
+}
+
+impl PosedScaling {
+    /// Reads a claim.
+    ///
+    /// # Errors
+    /// As [`Rows::new`].
+    pub fn new(claim: Claim) -> Result<Self, Reject> {
+        let rows = Rows::new(&claim)?;
+        Ok(PosedScaling { claim, rows })
+    }
+
+    /// What must follow from what.
+    pub fn claim(&self) -> &Claim {
+        &self.claim
+    }
+
+    /// The claim as rows of exponents: what proofs speak of.
+    pub fn rows(&self) -> &Rows {
+        &self.rows
+    }
+
+    /// Decides whether the goal follows as a proof says.
+    ///
+    /// # Errors
+    /// The first reason found for which it does not.
+    pub fn check(&self, proof: ScalingProof) -> Result<Scales, Reject> {
+        self.rows.clone().check(&proof)?;
+        let claim = self.claim.clone();
+        Ok(Scales { claim, proof })
     }
 }
 

@@ -1,5 +1,6 @@
 //! Numbers of elements: which are tried, what a claim is with definite ones, and what a point of that is in the claim's own terms.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 
 use num_traits::Signed;
@@ -122,10 +123,13 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
     let left = Cell::new(MOST_WRITTEN_OUT);
     let number = |expr: &Expr| {
         let sizes = counts.iter().zip(sizes);
-        let at = sizes.fold(expr.clone(), |e, (count, &n)| {
-            e.substitute(count, &Expr::integer(n))
+        let at = sizes.fold(Cow::Borrowed(expr), |e, (count, &n)| {
+            Cow::Owned(e.substitute(count, &Expr::integer(n)))
         });
-        without_series(&at, &left)
+        match at.any(&|part| matches!(part, Expr::Series { .. })) {
+            true => without_series(&at, &left),
+            false => at.into_owned(),
+        }
     };
     let mut domains = claim.domains.clone();
     for (sequence, domain) in &claim.sequences {
@@ -135,7 +139,7 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
     }
     let mut hypotheses = Vec::new();
     for hypothesis in &claim.hypotheses {
-        for formula in written_out(&hypothesis.formula.map_terms(number))? {
+        for formula in written_out(hypothesis.formula.map_terms(number))? {
             let standing = hypothesis.standing;
             let formula = formula.into();
             hypotheses.push(Hypothesis { formula, standing });
@@ -151,17 +155,17 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
         standing: Standing::AtPoint,
     }));
     // The conclusion is one formula: Σ (aᵢ − bᵢ)² = 0.
-    let goals = written_out(&claim.goal.map_terms(number))?;
+    let mut goals = written_out(claim.goal.map_terms(number))?;
     if left.get() == 0 {
         return None;
     }
-    let goal = match goals.as_slice() {
-        [single] => single.clone(),
-        several => {
-            let squares = several.iter().map(|g| match g {
+    let goal = match goals.len() {
+        1 => goals.remove(0),
+        _ => {
+            let squares = goals.into_iter().map(|g| match g {
                 Formula::Relation { left, right, .. } => {
-                    let minus = Expr::Negate(right.clone().into());
-                    let difference = Expr::Sum(vec![left.clone(), minus]);
+                    let minus = Expr::Negate(right.into());
+                    let difference = Expr::Sum(vec![left, minus]);
                     Expr::Power(difference.into(), Expr::integer(2).into())
                 }
                 Formula::AllEqual { .. } => Expr::integer(0),
@@ -222,14 +226,14 @@ fn without_series(expr: &Expr, left: &Cell<usize>) -> Expr {
 }
 
 /// A statement about a definite number of elements as equations between them.
-fn written_out(formula: &Formula) -> Option<Vec<Formula>> {
+fn written_out(formula: Formula) -> Option<Vec<Formula>> {
     let Formula::AllEqual {
         sequence,
         to,
         value,
-    } = formula
+    } = &formula
     else {
-        return Some(vec![formula.clone()]);
+        return Some(vec![formula]);
     };
     let Expr::Number(to) = to else {
         return None;

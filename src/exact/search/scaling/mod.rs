@@ -6,8 +6,7 @@ mod situations;
 use super::Stop;
 use crate::algebra::{Expr, Formula, Rational, Relation};
 use crate::kernel::{
-    Alike, Claim, Reject, Rows, Scales, ScalesNot, ScalingCandidate, ScalingProof, ScalingVerdict,
-    Size, check_scaling,
+    Alike, Claim, PosedScaling, Reject, Rows, Scales, ScalesNot, ScalingProof, Size,
 };
 use crate::sorted::Set;
 use linear::{Echelon, Exponents, pairing};
@@ -50,14 +49,15 @@ pub fn is_scaling(formula: &Formula) -> bool {
 
 /// Decides a scaling relation, or says why not.
 pub fn decide_scaling(claim: &Claim) -> ScalingDecision {
-    let mut rows = match Rows::new(claim) {
-        Ok(rows) => rows,
+    let posed = match PosedScaling::new(claim.clone()) {
+        Ok(posed) => posed,
         Err(reject) => return open(words(&reject), true),
     };
+    let mut rows = posed.rows().clone();
     let known = Known::new(&mut rows, claim);
     let goal = rows.varying(&rows.goal);
-    if let Some(proven) = known.prove(claim, &goal) {
-        return ScalingDecision::Proven(shortest(proven, &rows).into());
+    if let Some(proven) = known.prove(&posed, &goal) {
+        return ScalingDecision::Proven(shortest(proven, &posed).into());
     }
     if let Some(refuted) = situations::refute(claim, &rows) {
         let repair = repair(claim, &rows, &known).map(Box::new);
@@ -69,11 +69,15 @@ pub fn decide_scaling(claim: &Claim) -> ScalingDecision {
 
 /// A proof of a scaling relation, if there is one.
 pub fn prove_scaling(claim: &Claim) -> Option<Scales> {
-    let mut rows = Rows::new(claim).ok()?;
-    let known = Known::new(&mut rows, claim);
+    let posed = PosedScaling::new(claim.clone()).ok()?;
+    Some(shortest(proved(&posed)?, &posed))
+}
+
+fn proved(posed: &PosedScaling) -> Option<Scales> {
+    let mut rows = posed.rows().clone();
+    let known = Known::new(&mut rows, posed.claim());
     let goal = rows.varying(&rows.goal);
-    let proven = known.prove(claim, &goal)?;
-    Some(shortest(proven, &rows))
+    known.prove(posed, &goal)
 }
 
 /// Whether what the hypotheses say of products of powers is seen to be possible.
@@ -151,15 +155,12 @@ impl Known {
         }
     }
 
-    fn prove(&self, claim: &Claim, goal: &Exponents) -> Option<Scales> {
+    fn prove(&self, posed: &PosedScaling, goal: &Exponents) -> Option<Scales> {
         let proof = ScalingProof {
             alike: self.alike.clone(),
             combination: self.echelon.combination(goal)?,
         };
-        match check_scaling(claim.clone(), ScalingCandidate::Proof(proof)) {
-            Ok(ScalingVerdict::Proven(proven)) => Some(proven),
-            _ => None,
-        }
+        posed.check(proof).ok()
     }
 }
 
@@ -172,8 +173,8 @@ fn combined(proven: &Scales) -> Set<usize> {
     all.map(|(at, _)| *at).filter(|at| *at < most).collect()
 }
 
-/// The same from no more hypotheses than it combines, and without needless steps. `rows` are those of its claim.
-fn shortest(proven: Scales, rows: &Rows) -> Scales {
+/// The same from no more hypotheses than it combines, and without needless steps. `posed` is its claim.
+fn shortest(proven: Scales, posed: &PosedScaling) -> Scales {
     let mut proof = proven.proof().clone();
     let first = proven.claim().hypotheses.len();
     let uses = |proof: &ScalingProof, number: usize| {
@@ -183,20 +184,13 @@ fn shortest(proven: Scales, rows: &Rows) -> Scales {
     };
     // Steps are numbered after the rows of the claim; only the last can be dropped without renumbering.
     while let Some(last) = proof.alike.len().checked_sub(1) {
-        if uses(&proof, rows.rows.len() + last) {
+        if uses(&proof, posed.rows().rows.len() + last) {
             break;
         }
         proof.alike.pop();
     }
-    let check = |claim: Claim, proof: ScalingProof| match check_scaling(
-        claim,
-        ScalingCandidate::Proof(proof),
-    ) {
-        Ok(ScalingVerdict::Proven(proven)) => Some(proven),
-        _ => None,
-    };
     let proven = match proof.alike.len() < proven.proof().alike.len() {
-        true => check(proven.claim().clone(), proof).unwrap_or(proven),
+        true => posed.check(proof).unwrap_or(proven),
         false => proven,
     };
     let used = combined(&proven);
@@ -215,12 +209,9 @@ fn shortest(proven: Scales, rows: &Rows) -> Scales {
         .cloned()
         .collect::<Set<_>>();
     claim.domains.retain(|symbol, _| named.contains(symbol));
-    let Ok(mut rows) = Rows::new(&claim) else {
-        return proven;
-    };
-    let known = Known::new(&mut rows, &claim);
-    let goal = rows.varying(&rows.goal);
-    known.prove(&claim, &goal).unwrap_or(proven)
+    let shorter = PosedScaling::new(claim).ok();
+    let shorter = shorter.and_then(|posed| proved(&posed));
+    shorter.unwrap_or(proven)
 }
 
 /// The hypotheses of a larger claim that a proof was left with, by position in it.
