@@ -4,12 +4,12 @@ use crate::algebra::{Formula, Relation};
 use crate::audit::{Entry, Judged, Note, Outcome, Verdict};
 use crate::derivation::Source;
 use crate::kernel::Refuted;
-use crate::notation::{Mark, latex_statement};
+use crate::notation::{Mark, latex_statement, plain_statement};
 use crate::sorted;
 
 use super::evidence::Point;
 use super::style::{self, DIM, paint};
-use super::words::{plain_statement, shortened};
+use super::words::shortened;
 use super::{Report, numeric, words};
 
 /// The widest that a name may be.
