@@ -49,8 +49,9 @@ impl Report<'_> {
         let verdict = format!("{sign} {word:<9}");
         let room = WIDTH.saturating_sub(names + 7 + word.len().max(9));
         let headline = shortened(&self.headline(entry), room);
+        let gap = " ".repeat(names.saturating_sub(name.chars().count()));
         let line = format!(
-            "  {name:<names$}  {} {headline}",
+            "  {name}{gap}  {} {headline}",
             paint(style::of(entry, self.is_finding(entry)), &verdict)
         );
         line.trim_end().to_owned() + "\n"

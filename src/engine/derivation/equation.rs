@@ -297,7 +297,7 @@ pub(super) fn each_side(statement: &mut Statement, change: &mut impl FnMut(&mut 
 }
 
 /// The terms of a statement, and of the conditions under which it is said.
-fn terms(statement: &Statement) -> impl Iterator<Item = &Expr> {
+pub(super) fn terms(statement: &Statement) -> impl Iterator<Item = &Expr> {
     let clauses = statement.clauses.iter().chain(&statement.under);
     clauses.flat_map(terms_of_clause)
 }
