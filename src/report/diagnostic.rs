@@ -9,11 +9,11 @@ use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer,
 
 use crate::audit::{Entry, Note, Verdict};
 use crate::document::{File, Span};
+use crate::notation::plain_statement;
 use crate::parallel::in_order;
 use crate::sorted;
 
 use super::remark::{Known, Subject};
-use super::words::plain_statement;
 use super::{Report, codes};
 
 /// So much of a line is given to the renderer on either side of what is marked; it shows less.

@@ -4,14 +4,14 @@ use crate::algebra::{Formula, Symbol};
 use crate::audit::{Entry, Judged, Outcome, Without, is_idle, true_besides, without_each};
 use crate::derivation::Source;
 use crate::kernel::{Claim, Refuted};
-use crate::notation::{latex_statement, plain_formula};
+use crate::notation::{latex_statement, plain_formula, plain_statement};
 
 use super::Report;
 use super::evidence::Point;
 use super::implied;
 use super::scaling;
 use super::style::{self, BOLD, DIM, paint};
-use super::words::{self, plain_statement};
+use super::words;
 use crate::sorted::Map;
 
 impl Report<'_> {

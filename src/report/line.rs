@@ -4,12 +4,12 @@ use crate::algebra::{Formula, Relation};
 use crate::audit::{Entry, Judged, Note, Outcome, Verdict};
 use crate::derivation::Source;
 use crate::kernel::Refuted;
-use crate::notation::{Mark, latex_statement};
+use crate::notation::{Mark, latex_statement, plain_statement};
 use crate::sorted;
 
 use super::evidence::Point;
 use super::style::{self, DIM, paint};
-use super::words::{plain_statement, shortened};
+use super::words::shortened;
 use super::{Report, numeric, words};
 
 /// The widest that a name may be.
@@ -49,8 +49,9 @@ impl Report<'_> {
         let verdict = format!("{sign} {word:<9}");
         let room = WIDTH.saturating_sub(names + 7 + word.len().max(9));
         let headline = shortened(&self.headline(entry), room);
+        let gap = " ".repeat(names.saturating_sub(name.chars().count()));
         let line = format!(
-            "  {name:<names$}  {} {headline}",
+            "  {name}{gap}  {} {headline}",
             paint(style::of(entry, self.is_finding(entry)), &verdict)
         );
         line.trim_end().to_owned() + "\n"

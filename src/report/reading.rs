@@ -3,10 +3,9 @@
 use annotate_snippets::Level;
 
 use crate::audit::{Entry, Note, OtherReading, Verdict};
-use crate::notation::Choice;
+use crate::notation::{Choice, plain_statement};
 
 use super::Report;
-use super::words::plain_statement;
 
 impl Report<'_> {
     /// Another reading as a clause: how it is read, and what another way would come to.

@@ -1,10 +1,10 @@
 //! How equations, places, sources and statements are named: alike in every view.
 
-use crate::algebra::{Formula, Symbol, as_printed};
+use crate::algebra::{Symbol, as_printed};
 use crate::audit::Entry;
 use crate::derivation::{Equation, Source};
 use crate::document::{Position, Span};
-use crate::notation::{Clause, Connective, Statement, plain, plain_formula};
+use crate::notation::{Statement, plain, plain_formula};
 
 use super::Report;
 
@@ -121,57 +121,10 @@ fn with_line(own: &Symbol, text: String) -> String {
     }
 }
 
-/// A statement as one line of text.
-pub(super) fn plain_statement(statement: &Statement) -> String {
-    let mut text = String::new();
-    for (at, clause) in statement.clauses.iter().enumerate() {
-        if at > 0 {
-            text += match statement.connectives[at - 1].value {
-                Connective::Implies => " ⇒ ",
-                Connective::Equivalent => " ⇔ ",
-            };
-        }
-        text += &plain_clause(clause);
-    }
-    for (at, condition) in statement.under.iter().enumerate() {
-        text += if at == 0 { " if " } else { " and " };
-        text += &plain_clause(condition);
-    }
-    text
-}
-
-fn plain_clause(clause: &Clause) -> String {
-    match clause {
-        Clause::Chain { sides, links } => {
-            let mut text = sides
-                .first()
-                .map_or(String::new(), |side| plain(&side.expr));
-            for (link, pair) in links.iter().zip(sides.windows(2)) {
-                let whole = plain_formula(&Formula::Relation {
-                    left: pair[0].expr.clone(),
-                    relation: link.relation,
-                    right: pair[1].expr.clone(),
-                });
-                text += whole.get(plain(&pair[0].expr).len()..).unwrap_or_default();
-            }
-            text
-        }
-        Clause::AllEqual {
-            sequence,
-            to,
-            value,
-            ..
-        } => plain_formula(&Formula::AllEqual {
-            sequence: sequence.clone(),
-            to: to.clone(),
-            value: value.as_ref().map(|side| side.expr.clone()),
-        }),
-    }
-}
-
 /// At most so many characters, the last being `…` where something is left out.
 pub(super) fn shortened(text: &str, most: usize) -> String {
-    if text.chars().count() <= most {
+    // No text has more characters than bytes.
+    if text.len() <= most || text.chars().count() <= most {
         return text.to_owned();
     }
     let kept: String = text.chars().take(most.saturating_sub(1)).collect();

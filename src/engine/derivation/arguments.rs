@@ -11,7 +11,7 @@ use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::sorted::Tree;
 
 use super::Equation;
-use super::equation::{conditions, formulas, map_terms};
+use super::equation::{all_terms, conditions, formulas, map_terms};
 use super::names::undotted;
 use super::page::Page;
 
@@ -34,6 +34,11 @@ struct Spoken {
 
 /// Leaves out the arguments of what also stands without them on a page.
 pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
+    // Few pages write an argument.
+    let is_applied = |part: &Expr| matches!(part, Expr::Apply(..));
+    if !all_terms(page, equations).any(|term| term.any(&is_applied)) {
+        return;
+    }
     let mut all: Tree<Symbol, Spoken> = Tree::new();
     for statement in equations.iter().flat_map(Equation::statements) {
         let said: Vec<Formula> = formulas(statement);

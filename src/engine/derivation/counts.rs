@@ -81,6 +81,12 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
 
 /// The indices of which a formula is a recurrence, each with the sequences that run with it and their least and greatest offsets.
 pub(super) fn recurrences(formula: &Formula) -> Vec<(Symbol, Offsets)> {
+    if let Formula::Relation { left, right, .. } = formula
+        && !left.any(&may_be_shifted)
+        && !right.any(&may_be_shifted)
+    {
+        return Vec::new();
+    }
     let indices: BTreeSet<Symbol> = formula.names().iter().filter_map(shifted).collect();
     let running = indices.into_iter().map(|index| {
         let offsets = offsets(formula, &index);
@@ -116,6 +122,21 @@ fn limits<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, found: &mut BTreeSet<
     bound.push(index);
     limits(body, bound, found);
     bound.pop();
+}
+
+/// Whether a part of a term may speak of an `E_{n+1}`, as far as it is seen without looking closer: few do.
+fn may_be_shifted(part: &Expr) -> bool {
+    match part {
+        Expr::Symbol(own) => own.name().bytes().any(|sign| matches!(sign, b'+' | b'-')),
+        Expr::Number(_)
+        | Expr::Sum(_)
+        | Expr::Product(_)
+        | Expr::Quotient(..)
+        | Expr::Power(..)
+        | Expr::Negate(_)
+        | Expr::Call(..) => false,
+        _ => true,
+    }
 }
 
 /// `n` of `E_{n+1}`.

@@ -5,6 +5,7 @@ use crate::algebra::{Expr, Symbol};
 use crate::notation::{BeforeKind, Clause, Statement, SyntaxError};
 
 use super::Equation;
+use super::equation::terms;
 
 /// What is written for a differential.
 const SIGNS: [&str; 3] = ["d", "\\text{d}", "\\delta"];
@@ -17,7 +18,9 @@ const FEWEST: usize = 2;
 /// of, is a symbol like others. Where one display shows that it is none, it is none in the others of the page either.
 pub(super) fn refuse(equations: &mut [Equation], is_symbol: impl Fn(&Symbol) -> bool) {
     for d in SIGNS.map(Symbol::new) {
-        if is_symbol(&d) {
+        let mut statements = equations.iter().flat_map(Equation::statements);
+        let is_written = statements.any(|own| terms(own).any(|term| term.mentions(&d)));
+        if !is_written || is_symbol(&d) {
             continue;
         }
         let count = |equation: &Equation| Occurrences::of(equation.statements(), &d);

@@ -296,6 +296,31 @@ pub(super) fn each_side(statement: &mut Statement, change: &mut impl FnMut(&mut 
     }
 }
 
+/// The terms of a statement, and of the conditions under which it is said.
+pub(super) fn terms(statement: &Statement) -> impl Iterator<Item = &Expr> {
+    let clauses = statement.clauses.iter().chain(&statement.under);
+    clauses.flat_map(terms_of_clause)
+}
+
+/// The terms of a page, in its equations and in what is supposed.
+pub(super) fn all_terms<'a>(
+    page: &'a Page,
+    equations: &'a [Equation],
+) -> impl Iterator<Item = &'a Expr> {
+    let statements = equations.iter().flat_map(Equation::statements);
+    let supposed = page.locals.iter().flat_map(|local| &local.formulas);
+    let supposed = supposed.flat_map(|formula| formula.terms());
+    statements.flat_map(terms).chain(supposed)
+}
+
+fn terms_of_clause(clause: &Clause) -> impl Iterator<Item = &Expr> {
+    let (to, sides) = match clause {
+        Clause::Chain { sides, .. } => (None, sides.as_slice()),
+        Clause::AllEqual { to, value, .. } => (Some(to), value.as_slice()),
+    };
+    to.into_iter().chain(sides.iter().map(|side| &side.expr))
+}
+
 /// The formulas of a statement that says one thing: no implication, no question.
 pub fn formulas(statement: &Statement) -> Vec<Formula> {
     let clauses = statement.clauses.iter().enumerate();
@@ -361,13 +386,7 @@ impl Equation {
     /// The symbols and sequences that it speaks of.
     pub fn symbols(&self) -> Set<Symbol> {
         let clauses = || self.statements().iter().flat_map(|own| &own.clauses);
-        let terms = clauses().flat_map(|clause| {
-            let (to, sides) = match clause {
-                Clause::Chain { sides, .. } => (None, sides.as_slice()),
-                Clause::AllEqual { to, value, .. } => (Some(to), value.as_slice()),
-            };
-            to.into_iter().chain(sides.iter().map(|side| &side.expr))
-        });
+        let terms = clauses().flat_map(terms_of_clause);
         let sequences = clauses().filter_map(|clause| match clause {
             Clause::AllEqual { sequence, .. } => Some(sequence.clone()),
             Clause::Chain { .. } => None,

@@ -11,7 +11,7 @@ use crate::document::Prose;
 use crate::notation::{read_expr, read_formulas};
 
 use super::Equation;
-use super::equation::{conditions, each_side, formulas, of_pages};
+use super::equation::{all_terms, conditions, each_side, formulas, of_pages};
 use super::page::{Page, exponentials};
 
 /// The letters that mostly count something.
@@ -70,6 +70,14 @@ pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &mut [Equa
 fn is_the_number(own: &[usize], pages: &[Page], equations: &[Equation]) -> bool {
     let mut found = Use::default();
     let e = Symbol::new("e");
+    let speaks_of_it = |&at: &usize| {
+        let of_page = super::equation::of_page(at, equations);
+        let mut terms = all_terms(&pages[at], &equations[of_page]);
+        terms.any(|term| term.mentions(&e))
+    };
+    if !own.iter().any(speaks_of_it) {
+        return false;
+    }
     for &at in own {
         let page = &pages[at];
         if page.is_declared(&e) || page.euler.contains(&e) {

@@ -1,6 +1,7 @@
 //! What is said for good. A bound of a symbol that is introduced with it ("each of mass $m > 0$"), and the meaning of a new one ("Let
 //! $\mu = m_2/m_1$ be the mass ratio"), are so below the headings that follow as well, until the letter is introduced anew there.
 
+use std::cell::LazyCell;
 use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
@@ -94,7 +95,8 @@ impl Reader<'_> {
         let statements = display
             .iter()
             .flat_map(|part| part.statements.iter().flatten());
-        let said: Vec<Formula> = statements.flat_map(formulas).collect();
+        // Few sections have meanings of sections above.
+        let said = LazyCell::new(|| statements.flat_map(formulas).collect::<Vec<Formula>>());
         let afresh = |own: &Formula| match own.as_equation() {
             Some((left @ Expr::Symbol(_), _)) => said
                 .iter()

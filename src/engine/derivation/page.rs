@@ -159,8 +159,13 @@ pub(super) fn read_page(
         Item::Prose(prose) => Some(&prose.math),
         _ => None,
     });
-    let alone = |math: &Inline| read_symbol(page.document.text(math.body)).ok();
-    let spoken_of: Set<Symbol> = prose.flatten().filter_map(alone).collect();
+    // The same letters are named again and again.
+    let named = prose
+        .flatten()
+        .map(|math: &Inline| page.document.text(math.body));
+    let named: BTreeSet<&str> = named.collect();
+    let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
+    let spoken_of: Set<Symbol> = alone.collect();
     let is_symbol = |name: &Symbol| declared(name) || spoken_of.contains(name);
     doubts::refuse(&mut equations, declared, spoken_of.iter().cloned());
     differentials::refuse(&mut equations, is_symbol);

@@ -569,7 +569,7 @@ impl<'p> Reader<'p> {
         self.page
             .leave_cases(&read, &self.running, &mut self.active);
         // "At the critical point both slopes vanish: $$p' = 0$$" says itself what the words announce.
-        if !said_to_be_zero(&read) {
+        if !said.conditions.is_empty() && !said_to_be_zero(&read) {
             said.unread.append(&mut said.conditions);
         }
         let drawn = said.draws(&read);

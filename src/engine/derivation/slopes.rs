@@ -8,7 +8,7 @@ use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::sorted::{Map, Set};
 
 use super::Equation;
-use super::equation::{conditions, formulas, map_terms};
+use super::equation::{all_terms, conditions, formulas, map_terms};
 use super::names::undotted;
 use super::page::Page;
 
@@ -45,6 +45,11 @@ struct Given {
 
 /// Reads dots over what is given by a term in `t` as derivatives by it, and primes on functions, unless they are declared.
 pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
+    // Few pages have a mark.
+    let is_marked = |part: &Expr| matches!(part, Expr::Symbol(name) | Expr::Apply(name, _) if base(name).is_some());
+    if !all_terms(page, equations).any(|term| term.any(&is_marked)) {
+        return;
+    }
     let time = Symbol::new(TIME);
     let mut given = Given::default();
     for statement in equations.iter().flat_map(Equation::statements) {

@@ -533,6 +533,9 @@ impl Page {
         is_derived: bool,
         active: &mut Vec<usize>,
     ) {
+        if active.iter().all(|&at| self.locals[at].moment.is_none()) {
+            return;
+        }
         let said: Vec<Formula> = display
             .iter()
             .flat_map(|part| part.statements.iter().flatten())

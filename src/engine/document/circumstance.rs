@@ -103,11 +103,11 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Extent> {
 /// Of how much is said what comes after the words with which a sentence begins.
 pub(super) fn of_sentence(sentence: &[Placed<'_>]) -> Extent {
     let sentence = &sentence[lead(sentence)..];
-    let word = |at: usize| match sentence.get(at) {
-        Some((Token::Word(word), _)) => word.to_lowercase(),
-        _ => String::new(),
+    let among = |at: usize, words: &[&str]| {
+        sentence
+            .get(at)
+            .is_some_and(|(token, _)| token.is_among(words))
     };
-    let among = |at: usize, words: &[&str]| words.contains(&word(at).as_str());
     let has = |words: &[&str]| (0..sentence.len()).any(|at| among(at, words));
     if (0..sentence.len()).all(|at| among(at, &["and", "also", "as", "well"])) {
         return Extent::AsBefore;
@@ -115,22 +115,21 @@ pub(super) fn of_sentence(sentence: &[Placed<'_>]) -> Extent {
     if ends_in_a_clause(sentence) || says_what_it_means(sentence) || has(CONDITIONS) {
         return Extent::Condition;
     }
-    let first = word(0);
-    let begins = match first.as_str() {
-        "at" if among(1, NOTHING) || among(2, &["same"]) => Extent::Throughout,
-        "at" if among(1, REGIMES) => Extent::Circumstances,
-        "at" => Extent::Moment,
-        first if MOMENTS.contains(&first) => Extent::Moment,
-        "as" if word(1) == "soon" => Extent::Moment,
-        first if SHORTLY.contains(&first) && among(1, &["before", "after", "as", "when"]) => {
-            Extent::Moment
-        }
+    let begins = match () {
+        () if among(0, &["at"]) => match () {
+            () if among(1, NOTHING) || among(2, &["same"]) => Extent::Throughout,
+            () if among(1, REGIMES) => Extent::Circumstances,
+            () => Extent::Moment,
+        },
+        () if among(0, MOMENTS) => Extent::Moment,
+        () if among(0, &["as"]) && among(1, &["soon"]) => Extent::Moment,
+        () if among(0, SHORTLY) && among(1, &["before", "after", "as", "when"]) => Extent::Moment,
         // "After a long time"
-        "after" if has(&["time", "while"]) => Extent::Moment,
-        first if CIRCUMSTANCES.contains(&first) && !among(1, NOTHING) && !among(2, NOTHING) => {
+        () if among(0, &["after"]) && has(&["time", "while"]) => Extent::Moment,
+        () if among(0, CIRCUMSTANCES) && !among(1, NOTHING) && !among(2, NOTHING) => {
             Extent::Circumstances
         }
-        _ => Extent::Throughout,
+        () => Extent::Throughout,
     };
     match begins {
         Extent::Throughout => begins,

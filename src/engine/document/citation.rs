@@ -2,6 +2,7 @@
 
 use super::number::expand_range;
 use super::prose::{self, Placed, Token};
+use super::words::Listed;
 use super::{Citation, Span};
 
 /// Keys of `\ref` that name no equation.
@@ -25,13 +26,15 @@ pub(super) enum Introduction {
 
 /// Whether a word introduces a citation.
 pub(super) fn introduces(word: &str) -> Option<Introduction> {
-    if word.len() > 9 {
-        return None;
-    }
-    match &*prose::in_lower_case(word) {
-        "equation" | "eq" | "eqn" => Some(Introduction::Singular),
-        "equations" | "eqs" | "eqns" => Some(Introduction::Plural),
-        "formula" | "formulas" | "formulae" | "relation" | "relations" => Some(Introduction::Word),
+    const WORDS: [&str; 5] = ["formula", "formulas", "formulae", "relation", "relations"];
+    let among = |words: &[&str]| words.has_in_any_case(word);
+    match word.as_bytes().first()? {
+        b'e' | b'E' => match () {
+            () if among(&["equation", "eq", "eqn"]) => Some(Introduction::Singular),
+            () if among(&["equations", "eqs", "eqns"]) => Some(Introduction::Plural),
+            () => None,
+        },
+        b'f' | b'F' | b'r' | b'R' if among(&WORDS) => Some(Introduction::Word),
         _ => None,
     }
 }

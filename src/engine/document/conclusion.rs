@@ -1,7 +1,7 @@
 //! Whether prose says that what is displayed next follows: "Hence", "Substituting (3) into (4) gives".
 
 use super::Span;
-use super::prose::{Placed, Token, ends_sentence, in_lower_case};
+use super::prose::{Placed, Token, ends_sentence};
 use super::supposition::relates;
 use super::words::Words;
 
@@ -245,18 +245,24 @@ pub(super) fn draws(word: &str) -> bool {
     DRAWN.has(word)
 }
 
+/// Whether a token is a word that draws a conclusion.
+#[inline]
+pub(super) fn draws_on(token: Token<'_>) -> bool {
+    token.is_among(&DRAWN)
+}
+
 /// Whether what is before a verb points back: "this means" draws a conclusion, "break-even means" says what is meant.
 pub(super) fn refers(before: &[Placed<'_>]) -> bool {
     let last = before.last();
     last.is_some_and(|(token, _)| token.is_among(&["this", "that", "which", "it"]))
 }
 
-/// Whether the first sentence is about the display before it: "which by (2) is".
-pub(super) fn is_relative(tokens: &[Placed<'_>]) -> bool {
+/// Whether the first sentence is about the display before it: "which by (2) is"; or the last one is.
+pub(super) fn is_relative(tokens: &[Placed<'_>], last: &[Placed<'_>]) -> bool {
     let first = tokens
         .iter()
         .find(|(token, _)| !matches!(token, Token::Mark(',' | ';')));
-    matches!(first, Some((Token::Word("which"), _))) || works_on_it(tokens) || works_on_this(tokens)
+    matches!(first, Some((Token::Word("which"), _))) || works_on_it(last) || works_on_this(tokens)
 }
 
 /// "Comparing this with (1)": where nothing else is said after the display before, that is what is meant.
@@ -264,7 +270,7 @@ fn works_on_this(tokens: &[Placed<'_>]) -> bool {
     const WORKED_ON_THIS: &[&str] = &["comparing", "combining", "equating"];
     let words =
         |sentence: &&[Placed<'_>]| sentence.iter().any(|own| matches!(own.0, Token::Word(_)));
-    let mut sentences = tokens.split(|own| own.0 == Token::Stop).filter(words);
+    let mut sentences = tokens.split(|own| own.0.is_stop()).filter(words);
     let (Some(sentence), None) = (sentences.next(), sentences.next()) else {
         return false;
     };
@@ -286,11 +292,13 @@ const WORKED_ON: [&str; 7] = [
 const WORKED_WITH: [&str; 5] = ["using", "with", "by", "inserting", "substituting"];
 
 /// Whether the last sentence begins with what is done, names nothing that it is done to, and goes on with what is used for it.
-fn works_on_it(tokens: &[Placed<'_>]) -> bool {
-    let last = last_sentence(tokens).unwrap_or_default();
+fn works_on_it(last: &[Placed<'_>]) -> bool {
     let Some(((first, _), rest)) = last.split_first() else {
         return false;
     };
+    if !first.is_among(&WORKED_ON) {
+        return false;
+    }
     // "with respect to" names no means.
     let is_means = |at: usize| {
         let of = rest
@@ -304,7 +312,7 @@ fn works_on_it(tokens: &[Placed<'_>]) -> bool {
     let is_object = |(token, _): &Placed<'_>| {
         matches!(token, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..))
     };
-    first.is_among(&WORKED_ON) && !rest[..means].iter().any(is_object)
+    !rest[..means].iter().any(is_object)
 }
 
 /// Of these several are announced together: "The two conditions of equilibrium are".
@@ -323,8 +331,10 @@ static SEVERAL: Words = Words::of(&[
 
 /// Whether the last sentence announces several laws, and draws them from nothing: "The two conditions are", "We have the following
 /// equations.", "$a$ and $b$ are defined by".
-pub(super) fn announces_laws(tokens: &[Placed<'_>]) -> bool {
-    let last = last_sentence(tokens).unwrap_or_default();
+pub(super) fn announces_laws(last: &[Placed<'_>], concludes: Option<bool>) -> bool {
+    if concludes != Some(false) {
+        return false;
+    }
     let has = |words: &[&'static str]| last.iter().any(|(token, _)| token.is_among(words));
     let ends = last.iter().rev().find_map(|(token, _)| match token {
         Token::Word(word) => Some(*word),
@@ -336,7 +346,6 @@ pub(super) fn announces_laws(tokens: &[Placed<'_>]) -> bool {
     let defines = has(&["are"]) && has(&["defined"]) && symbols.count() > 1;
     let announces = ends == Some("are") || has(&["following"]);
     (defines || announces && last.iter().any(|(token, _)| token.is_among(&SEVERAL)))
-        && read(tokens) == Some(false)
         && !last.iter().any(cites)
 }
 
@@ -350,10 +359,7 @@ pub(super) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
         .iter()
         .filter(|(token, _)| !matches!(token, Token::Mark(',' | ';' | ':')));
     let first = said.next().map(|(token, _)| *token);
-    let plain = |(token, _): &Placed<'_>| match token {
-        Token::Word(word) => !draws(&in_lower_case(word)),
-        _ => false,
-    };
+    let plain = |(token, _): &Placed<'_>| matches!(token, Token::Word(_)) && !draws_on(*token);
     match first {
         Some(Token::Word("where")) => {
             let last = said.clone().next_back();
@@ -365,31 +371,33 @@ pub(super) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
 }
 
 /// Whether the last sentence says what is meant by what comes after it.
-pub(super) fn defines(tokens: &[Placed<'_>]) -> bool {
+pub(super) fn defines(last: &[Placed<'_>], concludes: Option<bool>) -> bool {
     // "From the definition of restitution it follows that" defines nothing.
-    let is_reason = read(tokens) == Some(true);
+    let is_reason = concludes == Some(true);
     let defining = |(token, _): &Placed<'_>| {
         token.is_among(&DEFINING) && !(is_reason && token.is_among(&["definition"]))
     };
-    last_sentence(tokens).is_some_and(|last| last.iter().any(defining))
+    last.iter().any(defining)
 }
 
 /// The last sentence with a word in it.
 pub(super) fn last_sentence<'t, 'a>(tokens: &'t [Placed<'a>]) -> Option<&'t [Placed<'a>]> {
-    let says = |(token, _): &Placed<'_>| matches!(token, Token::Word(_));
-    let mut sentences = tokens.split(|(token, _)| *token == Token::Stop);
-    sentences.rfind(|sentence| sentence.iter().any(says))
+    let mut sentences = tokens.split(|(token, _)| token.is_stop());
+    sentences.rfind(|sentence| has_words(sentence))
+}
+
+fn has_words(sentence: &[Placed<'_>]) -> bool {
+    let mut tokens = sentence.iter();
+    tokens.any(|(token, _)| matches!(token, Token::Word(_)))
 }
 
 /// Whether the last sentence divides one equation by another: what it divides by is meant not to vanish.
-pub(super) fn divides(tokens: &[Placed<'_>]) -> bool {
-    let last = last_sentence(tokens).unwrap_or_default();
+pub(super) fn divides(last: &[Placed<'_>]) -> bool {
     last.iter().any(|(token, _)| token.is_among(&DIVIDING))
 }
 
 /// Whether the last sentence names the rule for the slope of a product, of which every factor changes.
-pub(super) fn names_rule_of_factors(tokens: &[Placed<'_>]) -> bool {
-    let last = last_sentence(tokens).unwrap_or_default();
+pub(super) fn names_rule_of_factors(last: &[Placed<'_>]) -> bool {
     let is_rule = |(token, _): &Placed<'_>| token.is_among(&["rule", "rules"]);
     // "Leibniz' rule", "the product and chain rules".
     let mut from = (0..last.len()).filter(|&at| last[at].0.is_among(&OF_FACTORS));
@@ -397,10 +405,7 @@ pub(super) fn names_rule_of_factors(tokens: &[Placed<'_>]) -> bool {
 }
 
 /// Whether the last sentence gives a reason that is no equation: a law by its name, or words after "since".
-pub(super) fn reasons_in_words(source: &str, tokens: &[Placed<'_>]) -> bool {
-    let Some(last) = last_sentence(tokens) else {
-        return false;
-    };
+pub(super) fn reasons_in_words(source: &str, last: &[Placed<'_>]) -> bool {
     let among = |words: &'static [&str]| move |(token, _): &Placed<'_>| token.is_among(words);
     let is_equation = |(token, _): &Placed<'_>| match token {
         Token::Math(body) => source.get(body.range()).is_some_and(relates),
@@ -421,11 +426,10 @@ fn names_a_law(sentence: &[Placed<'_>]) -> bool {
 }
 
 /// The names of laws that the last sentence gives for a reason: "conservation of momentum", "Newton's second law".
-pub(super) fn laws_named(tokens: &[Placed<'_>]) -> Vec<Span> {
-    let last = last_sentence(tokens).unwrap_or_default();
+pub(super) fn laws_named(last: &[Placed<'_>]) -> Vec<Span> {
     let named = laws(last).filter_map(|law| {
         let joins = |(token, _): &&Placed<'_>| match token {
-            Token::Word(word) => !draws(&in_lower_case(word)) && !token.is_among(&OUTSIDE),
+            Token::Word(_) => !draws_on(*token) && !token.is_among(&OUTSIDE),
             token => matches!(token, Token::Mark('\'' | '’')),
         };
         let before = last[..law].iter().rev().take(LONGEST_NAME);
@@ -449,10 +453,8 @@ pub(super) fn laws_named(tokens: &[Placed<'_>]) -> Vec<Span> {
 /// Where laws are named in a sentence that may be reasons.
 fn laws(sentence: &[Placed<'_>]) -> impl Iterator<Item = usize> {
     let among = |words: &'static [&str]| move |(token, _): &Placed<'_>| token.is_among(words);
-    let concludes = |(token, _): &Placed<'_>| match token {
-        Token::Word(word) => draws(&in_lower_case(word)) || token.is_among(&["derived", "derive"]),
-        _ => false,
-    };
+    let concludes =
+        |(token, _): &Placed<'_>| draws_on(*token) || token.is_among(&["derived", "derive"]);
     (0..sentence.len()).filter(move |&law| {
         let is_reason = || {
             let verb = sentence[..law].iter().rposition(concludes);
@@ -470,15 +472,12 @@ fn puts_circumstances(sentence: &[Placed<'_>]) -> bool {
     let then = sentence
         .iter()
         .position(|(token, _)| token.is_among(&["then"]));
-    let works = |(token, _): &Placed<'_>| match token {
-        Token::Word(word) => WORKED.has(&in_lower_case(word)) || token.is_among(&["we"]),
-        _ => false,
-    };
+    let works = |(token, _): &Placed<'_>| token.is_among(&WORKED) || token.is_among(&["we"]);
     begins && then.is_some_and(|then| then > LEAST_REASON && !sentence[..then].iter().any(works))
 }
 
 /// Whether a text goes on with what was said before the display before it, and concludes nothing: "and perpendicular to it".
-pub(super) fn goes_on_with_and(tokens: &[Placed<'_>]) -> bool {
+pub(super) fn goes_on_with_and(tokens: &[Placed<'_>], concludes: Option<bool>) -> bool {
     let begins = matches!(tokens.first(), Some((Token::Word("and" | "while"), _)));
     let is_one = !tokens.iter().any(|(token, _)| {
         matches!(
@@ -486,7 +485,7 @@ pub(super) fn goes_on_with_and(tokens: &[Placed<'_>]) -> bool {
             Token::Stop | Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..)
         )
     });
-    begins && is_one && read(tokens) == Some(false)
+    begins && is_one && concludes == Some(false)
 }
 
 /// "No heat is lost, so": a sentence that draws one conclusion, from words that say how things are.
@@ -497,13 +496,8 @@ fn concludes_from_words(sentence: &[Placed<'_>]) -> bool {
     else {
         return false;
     };
-    let works = |(token, _): &Placed<'_>| match token {
-        Token::Word(word) => {
-            let word = in_lower_case(word);
-            let worked = draws(&word) || WORKED.has(&word);
-            worked || OF_ALGEBRA.has(&word)
-        }
-        _ => false,
+    let works = |(token, _): &Placed<'_>| {
+        draws_on(*token) || token.is_among(&WORKED) || token.is_among(&OF_ALGEBRA)
     };
     let reason = &sentence[..so];
     let ends = matches!(
@@ -563,32 +557,33 @@ fn says_it_is(sentence: &[Placed<'_>]) -> bool {
     begins && ends
 }
 
-/// Whether the last sentence says that what comes after it follows from something, as far as words tell; `None` where nothing
-/// is said.
-pub(super) fn read(tokens: &[Placed<'_>]) -> Option<bool> {
-    let last = last_sentence(tokens)?;
-    if says_the_same(last) || says_it_is(last) {
+/// Whether a sentence says that what comes after it follows from something, as far as words tell; `None` where nothing is said.
+pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
+    if !has_words(sentence) {
+        return None;
+    }
+    if says_the_same(sentence) || says_it_is(sentence) {
         return Some(true);
     }
-    Some(last.iter().enumerate().any(|(at, (token, _))| {
-        let Token::Word(word) = token else {
-            return false;
-        };
+    let otherwise = |at: usize| {
+        let (token, next) = (sentence[at].0, sentence.get(at + 1));
         // "From then on mechanical energy is conserved" tells when.
-        let before = at.checked_sub(1).map(|before| last[before].0);
+        let before = at.checked_sub(1).map(|before| sentence[before].0);
         let tells_when = matches!(
             before,
             Some(Token::Word(
                 "from" | "From" | "since" | "only" | "till" | "until"
             ))
         );
-        let word = in_lower_case(word);
         // "Momentum is conserved, and so is the energy"
-        let next = last.get(at + 1).map(|(token, _)| *token);
-        let adds =
-            &*word == "so" && next.is_some_and(|next| next.is_among(&["is", "are", "does", "do"]));
-        let defines = &*word == "means" && !refers(&last[..at]);
-        let otherwise = adds || defines || &*word == "then" && tells_when;
-        draws(&word) && !otherwise || WORKED.has(&word)
-    }))
+        let adds = |(next, _): &Placed<'_>| next.is_among(&["is", "are", "does", "do"]);
+        token.is_among(&["then"]) && tells_when
+            || token.is_among(&["so"]) && next.is_some_and(adds)
+            || token.is_among(&["means"]) && !refers(&sentence[..at])
+    };
+    let follows = |at: usize| {
+        let token = sentence[at].0;
+        token.is_among(&WORKED) || draws_on(token) && !otherwise(at)
+    };
+    Some((0..sentence.len()).any(follows))
 }

@@ -13,12 +13,22 @@ pub fn nearest<'w>(written: &str, words: &[&'w str], slips: usize) -> Option<&'w
     }
     let written: String = written.chars().take(LONGEST + 1).collect();
     let written = written.to_lowercase();
-    let length = written.chars().count();
+    let (length, own) = (written.chars().count(), letters(&written));
+    let may_be = |word: &&&str| {
+        let others = (letters(word) ^ own).count_ones() as usize;
+        word.chars().count().abs_diff(length) <= slips && others <= 2 * slips
+    };
     words
         .iter()
-        .filter(|word| word.chars().count().abs_diff(length) <= slips)
+        .filter(may_be)
         .map(|word| (strsim::osa_distance(&written, word), *word))
         .filter(|(distance, _)| *distance <= slips)
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, word)| word)
+}
+
+/// The letters of a word, as bits. A slip puts no more than one in the place of another, so it changes two at most.
+fn letters(word: &str) -> u64 {
+    let bits = word.chars().map(|letter| 1 << (u32::from(letter) % 64));
+    bits.fold(0, |all, bit| all | bit)
 }

@@ -36,7 +36,20 @@ pub(super) enum Token<'a> {
 }
 
 impl Token<'_> {
+    /// Whether it ends a sentence or a paragraph.
+    #[inline]
+    pub(super) fn is_stop(self) -> bool {
+        matches!(self, Token::Stop)
+    }
+
+    /// Whether it is this mark.
+    #[inline]
+    pub(super) fn is_mark(self, mark: char) -> bool {
+        matches!(self, Token::Mark(own) if own == mark)
+    }
+
     /// Whether it is one of these words, which are in lower case.
+    #[inline]
     pub(super) fn is_among(self, words: &(impl Listed + ?Sized)) -> bool {
         match self {
             Token::Word(word) => words.has_in_any_case(word),
@@ -58,7 +71,7 @@ pub(super) type Placed<'a> = (Token<'a>, Span);
 
 /// Whether a token ends a sentence, and not only a paragraph.
 pub(super) fn ends_sentence(source: &str, (token, span): &Placed<'_>) -> bool {
-    *token == Token::Stop && matches!(source.get(span.range()), Some("." | "?" | "!"))
+    token.is_stop() && matches!(source.get(span.range()), Some("." | "?" | "!"))
 }
 
 /// Whether the first word of a sentence is one of these.
@@ -189,29 +202,33 @@ const LONGEST_TAG: usize = 48;
 /// Reads prose; `inline` and `hidden` are in order.
 pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span]) -> Prose {
     let tokens = tokens(source, span, inline, hidden);
+    let last = conclusion::last_sentence(&tokens).unwrap_or_default();
+    let concludes = conclusion::read(last);
     let (suppositions, mentions) = supposition::read(source, &tokens);
     let named = supposition::named::read(source, &tokens);
     let (qualities, changing) = qualities::read(source, &tokens);
     let citations = citation::read(&tokens);
-    let last = conclusion::last_sentence(&tokens).and_then(|last| last.first());
     let tail = conclusion::tail(source, &tokens);
     let in_tail = |citation: &&Citation| {
         tail.last()
             .is_some_and(|(_, at)| citation.span.end <= at.end)
     };
-    let in_last = |citation: &&Citation| last.is_some_and(|(_, at)| at.start <= citation.span.end);
+    let in_last = |citation: &&Citation| {
+        last.first()
+            .is_some_and(|(_, at)| at.start <= citation.span.end)
+    };
     Prose {
         span,
         math: inline.to_vec(),
         closing: citations.iter().rev().take_while(in_last).count(),
         tail: citations.iter().take_while(in_tail).count(),
         says_from: conclusion::says_from(tail),
-        reasons: conclusion::reasons_in_words(source, &tokens),
-        laws_named: conclusion::laws_named(&tokens),
-        said_last: conclusion::last_sentence(&tokens).and_then(whole),
-        slope: slope::read(&tokens),
-        all_vary: conclusion::names_rule_of_factors(&tokens),
-        divides: conclusion::divides(&tokens),
+        reasons: conclusion::reasons_in_words(source, last),
+        laws_named: conclusion::laws_named(last),
+        said_last: whole(last),
+        slope: slope::read(last),
+        all_vary: conclusion::names_rule_of_factors(last),
+        divides: conclusion::divides(last),
         citations,
         suppositions,
         leading: leading(source, &tokens).unwrap_or_default(),
@@ -219,19 +236,19 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         changing,
         mentions,
         named,
-        concludes: conclusion::read(&tokens),
-        defines: conclusion::defines(&tokens),
-        is_relative: conclusion::is_relative(&tokens),
+        concludes,
+        defines: conclusion::defines(last, concludes),
+        is_relative: conclusion::is_relative(&tokens, last),
         says_what_is_meant: conclusion::says_what_is_meant(&tokens),
-        announces_laws: conclusion::announces_laws(&tokens),
-        goes_on: conclusion::goes_on_with_and(trimmed(&tokens)),
+        announces_laws: conclusion::announces_laws(last, concludes),
+        goes_on: conclusion::goes_on_with_and(trimmed(&tokens), concludes),
         extent: circumstance::read(source, &tokens),
     }
 }
 
 /// Without the ends of paragraphs around them.
 fn trimmed<'t, 'a>(tokens: &'t [Placed<'a>]) -> &'t [Placed<'a>] {
-    let says = |(token, _): &Placed<'_>| *token != Token::Stop;
+    let says = |(token, _): &Placed<'_>| !token.is_stop();
     match (tokens.iter().position(says), tokens.iter().rposition(says)) {
         (Some(first), Some(last)) => &tokens[first..=last],
         _ => &[],
@@ -311,7 +328,7 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
         '\n' | '\r' if ends_paragraph(rest) => (Some(Token::Stop), width),
         _ if first.is_whitespace() || matches!(first, '*' | '_' | '~' | '>') => (None, width),
         _ if first.is_alphabetic() => {
-            let length = run(rest, |c| c.is_alphanumeric());
+            let length = word_length(rest);
             (Some(Token::Word(&rest[..length])), length)
         }
         _ if first.is_numeric() => {
@@ -338,7 +355,7 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
             let abbreviated = first == '.'
                 && last.is_some_and(|(token, span)| {
                     matches!(token, Token::Word(word)
-                        if ABBREVIATED.contains(&word.to_lowercase().as_str()))
+                        if ABBREVIATED.has_in_any_case(word))
                         && span.end == at
                 });
             let after = rest[1..].trim_start_matches(['*', '_', ')', '"', '”', '\'']);
@@ -399,8 +416,17 @@ fn part_label(rest: &str, last: Option<&Placed<'_>>) -> Option<usize> {
     ((is_letter || is_roman) && begins).then_some(label.len() + 2)
 }
 
-fn run(rest: &str, belongs: fn(char) -> bool) -> usize {
+fn run(rest: &str, belongs: impl Fn(char) -> bool) -> usize {
     rest.find(|c| !belongs(c)).unwrap_or(rest.len())
+}
+
+/// How long the letters and digits are that a text begins with; most of them are ASCII.
+fn word_length(rest: &str) -> usize {
+    let plain = rest.bytes().take_while(u8::is_ascii_alphanumeric).count();
+    match rest.as_bytes().get(plain) {
+        Some(byte) if !byte.is_ascii() => plain + run(&rest[plain..], char::is_alphanumeric),
+        _ => plain,
+    }
 }
 
 /// A line end and a blank line after it.

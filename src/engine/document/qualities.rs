@@ -302,7 +302,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Qualities>, Vec<
 /// Where the clause begins that gives a reason for what a sentence says: "Now $A$ depends on $r$ only, since $V$ is fixed".
 fn begin_of_reason(sentence: &[Placed<'_>]) -> usize {
     let begins = |&at: &usize| {
-        sentence[at].0.is_among(&["since", "because"]) && sentence[at - 1].0 == Token::Mark(',')
+        sentence[at].0.is_among(&["since", "because"]) && sentence[at - 1].0.is_mark(',')
     };
     (1..sentence.len())
         .rev()
@@ -460,7 +460,7 @@ fn named_after(before: &[Placed<'_>], own: Vec<Attribute>, after: &[Placed<'_>])
     let leads = last.is_none_or(|token| match token {
         Token::Word("for" | "For") => constant,
         Token::Word(_) => token.is_among(&LEADING) || constant && token.is_among(&DESCRIBING),
-        token => token == Token::Mark(','),
+        token => token.is_mark(','),
     });
     let of_another = |token: &Placed<'_>| token.0.is_among(&OF_ANOTHER);
     if !leads || nouns.len() > 2 || nouns.iter().any(of_another) {
@@ -587,16 +587,13 @@ fn list_that_begins<'t, 'a>(tokens: &'t [Placed<'a>]) -> Option<(Vec<Span>, &'t 
 }
 
 fn joins(token: &Placed<'_>) -> bool {
-    token.0 == Token::Mark(',') || token.0.is_among(&["and"])
+    token.0.is_mark(',') || token.0.is_among(&["and"])
 }
 
 /// Whether what comes after these words of a sentence is told, and not concluded.
 fn tells(before: &[Placed<'_>]) -> bool {
     let telling = before.iter().rposition(|token| token.0.is_among(&TELLING));
     let clause = &before[telling.map_or(0, |at| at + 1)..];
-    let draws = |(token, _): &Placed<'_>| match token {
-        Token::Word(word) => conclusion::draws(&word.to_lowercase()),
-        _ => false,
-    };
+    let draws = |(token, _): &Placed<'_>| conclusion::draws_on(*token);
     !clause.iter().any(draws)
 }

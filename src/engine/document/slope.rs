@@ -1,7 +1,6 @@
 //! Sentences that take the slope of what they cite: "Differentiating (1) with respect to time we obtain the velocity".
 
 use super::Slope;
-use super::conclusion;
 use super::prose::{Placed, Token};
 
 /// These take a slope of what comes after them.
@@ -12,11 +11,10 @@ const OF: &[&str] = &["of", "equation", "eq", "both", "sides", "expression", "th
 const RATES: &[&str] = &["velocity", "speed", "acceleration"];
 
 /// The slope that the last sentence takes.
-pub(super) fn read(tokens: &[Placed<'_>]) -> Option<Slope> {
-    let last = conclusion::last_sentence(tokens)?;
+pub(super) fn read(last: &[Placed<'_>]) -> Option<Slope> {
     let takes = last.iter().position(|own| own.0.is_among(TAKING))?;
     let rest = &last[takes + 1..];
-    let skipped = |own: &&Placed<'_>| own.0.is_among(OF) || own.0 == Token::Mark('.');
+    let skipped = |own: &&Placed<'_>| own.0.is_among(OF) || own.0.is_mark('.');
     let of = rest.iter().take_while(skipped).count();
     let (Token::Tag(_) | Token::Keys(_), cited) = *rest.get(of)? else {
         return None;

@@ -32,13 +32,17 @@ impl std::error::Error for NotUtf8 {}
 /// Where the next character stands, from an offset on, by which a text commands who shows it: line ends and tabs do not, nor what sets
 /// colours.
 pub fn next_command(text: &str, mut from: usize) -> Option<usize> {
-    let commands = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    // What such a character begins with in UTF-8, and little else.
+    let may_begin = |byte: u8| matches!(byte, 0..=0x1F | 0x7F | 0xC2);
     loop {
-        let at = from + text.get(from..)?.find(commands)?;
-        match is_color(&text[at..]) {
-            true => from = at + 1,
-            false => return Some(at),
+        let at = from + text.get(from..)?.bytes().position(may_begin)?;
+        let rest = &text[at..];
+        let next = rest.chars().next()?;
+        let commands = next.is_control() && !matches!(next, '\n' | '\t');
+        if commands && !is_color(rest) {
+            return Some(at);
         }
+        from = at + next.len_utf8();
     }
 }
 
@@ -116,6 +120,9 @@ impl Lines {
 
 /// How many characters begin in a part of a text.
 fn characters(bytes: &[u8]) -> usize {
+    if bytes.is_ascii() {
+        return bytes.len();
+    }
     let begins = |byte: &&u8| **byte & 0b1100_0000 != 0b1000_0000;
     bytes.iter().filter(begins).count()
 }
@@ -123,9 +130,12 @@ fn characters(bytes: &[u8]) -> usize {
 /// `\n`, `\r\n` and a lone `\r` each end a line.
 pub(super) fn line_starts(bytes: &[u8]) -> Vec<usize> {
     let mut starts = vec![0];
-    for (index, &byte) in bytes.iter().enumerate() {
-        if byte == b'\n' || (byte == b'\r' && bytes.get(index + 1) != Some(&b'\n')) {
-            starts.push(index + 1);
+    let mut at = 0;
+    let ends = |byte: &u8| matches!(byte, b'\n' | b'\r');
+    while let Some(length) = bytes[at..].iter().position(ends) {
+        at += length + 1;
+        if bytes[at - 1] == b'\n' || bytes.get(at) != Some(&b'\n') {
+            starts.push(at);
         }
     }
     starts

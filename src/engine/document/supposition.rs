@@ -24,7 +24,7 @@ use self::words::{
 use super::circumstance;
 use super::conclusion;
 use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
-use super::words::{Listed, Words};
+use super::words::{Listed, Words, is_in_any_case};
 use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted;
 
@@ -56,7 +56,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     // A paragraph that no full stop ends goes on with the display after it.
     let stops = |token: &Placed<'_>| match token.0 {
         Token::Stop => ends_sentence(source, token),
-        other => other != Token::Hidden,
+        other => !matches!(other, Token::Hidden),
     };
     let end = tokens.iter().rposition(stops).map_or(0, |last| last + 1);
     let mut reader = Reader {
@@ -177,7 +177,7 @@ impl Reader<'_> {
         let lead = lead(rest);
         let is_example = |(token, _): &Placed<'_>| token.is_among(&["example", "instance"]);
         // "For example, take $x = 1$. We get"
-        let stops = || rest.iter().filter(|(token, _)| *token == Token::Stop);
+        let stops = || rest.iter().filter(|(token, _)| token.is_stop());
         let leads_on = || stops().count() <= 1;
         match rest[..lead].iter().any(is_example) && !leads_on() {
             true => 0,
@@ -207,8 +207,8 @@ impl Reader<'_> {
         if index < self.leading {
             return;
         }
-        let of_a_case = among(&OF_CASES) || among(&REGIMES);
-        self.sentence.special |= !self.sentence.begun && of_a_case;
+        let of_a_case = || among(&OF_CASES) || among(&REGIMES);
+        self.sentence.special |= !self.sentence.begun && of_a_case();
         if self.is_silent()
             && let Some(kind) = generalizes(word, index, self.tokens)
         {
@@ -217,24 +217,26 @@ impl Reader<'_> {
         let denies = self.sentence.careful && among(&DENYING);
         let unsaid = self.sentence.active.is_some() && self.is_silent() && among(&NEGATING);
         // A "non-trivial" solution is none of the trivial ones.
-        let compound = index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
-        let conditional = is_condition(self.source, index, self.tokens);
-        if denies || unsaid || !compound && !conditional && among(&DOUBTFUL) {
+        let compound = || index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
+        let conditional = || is_condition(self.source, index, self.tokens);
+        if denies || unsaid || among(&DOUBTFUL) && !compound() && !conditional() {
             self.withdraw();
             self.sentence.doubtful = true;
         }
-        let next = self.tokens.get(index + 1).map(|(token, _)| *token);
         // "The masses were measured to be" denies nothing.
-        let told = word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.has(next));
-        let begins = !self.sentence.begun || follows_comma(index, self.tokens);
-        if begins && matches!(word, "since" | "because" | "as") {
+        let told = || {
+            let next = self.tokens.get(index + 1).map(|(token, _)| *token);
+            word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.has(next))
+        };
+        let begins = || !self.sentence.begun || follows_comma(index, self.tokens);
+        if matches!(word, "since" | "because" | "as") && begins() {
             self.sentence.reason = Some(false);
         }
         if let Some(denied) = &mut self.sentence.reason
             && among(&DENYING)
         {
             *denied = true;
-        } else if among(&UNDECIDED) || among(&DENYING) && !told {
+        } else if among(&UNDECIDED) || among(&DENYING) && !told() {
             self.sentence.factual = false;
             self.sentence.means &= among(&HYPOTHETICAL);
             // "A ball of radius $r = 2 a$ rolls without slipping": only what comes after it is denied.
@@ -246,16 +248,19 @@ impl Reader<'_> {
         // "The bars have the lengths $a > b > 0$" concludes nothing.
         let we_have = word == "have" && follows(index, self.tokens, &HAVING);
         self.sentence.concluded |= draws || we_have || matches!(word, "show" | "shows");
-        let introduced = introduced(self.source, word, index, self.tokens, self.sentence.begun);
-        self.sentence.active = match (self.sentence.active, introduced) {
+        let begun = self.sentence.begun;
+        let introduced = || introduced(self.source, word, index, self.tokens, begun);
+        self.sentence.active = match self.sentence.active {
             _ if self.sentence.doubtful => None,
-            (Some(_), _) if draws || among(&CONCLUDING) => None,
-            (_, Some(introduced)) => {
-                self.sentence.careful = !matches!(word, "let" | "assume" | "suppose");
-                Some(introduced)
-            }
-            (Some((kind, reach)), None) => reach.past_word(word).map(|reach| (kind, reach)),
-            (None, None) => None,
+            Some(_) if draws || among(&CONCLUDING) => None,
+            active => match (active, introduced()) {
+                (_, Some(introduced)) => {
+                    self.sentence.careful = !matches!(word, "let" | "assume" | "suppose");
+                    Some(introduced)
+                }
+                (Some((kind, reach)), None) => reach.past_word(word).map(|reach| (kind, reach)),
+                (None, None) => None,
+            },
         };
         self.sentence.named = among(&NAMING) || self.sentence.named && word == "and";
         self.sentence.begun = true;
@@ -406,11 +411,11 @@ impl Reader<'_> {
 
     /// A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
     fn mark(&mut self, mark: Token<'_>) {
-        if mark == Token::Mark(',') {
+        if mark.is_mark(',') {
             self.sentence.reason = None;
         }
         let Some((kind, reach)) = self.sentence.active else {
-            if mark == Token::Mark(';') {
+            if mark.is_mark(';') {
                 self.open = self.found.len();
             }
             return;
@@ -515,19 +520,18 @@ fn follows_comma(index: usize, tokens: &[Placed<'_>]) -> bool {
 /// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".
 fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
     let word = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
-        Some((Token::Word(word), _)) => word.to_lowercase(),
-        _ => String::new(),
+        Some((token @ Token::Word(_), _)) => Some(*token),
+        _ => None,
     };
-    let is_known = |by: usize| KNOWN.has(&word(by));
-    match word(1).as_str() {
-        "that" => (2..=MOST_DESCRIBING + 2)
-            .take_while(|&by| !word(by).is_empty())
-            .any(is_known),
-        "be" => word(2) == "to" && is_known(3),
-        // "We measured $h = 1.20\,\mathrm{m}$"
-        "measured" => matches!(word(2).as_str(), "we" | "i" | "have"),
-        _ => false,
+    let is = |by: usize, words: &[&str]| word(by).is_some_and(|own| own.is_among(words));
+    let is_known = |by: usize| word(by).is_some_and(|own| own.is_among(&KNOWN));
+    if is(1, &["that"]) {
+        let mut before = (2..=MOST_DESCRIBING + 2).take_while(|&by| word(by).is_some());
+        return before.any(is_known);
     }
+    // "We measured $h = 1.20\,\mathrm{m}$"
+    is(1, &["be"]) && is(2, &["to"]) && is_known(3)
+        || is(1, &["measured"]) && is(2, &["we", "i", "have"])
 }
 
 /// Whether mathematics stands two tokens before what is at `index`: one word is between them.
@@ -584,36 +588,35 @@ fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
 fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<SuppositionKind> {
     use SuppositionKind::{Elsewhere, General};
     let before = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
-        Some((Token::Word(word), _)) => word.to_lowercase(),
-        _ => String::new(),
+        Some((Token::Word(word), _)) => *word,
+        _ => "",
     };
     let (last, second) = (before(1), before(2));
+    let is_one = |word: &str, words: &[&str]| words.has_in_any_case(word);
+    let after = |one: &str| is_in_any_case(last, one);
     let is = |said: bool, kind| said.then_some(kind);
     match word {
         "general" => {
-            let the = || last == "the" && matches!(&*second, "in" | "to" | "for");
-            is(last == "in" || the(), General)
+            let the = || after("the") && is_one(second, &["in", "to", "for"]);
+            is(after("in") || the(), General)
         }
         "generally" => Some(General),
         "assumption" | "restriction" | "supposition" => {
-            let one = matches!(&*last, "this" | "that" | "the" | "our");
-            let drops = matches!(
-                &*second,
-                "dropping" | "drop" | "lifting" | "relaxing" | "without"
-            );
-            is(one && drops, General)
+            const DROPPING: &[&str] = &["dropping", "drop", "lifting", "relaxing", "without"];
+            let one = is_one(last, &["this", "that", "the", "our"]);
+            is(one && is_one(second, DROPPING), General)
         }
-        "to" => is(last == "return", General),
+        "to" => is(after("return"), General),
         // "Now we include friction again", "Restoring the friction", "no longer neglecting friction"
         "again" => is(recalls(index, tokens), General),
-        "restoring" | "reinstating" | "reinstate" => is(last.is_empty() || last == "we", General),
+        "restoring" | "reinstating" | "reinstate" => is(last.is_empty() || after("we"), General),
         "neglect" | "neglecting" | "ignore" | "ignoring" | "assume" | "assuming" => {
-            is(last == "longer" && second == "no", General)
+            is(after("longer") && is_one(second, &["no"]), General)
         }
-        "cases" => is(last == "all" && second == "in", Elsewhere),
-        "all" | "any" | "every" if last == "at" => is(second.is_empty(), Elsewhere),
-        "arbitrary" | "all" | "any" | "every" => is(last == "for", Elsewhere),
-        "between" => is(last == "in", Elsewhere),
+        "cases" => is(after("all") && is_one(second, &["in"]), Elsewhere),
+        "all" | "any" | "every" if after("at") => is(second.is_empty(), Elsewhere),
+        "arbitrary" | "all" | "any" | "every" => is(after("for"), Elsewhere),
+        "between" => is(after("in"), Elsewhere),
         "later" | "otherwise" | "else" | "elsewhere" | "meanwhile" => {
             is(last.is_empty(), Elsewhere)
         }

@@ -6,15 +6,23 @@ pub(super) trait Listed {
 }
 
 impl Listed for [&str] {
+    #[inline]
     fn has_in_any_case(&self, word: &str) -> bool {
-        self.iter().any(|own| own.eq_ignore_ascii_case(word))
+        self.iter().any(|own| is_in_any_case(word, own))
     }
 }
 
 impl<const N: usize> Listed for [&str; N] {
+    #[inline]
     fn has_in_any_case(&self, word: &str) -> bool {
-        self[..].has_in_any_case(word)
+        self.iter().any(|own| is_in_any_case(word, own))
     }
+}
+
+/// Whether a word is another one, in small letters or capitals. Most have another length, which is seen where it is asked.
+#[inline]
+pub(super) fn is_in_any_case(word: &str, own: &str) -> bool {
+    word.len() == own.len() && word.eq_ignore_ascii_case(own)
 }
 
 /// A list that every word of a text is held against: of most words it is seen at a glance that they are not on it.
@@ -64,6 +72,7 @@ impl Words {
 }
 
 impl Listed for Words {
+    #[inline]
     fn has_in_any_case(&self, word: &str) -> bool {
         self.may_have(word) && self.all.has_in_any_case(word)
     }

@@ -24,17 +24,30 @@ pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
     let raw = shorthand::written_out(raw);
     let mut raw = system::without_braces(bare_words(&raw));
     part_inner_columns(&mut raw);
-    part_from_boxes(&mut raw);
-    let folder = Folder {
+    // Few formulas have boxes, and what closes where is asked for these alone.
+    let boxed = raw.iter().any(|token| is_box(token.kind));
+    if boxed {
+        part_from_boxes(&mut raw);
+    }
+    let mut folder = Folder {
         raw: &raw,
-        closing: closing(&raw),
+        closing: Vec::new(),
         boxes: Vec::new(),
     };
+    if boxed {
+        folder.closing = closing(&raw);
+        folder.find_boxes();
+    }
     folder.run()
 }
 
 /// `{\rm d}` stands where `\mathrm{d}` would: the braces around a single word go, but where a command takes them.
 fn bare_words<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
+    // Only what stands in braces by itself, or comes to, is one.
+    let is_last = |pair: &[Token]| is_word(pair[0].kind) && matches!(pair[1].kind, Kind::Close);
+    if !raw.windows(2).any(is_last) {
+        return raw.to_vec();
+    }
     let mut out: Vec<Token<'s>> = Vec::with_capacity(raw.len());
     let mut open = Vec::new();
     // For each token that is kept, where its group opens.
@@ -45,13 +58,13 @@ fn bare_words<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
             Kind::Close => open.pop().unwrap_or(at),
             _ => at,
         });
-        if token.kind == Kind::Open {
+        if matches!(token.kind, Kind::Open) {
             open.push(at);
         }
         out.push(*token);
         if let [.., first, word, last] = out.as_slice()
-            && (first.kind, last.kind) == (Kind::Open, Kind::Close)
-            && matches!(word.kind, Kind::Upright(_) | Kind::Quantity("", _))
+            && matches!((first.kind, last.kind), (Kind::Open, Kind::Close))
+            && is_word(word.kind)
             && !is_argument(&out, &groups, at - 2)
         {
             let (kind, spaced) = (word.kind, first.spaced);
@@ -62,6 +75,10 @@ fn bare_words<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
         }
     }
     out
+}
+
+fn is_word(kind: Kind) -> bool {
+    matches!(kind, Kind::Upright(_) | Kind::Quantity("", _))
 }
 
 /// Whether the braces that open here are a script, or what a command applies to.
@@ -247,6 +264,7 @@ pub(super) fn closing(raw: &[Token]) -> Vec<Option<usize>> {
 
 struct Folder<'a, 's> {
     raw: &'a [Token<'s>],
+    /// For every `{`, where its `}` is, if there are boxes.
     closing: Vec<Option<usize>>,
     /// Whether the `\boxed` at this place holds whole clauses.
     boxes: Vec<bool>,
@@ -257,9 +275,9 @@ impl<'s> Folder<'_, 's> {
         self.raw.get(at).map_or(Kind::End, |token| token.kind)
     }
 
-    fn run(mut self) -> Vec<Token<'s>> {
-        self.find_boxes();
-        let mut closes_box = vec![false; self.raw.len()];
+    fn run(self) -> Vec<Token<'s>> {
+        // As long as the tokens, where there are boxes.
+        let mut closes_box = vec![false; self.closing.len()];
         let mut out = Vec::with_capacity(self.raw.len());
         let mut at = 0;
         while let Some(&token) = self.raw.get(at) {

@@ -29,7 +29,7 @@ pub(crate) use commands::is_command;
 pub use lexer::is_constant_word;
 pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
-    mathml_statement, plain, plain_formula, relation_latex, unbraced,
+    mathml_statement, plain, plain_formula, plain_statement, relation_latex, unbraced,
 };
 pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
 pub use statement::{

@@ -15,9 +15,10 @@ use std::collections::BTreeSet;
 
 use crate::audit::{Entry, Review, Verdict};
 use crate::derivation::{Assumed, Source, formulas};
+use crate::notation::plain_statement;
 
 use super::Report;
-use super::words::{plain_statement, shortened};
+use super::words::shortened;
 use crate::sorted::Tree;
 
 pub use json::GraphView;

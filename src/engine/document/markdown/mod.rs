@@ -155,11 +155,24 @@ impl<'a> Scanner<'a> {
                     b'\\' => self.backslash(),
                     b'<' if self.rest().starts_with("<!--") => self.loose_comment(),
                     b':' if self.rest().starts_with(":::") => self.colons(),
-                    _ => self.at += 1,
+                    _ => self.at = self.next_sign(),
                 }
             }
         }
         self.hand_over_prose(self.bytes.len());
+    }
+
+    /// Where the next sign stands that may begin something: up to there is plain text.
+    fn next_sign(&self) -> usize {
+        let outline = self.outline;
+        let heading = outline.headings.get(self.next_heading);
+        let excluded = outline.excluded.get(self.next_excluded);
+        let starts = [heading.map(|own| own.span), excluded.map(|own| own.span)];
+        let starts = starts.into_iter().flatten().map(|span| span.start);
+        let (from, until) = (self.at + 1, starts.min().unwrap_or(self.bytes.len()));
+        let text = self.bytes.get(from..until).unwrap_or_default();
+        let is_sign = |byte: &u8| matches!(byte, b'$' | b'\\' | b'<' | b':');
+        from + text.iter().position(is_sign).unwrap_or(text.len())
     }
 
     fn rest(&self) -> &'a str {

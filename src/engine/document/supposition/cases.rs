@@ -33,7 +33,7 @@ const MOST_WORDS: usize = 8;
 
 /// The value in the last sentence, where that names a case with it.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {
-    let sentence = tokens.rsplit(|(token, _)| *token == Token::Stop).next()?;
+    let sentence = tokens.rsplit(|(token, _)| token.is_stop()).next()?;
     // "As a check, for a massless pulley, $M = 0$, this is"
     let sentence = &sentence[lead(sentence)..];
     let mut rest = sentence.iter();

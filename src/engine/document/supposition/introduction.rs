@@ -2,6 +2,7 @@
 
 use super::super::conclusion;
 use super::super::prose::{Placed, Token};
+use super::super::words::Words;
 use super::super::{Span, SuppositionKind};
 use super::mathematics::{differs, is_bound, is_value, relates};
 use super::words::{COMPARING, CONCLUDING, DEFINING, NEGATING};
@@ -14,6 +15,35 @@ const MOST_DESCRIBED: usize = 12;
 /// How many words may stand between "for" and what it supposes.
 pub(super) const MOST_DESCRIBING: usize = 3;
 
+/// These may introduce a supposition; so may those that define.
+static INTRODUCING: Words = Words::of(&[
+    "let",
+    "at",
+    "for",
+    "when",
+    "where",
+    "since",
+    "as",
+    "with",
+    "because",
+    "if",
+    "case",
+    "setting",
+    "putting",
+    "inserting",
+    "substituting",
+    "using",
+    "take",
+    "pick",
+    "assume",
+    "suppose",
+    "assuming",
+    "supposing",
+    "taking",
+    "provided",
+    "given",
+]);
+
 /// The supposition that the word at `index` introduces.
 pub(super) fn introduced(
     source: &str,
@@ -22,6 +52,9 @@ pub(super) fn introduced(
     tokens: &[Placed<'_>],
     begun: bool,
 ) -> Option<(SuppositionKind, Reach)> {
+    if !INTRODUCING.has(word) && !DEFINING.has(word) {
+        return None;
+    }
     let after = |by: usize| tokens.get(index + by).map(|(token, _)| *token);
     let direct = matches!(after(1), Some(Token::Math(_)));
     let that = matches!(after(1), Some(Token::Word("that")));
@@ -73,7 +106,7 @@ pub(super) fn introduced(
     // "By (1), for $e = 1$, …"
     let cited_before = || {
         let mut known = tokens[..index].iter().rev();
-        cites(known.find(|(token, _)| *token != Token::Mark(',')))
+        cites(known.find(|(token, _)| !token.is_mark(',')))
     };
     let capital =
         matches!(tokens[index].0, Token::Word(word) if word.starts_with(char::is_uppercase));
@@ -89,8 +122,8 @@ pub(super) fn introduced(
         short,
     };
     let case = SuppositionKind::Case { runs_on: false };
-    let listed = length_of_list(source, word, tokens.get(index + 1..).unwrap_or_default());
     let rest = &tokens[index + 1..];
+    let listed = || length_of_list(source, word, rest);
     let introduced = match word {
         "let" if !begun || direct => Some((SuppositionKind::Let, Reach::Sentence)),
         // "At $s = K$ the rate is half of its maximum." is said and done with.
@@ -105,8 +138,8 @@ pub(super) fn introduced(
         "for" | "when" | "where" | "since" | "as" | "with" if next(differs) && !goes_on() => {
             Some((SuppositionKind::Let, joined(true)))
         }
-        "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed >= 2 => {
-            Some((case, Reach::List { left: listed }))
+        "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed() >= 2 => {
+            Some((case, Reach::List { left: listed() }))
         }
         "if" if is_condition(source, index, tokens) => Some((case, Reach::Sentence)),
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
@@ -127,12 +160,12 @@ pub(super) fn introduced(
         }
         "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
         // "Take $a = 2$, $b = 3$ and $c = 4$. We get"
-        "take" | "pick" if by_us() && listed >= 1 => Some((
+        "take" | "pick" if by_us() && listed() >= 1 => Some((
             SuppositionKind::Case { runs_on: true },
-            Reach::List { left: listed },
+            Reach::List { left: listed() },
         )),
-        word if DEFINING.has(word) && by_us() && listed >= 2 => {
-            Some((SuppositionKind::Let, Reach::List { left: listed }))
+        word if DEFINING.has(word) && by_us() && listed() >= 2 => {
+            Some((SuppositionKind::Let, Reach::List { left: listed() }))
         }
         word if DEFINING.has(word) && by_us() && value() => {
             Some((SuppositionKind::Let, joined(true)))
@@ -164,10 +197,10 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
     };
     let before = index.checked_sub(1).map(|before| tokens[before].0);
     // A bullet.
-    let after_bullet = before == Some(Token::Dash)
+    let after_bullet = matches!(before, Some(Token::Dash))
         && index
             .checked_sub(2)
-            .is_none_or(|bullet| tokens[bullet].0 == Token::Stop);
+            .is_none_or(|bullet| tokens[bullet].0.is_stop());
     let begins = after_bullet
         || matches!(before, None | Some(Token::Stop | Token::Mark(',')))
         || follows(
@@ -181,22 +214,19 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
         Token::Word(word) => {
             !conclusion::draws(word) && !token.is_among(&NEGATING) && !token.is_among(&CONCLUDING)
         }
-        token => *token == Token::Mark(','),
+        token => token.is_mark(','),
     };
     let words = on.iter().take(MOST_DESCRIBED).take_while(describes).count();
     let states = matches!(on.get(words), Some((Token::Math(body), _))
         if source.get(body.range()).is_some_and(relates));
-    begins && states && !on.iter().any(|(token, _)| *token == Token::Stop)
+    begins && states && !on.iter().any(|(token, _)| token.is_stop())
 }
 
 /// Whether what is said is compared with the case at `index`: "unlike in the case", "as opposed to the case".
 fn is_compared(index: usize, tokens: &[Placed<'_>]) -> bool {
     let before = tokens[..index].iter().rev().take(MOST_DESCRIBING + 1);
-    let mut words = before.map_while(|(token, _)| match token {
-        Token::Word(word) => Some(word.to_lowercase()),
-        _ => None,
-    });
-    words.any(|word| COMPARING.has(&word))
+    let mut words = before.take_while(|(token, _)| matches!(token, Token::Word(_)));
+    words.any(|(token, _)| token.is_among(&COMPARING))
 }
 
 /// Whether nothing else is said between the value after a word and a display: "For $N = 3$ the value is", "By (1), for $e = 1$".
@@ -205,7 +235,7 @@ fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
     let says = |(token, _): &Placed<'_>| match token {
         Token::Math(body) => source.get(body.range()).is_some_and(relates),
         Token::Word(word) => NEGATING.has(word) || matches!(*word, "and" | "or"),
-        token => *token == Token::Stop,
+        token => token.is_stop(),
     };
     !rest.iter().any(says)
 }
@@ -215,21 +245,20 @@ fn is_set_off(rest: &[Placed<'_>]) -> bool {
     let listed =
         |(token, _): &&Placed<'_>| matches!(token, Token::Math(_)) || token.is_among(&["and"]);
     let after = rest.iter().find(|token| !listed(token));
-    after.is_some_and(|(token, _)| *token == Token::Mark(','))
+    after.is_some_and(|(token, _)| token.is_mark(','))
 }
 
 /// Whether the rest of a sentence leads on to a display, and denies nothing.
 fn runs_on(rest: &[Placed<'_>]) -> bool {
     let stops = |(token, _): &Placed<'_>| {
-        *token == Token::Stop || token.is_among(&NEGATING) || token.is_among(&["or"])
+        token.is_stop() || token.is_among(&NEGATING) || token.is_among(&["or"])
     };
     !rest.iter().any(stops)
 }
 
 /// Whether a sentence goes on with these: "and".
 fn only_joins(before: &[Placed<'_>]) -> bool {
-    let joins =
-        |token: &Placed<'_>| token.0.is_among(&["and", "but"]) || token.0 == Token::Mark(',');
+    let joins = |token: &Placed<'_>| token.0.is_among(&["and", "but"]) || token.0.is_mark(',');
     !before.is_empty() && before.iter().all(joins)
 }
 

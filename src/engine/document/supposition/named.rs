@@ -4,7 +4,7 @@
 //! A step that does not follow otherwise is tried with it. It is said of that display alone.
 
 use super::super::conclusion;
-use super::super::prose::{Placed, Token, begins_with, ends_sentence, in_lower_case};
+use super::super::prose::{Placed, Token, begins_with, ends_sentence};
 use super::super::words::Words;
 use super::super::{Named, Span};
 use super::cases::COMPARED;
@@ -62,7 +62,7 @@ static NEAR_THE_TRUTH: Words = Words::of(&[
 
 /// The relations that the text before a display names, the nearest sentences first.
 pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Named> {
-    let ends = |token: &Placed<'_>| ends_sentence(source, token) || token.0 == Token::Stop;
+    let ends = |token: &Placed<'_>| ends_sentence(source, token) || token.0.is_stop();
     let is_value = |own: &Named| source.get(own.body.range()).is_some_and(is_number);
     let (mut named, mut runs_on) = (Vec::new(), true);
     for (back, sentence) in tokens.rsplit(ends).take(MOST_SENTENCES).enumerate() {
@@ -86,6 +86,10 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Name
 /// The relations that a sentence names, in order.
 fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
     let text = |body: Span| source.get(body.range()).unwrap_or_default();
+    let is_math = |(token, _): &Placed<'_>| matches!(token, Token::Math(_));
+    if !sentence.iter().any(is_math) {
+        return Vec::new();
+    }
     let has = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
     let disputes =
         |(token, _): &Placed<'_>| token.is_among(&DISPUTING) && !token.is_among(&NEAR_THE_TRUTH);
@@ -101,7 +105,7 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
     let mut is_drawn = false;
     for (at, (token, _)) in sentence.iter().enumerate() {
         match *token {
-            Token::Word(word) => is_drawn |= conclusion::draws(&in_lower_case(word)),
+            Token::Word(_) => is_drawn |= conclusion::draws_on(*token),
             Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..) => is_drawn = true,
             Token::Math(body) => {
                 // "The derivative at $t = 0$" is of that moment alone.

@@ -145,22 +145,29 @@ pub(super) fn take_back(
     found: &mut Vec<Supposition>,
     mentions: &mut Vec<Span>,
 ) {
-    let sentences = tokens.split_inclusive(|token| ends_sentence(source, token));
-    let mut next = sentences.clone().skip(1);
-    let mut heads = false;
+    if found.is_empty() {
+        return;
+    }
+    let mut sentences = tokens
+        .split_inclusive(|token| ends_sentence(source, token))
+        .peekable();
+    let mut before: &[Placed<'_>] = &[];
     // In the order of the text.
     let mut said = std::mem::take(found).into_iter().peekable();
-    for sentence in sentences {
-        let words = sentence
-            .iter()
-            .filter(|(token, _)| matches!(token, Token::Word(_)));
-        let has = |among: &Words| sentence.iter().any(|(token, _)| token.is_among(among));
-        let denied = next.next().is_some_and(retracts);
-        let disputed = denied || heads || has(&DISPUTING);
-        heads = words.count() <= 2 && has(&HEADING);
-        let Some((_, last)) = sentence.last() else {
+    while let Some(sentence) = sentences.next() {
+        let heading = std::mem::replace(&mut before, sentence);
+        let mut own = Vec::new();
+        if let Some((_, last)) = sentence.last() {
+            while let Some(next) = said.next_if(|own| own.body.start < last.end) {
+                own.push(next);
+            }
+        }
+        if own.is_empty() {
             continue;
-        };
+        }
+        let has = |among: &Words| sentence.iter().any(|(token, _)| token.is_among(among));
+        let denied = sentences.peek().copied().is_some_and(retracts);
+        let disputed = denied || heads(heading) || has(&DISPUTING);
         // "Points above the line $y = 2 x$".
         let beside = |body: Span| {
             let before = sentence.partition_point(|(_, span)| span.end <= body.start);
@@ -174,10 +181,6 @@ pub(super) fn take_back(
             let taken = is_fact(own.kind) && disputed || supposes && denied;
             !bounds && (taken || (supposes || is_fact(own.kind)) && beside(own.body))
         };
-        let mut own = Vec::new();
-        while let Some(next) = said.next_if(|own| own.body.start < last.end) {
-            own.push(next);
-        }
         let ambiguous = ambiguous(source, &own);
         let is_ambiguous = |own: &Supposition| {
             supposes(own) && sides(source, own.body).is_some_and(|own| ambiguous.contains(own.0))
@@ -215,6 +218,14 @@ fn ambiguous<'a>(source: &'a str, said: &[Supposition]) -> Set<&'a str> {
 fn sides(source: &str, body: Span) -> Option<(&str, &str)> {
     let (left, right) = source.get(body.range())?.split_once('=')?;
     Some((left.trim(), right.trim()))
+}
+
+/// "Claim.": whether a sentence says what the next one is.
+fn heads(sentence: &[Placed<'_>]) -> bool {
+    let words = sentence
+        .iter()
+        .filter(|(token, _)| matches!(token, Token::Word(_)));
+    words.take(3).count() <= 2 && sentence.iter().any(|(token, _)| token.is_among(&HEADING))
 }
 
 /// "This is wrong."

@@ -5,7 +5,7 @@
 //! follow may follow from it.
 
 use super::super::conclusion;
-use super::super::prose::{Placed, Token, begins_with, in_lower_case, lead};
+use super::super::prose::{Placed, Token, begins_with, lead};
 use super::super::words::{Listed, Words};
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
 use super::follows;
@@ -50,6 +50,11 @@ static PARTS: Words = Words::of(&[
     "sum",
     "product",
 ]);
+/// What is zero or has a value is said with one of these, or with a "0".
+static PUTTING: Words = Words::of(&[
+    "setting", "set", "putting", "put", "equating", "equate", "vanish", "vanishes", "zero",
+    "nought", "equal", "equals", "be",
+]);
 /// A sentence in which a pronoun is the quantity of the display before it begins with one of these, or with the pronoun.
 const BEFORE_PRONOUN: &[&str] = &[
     "at", "in", "for", "on", "since", "because", "as", "but", "and", "now", "there", "here",
@@ -62,11 +67,16 @@ const MOST_LEADING_ON: usize = 6;
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
     let mut found = Vec::new();
     let sentences: Vec<&[Placed<'_>]> = tokens
-        .split(|(token, _)| *token == Token::Stop)
+        .split(|(token, _)| token.is_stop())
         .map(|sentence| &sentence[lead(sentence)..])
         .filter(|sentence| !sentence.is_empty())
         .collect();
+    let puts = |(token, _): &Placed<'_>| token.is_among(&PUTTING) || is_zero(source, *token);
     for (number, &sentence) in sentences.iter().enumerate() {
+        // Most sentences say nothing of the kind.
+        if !sentence.iter().any(puts) {
+            continue;
+        }
         // What leads on to a display is said of it.
         let leads = sentence.as_ptr_range().end == tokens.as_ptr_range().end;
         let next_leads = |next: &&[Placed<'_>]| {
@@ -216,12 +226,12 @@ fn equated(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
         match sentence[at].0 {
             token if is_zero(source, token) => return None,
             Token::Word(_) if among(sentence, at, &["equal"]) => says_equal = true,
-            Token::Word(word) => {
+            token @ Token::Word(_) => {
                 let ends = among(sentence, at, &["into", "in", "for", "we", "then", "where"]);
-                if ends || conclusion::draws(&in_lower_case(word)) {
+                if ends || conclusion::draws_on(token) {
                     break;
                 }
-                if PARTS.has(&in_lower_case(word)) {
+                if token.is_among(&PARTS) {
                     return None;
                 }
                 // "Equating the right-hand sides of (1) and (2)"
@@ -462,10 +472,7 @@ fn not_understood(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> 
     let set_equal = |at: usize| says(at, &["equal"]) && sets.is_some_and(|sets| sets < at);
     let at = (0..sentence.len()).find(|&at| puts(at) || set_equal(at))?;
     // What comes after "so" is concluded.
-    let draws = |(token, _): &Placed<'_>| match token {
-        Token::Word(word) => conclusion::draws(&in_lower_case(word)),
-        _ => false,
-    };
+    let draws = |(token, _): &Placed<'_>| conclusion::draws_on(*token);
     if sentence[..at].iter().any(draws) {
         return None;
     }

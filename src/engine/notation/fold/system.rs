@@ -35,10 +35,9 @@ fn opens(three: &[Token]) -> bool {
     let [left, brace, begin] = three else {
         return false;
     };
-    let braced = matches!(brace.kind, Kind::Command("{" | "lbrace"));
     let begun = |name: &str| name == "array" || ROWS.contains(&name);
-    left.kind == Kind::Command("left")
-        && braced
+    matches!(left.kind, Kind::Command("left"))
+        && matches!(brace.kind, Kind::Command("{" | "lbrace"))
         && matches!(begin.kind, Kind::Begin(name) if begun(name))
 }
 

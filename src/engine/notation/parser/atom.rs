@@ -379,6 +379,12 @@ fn number(text: &str, span: Span) -> Read<Expr> {
     if text.len() > DIGITS {
         return refuse(span, format!("this number has more than {DIGITS} digits"));
     }
+    // Most are whole and short.
+    if text.bytes().all(|byte| byte.is_ascii_digit())
+        && let Ok(whole) = text.parse::<u64>()
+    {
+        return Ok(Expr::Number(BigRational::from_integer(whole.into())));
+    }
     let text = text.replace("\\,", "").replace("{,}", ".");
     let (whole, decimals) = text.split_once('.').unwrap_or((&text, ""));
     let Ok(digits) = format!("{whole}{decimals}").parse::<BigInt>() else {

@@ -35,7 +35,8 @@ struct Subscript {
 impl Name {
     /// The name without its subscript: of `u'_i`, the sequence `u'`.
     fn stem(&self) -> String {
-        let mut stem = format!("{}{}", self.head, "'".repeat(self.primes));
+        let mut stem = self.head.clone();
+        stem.extend(std::iter::repeat_n('\'', self.primes));
         match self.marks.as_str() {
             "" => {}
             mark if mark.len() == 1 => stem.push_str(&format!("^{mark}")),
@@ -50,18 +51,24 @@ impl Name {
     pub(super) fn canonical(&self) -> String {
         match &self.subscript {
             None => self.stem(),
-            Some(subscript) => with_subscript(&self.stem(), &subscript.text),
+            Some(subscript) => subscripted(self.stem(), &subscript.text),
         }
     }
 }
 
 /// Adds a subscript to a name.
 pub(crate) fn with_subscript(stem: &str, text: &str) -> String {
-    if text.chars().count() == 1 {
-        format!("{stem}_{text}")
-    } else {
-        format!("{stem}_{{{text}}}")
-    }
+    subscripted(stem.to_owned(), text)
+}
+
+fn subscripted(mut stem: String, text: &str) -> String {
+    let bare = text.chars().take(2).count() == 1;
+    let (open, close) = if bare { ("_", "") } else { ("_{", "}") };
+    stem.reserve(open.len() + text.len() + close.len());
+    stem.push_str(open);
+    stem.push_str(text);
+    stem.push_str(close);
+    stem
 }
 
 /// Words that join statements; in `\text{…}` they are never a symbol.

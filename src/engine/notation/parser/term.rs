@@ -383,11 +383,11 @@ impl Product {
     }
 
     fn value(&mut self) -> Option<Expr> {
-        let mut factors: Vec<Expr> = self.factors.drain(..).map(|factor| factor.expr).collect();
-        if factors.len() > 1 {
-            return Some(Expr::Product(factors));
+        if self.factors.len() > 1 {
+            let factors = self.factors.drain(..).map(|factor| factor.expr);
+            return Some(Expr::Product(factors.collect()));
         }
-        factors.pop()
+        self.factors.pop().map(|factor| factor.expr)
     }
 
     /// TeX does not print braces, so `{a + b} c` looks like `a + bc`: refused, unless it stands alone.

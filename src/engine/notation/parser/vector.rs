@@ -73,7 +73,9 @@ impl Borne {
 }
 
 fn bears(name: &Symbol, marks: &[&str]) -> bool {
-    marks.iter().any(|mark| name.name().contains(mark))
+    // Most names are plain letters.
+    let name = name.name();
+    name.contains('\\') && marks.iter().any(|mark| name.contains(mark))
 }
 
 /// Whether a name is marked as that of a vector.

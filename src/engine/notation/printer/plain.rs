@@ -3,8 +3,9 @@
 //! Digits in scripts have their own characters; anything else stands after `_` or `^`, as in `E_{total}` and `δ^(3/2)`.
 
 use super::decimal;
-use crate::algebra::{Expr, Formula, Function, LimitPoint, Relation};
+use crate::algebra::{Expr, Formula, Function, LimitPoint, Relation, Symbol};
 use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
+use crate::notation::{Clause, Connective, Statement};
 use num_traits::{One, Signed};
 
 /// A term as one line of text.
@@ -34,6 +35,48 @@ pub fn plain(expr: &Expr) -> String {
     }
 }
 
+/// A statement as one line of text.
+pub fn plain_statement(statement: &Statement) -> String {
+    let mut text = String::new();
+    for (at, clause) in statement.clauses.iter().enumerate() {
+        if at > 0 {
+            text += match statement.connectives[at - 1].value {
+                Connective::Implies => " ⇒ ",
+                Connective::Equivalent => " ⇔ ",
+            };
+        }
+        text += &plain_clause(clause);
+    }
+    for (at, condition) in statement.under.iter().enumerate() {
+        text += if at == 0 { " if " } else { " and " };
+        text += &plain_clause(condition);
+    }
+    text
+}
+
+fn plain_clause(clause: &Clause) -> String {
+    match clause {
+        Clause::Chain { sides, links } => {
+            let mut text = sides
+                .first()
+                .map_or(String::new(), |side| plain(&side.expr));
+            for (link, side) in links.iter().zip(sides.iter().skip(1)) {
+                text += " ";
+                text += relation_sign(link.relation);
+                text += " ";
+                text += &plain(&side.expr);
+            }
+            text
+        }
+        Clause::AllEqual {
+            sequence,
+            to,
+            value,
+            ..
+        } => all_equal(sequence, to, value.as_ref().map(|side| &side.expr)),
+    }
+}
+
 /// A formula as one line of text.
 pub fn plain_formula(formula: &Formula) -> String {
     match formula {
@@ -53,14 +96,14 @@ pub fn plain_formula(formula: &Formula) -> String {
             sequence,
             to,
             value,
-        } => {
-            let stem = name(sequence.name());
-            let value = value
-                .as_ref()
-                .map_or(String::new(), |value| format!(" = {}", plain(value)));
-            format!("{stem}₁ = … = {stem}{}{value}", subscript(&plain(to)))
-        }
+        } => all_equal(sequence, to, value.as_ref()),
     }
+}
+
+fn all_equal(sequence: &Symbol, to: &Expr, value: Option<&Expr>) -> String {
+    let stem = name(sequence.name());
+    let value = value.map_or(String::new(), |value| format!(" = {}", plain(value)));
+    format!("{stem}₁ = … = {stem}{}{value}", subscript(&plain(to)))
 }
 
 fn relation_sign(relation: Relation) -> &'static str {

@@ -180,6 +180,7 @@ impl Parser<'_> {
     fn subscript_piece(&mut self, subscript: &mut Subscript) -> Read<()> {
         let span = self.span();
         let piece = match self.peek() {
+            Kind::Number(text) if text.bytes().all(|byte| byte.is_ascii_digit()) => text.to_owned(),
             Kind::Number(text) => text.replace("{,}", ",").replace("\\,", ""),
             Kind::Letter(c) => c.to_string(),
             Kind::Command(accent) if commands::find(ACCENTS, accent).is_some() => {
