@@ -7,13 +7,18 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 const MOST_THREADS: usize = 8;
 /// How many were asked for; 0 where nobody did.
 static ASKED_FOR: AtomicUsize = AtomicUsize::new(0);
+/// How many processors there are.
+static PROCESSORS: OnceLock<usize> = OnceLock::new();
 
 /// How many threads work where there is enough to do: as many as were asked for, else as many as there are processors.
 ///
 /// No result depends on it.
 pub fn threads() -> usize {
     let asked_for = match ASKED_FOR.load(Ordering::Relaxed) {
-        0 => std::thread::available_parallelism().map_or(1, |n| n.get()),
+        // To count them takes some fifteen questions to the system.
+        0 => {
+            *PROCESSORS.get_or_init(|| std::thread::available_parallelism().map_or(1, |n| n.get()))
+        }
         threads => threads,
     };
     asked_for.min(MOST_THREADS)
