@@ -824,3 +824,20 @@ fn a_step_goes_on_from_what_holds_under_a_condition() {
     assert_eq!((verdict, codes.contains(&"miscited")), ("holds", false));
     assert_eq!(page(3).0, "fails");
 }
+
+/// What an implication arrives at is no new meaning of the symbol: `\Rightarrow \mu = 1` finds a value.
+#[test]
+fn what_is_found_is_no_new_meaning() {
+    let page = |numerator: &str| {
+        last(&format!(
+            "# One\n\n## Ratio\n\nTwo masses $m > 0$ and $n > 0$ collide. Let $r = n/m$ be their ratio. The share is\n\n\
+             $$ s = \\frac{{4 m n}}{{(m + n)^2}} \\tag{{1}} $$\n\nwhich is\n\n$$ s = \\frac{{4 r}}{{(1 + r)^2}} \\tag{{2}} $$\n\n## Best\n\n\
+             Differentiating (2),\n\n$$ \\frac{{ds}}{{dr}} = \\frac{{4 (1 - r)}}{{(1 + r)^3}} \\tag{{3}} $$\n\n\
+             Setting the derivative to zero gives\n\n\
+             $$ \\frac{{4 (1 - r)}}{{(1 + r)^3}} = 0 \\quad \\Rightarrow \\quad {numerator} = 0 \\quad \\Rightarrow \\quad r = 1 $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("1 - r"), "holds");
+    assert_eq!(page("2 - r"), "fails");
+}

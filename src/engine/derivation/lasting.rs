@@ -95,8 +95,10 @@ impl Reader<'_> {
         let statements = display
             .iter()
             .flat_map(|part| part.statements.iter().flatten());
+        // Where an implication arrives, `\Rightarrow \mu = 1`, is what it finds.
+        let first = |statement| formulas(statement).into_iter().next();
         // Few sections have meanings of sections above.
-        let said = LazyCell::new(|| statements.flat_map(formulas).collect::<Vec<Formula>>());
+        let said = LazyCell::new(|| statements.filter_map(first).collect::<Vec<Formula>>());
         let afresh = |own: &Formula| match own.as_equation() {
             Some((left @ Expr::Symbol(_), _)) => said
                 .iter()
