@@ -841,3 +841,35 @@ fn what_is_found_is_no_new_meaning() {
     assert_eq!(page("1 - r"), "holds");
     assert_eq!(page("2 - r"), "fails");
 }
+
+/// What several quantities have in common gets a name in words.
+#[test]
+fn a_name_for_a_common_value_is_that_of_each() {
+    let page = |words: &str, sum: &str| {
+        last(&format!(
+            "The bodies have the total momentum\n\n$$ p = m v + n w \\tag{{1}} $$\n\nIn the end they stick together:\n\n\
+             $$ v = w \\tag{{2}} $$\n\n{words} from (1)\n\n$$ p = {sum} u \\tag{{3}} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "Call their common velocity $u$. Then",
+        "Calling the common velocity $u$, we have",
+        "We denote the common velocity by $u$. Then",
+        "Let $u$ be their common velocity. Then",
+    ] {
+        assert_eq!(page(words, "(m + n)"), "holds", "{words}");
+        assert_eq!(page(words, "(m - n)"), "fails", "{words}");
+    }
+
+    let balls = |result: &str| {
+        last(&format!(
+            "<!-- check: symbols n: count, natural -->\n\nThe momentum is\n\n$$ n w = \\sum_{{i=1}}^n u_i \\tag{{1}} $$\n\n\
+             and all velocities are the same:\n\n$$ u_1 = u_2 = \\dots = u_n \\tag{{2}} $$\n\nCalling the common value $u$, we read off from (1)\n\n\
+             $$ n w = n u \\quad \\Rightarrow \\quad u = {result} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(balls("w"), "holds");
+    assert_eq!(balls("2 w"), "fails");
+}

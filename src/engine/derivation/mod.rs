@@ -10,6 +10,7 @@ mod beside;
 mod beyond;
 mod chain;
 mod checker;
+mod common;
 mod constants;
 mod counts;
 mod definition;

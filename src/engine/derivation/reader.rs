@@ -89,7 +89,7 @@ pub(super) struct Reader<'p> {
     pub(super) equations: Vec<Equation>,
     /// Of each equation, what says that it is derived.
     derived: Vec<Option<Span>>,
-    level: u8,
+    pub(super) level: u8,
     section: String,
     /// Where the section begins.
     pub(super) begins: usize,
@@ -127,7 +127,7 @@ pub(super) struct Reader<'p> {
     /// What is spoken of before the last display.
     known: Known,
     /// The same with the last display.
-    spoken_of: Known,
+    pub(super) spoken_of: Known,
     /// What displays speak of so far.
     pub(super) displayed: Known,
 }
@@ -404,6 +404,7 @@ impl<'p> Reader<'p> {
                 }
             }
             SuppositionKind::Anew => self.introduce_anew(body),
+            SuppositionKind::Common => self.name_what_is_common(body),
             SuppositionKind::OfKind(kind) => self.kinds.push((kind, body)),
             SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
             SuppositionKind::Vanishes(what) | SuppositionKind::StandsStill(what) => {

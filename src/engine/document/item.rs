@@ -268,6 +268,8 @@ pub enum SuppositionKind {
     OfKind(Span),
     /// "Let $x$ be a real number": a letter is introduced. It supposes nothing.
     Anew,
+    /// "Call their common value $u$": a name for what the display before says is equal.
+    Common,
     /// "In general": all special cases are left. It supposes nothing.
     General,
     /// "Later", "In between": the cases that were gone through and the moments are left, but not what was let.

@@ -7,6 +7,7 @@
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
 mod cases;
+mod common;
 mod introduction;
 mod mathematics;
 pub(super) mod named;
@@ -82,6 +83,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
     retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));
+    found.extend(common::read(source, &tokens[..end]));
     found.extend(introduced.into_iter().map(|body| Supposition {
         kind: SuppositionKind::Anew,
         body,
