@@ -154,7 +154,8 @@ impl Judge<'_> {
         self.rescue_from(&open, goal, assumed, premises, found)
     }
 
-    /// The same from the display before, where the text goes on from that and it holds under conditions: whoever goes on means them.
+    /// The same from the display before, where the text goes on from that: whoever goes on means the conditions under which it holds, and
+    /// rests on what it rests on.
     pub(super) fn rescue_going_on(
         &self,
         goal: &Goal,
@@ -162,12 +163,26 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        let mut before = self.open_on_this_page(premises);
-        let is_undecided = |entry: &Entry| entry.verdict == Verdict::Undecided;
-        before.retain(|&other| {
-            self.goes_on_from(other) && !self.auditor.entries_of(other).any(is_undecided)
-        });
-        self.rescue_from(&before, goal, assumed, premises, found)
+        let Before { sound, .. } = self.before(premises);
+        let is_amiss = |entry: &Entry| entry.is_wrong() || entry.verdict == Verdict::Undecided;
+        let page = self
+            .derivation
+            .equations_of(self.derivation.equations[self.at].page);
+        let before = (page.start..self.at)
+            .rev()
+            .take_while(|&other| self.goes_on_from(other));
+        let mut before: Vec<usize> = before
+            .filter(|other| !premises.contains(other) && !sound.contains(other))
+            .filter(|&other| !self.auditor.entries_of(other).any(is_amiss))
+            .filter(|&other| self.may_borrow(other, true))
+            .collect();
+        if before.is_empty() {
+            return false;
+        }
+        before.extend(sound);
+        // What is cited besides may be what it takes to see it.
+        found.may_follow = self.rescue_from(&before, goal, assumed, premises, found);
+        found.may_follow
     }
 
     fn rescue_from(
