@@ -873,3 +873,18 @@ fn a_name_for_a_common_value_is_that_of_each() {
     assert_eq!(balls("w"), "holds");
     assert_eq!(balls("2 w"), "fails");
 }
+
+/// Whoever goes on from the display before rests on what that rests on, whatever else is cited.
+#[test]
+fn a_step_goes_on_from_what_rests_on_something_false() {
+    let page = |value: &str| {
+        verdicts(&format!(
+            "The sum is\n\n$$ p = a + b \\tag{{1}} $$\n\nand by assumption\n\n$$ p \\geq 2 a \\tag{{2}} $$\n\n\
+             From (1) we conclude that\n\n$$ p \\leq 2 a \\tag{{3}} $$\n\nFrom (2) and (3) follows\n\n$$ p = 2 a \\tag{{4}} $$\n\n\
+             So this is the case of equality in (2), and therefore\n\n$$ a = b \\tag{{5}} $$\n\n\
+             Calling the common value $c$, we read off from (1) that\n\n$$ p = {value} \\tag{{6}} $$\n"
+        ))
+    };
+    assert_eq!(page("2 c")[2..], ["fails", "holds", "holds", "holds"]);
+    assert_eq!(page("3 c")[2..], ["fails", "holds", "holds", "fails"]);
+}

@@ -179,6 +179,24 @@ impl Judge<'_> {
         if before.is_empty() {
             return false;
         }
+        // And what that was drawn from.
+        let entries = before
+            .iter()
+            .flat_map(|&other| self.auditor.entries_of(other));
+        let drawn_from = entries
+            .flat_map(|entry| &entry.judged)
+            .flat_map(|own| sources(&own.assumed));
+        let drawn_from: Vec<usize> = drawn_from
+            .filter_map(|source| match source {
+                Source::Equation(other) => Some(other),
+                _ => None,
+            })
+            .filter(|other| {
+                !premises.contains(other) && !sound.contains(other) && !before.contains(other)
+            })
+            .filter(|&other| !self.auditor.entries_of(other).any(is_amiss))
+            .collect();
+        before.extend(drawn_from);
         before.extend(sound);
         // What is cited besides may be what it takes to see it.
         found.may_follow = self.rescue_from(&before, goal, assumed, premises, found);
