@@ -888,3 +888,18 @@ fn a_step_goes_on_from_what_rests_on_something_false() {
     assert_eq!(page("2 c")[2..], ["fails", "holds", "holds", "holds"]);
     assert_eq!(page("3 c")[2..], ["fails", "holds", "holds", "fails"]);
 }
+
+/// Also where it needs a condition of its own.
+#[test]
+fn what_is_inserted_is_the_display_before() {
+    let page = |area: &str| {
+        last(&format!(
+            "Two tanks hold\n\n$$ A x + B y = V \\tag{{1}} $$\n\nand the flow between them is\n\n$$ Q = k (x - y) \\tag{{2}} $$\n\n\
+             Solving (2) for $y$ gives\n\n$$ y = x - \\frac{{Q}}{{k}} \\tag{{3}} $$\n\nand inserting this into (1)\n\n\
+             $$ x = \\frac{{V + {area} Q/k}}{{A + B}} \\tag{{4}} $$\n"
+        ))
+    };
+    let (verdict, codes) = page("B");
+    assert_eq!((verdict, codes.contains(&"miscited")), ("holds", false));
+    assert_eq!(page("A").0, "fails");
+}

@@ -23,7 +23,7 @@ const MOST_LATER: usize = 4;
 #[derive(Default)]
 pub(super) struct Before {
     /// What rests on nothing false or open.
-    sound: Vec<usize>,
+    pub(super) sound: Vec<usize>,
     /// What rests on no more than what is cited does.
     all: Vec<usize>,
     /// This, and what is left open itself or holds under conditions.
@@ -154,56 +154,8 @@ impl Judge<'_> {
         self.rescue_from(&open, goal, assumed, premises, found)
     }
 
-    /// The same from the display before, where the text goes on from that: whoever goes on means the conditions under which it holds, and
-    /// rests on what it rests on.
-    pub(super) fn rescue_going_on(
-        &self,
-        goal: &Goal,
-        assumed: &[Assumed],
-        premises: &[usize],
-        found: &mut Found,
-    ) -> bool {
-        let Before { sound, .. } = self.before(premises);
-        let is_amiss = |entry: &Entry| entry.is_wrong() || entry.verdict == Verdict::Undecided;
-        let page = self
-            .derivation
-            .equations_of(self.derivation.equations[self.at].page);
-        let before = (page.start..self.at)
-            .rev()
-            .take_while(|&other| self.goes_on_from(other));
-        let mut before: Vec<usize> = before
-            .filter(|other| !premises.contains(other) && !sound.contains(other))
-            .filter(|&other| !self.auditor.entries_of(other).any(is_amiss))
-            .filter(|&other| self.may_borrow(other, true))
-            .collect();
-        if before.is_empty() {
-            return false;
-        }
-        // And what that was drawn from.
-        let entries = before
-            .iter()
-            .flat_map(|&other| self.auditor.entries_of(other));
-        let drawn_from = entries
-            .flat_map(|entry| &entry.judged)
-            .flat_map(|own| sources(&own.assumed));
-        let drawn_from: Vec<usize> = drawn_from
-            .filter_map(|source| match source {
-                Source::Equation(other) => Some(other),
-                _ => None,
-            })
-            .filter(|other| {
-                !premises.contains(other) && !sound.contains(other) && !before.contains(other)
-            })
-            .filter(|&other| !self.auditor.entries_of(other).any(is_amiss))
-            .collect();
-        before.extend(drawn_from);
-        before.extend(sound);
-        // What is cited besides may be what it takes to see it.
-        found.may_follow = self.rescue_from(&before, goal, assumed, premises, found);
-        found.may_follow
-    }
-
-    fn rescue_from(
+    /// The same from some equations before.
+    pub(super) fn rescue_from(
         &self,
         open: &[usize],
         goal: &Goal,
@@ -425,7 +377,7 @@ impl Judge<'_> {
         })
     }
 
-    fn before(&self, premises: &[usize]) -> &Before {
+    pub(super) fn before(&self, premises: &[usize]) -> &Before {
         self.before.get_or_init(|| self.look_before(premises))
     }
 
@@ -475,7 +427,7 @@ impl Judge<'_> {
     }
 
     /// What the text tells here, and what equations that are not cited offer.
-    fn gathered(&self, equations: &[usize]) -> Vec<Assumed> {
+    pub(super) fn gathered(&self, equations: &[usize]) -> Vec<Assumed> {
         let own = &self.usable.assumed;
         let offer = |premise| self.auditor.offer(self.at, premise);
         let offered = usable(self.derivation, offer, self.at, equations).assumed;
@@ -519,7 +471,7 @@ impl Judge<'_> {
 
     /// Whether all that an earlier equation was shown under is supposed here too: what is not cited brings no special case with it.
     /// In the place of a wrong citation, which is told of, one under mere conditions will do.
-    fn may_borrow(&self, other: usize, cites: bool) -> bool {
+    pub(super) fn may_borrow(&self, other: usize, cites: bool) -> bool {
         let own = &self.derivation.equations[self.at];
         let Some(offer) = self.auditor.offer(self.at, other) else {
             return false;
@@ -534,18 +486,6 @@ impl Judge<'_> {
                 || !beyond && goes_on && !special
                 || cites && bounds()
         })
-    }
-
-    /// Whether the step is drawn where the text goes on from an equation: what that was shown under is meant as it is by a step that cites
-    /// nothing. "In the steady state $dc/dt = 0$, so that … Eliminating $e$ with (1),".
-    fn goes_on_from(&self, other: usize) -> bool {
-        let equations = &self.derivation.equations;
-        let own = &equations[self.at];
-        let last = (self.at - own.row.min(self.at)).checked_sub(1);
-        let before = last.map(|last| last - equations[last].row.min(last)..last + 1);
-        let is_before = before.is_some_and(|before| before.contains(&other));
-        let starts = self.derivation.equations_of(own.page).start + own.section_start;
-        own.drawn && is_before && other >= starts
     }
 
     /// What is given further on in the page and not cited: an author may have used it too soon.

@@ -16,6 +16,7 @@ mod equation;
 mod family;
 mod figures;
 mod given;
+mod going_on;
 mod identity;
 mod induction;
 mod instances;

@@ -1,0 +1,81 @@
+//! Steps that go on from the display before, whatever else they cite: "Inserting this into (1)".
+
+use crate::derivation::{Assumed, Goal, Source};
+use crate::search::Effort;
+
+use super::borrowed::Before;
+use super::judge::{Found, Judge, NEARBY, sources};
+use super::{Entry, Verdict};
+
+impl Judge<'_> {
+    /// Tries a step that does not follow from what it cites with the display before, where the text goes on from that: whoever does means the
+    /// conditions under which it holds, and rests on what it rests on.
+    pub(super) fn rescue_going_on(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        let Before { sound, .. } = self.before(premises);
+        let mut before = self.gone_on_from(premises, sound);
+        if before.is_empty() {
+            return false;
+        }
+        let rests = |&other: &usize| {
+            let mut entries = self.auditor.entries_of(other);
+            entries.any(|own| !own.rests_on.is_empty())
+        };
+        // From what fails anything may follow, if only hard enough is tried.
+        let under_conditions = !before.iter().any(rests) && self.failing(premises).is_empty();
+        before.extend(sound);
+        // What is cited besides may be what it takes to see it.
+        found.may_follow = self.rescue_from(&before, goal, assumed, premises, found)
+            || under_conditions && {
+                let near = self.gathered(&before).into_iter().take(NEARBY[1].0);
+                let all = assumed.iter().cloned().chain(near).collect();
+                self.under_conditions(goal, all, None, (true, Effort::Light), found)
+            };
+        found.may_follow
+    }
+
+    /// The display before, where the text goes on from that, and what it was drawn from: what is not wrong itself, nor cited or sound and
+    /// tried already.
+    fn gone_on_from(&self, premises: &[usize], sound: &[usize]) -> Vec<usize> {
+        let is_amiss = |entry: &Entry| entry.is_wrong() || entry.verdict == Verdict::Undecided;
+        let is_new = |other: &usize| {
+            let known = premises.contains(other) || sound.contains(other);
+            !known && !self.auditor.entries_of(*other).any(is_amiss)
+        };
+        let page = self.derivation.equations[self.at].page;
+        let before = (self.derivation.equations_of(page).start..self.at).rev();
+        let mut all: Vec<usize> = before
+            .take_while(|&other| self.goes_on_from(other))
+            .filter(|other| is_new(other) && self.may_borrow(*other, true))
+            .collect();
+        let entries = all.iter().flat_map(|&other| self.auditor.entries_of(other));
+        let judged = entries.flat_map(|entry| &entry.judged);
+        let drawn_from: Vec<usize> = judged
+            .flat_map(|own| sources(&own.assumed))
+            .filter_map(|source| match source {
+                Source::Equation(other) => Some(other),
+                _ => None,
+            })
+            .filter(|other| is_new(other) && !all.contains(other))
+            .collect();
+        all.extend(drawn_from);
+        all
+    }
+
+    /// Whether the step is drawn where the text goes on from an equation: what that was shown under is meant as it is by a step that cites
+    /// nothing. "In the steady state $dc/dt = 0$, so that … Eliminating $e$ with (1),".
+    pub(super) fn goes_on_from(&self, other: usize) -> bool {
+        let equations = &self.derivation.equations;
+        let own = &equations[self.at];
+        let last = (self.at - own.row.min(self.at)).checked_sub(1);
+        let before = last.map(|last| last - equations[last].row.min(last)..last + 1);
+        let is_before = before.is_some_and(|before| before.contains(&other));
+        let starts = self.derivation.equations_of(own.page).start + own.section_start;
+        own.drawn && is_before && other >= starts
+    }
+}
