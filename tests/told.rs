@@ -862,6 +862,14 @@ fn a_name_for_a_common_value_is_that_of_each() {
         assert_eq!(page(words, "(m - n)"), "fails", "{words}");
     }
 
+    // A common denominator is no value of theirs.
+    assert_eq!(
+        verdicts(
+            "The two are equal,\n\n$$ v = w \\tag{1} $$\n\nWith the common denominator $d$, which is\n\n$$ d = a + b \\tag{2} $$\n"
+        )[1],
+        "given"
+    );
+
     let balls = |result: &str| {
         last(&format!(
             "<!-- check: symbols n: count, natural -->\n\nThe momentum is\n\n$$ n w = \\sum_{{i=1}}^n u_i \\tag{{1}} $$\n\n\

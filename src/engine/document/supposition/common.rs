@@ -8,6 +8,8 @@ const COMMON: [&str; 2] = ["common", "shared"];
 /// Between "the common velocity" and its name: "denote the common velocity by $u$".
 const NAMED_BY: [&str; 4] = ["by", "is", "be", "as"];
 /// Between a name and "the common velocity": "where $u$ is their common velocity".
+/// What is common to terms, and no value of theirs: "with the common denominator $d$".
+const NO_VALUES: [&str; 5] = ["denominator", "factor", "divisor", "multiple", "base"];
 const BEING: [&str; 5] = ["is", "be", "denotes", "denote", "for"];
 
 /// The letters by which something is named that is common to what was displayed before.
@@ -21,7 +23,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         let noun = at.checked_sub(1 + usize::from(by));
         let is_word = noun.is_some_and(|noun| matches!(tokens[noun].0, Token::Word(_)));
         let before = is_word && among(noun.and_then(|noun| noun.checked_sub(1)), &COMMON);
-        before || among(Some(at + 1), &BEING) && among(Some(at + 3), &COMMON)
+        let after = among(Some(at + 1), &BEING) && among(Some(at + 3), &COMMON);
+        before && !among(noun, &NO_VALUES) || after && !among(Some(at + 4), &NO_VALUES)
     };
     let letters = tokens
         .iter()
