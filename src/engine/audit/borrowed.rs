@@ -187,7 +187,18 @@ impl Judge<'_> {
         if open.is_empty() {
             return false;
         }
-        let near = self.gathered(&open).into_iter().take(NEARBY[1].0);
+        self.follows_with(&open, goal, assumed, found)
+    }
+
+    /// Whether a step follows with some equations before, where symbols that could be anything are not 0.
+    pub(super) fn follows_with(
+        &self,
+        equations: &[usize],
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
+        let near = self.gathered(equations).into_iter().take(NEARBY[1].0);
         let all = assumed.iter().cloned().chain(near).collect();
         self.under_conditions(goal, all, None, (true, Effort::Light), found)
     }
@@ -427,7 +438,7 @@ impl Judge<'_> {
     }
 
     /// What the text tells here, and what equations that are not cited offer.
-    pub(super) fn gathered(&self, equations: &[usize]) -> Vec<Assumed> {
+    fn gathered(&self, equations: &[usize]) -> Vec<Assumed> {
         let own = &self.usable.assumed;
         let offer = |premise| self.auditor.offer(self.at, premise);
         let offered = usable(self.derivation, offer, self.at, equations).assumed;
@@ -480,11 +491,9 @@ impl Judge<'_> {
         offer.under.iter().all(|&(page, local)| {
             let said = self.derivation.local(page, local);
             let bounds = || said.formulas.iter().all(|f| f.as_equation().is_none());
-            let special = said.is_let || said.is_case() || said.is_momentary();
-            let beyond = self.derivation.is_beyond(self.at, (page, local));
-            !beyond && own.is_under(page, local)
-                || !beyond && goes_on && !special
-                || cites && bounds()
+            let special = || said.is_let || said.is_case() || said.is_momentary();
+            let is_meant = own.is_under(page, local) || goes_on && !special();
+            is_meant && !self.derivation.is_beyond(self.at, (page, local)) || cites && bounds()
         })
     }
 

@@ -1,10 +1,9 @@
 //! Steps that go on from the display before, whatever else they cite: "Inserting this into (1)".
 
 use crate::derivation::{Assumed, Goal, Source};
-use crate::search::Effort;
 
 use super::borrowed::Before;
-use super::judge::{Found, Judge, NEARBY, sources};
+use super::judge::{Found, Judge, sources};
 use super::{Entry, Verdict};
 
 impl Judge<'_> {
@@ -31,11 +30,7 @@ impl Judge<'_> {
         before.extend(sound);
         // What is cited besides may be what it takes to see it.
         found.may_follow = self.rescue_from(&before, goal, assumed, premises, found)
-            || under_conditions && {
-                let near = self.gathered(&before).into_iter().take(NEARBY[1].0);
-                let all = assumed.iter().cloned().chain(near).collect();
-                self.under_conditions(goal, all, None, (true, Effort::Light), found)
-            };
+            || under_conditions && self.follows_with(&before, goal, assumed, found);
         found.may_follow
     }
 
