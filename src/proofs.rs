@@ -3,7 +3,6 @@
 
 use crate::derivation::{Checker, Derivation};
 use crate::document::Document;
-use crate::parallel::in_order;
 
 /// The pages of a folder, and a handle on each: its file's name, and a line on what it is about.
 macro_rules! pages {
@@ -53,8 +52,9 @@ pub fn report() -> Derivation {
 }
 
 fn derivation(pages: &[(&str, &str)]) -> Derivation {
-    let read = |&(path, source): &(&str, &str)| Document::markdown(path, source);
-    Derivation::new(in_order(pages, read))
+    Derivation::read(pages, |&(path, source)| {
+        (Document::markdown(path, source), None)
+    })
 }
 
 /// One page's text, by its path.

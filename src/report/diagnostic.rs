@@ -10,8 +10,6 @@ use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer,
 use crate::audit::{Entry, Note, Verdict};
 use crate::document::{File, Span};
 use crate::notation::plain_statement;
-use crate::parallel::in_order;
-use crate::sorted;
 
 use super::remark::{Known, Subject};
 use super::{Report, codes};
@@ -33,6 +31,13 @@ pub(super) struct Finding {
     pub said: Vec<(Level<'static>, String)>,
 }
 
+/// One finding as it is shown.
+pub(super) struct LaidOut {
+    /// Its page and where it stands there: findings are shown in this order.
+    pub place: (usize, usize),
+    pub text: String,
+}
+
 impl Finding {
     /// What is said besides, names and texts, without layout.
     pub(super) fn said_plainly(&self) -> Vec<(String, String)> {
@@ -42,38 +47,43 @@ impl Finding {
 }
 
 impl Report<'_> {
-    /// All findings but those that are known, in reading order; those that rest on the same failing equation together.
-    pub fn diagnostics(&self, known: &Known) -> String {
-        let written = in_order(self.all_findings(known), |finding| {
-            self.lay_out(&finding) + "\n\n"
-        });
-        written.concat()
+    /// What is found elsewhere than in equations, but for what is known.
+    pub(super) fn told_elsewhere(&self, known: &Known) -> Vec<LaidOut> {
+        let is_new =
+            |(subject, finding): &(Subject, Finding)| !known.contains(&(*subject, finding.code));
+        let elsewhere = self.elsewhere().into_iter().filter(is_new);
+        let grave = elsewhere.filter(|(_, finding)| self.is_grave(finding));
+        grave.map(|(_, finding)| self.laid_out(&finding)).collect()
     }
 
-    fn all_findings(&self, known: &Known) -> Vec<Finding> {
-        let is_new = |subject: Subject, code: &'static str| !known.contains(&(subject, code));
-        let elsewhere = self.elsewhere().into_iter();
-        let elsewhere = elsewhere
-            .filter(|(subject, finding)| is_new(*subject, finding.code) && self.is_grave(finding));
-        let mut all: Vec<Finding> = elsewhere.map(|(_, finding)| finding).collect();
+    /// For each entry which equations it rests on that fail, where no entry before rests on the same: these are told together.
+    pub(super) fn first_to_rest(&self, known: &Known) -> Vec<Vec<&[usize]>> {
         let mut told: Vec<&[usize]> = Vec::new();
-        let entries = &self.audit.entries;
-        let of_entries = in_order(entries, |entry| self.of_entry(entry));
-        for ((at, entry), findings) in entries.iter().enumerate().zip(of_entries) {
-            let is_new = |code: &'static str| is_new(Subject::Entry(at), code);
-            for note in entry.notes.iter().filter(|note| is_new(note.code())) {
+        let entries = self.audit.entries.iter().enumerate();
+        let first = entries.map(|(at, entry)| {
+            let is_new = |note: &&Note| !known.contains(&(Subject::Entry(at), note.code()));
+            let mut own: Vec<&[usize]> = Vec::new();
+            for note in entry.notes.iter().filter(is_new) {
                 if let Note::RestsOn(on) = note
                     && self.is_to_mend(entry, note)
                     && !told.contains(&on.as_slice())
                 {
                     told.push(on);
-                    all.push(self.leveled(self.resting(on)));
+                    own.push(on);
                 }
             }
-            all.extend(findings.into_iter().filter(|f| is_new(f.code)));
-        }
-        sorted::sort_by_key(&mut all, |finding| (finding.page, finding.primary.0.start));
-        all
+            own
+        });
+        first.collect()
+    }
+
+    /// What is found in an entry, but for what is known, and what is found of that on which it is the first to rest.
+    pub(super) fn told_of_entry(&self, at: usize, on: &[&[usize]], known: &Known) -> Vec<LaidOut> {
+        let is_new = |finding: &Finding| !known.contains(&(Subject::Entry(at), finding.code));
+        let resting = on.iter().map(|on| self.leveled(self.resting(on)));
+        let own = self.of_entry(&self.audit.entries[at]).into_iter();
+        let all = resting.chain(own.filter(is_new));
+        all.map(|finding| self.laid_out(&finding)).collect()
     }
 
     /// What there is to remark besides equations: what could not be read, suppositions that differ in dimension, and
@@ -160,6 +170,13 @@ impl Report<'_> {
             finding.said.splice(0..0, understood.clone());
         }
         all
+    }
+
+    fn laid_out(&self, finding: &Finding) -> LaidOut {
+        LaidOut {
+            place: (finding.page, finding.primary.0.start),
+            text: self.lay_out(finding) + "\n\n",
+        }
     }
 
     fn lay_out(&self, finding: &Finding) -> String {

@@ -1,5 +1,6 @@
 //! Who judges what, where several work at an audit.
 
+use std::cmp::Reverse;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
@@ -90,14 +91,18 @@ impl Schedule {
         self.parts.iter().filter(|part| part.wanted).count()
     }
 
-    /// The first wanted part left whose citations are all done; if there is none, the first one left.
+    /// The longest of the wanted parts left whose citations are all done, so that the last ones to be taken are short and nobody waits
+    /// long for another at the end; if there is none, the first one left.
     pub fn take(&self, is_done: impl Fn(usize) -> bool) -> Option<Range<usize>> {
         self.choose(|left| {
             let own = |&at: &usize| self.parts[at].wanted && !left.taken[at];
-            let mut open = (left.first..self.parts.len()).filter(own).take(WINDOW);
+            let open = (left.first..self.parts.len()).filter(own).take(WINDOW);
             let ready = |&at: &usize| self.parts[at].cites.iter().all(|&cited| is_done(cited));
             let first = open.clone().next();
-            open.find(ready).or(first).unwrap_or(self.parts.len())
+            // Of those of one length the first.
+            let length = |&at: &usize| (self.parts[at].equations.len(), Reverse(at));
+            let longest = open.filter(ready).max_by_key(length);
+            longest.or(first).unwrap_or(self.parts.len())
         })
     }
 

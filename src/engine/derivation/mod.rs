@@ -122,6 +122,14 @@ impl Derivation {
 
     /// Reads documents as one derivation, each with what stands beside it.
     pub fn beside(documents: Vec<(Document, Option<Arc<Beside>>)>) -> Self {
+        Derivation::read(documents, |document| document)
+    }
+
+    /// Reads documents as one derivation, several at a time: `open` makes of each item a document and what stands beside it.
+    pub fn read<T: Send>(
+        items: impl IntoIterator<Item = T>,
+        open: impl Fn(T) -> (Document, Option<Arc<Beside>>) + Sync,
+    ) -> Self {
         let mut derivation = Derivation {
             pages: Vec::new(),
             equations: Vec::new(),
@@ -133,18 +141,16 @@ impl Derivation {
             running: Vec::new(),
             constants: BTreeSet::new(),
         };
-        let documents = documents.into_iter().map(|(mut own, beside)| {
+        let read = |(at, item)| {
+            let (mut own, beside) = open(item);
             own.beside = beside.as_ref().map(|beside| Arc::clone(&beside.file));
-            (own, beside)
-        });
-        let read = |(at, (own, beside))| {
             let (mut page, mut equations) = page::read_page(own, beside, at);
             slopes::read_marks(&mut page, &mut equations);
             arguments::leave_out(&mut page, &mut equations);
             partials::tell_what_is_held(&mut page, &mut equations);
             (page, equations)
         };
-        for (page, equations) in in_order(documents.enumerate(), read) {
+        for (page, equations) in in_order(items.into_iter().enumerate(), read) {
             derivation.pages.push(page);
             derivation.equations.extend(equations);
         }
