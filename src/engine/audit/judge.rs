@@ -266,8 +266,10 @@ impl Judge<'_> {
             return found;
         }
         // An identity needs no premises.
-        let bare = self.derivation.claim(self.at, &[], &goal.formula);
-        if let Some(derived) = search::prove_unconditionally(bare, Effort::Light) {
+        if may_be_an_identity(&goal.formula)
+            && let bare = self.derivation.claim(self.at, &[], &goal.formula)
+            && let Some(derived) = search::prove_unconditionally(bare, Effort::Light)
+        {
             found.judged.assumed.clear();
             found.judged.outcome = Outcome::Proven(derived.proven.into());
             return found;
@@ -571,6 +573,28 @@ impl Judge<'_> {
             Consistency::Unknown => false,
         }
     }
+}
+
+/// Whether a statement may be true whatever its symbols stand for: not where one of them is said to be what is calculated from others.
+fn may_be_an_identity(formula: &Formula) -> bool {
+    let is_calculated = |part: &Expr| {
+        matches!(
+            part,
+            Expr::Number(_)
+                | Expr::Symbol(_)
+                | Expr::Sum(_)
+                | Expr::Product(_)
+                | Expr::Negate(_)
+                | Expr::Quotient(..)
+                | Expr::Power(..)
+        )
+    };
+    let says_what_it_is = |symbol: &Expr, term: &Expr| match symbol {
+        Expr::Symbol(symbol) => !term.mentions(symbol) && !term.any(&|part| !is_calculated(part)),
+        _ => false,
+    };
+    let sides = formula.as_equation();
+    !sides.is_some_and(|(left, right)| says_what_it_is(left, right) || says_what_it_is(right, left))
 }
 
 /// A hypothesis that is supposed, or was shown before, in the statement itself.

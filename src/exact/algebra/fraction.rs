@@ -1,3 +1,5 @@
+use std::borrow::Cow;
+
 use super::effort::is_spent;
 use super::{BigRational, Polynomial, Rational, TooLarge, Var};
 use crate::sorted::Map;
@@ -72,8 +74,8 @@ impl Fraction {
             let slot = denominator.entry(factor.clone()).or_insert(0);
             *slot = (*slot).max(exponent);
         }
-        let left = self.numerator.times(&self.missing(&denominator)?)?;
-        let right = other.numerator.times(&other.missing(&denominator)?)?;
+        let left = self.extended_to(&denominator)?;
+        let right = other.extended_to(&denominator)?;
         Ok(Fraction {
             numerator: left.plus(&right),
             denominator,
@@ -89,10 +91,17 @@ impl Fraction {
         self.plus(&other.negated())
     }
 
-    /// What this fraction must be multiplied by, above and below, to have a larger denominator.
-    fn missing(&self, denominator: &Map<Polynomial, u32>) -> Result<Polynomial, TooLarge> {
+    /// The numerator that this fraction has over a larger denominator.
+    fn extended_to<'a>(
+        &'a self,
+        denominator: &'a Map<Polynomial, u32>,
+    ) -> Result<Cow<'a, Polynomial>, TooLarge> {
         let own = |factor| self.denominator.get(factor).copied().unwrap_or(0);
-        product(denominator.iter().map(|(f, &e)| (f, e - own(f))))
+        let mut missing = denominator.iter().map(|(f, &e)| (f, e - own(f)));
+        let numerator = Cow::Borrowed(&self.numerator);
+        missing.try_fold(numerator, |product, (factor, exponent)| {
+            times_power(product, factor, exponent)
+        })
     }
 
     /// The product.
@@ -173,11 +182,28 @@ impl Fraction {
 pub fn product<'a>(
     powers: impl Iterator<Item = (&'a Polynomial, u32)>,
 ) -> Result<Polynomial, TooLarge> {
-    let mut product = Polynomial::one();
+    let mut product = Cow::Owned(Polynomial::one());
     for (factor, exponent) in powers {
-        product = product.times(&factor.pow(exponent)?)?;
+        product = times_power(product, factor, exponent)?;
     }
-    Ok(product)
+    Ok(product.into_owned())
+}
+
+/// A product with a power; nothing is copied where either is 1.
+fn times_power<'a>(
+    product: Cow<'a, Polynomial>,
+    factor: &'a Polynomial,
+    exponent: u32,
+) -> Result<Cow<'a, Polynomial>, TooLarge> {
+    let power = match exponent {
+        0 => return Ok(product),
+        1 => Cow::Borrowed(factor),
+        _ => Cow::Owned(factor.pow(exponent)?),
+    };
+    Ok(match product.is_one() {
+        true => power,
+        false => Cow::Owned(product.times(&power)?),
+    })
 }
 
 /// The factors that a polynomial visibly has: its unknowns' powers and what is left, monic. Constants are dropped.

@@ -165,10 +165,15 @@ impl Lowering<'_> {
                 None => factor,
             });
         }
-        let simple: Fraction = Polynomial::term(monomial, coefficient).into();
         match others {
-            Some(others) => Ok(simple.times(&others)?),
-            None => Ok(simple),
+            Some(others) if monomial.is_one() && coefficient.is_one() => Ok(others),
+            others => {
+                let simple: Fraction = Polynomial::term(monomial, coefficient).into();
+                Ok(match others {
+                    Some(others) => simple.times(&others)?,
+                    None => simple,
+                })
+            }
         }
     }
 

@@ -119,6 +119,11 @@ impl Polynomial {
         }
     }
 
+    /// Whether this is 1.
+    pub fn is_one(&self) -> bool {
+        matches!(self.terms.as_slice(), [(monomial, coefficient)] if monomial.is_one() && coefficient.is_one())
+    }
+
     /// The unknown, where this is one and nothing else.
     pub fn as_var(&self) -> Option<Var> {
         match self.terms.as_slice() {
@@ -231,8 +236,8 @@ impl Polynomial {
     }
 
     /// The sum of many: put together at once, not one after another.
-    pub(super) fn sum(all: Vec<Polynomial>) -> Self {
-        let terms: Terms = all.into_iter().flat_map(|own| own.terms).collect();
+    pub(super) fn sum(all: impl Iterator<Item = Polynomial>) -> Self {
+        let terms: Terms = all.flat_map(|own| own.terms).collect();
         spend(terms.len());
         Polynomial::collect(terms)
     }

@@ -3,37 +3,31 @@
 use super::lower::Lowered;
 use super::{Expr, Fraction, Lowering, Polynomial};
 
-/// Sums of more terms than this are put together at once.
+/// Of sums with more terms than this also those are put together at once that have terms with something else below.
 const MANY: usize = 32;
 
 impl Lowering<'_> {
-    /// The value of a sum.
+    /// The value of a sum. Polynomials are put together at once, so that the cost does not grow with the square of their number; where
+    /// few terms are divided by something, one is added after another, and what can be cancelled is cancelled on the way.
     pub(super) fn sum(&mut self, terms: &[Expr]) -> Lowered {
-        if terms.len() > MANY {
-            return self.long_sum(terms);
+        let terms = terms.iter().map(|term| self.lower(term));
+        let terms: Vec<Fraction> = terms.collect::<Result<_, _>>()?;
+        let is_polynomial = |term: &Fraction| term.as_polynomial().is_some();
+        if terms.len() <= MANY && !terms.iter().all(is_polynomial) {
+            let mut terms = terms.into_iter();
+            let first = terms.next().unwrap_or_default();
+            return Ok(terms.try_fold(first, |sum, term| sum.plus(&term))?);
         }
-        let Some((first, rest)) = terms.split_first() else {
-            return Ok(Fraction::default());
-        };
-        let mut sum = self.lower(first)?;
-        for term in rest {
-            sum = sum.plus(&self.lower(term)?)?;
-        }
-        Ok(sum)
-    }
-
-    /// A sum of many terms: those that are polynomials are put together at once, so that its cost does not grow with the square of
-    /// their number; what is divided is added one after another.
-    fn long_sum(&mut self, terms: &[Expr]) -> Lowered {
-        let mut polynomials = Vec::with_capacity(terms.len());
-        let mut rest = Fraction::default();
-        for term in terms {
-            let own = self.lower(term)?;
-            match own.as_polynomial() {
-                Some(polynomial) => polynomials.push(polynomial.clone()),
-                None => rest = rest.plus(&own)?,
+        let (polynomials, divided): (Vec<_>, Vec<_>) = terms.into_iter().partition(is_polynomial);
+        let polynomials = polynomials.into_iter().map(|term| term.into_parts().0);
+        let whole = Fraction::from(Polynomial::sum(polynomials));
+        match divided.is_empty() {
+            true => Ok(whole),
+            false => {
+                let mut divided = divided.into_iter();
+                let rest = divided.try_fold(Fraction::default(), |sum, term| sum.plus(&term))?;
+                Ok(rest.plus(&whole)?)
             }
         }
-        Ok(rest.plus(&Polynomial::sum(polynomials).into())?)
     }
 }

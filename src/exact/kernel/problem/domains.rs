@@ -101,7 +101,7 @@ impl Problem {
         let value = lowering.lower(term)?;
         let conditions = lowering.conditions;
         for (relation, bound) in bounds {
-            let fact = compared(&value, relation, &Rational::from(bound).into())?;
+            let fact = compared(value.clone(), relation, Rational::from(bound).into())?;
             self.take(fact, conditions.clone(), origin);
         }
         Ok(())

@@ -28,7 +28,7 @@ impl Problem {
             }
         };
         let conditions = lowering.conditions;
-        Ok((compared(&left, relation, &right)?, conditions))
+        Ok((compared(left, relation, right)?, conditions))
     }
 
     pub(super) fn assume(&mut self, formula: &Formula, origin: Origin) -> Result<(), Reject> {
@@ -74,13 +74,18 @@ impl Problem {
 
 /// `left relation right` as a fact. `None` for relations that say nothing exact.
 pub(super) fn compared(
-    left: &Fraction,
+    left: Fraction,
     relation: Relation,
-    right: &Fraction,
+    right: Fraction,
 ) -> Result<Option<Fact>, Reject> {
-    let value = match relation {
-        Relation::Less | Relation::LessOrEqual => right.minus(left)?,
-        _ => left.minus(right)?,
+    let (more, less) = match relation {
+        Relation::Less | Relation::LessOrEqual => (right, left),
+        _ => (left, right),
+    };
+    // To be compared with 0 is common.
+    let value = match less.is_zero() {
+        true => more,
+        false => more.minus(&less)?,
     };
     let sign = match relation {
         Relation::Equal => Sign::Zero,
