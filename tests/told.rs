@@ -911,3 +911,132 @@ fn what_is_inserted_is_the_display_before() {
     assert_eq!((verdict, codes.contains(&"miscited")), ("holds", false));
     assert_eq!(page("A").0, "fails");
 }
+
+/// A case that is set in a sentence of its own is one of the step that comes next, where that no longer speaks of what is set.
+#[test]
+fn a_case_is_set_in_the_sentence_before() {
+    let page = |words: &str, result: &str| {
+        last(&format!(
+            "The height is\n\n$$ y = u t - \\frac12 g t^2 \\tag{{1}} $$\n\n{words}\n\n$$ g t^2 = {result} \\tag{{2}} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "The ball is back on the ground when $y = 0$. By (1), this is at",
+        "For $y = 0$ the ball is on the ground. (1) becomes",
+    ] {
+        assert_eq!(page(words, "2 u t"), "holds", "{words}");
+        assert_eq!(page(words, "u t"), "fails", "{words}");
+    }
+    let left = "The ball is back on the ground when $y = 0$. In general, by (1),";
+    assert_ne!(page(left, "2 u t"), "holds");
+}
+
+/// What is told of a case is told of the next display of the same sentence, too.
+#[test]
+fn a_sentence_goes_on_past_a_display() {
+    let page = |result: &str| {
+        verdicts(&format!(
+            "The variance and the optimal share are\n\n$$ V = w^2 s^2 + (1 - w)^2 r^2 + 2 w (1 - w) c s r \\tag{{1}} $$\n\n\
+             $$ w = \\frac{{r^2 - c s r}}{{s^2 + r^2 - 2 c s r}} \\tag{{2}} $$\n\n\
+             For uncorrelated assets, $c = 0$, equation (2) becomes\n\n$$ w = \\frac{{r^2}}{{s^2 + r^2}} \\tag{{3}} $$\n\n\
+             and the variance (1) is then\n\n$$ V = \\frac{{{result}}}{{s^2 + r^2}} \\tag{{4}} $$\n"
+        ))
+    };
+    assert_eq!(page("s^2 r^2"), ["given", "given", "holds", "holds"]);
+    assert_eq!(page("2 s^2 r^2")[3], "fails");
+}
+
+/// What a symbol is said to be just before its display is put in, with what speaks of the symbols that it is said by.
+#[test]
+fn what_a_symbol_is_said_to_be_leads_to_what_else_is_known() {
+    let page = |factor: &str| {
+        last(&format!(
+            "Altogether there are\n\n$$ n = n_0 (1 + \\alpha) \\tag{{1}} $$\n\nmoles. The equilibrium constant is\n\n\
+             $$ K = \\frac{{4 \\alpha^2}}{{1 - \\alpha^2}} p \\tag{{2}} $$\n\n\
+             If the degree of dissociation is $\\alpha = 1/2$, then by (2)\n\n$$ K = \\frac43 p \\tag{{3}} $$\n\n\
+             and the mean molar mass, $\\bar M = n_0 M/n$, is\n\n$$ \\bar M = {factor} M \\tag{{4}} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("\\frac{2}{3}"), "holds");
+    assert_eq!(page("\\frac{3}{2}"), "fails");
+}
+
+/// A counterexample has what the sentence tells; where none is found with that, nothing is said.
+#[test]
+fn what_a_sentence_tells_is_so_in_a_counterexample() {
+    let page = |result: &str| {
+        last(&format!(
+            "The field is\n\n$$ I = \\int_0^{{a}} f(x) \\, dx + \\int_0^{{b}} f(x) \\, dx $$\n\n\
+             For equal lengths, $a = b = c$, so that (1) becomes\n\n$$ I = {result} \\int_0^c f(x) \\, dx $$\n"
+        ))
+        .0
+    };
+    assert_ne!(page("2"), "fails");
+    assert_ne!(page("3"), "holds");
+}
+
+/// What is put in at one place is no case of what comes later.
+#[test]
+fn what_is_put_in_at_a_place_is_not_kept() {
+    let page = |factor: &str| {
+        last(&format!(
+            "The drag is\n\n$$ F = \\frac12 \\rho A v^2 \\tag{{1}} $$\n\nand the equation of motion is\n\n\
+             $$ m \\frac{{dv}}{{dt}} = m g - F \\tag{{2}} $$\n\nSetting $F = m g$ at $v = u$ in (1),\n\n\
+             $$ u = \\sqrt{{\\frac{{2 m g}}{{\\rho A}}}} \\tag{{3}} $$\n\nWith (1) and (3), (2) can be rewritten as\n\n\
+             $$ \\frac{{dv}}{{dt}} = {factor} g \\left(1 - \\frac{{v^2}}{{u^2}}\\right) \\tag{{4}} $$\n"
+        ))
+        .0
+    };
+    assert_ne!(page(""), "fails");
+    assert_eq!(page("2"), "fails");
+}
+
+/// A step that cites one equation and names another by words follows from what holds under a condition, too.
+#[test]
+fn a_step_may_need_what_holds_under_a_condition() {
+    let page = |factor: &str| {
+        last(&format!(
+            "The force keeps the proton on a circle:\n\n$$ q v B = \\frac{{m v^2}}{{r}} \\tag{{1}} $$\n\nOne turn takes\n\n\
+             $$ T = \\frac{{2\\pi r}}{{v}} \\tag{{2}} $$\n\nso by (1)\n\n$$ T = \\frac{{2\\pi m}}{{q B}} \\tag{{3}} $$\n\n\
+             The oscillator must run at\n\n$$ f = \\frac{{1}}{{T}} = \\frac{{q B}}{{2\\pi m}} \\tag{{4}} $$\n\n\
+             At the extraction radius $R$ the kinetic energy is\n\n$$ K = \\frac{{q^2 B^2 R^2}}{{2 m}} \\tag{{5}} $$\n\n\
+             Expressed by the frequency, the energy (5) becomes\n\n$$ K = {factor} \\pi^2 m f^2 R^2 \\tag{{6}} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("2"), "holds");
+    assert_eq!(page("4"), "fails");
+}
+
+/// "If …, then" puts a condition in words: of new symbols nobody knows what they are under it.
+#[test]
+fn a_condition_in_words_may_bring_in_symbols() {
+    let page = |words: &str| {
+        last(&format!(
+            "The stress at the wall is\n\n$$ \\tau = \\frac{{4 \\eta Q}}{{\\pi r^3}} \\tag{{1}} $$\n\n{words}\n\n\
+             $$ \\frac{{Q}}{{r_0^3}} = \\frac{{Q/2}}{{r_1^3}} \\tag{{2}} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(
+        page("If the stress is to be the same in all of them, then by (1)"),
+        "undecided"
+    );
+    assert_eq!(page("By (1)"), "fails");
+}
+
+/// Figures are put in for all of a side that an equation speaks of as one.
+#[test]
+fn a_quotient_is_weighed_as_it_stands() {
+    let page = |value: &str| {
+        last(&format!(
+            "The hidden fraction is\n\n$$ \\frac{{V}}{{W}} = \\frac{{a}}{{b}} $$\n\n\
+             With $a = 917\\,\\mathrm{{kg/m^3}}$ and $b = 1025\\,\\mathrm{{kg/m^3}}$ we get\n\n$$ \\frac{{V}}{{W}} = {value} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("0.895"), "undecided");
+    assert_eq!(page("0.805"), "fails");
+}

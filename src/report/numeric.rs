@@ -128,8 +128,8 @@ impl Report<'_> {
         if !numeric.put_in.is_empty() {
             text += "\n  With\n";
         }
-        for (symbol, value, source) in &numeric.put_in {
-            let (name, value) = (words::symbol(symbol), plain(value));
+        for (own, value, source) in &numeric.put_in {
+            let (name, value) = (plain(own), plain(value));
             text += &format!("    {name} = {value}   {}\n", self.source(source));
         }
         if !numeric.data.is_empty() {

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation};
-use crate::search::{self, Effort, InChain};
+use crate::search::{self, Decision, Effort, InChain};
 
 use super::judge::{Found, Judge, NEARBY, sources};
 use super::premise::usable;
@@ -152,6 +152,31 @@ impl Judge<'_> {
     ) -> bool {
         let open = self.open_on_this_page(premises);
         self.rescue_from(&open, goal, assumed, premises, found)
+    }
+
+    /// Tries a step that does not follow from what it says it does with what stands before under conditions, where no directive says what
+    /// follows from what: "Expressed by the frequency, the energy (5) becomes" goes on from what the frequency is, too.
+    pub(super) fn rescue_from_conditional(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        if !self.names_its_premises() || self.is_directed() || !self.failing(premises).is_empty() {
+            return false;
+        }
+        let is_undecided = |at: &usize| {
+            let mut entries = self.auditor.entries_of(*at);
+            entries.any(|entry| entry.verdict == Verdict::Undecided)
+        };
+        let mut conditional = self.open_on_this_page(premises);
+        conditional.retain(|own| {
+            let on = self.auditor.unproved(self.at, &Set::from([*own]));
+            !is_undecided(own) && !on.iter().any(is_undecided)
+        });
+        self.rescue_from(&conditional, goal, assumed, premises, found)
+            || !conditional.is_empty() && self.follows_with(&conditional, goal, assumed, found)
     }
 
     /// The same from some equations before.
@@ -569,6 +594,53 @@ impl Judge<'_> {
             }
             _ => false,
         })
+    }
+}
+
+impl Judge<'_> {
+    /// Leaves open a step that cites nothing and is of something else than what stands just before it, unless it is refuted with what
+    /// speaks of it, or a slip of the pen is found.
+    pub(super) fn heed_what_is_elsewhere(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        if !found.judged.outcome.is_refuted()
+            || found.mended.is_some()
+            || !self.is_said_elsewhere(goal, assumed, premises)
+        {
+            return;
+        }
+        let Some(all) = self.with_others(assumed, premises) else {
+            return;
+        };
+        let claim = self.derivation.claim(self.at, &all, &goal.formula);
+        let decision = search::pose(claim)
+            .map(|posed| search::decide_within(&posed, &self.auditor.hints(), self.points()));
+        if let Ok(Decision::Refuted(refuted)) = decision {
+            found.judged.outcome = Outcome::Refuted(refuted.into());
+            found.judged.assumed = all;
+        } else {
+            found.leave_open(
+                "what stands just before speaks of nothing in it, and nothing decides it with what does",
+            );
+        }
+    }
+
+    /// Whether a step that cites nothing is of what stands before, and what stands just before it is of something else.
+    fn is_said_elsewhere(&self, goal: &Goal, assumed: &[Assumed], premises: &[usize]) -> bool {
+        let mut names = goal.formula.names();
+        names.retain(|symbol| !symbol.is_unit());
+        let speaks = |own: &Assumed| !own.formula.names().is_disjoint(&names);
+        let is_premise = |own: &&Assumed| matches!(own.source, Source::Equation(_));
+        let mut near = assumed.iter().filter(is_premise).peekable();
+        let [others, _] = self.others(premises);
+        self.cites_loosely()
+            && near.peek().is_some()
+            && !near.any(speaks)
+            && others.iter().any(speaks)
     }
 }
 

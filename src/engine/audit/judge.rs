@@ -356,8 +356,10 @@ impl Judge<'_> {
                         || self.rescue_going_on(goal, &assumed, premises, &mut found)
                         || named().is_some_and(|all| {
                             self.follows_from_words(goal, all, premises, &mut found)
+                                || self.rescue_going_on(goal, all, premises, &mut found)
                         })
                         || self.unstated(goal, &assumed, premises, &mut found)
+                        || self.rescue_from_conditional(goal, &assumed, premises, &mut found)
                         || {
                             strong = self.strengthen(goal, &assumed, premises, &mut found);
                             let (loosely, found) = (self.cites_loosely(), &mut found);
@@ -373,11 +375,16 @@ impl Judge<'_> {
                                   decides it with that";
                     found.judged.outcome = Outcome::open(reason);
                 } else if !settled {
-                    if let Some(all) = named() {
-                        self.heed_what_is_named(goal, all, &mut found);
-                    }
                     let all = named().unwrap_or(&assumed);
+                    let is_heeded =
+                        named().is_none() || self.heed_what_is_named(goal, all, &mut found);
                     self.instead(goal, all, premises, &mut found);
+                    if !is_heeded && found.mended.is_none() {
+                        found.leave_open("it may follow with what the text before it names");
+                    }
+                    if !strong {
+                        self.heed_what_is_elsewhere(goal, &assumed, premises, &mut found);
+                    }
                     self.heed_what_varies(goal, all, premises, &mut found);
                     self.heed_what_is_open(goal, all, premises, &mut found);
                 }

@@ -3,8 +3,8 @@
 //! A step that does not follow from what it cites, nor with what stands before, may be meant to follow from that as well; what it was
 //! taken from is told. No step follows from words that say as much as it does.
 
-use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal};
+use crate::algebra::{Expr, Formula, Symbol, split_subscript};
+use crate::derivation::{Assumed, Goal, Source};
 use crate::search::{self, Decision, Effort};
 
 use super::Outcome;
@@ -12,14 +12,21 @@ use super::judge::{Found, Judge, NEARBY};
 use crate::sorted::Set;
 
 impl Judge<'_> {
-    /// What a step may be taken from, with what the words before it name; nothing where they name nothing, or what cannot be so.
+    /// What a step may be taken from, with what the words before it name, and tell in passing; nothing where they name nothing, or what
+    /// cannot be so.
     pub(super) fn with_what_is_named(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
     ) -> Option<Vec<Assumed>> {
         let mut named = self.derivation.named(self.at);
-        named.retain(|own| !assumed.iter().any(|known| known.formula == own.formula));
+        let mut told = self.derivation.told_just_before(self.at);
+        let is_known = |own: &Assumed| assumed.iter().any(|known| known.formula == own.formula);
+        named.retain(|own| !is_known(own));
+        told.retain(|own| !is_known(own));
+        if named.is_empty() && told.is_empty() {
+            return None;
+        }
         // What is put in is gone: "with $V = V_0$ at $t = 0$" is no reason for what still speaks of the time.
         let names = goal.formula.names();
         let all = assumed.iter().chain(&named);
@@ -27,16 +34,27 @@ impl Judge<'_> {
             all.clone()
                 .any(|own| own.formula.set_to_number() == Some(name))
         };
-        let leaves = || named.iter().any(|own| leaves(&own.formula, &names));
-        if named.is_empty() || !names.iter().all(is_put) && leaves() {
-            return None;
+        let is_left = |own: &Assumed| leaves(&own.formula, &names);
+        if !names.iter().all(is_put) && named.iter().any(is_left) {
+            named.clear();
         }
-        let alone = self.derivation.claim(self.at, &named, &goal.formula);
-        if search::prove_unconditionally(alone, Effort::Light).is_some() {
-            return None;
-        }
-        named.splice(0..0, assumed.iter().cloned());
-        (!self.is_contradictory(&named, goal)).then_some(named)
+        told.retain(|own| !is_left(own));
+        let both = named.iter().chain(&told).cloned().collect();
+        let choices = match told.is_empty() {
+            true => vec![named],
+            false => vec![both, named],
+        };
+        choices.into_iter().find_map(|mut words| {
+            let alone = || {
+                let alone = self.derivation.claim(self.at, &words, &goal.formula);
+                search::prove_unconditionally(alone, Effort::Light).is_some()
+            };
+            if words.is_empty() || alone() {
+                return None;
+            }
+            words.splice(0..0, assumed.iter().cloned());
+            (!self.is_contradictory(&words, goal)).then_some(words)
+        })
     }
 
     /// Whether the step follows from `all`: what it may be taken from, with what the words before it name.
@@ -47,30 +65,50 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        let follows = self.holds_under(goal, all.to_vec(), &[], Effort::Light, found)
+        // What is told of a case in passing has been tried, and nothing is put under more conditions for it.
+        let own = &self.derivation.equations[self.at];
+        let is_tried = |assumed: &Assumed| match assumed.source {
+            Source::Local(page, at) => {
+                let passing = own.told.contains(&at) && !own.named.contains(&at);
+                passing && self.derivation.local(page, at).is_case()
+            }
+            _ => false,
+        };
+        let mut all = all.to_vec();
+        all.retain(|own| !is_tried(own));
+        let follows = self.holds_under(goal, all.clone(), &[], Effort::Light, found)
             || {
-                let attempts = self.attempts(goal, all, premises, None);
+                let attempts = self.attempts(goal, &all, premises, None);
                 self.rescue(goal, &attempts, &NEARBY, found)
             }
-            || self.under_conditions(goal, all.to_vec(), None, (false, Effort::Light), found);
+            || self.under_conditions(goal, all.clone(), None, (false, Effort::Light), found)
+            // What is the first to speak of something may rather say what that is.
+            || goal.formula.names().is_disjoint(&own.introduces)
+                && self.follows_with_others(goal, &all, premises, Effort::Light, found);
         if follows {
             found.may_follow = true;
         }
         follows
     }
 
-    /// Refutes a step where what the words name is so, too, and says from what; where that is not found, leaves it open.
-    pub(super) fn heed_what_is_named(&self, goal: &Goal, all: &[Assumed], found: &mut Found) {
+    /// Refutes a step where what the words name is so, too, and says from what; returns whether that was found.
+    pub(super) fn heed_what_is_named(
+        &self,
+        goal: &Goal,
+        all: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
         let claim = self.derivation.claim(self.at, all, &goal.formula);
         let Ok(posed) = search::pose(claim) else {
-            return;
+            return true;
         };
         match search::decide_within(&posed, &self.auditor.hints(), self.points()) {
-            Decision::Refuted(refuted) => {
+            Decision::Refuted(refuted) if !speaks_of_elements(all, goal) => {
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 found.judged.assumed = all.to_vec();
+                true
             }
-            _ => found.leave_open("it may follow with what the sentence before it names"),
+            _ => false,
         }
     }
 }
@@ -84,4 +122,22 @@ fn leaves(named: &Formula, names: &Set<Symbol>) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether the text tells something of an element whose index runs, `a_i = a`, and equations speak of the sequence: it is said of all.
+fn speaks_of_elements(all: &[Assumed], goal: &Goal) -> bool {
+    let is_local = |own: &&Assumed| matches!(own.source, Source::Local(..));
+    let formulas = all.iter().map(|own| &*own.formula);
+    let sequences: Set<Symbol> = formulas
+        .chain([&goal.formula])
+        .flat_map(Formula::sequences)
+        .collect();
+    let is_element = |symbol: &Symbol| {
+        let parts = split_subscript(symbol.name());
+        parts.is_some_and(|(stem, index)| {
+            Symbol::new(index).can_be_index() && sequences.contains(&Symbol::new(stem))
+        })
+    };
+    let mut told = all.iter().filter(is_local);
+    !sequences.is_empty() && told.any(|own| own.formula.names().iter().any(is_element))
 }

@@ -19,8 +19,8 @@ pub struct Numeric {
     pub links: Vec<Link>,
     /// The figures that were used, and the page that declares each.
     pub data: Map<Symbol, (usize, Datum)>,
-    /// What was put in for the symbols without figures, each once, and where it comes from.
-    pub put_in: Vec<(Symbol, Expr, Source)>,
+    /// What was put in for the symbols without figures, or for a whole side, each once, and where it comes from.
+    pub put_in: Vec<(Expr, Expr, Source)>,
 }
 
 /// A link of a numeric claim.
@@ -147,7 +147,7 @@ struct Known<'a> {
     said: &'a [Printed],
     tried: usize,
     data: Map<Symbol, (usize, Datum)>,
-    put_in: Vec<(Symbol, Expr, Source)>,
+    put_in: Vec<(Expr, Expr, Source)>,
 }
 
 impl Known<'_> {
@@ -183,7 +183,9 @@ impl Known<'_> {
         if relation == Relation::Approximately {
             link.near = link.near.or_else(|| rounding.map(|own| own.share.clone()));
         }
-        let found = self.sides(&left, &right);
+        let found = self
+            .sides(&left, &right)
+            .or_else(|error| self.sides_by_whole(&left, &right).ok_or(error));
         let Compared {
             left,
             right,
@@ -214,6 +216,27 @@ impl Known<'_> {
             })
             .collect();
         figures.compared(&left, &right)
+    }
+
+    /// The same where a premise says what all of the left side is, and nothing what its symbols are: `V/W` after `V/W = a/b`.
+    fn sides_by_whole(&mut self, left: &Expr, right: &Expr) -> Option<Compared> {
+        if matches!(left, Expr::Symbol(_)) {
+            return None;
+        }
+        let (data, length) = (self.data.clone(), self.put_in.len());
+        let assumed = self.assumed;
+        assumed.iter().find_map(|own| {
+            let value = match own.formula.as_equation()? {
+                (term, value) | (value, term) if term == left => value,
+                _ => return None,
+            };
+            self.data.clone_from(&data);
+            self.put_in.truncate(length);
+            let found = self.sides(value, right).ok()?;
+            let put_in = (left.clone(), value.clone(), own.source);
+            self.put_in.push(put_in);
+            Some(found)
+        })
     }
 
     /// A term with definitions put in until only symbols with figures remain.
@@ -260,7 +283,8 @@ impl Known<'_> {
             self.data.insert(symbol.clone(), datum);
             return Ok(Expr::Symbol(symbol.clone()));
         }
-        if let Some((.., value, _)) = self.put_in.iter().find(|(own, ..)| own == symbol) {
+        let is_own = |own: &Expr| matches!(own, Expr::Symbol(own) if own == symbol);
+        if let Some((_, value, _)) = self.put_in.iter().find(|(own, ..)| is_own(own)) {
             let value = value.clone();
             open.push(symbol.clone());
             let result = self.in_data(&value, open);
@@ -293,7 +317,7 @@ impl Known<'_> {
                 open.pop();
                 match result {
                     Ok(result) => {
-                        let put_in = (symbol.clone(), value, assumed.source);
+                        let put_in = (Expr::Symbol(symbol.clone()), value, assumed.source);
                         self.put_in.push(put_in);
                         return Ok(result);
                     }

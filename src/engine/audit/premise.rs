@@ -216,9 +216,8 @@ pub fn usable<'a>(
     };
     let page = derivation.equations[at].page;
     let own = &derivation.equations[at];
-    let in_effect: Set<(usize, usize)> = (own.locals.iter().chain(&own.told))
-        .map(|&local| (page, local))
-        .collect();
+    let in_effect = own.locals.iter().chain(&own.told).chain(&own.named);
+    let in_effect: Set<(usize, usize)> = in_effect.map(|&local| (page, local)).collect();
     // A value that the text has given to another symbol's place since is no longer meant.
     let replaced = |own: &Local| {
         let values = own.values();

@@ -11,7 +11,10 @@ use crate::derivation::{Assumed, Goal, Printed, Source};
 use crate::kernel::Standing;
 use crate::notation::{Precision, Rounding};
 
+use crate::search;
+
 use super::entry::leave_open;
+use super::judge::Judge;
 use super::numeric::{self, Numeric, Taken, Weighed};
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, judge, premise};
 
@@ -49,7 +52,8 @@ impl Auditor<'_> {
     }
 
     /// Weighs what was not proved of a statement, if all of that ends in rounded numbers.
-    pub(super) fn weigh_rounded(&self, at: usize, entry: &mut Entry, usable: &premise::Usable) {
+    pub(super) fn weigh_rounded(&self, judge: &Judge, premises: &[usize], entry: &mut Entry) {
+        let (at, usable) = (judge.at, judge.usable);
         if !matches!(entry.verdict, Verdict::Fails | Verdict::Undecided) {
             return;
         }
@@ -63,6 +67,7 @@ impl Auditor<'_> {
         };
         let open: Vec<Goal> = open.map(as_meant).collect();
         if open.is_empty() || !open.iter().all(is_weighed) {
+            self.leave_possible(at, entry);
             return;
         }
         let mut assumed = self.figures(at, usable);
@@ -74,6 +79,25 @@ impl Auditor<'_> {
             // What is printed elsewhere on the page may say more, and nearer to what is measured.
             let with = self.weighed(at, &open, &assumed, &self.printed_before(at));
             if !matches!(with.outcome(), Weighed::NoValue(_)) {
+                numeric = with;
+            }
+        }
+        if matches!(numeric.outcome(), Weighed::NoValue(_)) && judge.cites_loosely() {
+            // What all of the left side is may have been said before: `V/W = a/b`.
+            let [others, _] = judge.others(premises);
+            let all = assumed.iter().chain(others).cloned();
+            let all: Vec<Assumed> = all.chain(judge.open_before(premises)).collect();
+            let with = self.weighed(at, &open, &all, &[]);
+            if with.is_supported() {
+                numeric = with;
+            }
+        }
+        if matches!(numeric.outcome(), Weighed::NoValue(_)) && !usable.out_of_scope.is_empty() {
+            // "With these figures (2) gives" means the equation, under whatever case that was drawn.
+            let others = self.of_other_cases(at, usable);
+            let all: Vec<Assumed> = assumed.iter().cloned().chain(others).collect();
+            let with = self.weighed(at, &open, &all, &[]);
+            if with.is_supported() {
                 numeric = with;
             }
         }
@@ -91,6 +115,10 @@ impl Auditor<'_> {
                 (entry.implied, entry.mended) = (None, None);
                 entry.missing.clear();
             }
+            // Where figures are cited, they may have told it.
+            (Weighed::NoValue(_), _) if usable.numeric.is_empty() => {
+                return self.leave_possible(at, entry);
+            }
             _ => return,
         }
         let mut used = numeric::used(&numeric);
@@ -100,6 +128,26 @@ impl Auditor<'_> {
             entry.notes.push(Note::RestsOnUnproved(open));
         }
         entry.numeric = Some(numeric.into());
+    }
+
+    /// Leaves open what fails only for rounded numbers that may be so, as far as what it was judged from tells: somebody measured them.
+    fn leave_possible(&self, at: usize, entry: &mut Entry) {
+        let is_possible = |own: &Judged| {
+            let so = [judge::step(&own.goal.formula)];
+            let all: Vec<Assumed> = own.assumed.iter().cloned().chain(so).collect();
+            let claim = self.derivation.claim(at, &all, &own.goal.formula);
+            let found = search::consistency(&claim, &self.hints());
+            !matches!(found, search::Consistency::Contradictory(_))
+        };
+        let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+        if entry.verdict == Verdict::Fails
+            && refuted.all(|own| is_weighed(&own.goal) && is_possible(own))
+        {
+            leave_open(
+                entry,
+                "it says how great something is, and nothing before tells that",
+            );
+        }
     }
 
     /// What an equation says that is supported by figures.

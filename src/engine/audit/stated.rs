@@ -118,7 +118,10 @@ impl Judge<'_> {
         };
         let has_value = momentary && (others.is_empty() || others.iter().any(is_new));
         let put = has_value || is_put(right, equation.extent);
-        if !has_value && is_slip(entry) || !put && !entry.missing.is_empty() {
+        // That a measured value does not go with what is wrong itself is no slip.
+        let is_number = matches!(left, Expr::Symbol(_)) && others.is_empty();
+        let is_slip = || is_slip(entry) && !(is_number && self.draws_on_failing(judged));
+        if !has_value && is_slip() || !put && !entry.missing.is_empty() {
             return None;
         }
         let symbols: Vec<Symbol> = match left {
@@ -185,6 +188,18 @@ impl Judge<'_> {
         let is_drawn = equation.drawn && equation.extent == Extent::Throughout;
         let is_out = is_drawn && self.leaves_nothing(&all, &goal);
         (!is_out && !self.is_contradictory(&all, &goal)).then_some(named)
+    }
+
+    /// Whether a link was refuted from what fails itself.
+    fn draws_on_failing(&self, judged: &Judged) -> bool {
+        let mut assumed = judged.assumed.iter();
+        assumed.any(|own| match own.source {
+            Source::Equation(premise) => {
+                let premise = Set::from([premise]);
+                !self.auditor.failing(self.at, &premise).is_empty()
+            }
+            _ => false,
+        })
     }
 
     /// Whether a law of which words draw the step leaves hardly anything of what stands before: `w = m v/(m + 2 M)` beside

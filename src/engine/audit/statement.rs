@@ -1,8 +1,10 @@
 //! One statement judged from what it may use: its links one after another, and what they come to together.
 
 use crate::algebra::Formula;
-use crate::derivation::{Equation, Goal, Kind, Source, goals};
+use crate::derivation::{Assumed, Equation, Goal, Kind, Source, goals};
+use crate::kernel::Standing;
 use crate::notation::Statement;
+use crate::search::{self, Consistency, Decision};
 use crate::sorted::Set;
 
 use super::entry::{blank, leave_open, verdict};
@@ -44,7 +46,7 @@ impl Auditor<'_> {
                 _ => true,
             });
         }
-        self.weigh_rounded(at, &mut entry, usable);
+        self.weigh_rounded(&judge, how.premises, &mut entry);
         if matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
             && let Some(symbols) = judge.stated(&entry)
         {
@@ -219,12 +221,83 @@ impl Auditor<'_> {
         if entry.verdict == Verdict::Fails && !equation.unread.is_empty() {
             leave_open(entry, &self.unread(equation));
         }
+        if entry.verdict == Verdict::Fails
+            && equation.puts_condition
+            && speaks_first(equation, entry)
+        {
+            let reason =
+                "it is said under a condition in words, and nothing before speaks of all of it";
+            leave_open(entry, reason);
+        }
+        if entry.verdict == Verdict::Fails && self.may_need_another_case(usable, equation, entry) {
+            leave_open(
+                entry,
+                "it may follow from what it cites and is derived for a case",
+            );
+        }
         if entry.verdict == Verdict::Fails && usable.has_complex {
             leave_open(entry, COMPLEX);
         }
         if entry.verdict == Verdict::Fails && usable.has_presumed {
             leave_open(entry, UNCLEAR);
         }
+    }
+
+    /// Whether nothing refutes a step with what it cites and is derived for a case that is not in effect here. Directives say which it is
+    /// that is meant.
+    fn may_need_another_case(&self, usable: &Usable, equation: &Equation, entry: &Entry) -> bool {
+        let at = entry.equation;
+        let left = |premise: &usize| {
+            let offer = self.offer(at, *premise);
+            let mut under = offer.iter().flat_map(|own| &own.under);
+            under.any(|&own| self.derivation.is_left_in_words(at, own))
+        };
+        let for_all = |own: &Statement| !own.quantified.is_empty();
+        if usable.out_of_scope.is_empty()
+            || equation.statements().iter().any(for_all)
+            || self.derivation.pages[equation.page].directs
+            || usable.out_of_scope.iter().all(left)
+        {
+            return false;
+        }
+        let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+        refuted.any(|judged| {
+            let mut all = judged.assumed.clone();
+            all.extend(self.of_other_cases(at, usable));
+            let claim = self.derivation.claim(at, &all, &judged.goal.formula);
+            let Ok(posed) = search::pose(claim) else {
+                return true;
+            };
+            let together = search::consistency_posed(&posed, &self.hints());
+            if matches!(together, Consistency::Contradictory(_)) {
+                return false;
+            }
+            let decision = search::decide_within(&posed, &self.hints(), None);
+            !matches!(decision, Decision::Refuted(_))
+        })
+    }
+
+    /// What a step cites that is derived for cases which are not in effect here, with these.
+    pub(super) fn of_other_cases(&self, at: usize, usable: &Usable) -> Vec<Assumed> {
+        let offers = usable.out_of_scope.iter();
+        let offers = offers.filter_map(|&own| Some((own, self.offer(at, own)?)));
+        let all = offers.flat_map(|(premise, offer)| {
+            let said = offer.formulas.iter().map(move |formula| Assumed {
+                formula: formula.clone(),
+                standing: Standing::AtPoint,
+                source: Source::Equation(premise),
+            });
+            let cases = offer.under.iter().flat_map(|&(page, local)| {
+                let formulas = self.derivation.local(page, local).formulas.iter();
+                formulas.map(move |formula| Assumed {
+                    formula: formula.clone(),
+                    standing: Standing::AtPoint,
+                    source: Source::Local(page, local),
+                })
+            });
+            said.chain(cases)
+        });
+        all.collect()
     }
 
     /// What is supposed before an equation and could not be read.
@@ -240,6 +313,15 @@ impl Auditor<'_> {
             unread.join(", ")
         )
     }
+}
+
+/// Whether something is refuted that speaks of what no equation before does.
+fn speaks_first(equation: &Equation, entry: &Entry) -> bool {
+    let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+    refuted.any(|own| {
+        let names = own.goal.formula.names();
+        !names.is_disjoint(&equation.introduces)
+    })
 }
 
 /// The equations that the evidence for a statement makes use of.

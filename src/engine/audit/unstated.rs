@@ -12,7 +12,7 @@ use crate::search::{self, Effort, InChain};
 use crate::sorted::{self, Set};
 
 use super::judge::{Found, Judge, NEARBY, condition, sources, step};
-use super::{Outcome, stated};
+use super::{Entry, Outcome, Verdict, stated};
 
 /// So much work is done for one step, as [`effort`] counts it.
 const MOST_WORK: u64 = 4_000_000;
@@ -34,8 +34,32 @@ impl Judge<'_> {
         }) || effort::within(MOST_WORK, || {
             self.follows_unstated(goal, assumed, premises, found)
         }) || effort::within(MOST_WORK, || {
-            self.follows_where_positive(goal, assumed, found)
+            self.follows_where_positive(goal, assumed, true, found)
+        }) || effort::within(MOST_WORK, || {
+            self.follows_where_all_positive(goal, assumed, premises, found)
         })
+    }
+
+    /// The same as [`Self::follows_where_positive`] with the nearest of what stands before and is not cited.
+    fn follows_where_all_positive(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        // From what fails anything may follow, if only hard enough is tried.
+        if self.names_its_premises() && self.is_directed() || !self.failing(premises).is_empty() {
+            return false;
+        }
+        let Some(all) = self.with_others(assumed, premises) else {
+            return false;
+        };
+        let is_told = |own: &&Assumed| matches!(own.source, Source::Local(..));
+        let told = all[assumed.len()..].iter().take_while(is_told).count();
+        let few = all.len().min(assumed.len() + told + NEARBY[0].0);
+        self.follows_where_positive(goal, &all[..few], false, found)
+            || few < all.len() && self.follows_where_positive(goal, &all, false, found)
     }
 
     fn follows_unstated(
@@ -71,13 +95,39 @@ impl Judge<'_> {
                 true
             }
             || self.follows_with_others(goal, &sound, premises, Effort::Full, found)
+            || self.follows_without_open(goal, &sound, premises, found)
     }
 
-    /// Whether the step follows, from what it cites alone, where symbols of which nobody says where they lie are positive: who solves
+    /// The same without what stands just before and is left open itself, where nothing says that the step goes on from that.
+    fn follows_without_open(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        if self.names_its_premises() {
+            return false;
+        }
+        let is_undecided = |entry: &Entry| entry.verdict == Verdict::Undecided;
+        let mut open = premises.to_vec();
+        open.retain(|&own| self.auditor.entries_of(own).any(is_undecided));
+        let others = self.sound(assumed, &open);
+        others.len() < assumed.len()
+            && self.follows_with_others(goal, &others, premises, Effort::Light, found)
+    }
+
+    /// Whether the step follows, from what it cites alone (`is_cited`) or from what else it is tried with, where symbols of which nobody says where they lie are positive: who solves
     /// `w^2 R^2 C^2 = 1` for `w` means no negative resistance. A proof says that no positive values speak against it.
     ///
     /// That a symbol is negative nobody leaves unsaid.
-    fn follows_where_positive(&self, goal: &Goal, assumed: &[Assumed], found: &mut Found) -> bool {
+    fn follows_where_positive(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        is_cited: bool,
+        found: &mut Found,
+    ) -> bool {
         let equation = &self.derivation.equations[self.at];
         // What is crossed out is meant to fail somewhere, and an equivalence to hold both ways. A root says by itself what is meant, and
         // who writes `|z|` thinks of signs.
@@ -100,7 +150,8 @@ impl Judge<'_> {
         let free = unbounded(&claim);
         // Where it is false at a point at which they are, it does not follow so; but for an exponent that is 0 there.
         let witness = match &found.judged.outcome {
-            Outcome::Refuted(refuted) => Some(refuted.witness().clone()),
+            // Of what is not cited nothing need be true at the witness.
+            Outcome::Refuted(refuted) if is_cited => Some(refuted.witness().clone()),
             _ => None,
         };
         let by_exponents = claim.formulas().any(has_exponents);
@@ -132,14 +183,14 @@ impl Judge<'_> {
             return false;
         }
         let holds = self.holds_under(goal, assumed.to_vec(), &conditions, Effort::Full, found);
-        if holds {
+        if holds && is_cited {
             found.instead.clear();
         }
         holds
     }
 
     /// The same from some of what it cites, with what stands before and is not cited.
-    fn follows_with_others(
+    pub(super) fn follows_with_others(
         &self,
         goal: &Goal,
         cited: &[Assumed],

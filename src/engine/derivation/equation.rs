@@ -48,6 +48,10 @@ pub struct Equation {
     pub uncited: bool,
     /// Whether the reason that words give for it is no equation: a law by its name, "since the string does not slip".
     pub reasons: bool,
+    /// Whether words put it under a condition: "If the stress is to be the same in all of them, then by (1)".
+    pub puts_condition: bool,
+    /// The last sentence before its display, ended or not.
+    pub said_last: Option<Span>,
     /// Whether the law that words name for it stands on the page already.
     pub law_stands: bool,
     /// Whether words say that all factors of what is differentiated change: "by the product rule".
@@ -375,7 +379,8 @@ impl Equation {
 
     /// Whether what stands at a position of a page is supposed where it stands, or told before it.
     pub fn is_under(&self, page: usize, local: usize) -> bool {
-        page == self.page && (self.locals.contains(&local) || self.told.contains(&local))
+        let mut all = self.locals.iter().chain(&self.told).chain(&self.named);
+        page == self.page && all.any(|&own| own == local)
     }
 
     /// Whether the text has said by an adjective that a symbol does not change.

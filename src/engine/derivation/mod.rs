@@ -412,7 +412,9 @@ impl Derivation {
             fresh
         };
         // What defines the symbols, and what defines those of the definitions.
-        let mut found = speaking(self.equations[at].symbols());
+        let mut wanted = self.equations[at].symbols();
+        wanted.extend(self.told_of(at));
+        let mut found = speaking(wanted);
         let symbols = (found.iter()).flat_map(|&other| self.equations[other].symbols());
         found.extend(speaking(symbols.collect()));
         let mut order: Vec<usize> = found.into_iter().rev().take(most).collect();
@@ -423,6 +425,29 @@ impl Derivation {
         let rest = order.split_off(order.len().min(2));
         let (first, last): (Vec<usize>, Vec<usize>) = rest.into_iter().partition(solved);
         order.into_iter().chain(first).chain(last).collect()
+    }
+
+    /// The symbols by which the text tells what others are that an equation speaks of: of `\bar M = n_0 M/n` also `n`.
+    fn told_of(&self, at: usize) -> Set<Symbol> {
+        let own = &self.equations[at];
+        if own.told.is_empty() && own.named.is_empty() {
+            return Set::new();
+        }
+        let symbols = own.symbols();
+        let locals = &self.pages[own.page].locals;
+        let told = own.told.iter().chain(&own.named).map(|&at| &locals[at]);
+        // What is concluded from what is told of a case is said of that alone.
+        let formulas = told
+            .filter(|local| !local.of_case)
+            .flat_map(|local| &local.formulas);
+        let mut told = Set::new();
+        for formula in formulas {
+            let names = formula.names();
+            if !names.is_disjoint(&symbols) {
+                told.extend(names);
+            }
+        }
+        told
     }
 
     /// The pages to look for a symbol of equation `at`: its own and those that this cites, as far as they speak
@@ -510,6 +535,28 @@ impl Derivation {
         };
         told.retain(|own| !stated.contains(&own.formula));
         told
+    }
+
+    /// What the last sentence before an equation tells in passing.
+    pub fn told_just_before(&self, at: usize) -> Vec<Assumed> {
+        let Some(sentence) = self.equations[at].said_last else {
+            return Vec::new();
+        };
+        let mut told = self.told(at);
+        told.retain(|own| match own.source {
+            Source::Local(page, local) => self.local(page, local).span.start >= sentence.start,
+            _ => false,
+        });
+        told
+    }
+
+    /// Whether words between what is said and an equation leave cases: "For arbitrary masses".
+    pub fn is_left_in_words(&self, at: usize, (page, local): (usize, usize)) -> bool {
+        let start = self.local(page, local).span.start;
+        let general = &self.pages[page].general;
+        let left = general.partition_point(|&place| place < start);
+        let own = &self.equations[at];
+        own.page == page && (general.get(left)).is_some_and(|&place| place < own.span.start)
     }
 
     /// What the sentence that leads on to an equation names, and does not suppose plainly.

@@ -56,6 +56,8 @@ struct Between {
     relative: bool,
     /// Whether they give a reason that is no equation.
     reasons: bool,
+    /// Whether they put a condition that is no equation.
+    puts_condition: bool,
     /// The names of laws that they give for a reason.
     laws_named: Vec<Span>,
     /// The last sentence of them.
@@ -72,6 +74,8 @@ struct Between {
     meant: bool,
     /// Whether they announce several laws.
     laws: bool,
+    /// Whether they announce several things by their names: where a page begins with these, all are laws.
+    several: bool,
     /// Of how much the display is said.
     extent: Option<Extent>,
     /// Whether they say that something stands still: what comes next follows from that.
@@ -210,6 +214,10 @@ impl<'p> Reader<'p> {
             equation.cite(of_last, prose.says_from);
         }
         self.between.hear(prose, own);
+        let told_with_last = match prose.joins {
+            true => self.told_with_last(),
+            false => Vec::new(),
+        };
         let before = self.page.locals.len();
         self.qualities(prose);
         let mut mentioned = prose.mentions.clone();
@@ -236,6 +244,18 @@ impl<'p> Reader<'p> {
         let left = left.map(|own| own.body.start).max().unwrap_or_default();
         let named = prose.named.iter().filter(|own| own.body.start >= left);
         self.between.named = self.named(named, before);
+        self.between.named.extend(told_with_last);
+    }
+
+    /// What the sentence of the display before names, and what it tells of that display alone: what goes on with the sentence may be
+    /// meant to follow from that, too.
+    fn told_with_last(&self) -> Vec<usize> {
+        let Some(last) = self.equations[self.last.clone()].last() else {
+            return Vec::new();
+        };
+        let locals = &self.page.locals;
+        let told = last.told.iter().filter(|&&at| !locals[at].set.is_empty());
+        last.named.iter().chain(told).copied().collect()
     }
 
     /// Takes up the value of the kind of things that the sentence is about that leads on to a display: "For a diatomic gas (1) gives".
@@ -601,7 +621,8 @@ impl<'p> Reader<'p> {
         let law_stands = said.laws_named.iter().any(|&law| self.stands(law));
         self.introduced.extend(said.said_last);
         let goes_on = said.concludes.is_none() || said.extent == Some(Extent::AsBefore);
-        self.laws = said.laws || self.laws && goes_on;
+        let begins = said.several && self.equations.is_empty();
+        self.laws = said.laws || begins || self.laws && goes_on;
         if said.extent == Some(Extent::Circumstances) {
             self.circumstances = Some(self.equations.len());
         }
@@ -807,6 +828,8 @@ impl<'p> Reader<'p> {
             joined: self.bare && !opened && (row > 0 || said.concludes.is_none()),
             uncited: said.is_uncited() && is_derived && part.continues == 0,
             reasons: said.reasons,
+            puts_condition: said.puts_condition,
+            said_last: said.said_last,
             law_stands: false,
             all_vary: said.all_vary,
             divides: said.divides,
@@ -874,6 +897,8 @@ impl Between {
         self.takes = prose.slope;
         self.meant |= prose.says_what_is_meant;
         self.laws |= prose.announces_laws;
+        self.several = prose.announces_several;
+        self.puts_condition |= prose.puts_condition;
         self.extent = prose.extent.or(self.extent);
         self.cites |= prose.closing > 0;
         self.defines |= prose.defines;

@@ -349,6 +349,15 @@ pub(super) fn announces_laws(last: &[Placed<'_>], concludes: Option<bool>) -> bo
         && !last.iter().any(cites)
 }
 
+/// Whether the last sentence announces several things by their names, "The variance and the optimal share are".
+pub(super) fn announces_several(last: &[Placed<'_>]) -> bool {
+    let has = |word: &'static str| last.iter().any(|(token, _)| token.is_among(&[word]));
+    let plain = |(token, _): &Placed<'_>| {
+        matches!(token, Token::Word(_) | Token::Math(_) | Token::Mark(','))
+    };
+    matches!(last, [.., (are, _)] if are.is_among(&["are"])) && has("and") && last.iter().all(plain)
+}
+
 /// With one of these a clause ends that says what something is.
 const NAMES: [&str; 4] = ["is", "are", "denotes", "means"];
 
@@ -407,10 +416,7 @@ pub(super) fn names_rule_of_factors(last: &[Placed<'_>]) -> bool {
 /// Whether the last sentence gives a reason that is no equation: a law by its name, or words after "since".
 pub(super) fn reasons_in_words(source: &str, last: &[Placed<'_>]) -> bool {
     let among = |words: &'static [&str]| move |(token, _): &Placed<'_>| token.is_among(words);
-    let is_equation = |(token, _): &Placed<'_>| match token {
-        Token::Math(body) => source.get(body.range()).is_some_and(relates),
-        token => matches!(token, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..)),
-    };
+    let is_equation = |own: &Placed<'_>| is_equation(source, own);
     let since = last.iter().position(among(&BECAUSE));
     let reason = since.map(|since| &last[since + 1..]);
     let is_said = |words: &[Placed<'_>]| !words.is_empty() && !words.iter().any(is_equation);
@@ -418,6 +424,14 @@ pub(super) fn reasons_in_words(source: &str, last: &[Placed<'_>]) -> bool {
         || names_a_law(last) && is_said(last)
         || is_said(last) && puts_circumstances(last)
         || is_said(last) && concludes_from_words(last)
+}
+
+/// Whether it is an equation, or cites one.
+fn is_equation(source: &str, (token, _): &Placed<'_>) -> bool {
+    match token {
+        Token::Math(body) => source.get(body.range()).is_some_and(relates),
+        token => matches!(token, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..)),
+    }
 }
 
 /// Whether a law is named that may be a reason. "This gives Snell's law" names what is concluded.
@@ -464,6 +478,14 @@ fn laws(sentence: &[Placed<'_>]) -> impl Iterator<Item = usize> {
     })
 }
 
+/// Whether the last sentence puts a condition in words alone: what is concluded is so under that.
+pub(super) fn puts_condition(source: &str, last: &[Placed<'_>]) -> bool {
+    let is_then = |(token, _): &Placed<'_>| token.is_among(&["then"]);
+    let condition = last.iter().position(is_then).map(|then| &last[..then]);
+    puts_circumstances(last)
+        && condition.is_some_and(|own| !own.iter().any(|own| is_equation(source, own)))
+}
+
 /// "If the pressure is read from a manometer, then": circumstances in words, of which something else is so.
 fn puts_circumstances(sentence: &[Placed<'_>]) -> bool {
     let begins = sentence
@@ -486,6 +508,16 @@ pub(super) fn goes_on_with_and(tokens: &[Placed<'_>], concludes: Option<bool>) -
         )
     });
     begins && is_one && concludes == Some(false)
+}
+
+/// Whether a text goes on with the sentence that the display before it stands in, up to the next one: "and the variance (1) is then".
+pub(super) fn joins(tokens: &[Placed<'_>]) -> bool {
+    let first = tokens.first().map(|(token, _)| *token);
+    let goes_on = match first {
+        Some(Token::Word(word)) => word.starts_with(char::is_lowercase),
+        _ => false,
+    };
+    goes_on && !tokens.iter().any(|(token, _)| token.is_stop())
 }
 
 /// "No heat is lost, so": a sentence that draws one conclusion, from words that say how things are.

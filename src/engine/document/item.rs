@@ -120,10 +120,16 @@ pub struct Prose {
     pub is_relative: bool,
     /// It is a mere "where" or "with" between two displays.
     pub says_what_is_meant: bool,
+    /// Its last sentence puts a condition in words: "If the stress is to be the same in all of them, then by (1)".
+    pub puts_condition: bool,
     /// Its last sentence announces several laws: "The two conditions of equilibrium are".
     pub announces_laws: bool,
+    /// Its last sentence announces several things by their names: "The variance and the optimal share are".
+    pub announces_several: bool,
     /// It goes on with what is said before the display before it: "and perpendicular to it".
     pub goes_on: bool,
+    /// The displays before and after it stand in one sentence: "and the variance (1) is then".
+    pub joins: bool,
     /// Of how much the display after it is said; `None` where it says nothing.
     pub extent: Option<Extent>,
 }

@@ -405,7 +405,8 @@ impl Reader<'_> {
             false => !(bounds && follows(index, self.tokens, &["for"])),
         };
         // "which starts with $I = I_0$ at $t = 0$" is so then.
-        let is_then = is_at_a_value(self.source, index, self.tokens);
+        let is_then = is_at_a_value(self.source, index, self.tokens)
+            || is_at_a_place(self.source, index, self.tokens);
         // "The magnification $M = f/s$ is": what is no number is no origin.
         let is_name = is_number(text) && is_named(index, self.tokens);
         plainly && !is_name && !is_then && !follows(index, self.tokens, &NAMED_BEFORE)
@@ -575,6 +576,13 @@ fn is_at_a_value(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
     first.is_among(&["at", "when"])
         && matches!(place, Some(Token::Math(body))
             if source.get(body.range()).is_some_and(|text| is_value(text) && is_number(text)))
+}
+
+/// Whether what comes after the mathematics at `index` says at which place it is so: "Setting $F = m g$ at $v = u$".
+fn is_at_a_place(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 1..).unwrap_or_default();
+    matches!(rest, [(Token::Word("at"), _), (Token::Math(body), _), ..]
+        if source.get(body.range()).is_some_and(is_value))
 }
 
 /// Whether what comes after the mathematics at `index` makes it a name.

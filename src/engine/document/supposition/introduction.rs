@@ -6,7 +6,7 @@ use super::super::words::Words;
 use super::super::{Span, SuppositionKind};
 use super::mathematics::{differs, is_bound, is_value, relates};
 use super::words::{COMPARING, CONCLUDING, DEFINING, NEGATING};
-use super::{Reach, follows};
+use super::{Reach, follows, is_at_a_place};
 
 /// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
 const PATIENCE: usize = 6;
@@ -155,7 +155,10 @@ pub(super) fn introduced(
         "when" if value() && concludes_at_once(index, tokens) => Some((case, joined(true))),
         "for" if !begun && described() => Some((case, joined(true))),
         "case" if comma && value() && !is_compared(index, tokens) => Some((case, joined(true))),
-        "setting" | "putting" | "substituting" | "inserting" | "using" if !begun && value() => {
+        // What is put in at one place is said of the next display alone.
+        "setting" | "putting" | "substituting" | "inserting" | "using"
+            if !begun && value() && !is_at_a_place(source, index + 1, tokens) =>
+        {
             Some((case, joined(true)))
         }
         "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),

@@ -47,6 +47,23 @@ static ELSEWHERE: Words = Words::of(&[
 static AT_ANOTHER_TIME: Words = Words::of(&["until", "before", "after"]);
 /// A sentence that begins with one of these goes on with the one before.
 static GOING_ON: Words = Words::of(&["there", "then", "here", "hence", "thus", "therefore", "so"]);
+/// A number that follows one of these is that of a case.
+static SETTING: Words = Words::of(&["for", "when", "if"]);
+/// A sentence with one of these leaves the case that the one before sets.
+static LEAVING: Words = Words::of(&[
+    "general",
+    "generally",
+    "otherwise",
+    "arbitrary",
+    "any",
+    "all",
+    "every",
+    "later",
+    "elsewhere",
+    "for",
+    "when",
+    "if",
+]);
 /// No more is taken up, of no more sentences.
 const MOST_NAMED: usize = 4;
 const MOST_SENTENCES: usize = 4;
@@ -64,12 +81,21 @@ static NEAR_THE_TRUTH: Words = Words::of(&[
 pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Named> {
     let ends = |token: &Placed<'_>| ends_sentence(source, token) || token.0.is_stop();
     let is_value = |own: &Named| source.get(own.body.range()).is_some_and(is_number);
-    let (mut named, mut runs_on) = (Vec::new(), true);
+    let leaves = |(token, _): &Placed<'_>| token.is_among(&LEAVING);
+    let (mut named, mut runs_on, mut is_lost) = (Vec::new(), true, false);
+    let (mut all, mut said) = (Vec::new(), 0);
     for (back, sentence) in tokens.rsplit(ends).take(MOST_SENTENCES).enumerate() {
+        let own = of_sentence(source, sentence);
+        all.extend_from_slice(&own);
         // A number is said in its sentence, and in the one that goes on from there.
-        let own = of_sentence(source, sentence).into_iter();
-        named.extend(own.filter(|own| runs_on || !is_value(own)));
+        let is_case = |own: &Named| said == 1 && !is_lost && is_under(own.body, sentence);
+        let own = own.into_iter();
+        named.extend(own.filter(|own| runs_on || !is_value(own) || is_case(own)));
         runs_on = back == 0 && begins_with(sentence, &GOING_ON);
+        // A case that is set in a sentence of its own: "For $c = -1$ nothing is left. (1) becomes".
+        is_lost |= sentence.iter().any(leaves);
+        let has_words = sentence.iter().any(|own| matches!(own.0, Token::Word(_)));
+        said += usize::from(has_words);
     }
     named.truncate(MOST_NAMED);
     // "Let $y = x^3$ in the first case and $y = x^2$ in the second": neither.
@@ -78,7 +104,6 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Name
         (Some(a), Some(b)) => a.0.trim() == b.0.trim() && a.1.trim() != b.1.trim(),
         _ => false,
     };
-    let all = named.clone();
     named.retain(|own| !all.iter().any(|other| rivals(own, other)));
     named
 }
@@ -130,4 +155,10 @@ fn is_taken_up(index: usize, sentence: &[Placed<'_>]) -> bool {
         Some(Token::Mark(',')) => matches!(after.next(), Some(Token::Word("which" | "whence"))),
         _ => false,
     }
+}
+
+/// Whether a sentence sets what stands at a place as a case: "For $c = -1$ nothing is left", "It is back when $y = 0$".
+fn is_under(body: Span, sentence: &[Placed<'_>]) -> bool {
+    let at = sentence.partition_point(|(_, span)| span.end <= body.start);
+    follows(at, sentence, &SETTING)
 }
