@@ -1040,3 +1040,61 @@ fn a_quotient_is_weighed_as_it_stands() {
     assert_eq!(page("0.895"), "undecided");
     assert_eq!(page("0.805"), "fails");
 }
+
+/// What is so at one place says what constants are, and nothing of what varies.
+#[test]
+fn conditions_that_are_met_at_one_place_say_what_constants_are() {
+    let page = |condition: &str, constant: &str, solution: &str| {
+        verdicts(&format!(
+            "Integrating gives\n\n$$ w = \\frac{{k x^2}}{{2}} + B x + C \\tag{{1}} $$\n\n{condition}\n\n$$ C = {constant} \\tag{{2}} $$\n\n\
+             and so\n\n$$ w = {solution} \\tag{{3}} $$\n"
+        ))
+    };
+    for condition in [
+        "With $w = c$ at $x = 0$ we get",
+        "Since $w = c$ at the wall $x = 0$, we get",
+        "The boundary condition $w = c$ at $x = 0$ gives",
+        "Setting $w = c$ when $x = 0$ yields",
+    ] {
+        let right = page(condition, "c", r"\frac{k x^2}{2} + B x + c");
+        assert_eq!(right, ["given", "holds", "holds"], "{condition}");
+        let wrong = page(condition, "2 c", r"\frac{k x^2}{2} + B x + 2 c");
+        assert_eq!(wrong[1], "fails", "{condition}");
+        // The place is left with the display.
+        let wrong = page(condition, "c", r"\frac{k x^2}{2} + c");
+        assert_eq!(wrong[2], "fails", "{condition}");
+    }
+    let two = "With $w = 0$ at $x = 0$ and $w = 0$ at $x = L$ we get";
+    let text = |constants: &str| {
+        verdicts(&format!(
+            "Let $L > 0$. Integrating gives\n\n$$ w = \\frac{{k x^2}}{{2}} + B x + C \\tag{{1}} $$\n\n{two}\n\n$$ {constants} \\tag{{2}} $$\n"
+        ))
+    };
+    // Two places are none, and what follows from both together is left open.
+    assert_eq!(text(r"C = 1")[1], "undecided");
+    assert_eq!(text(r"B = -\frac{k L}{2}")[1], "undecided");
+}
+
+/// The solution of a law of change is not of the moment at which it begins.
+#[test]
+fn solutions_are_not_of_the_moment_at_which_they_begin() {
+    let page = |begins: &str, solution: &str| {
+        verdicts(&format!(
+            "The number obeys\n\n$$ \\frac{{dN}}{{dt}} = -k N \\tag{{1}} $$\n\nwhere $k$ is constant. {begins}\n\n$$ N = {solution} \\tag{{2}} $$\n\n\
+             Hence\n\n$$ \\frac{{dN}}{{dt}} = -k N_0 e^{{-k t}} \\tag{{3}} $$\n"
+        ))
+    };
+    let begins = "With $N = N_0$ at $t = 0$ the solution is";
+    assert_eq!(page(begins, r"N_0 e^{-k t}"), ["given", "holds", "holds"]);
+    assert_eq!(page(begins, r"N_0 e^{k t}")[1], "undecided");
+    assert_ne!(page(begins, r"N_0")[1], "holds");
+    // What is put in at a value that is a name is said of the next display alone, too.
+    let drag = |right: &str| {
+        verdicts(&format!(
+            "The drag is\n\n$$ F = a v^2 \\tag{{1}} $$\n\nand the equation of motion is\n\n$$ m \\frac{{dv}}{{dt}} = m g - F \\tag{{2}} $$\n\n\
+             Setting $F = m g$ at $v = u$ in (1),\n\n$$ u^2 = {right} \\tag{{3}} $$\n"
+        ))
+    };
+    assert_eq!(drag(r"\frac{m g}{a}")[2], "holds");
+    assert_eq!(drag(r"\frac{2 m g}{a}")[2], "fails");
+}

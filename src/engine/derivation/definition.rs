@@ -38,7 +38,12 @@ fn settle_page(
     sequences: &mut Sequences,
     constants: &BTreeSet<Symbol>,
 ) {
+    let mut of_display = page.locals.iter().filter(|own| own.of_display).peekable();
     for equation in equations {
+        // A condition speaks of what it names, be the display of that place or not: "With $w = w_0$ at $x = 0$ the solution is".
+        while let Some(own) = of_display.next_if(|own| own.span.end <= equation.span.start) {
+            seen.extend(own.names());
+        }
         let locals = equation.locals.iter().map(|&local| &page.locals[local]);
         let supposed = locals.flat_map(|local| &local.formulas);
         let supposed = supposed.filter(|formula| formula.as_equation().is_some());

@@ -20,6 +20,7 @@ mod equation;
 mod euler;
 mod imaginary;
 mod indices;
+mod initial;
 mod lasting;
 mod meanings;
 mod names;

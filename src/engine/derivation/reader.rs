@@ -42,6 +42,8 @@ struct Between {
     cited: Vec<Citation>,
     mentioned: Vec<Span>,
     named: Vec<usize>,
+    /// Conditions that are met at one place, and where that is.
+    initial: Vec<(Span, Span)>,
     /// What is supposed and could not be read.
     unread: Vec<Span>,
     /// What is put as a condition in words that are not understood.
@@ -408,6 +410,7 @@ impl<'p> Reader<'p> {
                 page.date(new.clone(), passage);
                 page.leave_other_values(new, active);
             }
+            SuppositionKind::Initial(place) => self.between.initial.push((body, place)),
             SuppositionKind::Fact { runs_on, .. } => {
                 self.take_up(kind, body);
                 let page = &mut *self.page;
@@ -640,6 +643,10 @@ impl<'p> Reader<'p> {
         let at_moment = self.said_of_moment(&read);
         let passage = self.passage(&said, &read, &at_moment);
         self.page.forget_moments(&self.active, &mut self.told);
+        let other_place = self
+            .page
+            .suppose_where_met(&said.initial, &read, &mut self.active);
+        said.unread.extend(other_place);
         self.last = self.equations.len()..self.equations.len() + of_display;
         let alone = self.equations.is_empty() && said.announces_all(&read) && said.from.is_none();
         for (row, (part, at_moment)) in read.into_iter().zip(at_moment).enumerate() {
@@ -666,7 +673,7 @@ impl<'p> Reader<'p> {
         }
         self.running.clear();
         let locals = &self.page.locals;
-        self.active.retain(|&at| !locals[at].at_rest);
+        self.active.retain(|&at| !locals[at].of_display);
         self.leave_told(&said, before);
     }
 

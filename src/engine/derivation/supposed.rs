@@ -45,8 +45,9 @@ pub struct Local {
     pub(super) means: bool,
     /// It is said for good: headings do not end it.
     pub(super) lasts: bool,
-    /// It says that something does not change: "In equilibrium the right-hand side of (1) vanishes".
-    pub(super) at_rest: bool,
+    /// It is said of the next display alone, and what that concludes of more: "In equilibrium the right-hand side of (1) vanishes", "With
+    /// $w = 0$ at $x = 0$ we get".
+    pub(super) of_display: bool,
     /// It is so at one moment alone.
     pub(super) moment: Option<Moment>,
     pub(super) level: u8,
@@ -79,7 +80,7 @@ impl Local {
 
     /// Whether it is said of the display alone that it leads to: what was concluded from it is a premise elsewhere, but it is not.
     pub fn is_passing(&self) -> bool {
-        self.is_momentary() || self.at_rest
+        self.is_momentary() || self.of_display
     }
 
     /// Whether "in general" leaves it; and what leaves cases and moments alone, "later".
@@ -179,7 +180,7 @@ impl Page {
                 is_special: false,
                 means: false,
                 lasts: false,
-                at_rest: false,
+                of_display: false,
                 moment: None,
                 level,
             });
@@ -385,7 +386,7 @@ impl Page {
                 is_special: false,
                 means: false,
                 lasts: false,
-                at_rest: false,
+                of_display: false,
                 level: 0,
             });
         }
@@ -480,7 +481,7 @@ impl Page {
             is_special: false,
             means: true,
             lasts: true,
-            at_rest: false,
+            of_display: false,
             level: 0,
         });
         self.locals.len() - 1
@@ -505,7 +506,7 @@ impl Page {
             is_special: false,
             means: false,
             lasts: false,
-            at_rest: false,
+            of_display: false,
             moment: passage.map(|passage| Moment {
                 passage,
                 display: None,
@@ -521,7 +522,7 @@ impl Page {
     pub(super) fn suppose_rest(&mut self, rate: Expr, span: Span) -> usize {
         let at = self.suppose_equal(rate, Expr::integer(0), span, None);
         let own = &mut self.locals[at];
-        (own.is_told, own.of_case, own.means, own.at_rest) = (false, false, true, true);
+        (own.is_told, own.of_case, own.means, own.of_display) = (false, false, true, true);
         at
     }
 

@@ -259,6 +259,9 @@ pub enum SuppositionKind {
     Meaning,
     /// "At the turning points $v = 0$, so": a value at one moment.
     Moment,
+    /// "With $w = w_0$ at $x = 0$ we get": a condition that is met there, which is what the next display follows from if it speaks of
+    /// nothing that varies.
+    Initial(Span),
     /// "It is known that $v = 3$", "The mass was measured to be $m = 2$": told, and not in passing, so that numbers are told for good, too.
     Known,
     /// "Setting the derivative to zero gives": zero, and not written as an equation.

@@ -8,6 +8,7 @@
 
 mod cases;
 mod common;
+mod initial;
 mod introduction;
 mod mathematics;
 pub(super) mod named;
@@ -88,6 +89,16 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         kind: SuppositionKind::Anew,
         body,
     }));
+    // What is so at one place alone is not supposed for good, and neither is the place.
+    for initial in initial::read(source, &tokens[..end]) {
+        if let SuppositionKind::Initial(place) = initial.kind {
+            let is_own = |body: Span| body == initial.body || body == place;
+            found
+                .retain(|own| !is_own(own.body) || matches!(own.kind, SuppositionKind::Initial(_)));
+            mentions.retain(|own| !is_own(*own));
+            found.push(initial);
+        }
+    }
     // What is supposed already, or told, is not a case besides.
     if let Some(case) = cases::read(source, &tokens[..end]) {
         let is_own = |own: &&mut Supposition| own.body == case.body && is_no_meaning(own);

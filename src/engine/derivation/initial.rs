@@ -1,0 +1,65 @@
+//! Initial and boundary conditions of the prose, "With $w = w_0$ at $x = 0$ we get": what a display follows from that says what
+//! constants are.
+
+use super::equation::formulas;
+use super::page::Page;
+use super::rows::Part;
+use crate::algebra::{Formula, Symbol};
+use crate::document::{Span, SuppositionKind};
+use crate::notation::read_formulas;
+use crate::sorted::Set;
+
+impl Page {
+    /// Supposes conditions, and that it is where they are met, for a display that speaks of nothing which varies: neither of what
+    /// has these values nor of the place. Of others they say nothing, for these are so elsewhere, too; but what they name is known.
+    ///
+    /// What is met at two places is so at none, and what follows from both together is not understood: the second place is returned.
+    pub(super) fn suppose_where_met(
+        &mut self,
+        conditions: &[(Span, Span)],
+        display: &[Part],
+        active: &mut Vec<usize>,
+    ) -> Option<Span> {
+        let &(_, first) = conditions.first()?;
+        let written = |place: Span| self.document.source.get(place.range());
+        let other = conditions.iter().map(|own| own.1);
+        let other = other
+            .into_iter()
+            .find(|&own| written(own) != written(first));
+        let statements = display
+            .iter()
+            .flat_map(|part| part.statements.iter().flatten());
+        let names: Set<Symbol> = statements
+            .flat_map(formulas)
+            .flat_map(|formula| formula.names())
+            .collect();
+        let (start, mut unused) = (self.locals.len(), Vec::new());
+        for &(condition, place) in conditions {
+            let is_free = |body| {
+                let own = self.left_symbols(body);
+                own.is_some_and(|own| own.is_disjoint(&names))
+            };
+            let is_met = other.is_none() && is_free(condition) && is_free(place);
+            for body in [condition, place] {
+                // Where two are met at one place, that is supposed once.
+                if !self.locals[start..].iter().any(|own| own.span == body) {
+                    let active = if is_met { &mut *active } else { &mut unused };
+                    self.suppose(body, SuppositionKind::Assume, 0, active, false);
+                }
+            }
+        }
+        for local in &mut self.locals[start..] {
+            local.of_display = true;
+        }
+        other
+    }
+
+    /// The symbols on the left of what inline mathematics says; `None` where it cannot be read.
+    fn left_symbols(&self, body: Span) -> Option<Set<Symbol>> {
+        let said = read_formulas(&self.document.source, body).ok()?;
+        let said: Vec<Formula> = said.iter().flat_map(formulas).collect();
+        let left = said.iter().map(|own| Some(own.as_equation()?.0));
+        let left: Vec<_> = left.collect::<Option<_>>()?;
+        Some(Formula::names_in(left.into_iter()))
+    }
+}
