@@ -1064,6 +1064,14 @@ fn conditions_that_are_met_at_one_place_say_what_constants_are() {
         let wrong = page(condition, "c", r"\frac{k x^2}{2} + c");
         assert_eq!(wrong[2], "fails", "{condition}");
     }
+    // What is so there says what the law is elsewhere only with what it is there.
+    let of_all = |solution: &str| {
+        verdicts(&format!(
+            "Integrating gives\n\n$$ w = \\frac{{k x^2}}{{2}} + C \\tag{{1}} $$\n\nBecause $w = c$ when $x = 0$, we have\n\n$$ w = {solution} \\tag{{2}} $$\n"
+        ))
+    };
+    assert_eq!(of_all(r"\frac{k x^2}{2} + c")[1], "undecided");
+    assert_ne!(of_all(r"\frac{k x^2}{2} + 2 c")[1], "holds");
     let two = "With $w = 0$ at $x = 0$ and $w = 0$ at $x = L$ we get";
     let text = |constants: &str| {
         verdicts(&format!(

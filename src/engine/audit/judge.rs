@@ -584,20 +584,8 @@ impl Judge<'_> {
 
 /// Whether a statement may be true whatever its symbols stand for: not where one of them is said to be what is calculated from others.
 fn may_be_an_identity(formula: &Formula) -> bool {
-    let is_calculated = |part: &Expr| {
-        matches!(
-            part,
-            Expr::Number(_)
-                | Expr::Symbol(_)
-                | Expr::Sum(_)
-                | Expr::Product(_)
-                | Expr::Negate(_)
-                | Expr::Quotient(..)
-                | Expr::Power(..)
-        )
-    };
     let says_what_it_is = |symbol: &Expr, term: &Expr| match symbol {
-        Expr::Symbol(symbol) => !term.mentions(symbol) && !term.any(&|part| !is_calculated(part)),
+        Expr::Symbol(symbol) => !term.mentions(symbol) && !term.any(&|part| !part.is_arithmetic()),
         _ => false,
     };
     let sides = formula.as_equation();

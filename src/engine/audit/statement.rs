@@ -309,7 +309,7 @@ impl Auditor<'_> {
             .filter_map(|own| source.get(own.range()));
         let unread: Vec<String> = unread.map(|own| format!("`{}`", own.trim())).collect();
         format!(
-            "what is supposed before it could not be read: {}",
+            "what is supposed before it is not understood: {}",
             unread.join(", ")
         )
     }

@@ -117,8 +117,9 @@ impl Judge<'_> {
             && self.follows_with_others(goal, &others, premises, Effort::Light, found)
     }
 
-    /// Whether the step follows, from what it cites alone (`is_cited`) or from what else it is tried with, where symbols of which nobody says where they lie are positive: who solves
-    /// `w^2 R^2 C^2 = 1` for `w` means no negative resistance. A proof says that no positive values speak against it.
+    /// Whether the step follows, from what it cites alone (`is_cited`) or from what else it is tried with, where symbols of which nobody
+    /// says where they lie are positive: who solves `w^2 R^2 C^2 = 1` for `w` means no negative resistance. A proof says that no positive
+    /// values speak against it.
     ///
     /// That a symbol is negative nobody leaves unsaid.
     fn follows_where_positive(

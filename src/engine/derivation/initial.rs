@@ -1,10 +1,10 @@
 //! Initial and boundary conditions of the prose, "With $w = w_0$ at $x = 0$ we get": what a display follows from that says what
 //! constants are.
 
-use super::equation::formulas;
+use super::equation::{Equation, formulas};
 use super::page::Page;
 use super::rows::Part;
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Span, SuppositionKind};
 use crate::notation::read_formulas;
 use crate::sorted::Set;
@@ -13,11 +13,12 @@ impl Page {
     /// Supposes conditions, and that it is where they are met, for a display that speaks of nothing which varies: neither of what
     /// has these values nor of the place. Of others they say nothing, for these are so elsewhere, too; but what they name is known.
     ///
-    /// What is met at two places is so at none, and what follows from both together is not understood: the second place is returned.
+    /// What is not understood is returned: what follows from conditions that are met at two places, for that is none, and what a law that
+    /// speaks of no slopes comes to everywhere by what it is there. A solution of a law of change is checked against the condition.
     pub(super) fn suppose_where_met(
         &mut self,
         conditions: &[(Span, Span)],
-        display: &[Part],
+        (before, display): (&[Equation], &[Part]),
         active: &mut Vec<usize>,
     ) -> Option<Span> {
         let &(_, first) = conditions.first()?;
@@ -34,12 +35,17 @@ impl Page {
             .flat_map(|formula| formula.names())
             .collect();
         let (start, mut unused) = (self.locals.len(), Vec::new());
+        let is_law_of_change = before.last().is_some_and(speaks_of_slopes);
+        let mut not_understood = other;
         for &(condition, place) in conditions {
             let is_free = |body| {
                 let own = self.left_symbols(body);
                 own.is_some_and(|own| own.is_disjoint(&names))
             };
             let is_met = other.is_none() && is_free(condition) && is_free(place);
+            if !is_met && !is_law_of_change {
+                not_understood = Some(condition);
+            }
             for body in [condition, place] {
                 // Where two are met at one place, that is supposed once.
                 if !self.locals[start..].iter().any(|own| own.span == body) {
@@ -51,7 +57,7 @@ impl Page {
         for local in &mut self.locals[start..] {
             local.of_display = true;
         }
-        other
+        not_understood
     }
 
     /// The symbols on the left of what inline mathematics says; `None` where it cannot be read.
@@ -62,4 +68,12 @@ impl Page {
         let left: Vec<_> = left.collect::<Option<_>>()?;
         Some(Formula::names_in(left.into_iter()))
     }
+}
+
+fn speaks_of_slopes(equation: &Equation) -> bool {
+    let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. } | Expr::Partial { .. });
+    let formulas = equation.statements().iter().flat_map(formulas);
+    formulas
+        .into_iter()
+        .any(|formula| formula.terms().iter().any(|term| term.any(&is_slope)))
 }

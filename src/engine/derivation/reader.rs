@@ -643,10 +643,9 @@ impl<'p> Reader<'p> {
         let at_moment = self.said_of_moment(&read);
         let passage = self.passage(&said, &read, &at_moment);
         self.page.forget_moments(&self.active, &mut self.told);
-        let other_place = self
-            .page
-            .suppose_where_met(&said.initial, &read, &mut self.active);
-        said.unread.extend(other_place);
+        let steps = (&self.equations[..], &read[..]);
+        let not_understood = (self.page).suppose_where_met(&said.initial, steps, &mut self.active);
+        said.unread.extend(not_understood);
         self.last = self.equations.len()..self.equations.len() + of_display;
         let alone = self.equations.is_empty() && said.announces_all(&read) && said.from.is_none();
         for (row, (part, at_moment)) in read.into_iter().zip(at_moment).enumerate() {

@@ -28,7 +28,7 @@ use super::conclusion;
 use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
 use super::words::{Listed, Words, is_in_any_case};
 use super::{Extent, Span, Supposition, SuppositionKind};
-use crate::sorted;
+use crate::sorted::{self, Set};
 
 /// So many words may stand between "include" and "again".
 const MOST_RECALLED: usize = 8;
@@ -90,14 +90,16 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         body,
     }));
     // What is so at one place alone is not supposed for good, and neither is the place.
-    for initial in initial::read(source, &tokens[..end]) {
-        if let SuppositionKind::Initial(place) = initial.kind {
-            let is_own = |body: Span| body == initial.body || body == place;
-            found
-                .retain(|own| !is_own(own.body) || matches!(own.kind, SuppositionKind::Initial(_)));
-            mentions.retain(|own| !is_own(*own));
-            found.push(initial);
-        }
+    let initial = initial::read(source, &tokens[..end]);
+    if !initial.is_empty() {
+        let spans = initial.iter().flat_map(|own| match own.kind {
+            SuppositionKind::Initial(place) => [own.body, place],
+            _ => [own.body, own.body],
+        });
+        let spans: Set<Span> = spans.collect();
+        found.retain(|own| !spans.contains(&own.body));
+        mentions.retain(|own| !spans.contains(own));
+        found.extend(initial);
     }
     // What is supposed already, or told, is not a case besides.
     if let Some(case) = cases::read(source, &tokens[..end]) {

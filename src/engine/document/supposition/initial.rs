@@ -43,6 +43,8 @@ static PLACES: Words = Words::of(&[
 ]);
 /// No more words stand there.
 const MOST_BETWEEN: usize = 3;
+/// No more words lead from what makes use of a condition to it.
+const MOST_BEFORE: usize = 40;
 /// A sentence gives no more conditions for one place.
 const MOST_CONDITIONS: usize = 4;
 
@@ -57,10 +59,9 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
             continue;
         };
         let (conditions, first) = conditions_before(source, &tokens[..at]);
-        let mut before = tokens[..first].iter().rev();
-        let mut sentence = before
-            .by_ref()
-            .take_while(|token| !ends_sentence(source, token) && !token.0.is_stop());
+        let before = tokens[..first].iter().rev().take(MOST_BEFORE);
+        let mut sentence =
+            before.take_while(|token| !ends_sentence(source, token) && !token.0.is_stop());
         if sentence.any(|(token, _)| token.is_among(&USING)) {
             found.extend(conditions.into_iter().map(|body| Supposition {
                 kind: SuppositionKind::Initial(place),
