@@ -764,6 +764,18 @@ fn statements_and_what_separates_them() {
             r"a = \frac{\exp\left( 2 x \right) - \exp\left( -2 x \right)}{2} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \sin\left( \frac{30 \pi}{180} \right)",
         ),
         (
+            r"\alpha = \arctan\frac{y}{x} + \arcsin x - \arccos(2 x)",
+            r"\alpha = \arctan\left( \frac{y}{x} \right) + \arcsin\left( x \right) - \arccos\left( 2 x \right)",
+        ),
+        (
+            r"\Delta G^\circ = \mu^{\circ} c_{\mathrm{H_2O}} - {E^\circ}^2 \mathrm{C_6H_{12}O_6}",
+            r"\Delta G^\circ = \mu^\circ c_{\text{H2O}} - (E^\circ)^2 \text{C6H12O6}",
+        ),
+        (
+            r"\boxed{\begin{aligned} a &= b \\ c &= d \end{aligned}}",
+            "a = b ;; c = d",
+        ),
+        (
             r"\Rightarrow \boxed{a = 1{,}5 b,} \quad \underline{\underline{c = d.}}",
             "a = 1.5 b ;; c = d",
         ),
@@ -1450,10 +1462,27 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "a hyperbolic function of another",
     ),
     (
-        r"x = \arctan y",
-        r"\arctan",
-        "inverse functions (`\\arctan`) are not read",
+        r"a = \theta^\circ",
+        r"\circ",
+        "degrees are read only in the angle",
     ),
+    (
+        r"a = \sin E^\circ",
+        r"\circ",
+        "degrees are read only in the angle",
+    ),
+    (
+        r"T = 25\,^\circ\mathrm{C}",
+        r"\circ",
+        "temperatures on a scale of degrees",
+    ),
+    (r"P(A \mid B) = c", r"\mid", "`\\mid` is not read"),
+    (
+        r"c = \mathrm{H_x}",
+        r"\mathrm{H_x}",
+        "`\\mathrm{H_x}` is no name",
+    ),
+    (r"x = \coth y", r"\coth", "`\\coth` is not read"),
     (r"\boxed{a = b} c", "c", "`c` cannot stand here"),
     (r"x = 1, 2", "2", "this is a term, not a statement"),
     (

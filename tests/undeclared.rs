@@ -195,7 +195,7 @@ fn primes_on_functions_are_slopes() {
         (
             "Let $f(x) = x^3 e^{2 x}$. Then",
             "f'(x) = 3 x^2 e^{2 x} + x^3 e^{2 x}",
-            "undecided",
+            "fails",
         ),
         (
             "The profit is $P(q) = a q - b q^2$, hence",
@@ -973,4 +973,129 @@ fn integration_begins_with_a_number() {
         "holds",
         "nothing is said of where it begins"
     );
+}
+
+/// The slope of what a law ties to what moves, with all else in it constant.
+#[test]
+fn laws_tell_slopes() {
+    let slope = |law: &str, slope: &str, value: &str| {
+        let text = format!("In equilibrium\n\n$$ {law} $$\n\nHence\n\n$$ {slope} = {value} $$\n");
+        verdicts(&text)[1]
+    };
+    for (law, left, right, wrong) in [
+        (
+            "T^4 = a S",
+            r"\frac{dT}{dS}",
+            r"\frac{T}{4 S}",
+            r"\frac{4 T}{S}",
+        ),
+        ("p V = c", r"\frac{dp}{dV}", r"-\frac{p}{V}", r"\frac{p}{V}"),
+        (
+            "x^2 + y^2 = r^2",
+            r"\frac{dy}{dx}",
+            r"-\frac{x}{y}",
+            r"\frac{x}{y}",
+        ),
+        (
+            "x^2 + x y + y^2 = c",
+            r"\frac{dy}{dx}",
+            r"-\frac{2 x + y}{x + 2 y}",
+            r"-\frac{2 x - y}{x + 2 y}",
+        ),
+        (
+            "y = A x^n",
+            r"\frac{dy}{dx}",
+            "n A x^{n - 1}",
+            "n A x^{n - 2}",
+        ),
+        (
+            "y = A x^n",
+            r"\frac{dy}{dx}",
+            r"n \frac{y}{x}",
+            "A x^{n - 1}",
+        ),
+        (
+            r"p = q e^{-H/(R T)}",
+            r"\frac{dp}{dT}",
+            r"q \frac{H}{R T^2} e^{-H/(R T)}",
+            r"q \frac{H}{R T^3} e^{-H/(R T)}",
+        ),
+        (
+            r"B = \frac{k R^2}{2 (R^2 + z^2)^{3/2}}",
+            r"\frac{dB}{dz}",
+            r"-\frac{3 k R^2 z}{2 (R^2 + z^2)^{5/2}}",
+            r"-\frac{3 k R^2 z}{2 (R^2 - z^2)^{5/2}}",
+        ),
+    ] {
+        assert_eq!(slope(law, left, right), "holds", "{law}: {right}");
+        assert_eq!(slope(law, left, wrong), "fails", "{law}: {wrong}");
+    }
+    // Where the text says that it is constant, so it is.
+    let told = |sign: &str| {
+        let text = format!(
+            "$$ p V = c, $$\n\nwhere $c$ is constant. Hence\n\n$$ \\frac{{dp}}{{dV}} = {sign} \\frac{{p}}{{V}} $$\n"
+        );
+        verdicts(&text)[1]
+    };
+    assert_eq!((told("-"), told("")), ("holds", "fails"));
+}
+
+/// Exponents between 0 and 1, and what is in units of something else.
+#[test]
+fn exponents_may_be_fractions() {
+    let drawn = |exponent: &str| {
+        let text = format!(
+            "<!-- check: symbols K, L, A: positive; symbols a: in (0, 1) -->\n\n$$ Y = A K^a L^{{1 - a}} $$\n\nWith $k = K/L$ and $y = Y/L$ this is\n\n$$ y = A k^{{{exponent}}} $$\n"
+        );
+        verdicts(&text)[1]
+    };
+    assert_eq!((drawn("a"), drawn("2 a")), ("holds", "fails"));
+}
+
+/// Dots are slopes in time where something is differentiated by the time.
+#[test]
+fn dots_go_with_slopes_in_time() {
+    let lost = |rate: &str| {
+        let text = format!(
+            "The motion obeys\n\n$$ m \\ddot x + b \\dot x + k x = 0 \\tag{{1}} $$\n\nThe energy is\n\n$$ E = \\frac12 m \\dot x^2 + \\frac12 k x^2 \\tag{{2}} $$\n\nDifferentiating (2) and using (1),\n\n$$ \\frac{{dE}}{{dt}} = {rate} $$\n"
+        );
+        verdicts(&text)[2]
+    };
+    assert_eq!(lost(r"- b \dot x^2"), "holds");
+    assert_eq!(lost(r"- 2 b \dot x^2"), "fails");
+    assert_eq!(lost(r"- b \dot x"), "fails");
+}
+
+#[test]
+fn sums_of_cosines_and_quotients_in_logarithms_are_refuted() {
+    let tones = |product: &str| {
+        let text = format!(
+            "The tones are\n\n$$ y = A \\cos(a t) + A \\cos(b t) $$\n\nWith $a = m + d$ and $b = m - d$ the sum is\n\n$$ y = {product} $$\n"
+        );
+        verdicts(&text)[1]
+    };
+    assert_eq!(tones(r"2 A \cos(d t) \cos(m t)"), "holds");
+    assert_eq!(tones(r"A \cos(d t) \cos(m t)"), "fails");
+    assert_eq!(tones(r"2 A \sin(d t) \cos(m t)"), "fails");
+    let vapour = |right: &str| {
+        let text = format!(
+            "The temperatures give\n\n$$ \\ln p = c - \\frac{{H}}{{T}} \\tag{{1}} $$\n\n$$ \\ln q = c - \\frac{{H}}{{S}} \\tag{{2}} $$\n\nThe difference of (1) and (2) is\n\n$$ \\ln\\frac{{q}}{{p}} = H \\left( {right} \\right) $$\n"
+        );
+        verdicts(&text)[2]
+    };
+    assert_eq!(vapour(r"\frac{1}{T} - \frac{1}{S}"), "holds");
+    assert_eq!(vapour(r"\frac{1}{S} - \frac{1}{T}"), "fails");
+}
+
+/// That an equation has a root is no premise of what does not speak of it.
+#[test]
+fn a_root_is_not_borrowed() {
+    let damped = |right: &str| {
+        let text = format!(
+            "We abbreviate\n\n$$ \\gamma = \\frac{{b}}{{2 m}}, \\qquad w^2 = \\frac{{k}}{{m}} $$\n\nThe ansatz $x = A e^{{s t}}$ leads to the characteristic equation\n\n$$ s^2 + 2\\gamma s + w^2 = 0 $$\n\nFor weak damping we write $u^2 = w^2 - \\gamma^2$. In terms of the original parameters,\n\n$$ u^2 = {right} $$\n"
+        );
+        *verdicts(&text).last().expect("a verdict")
+    };
+    assert_eq!(damped(r"\frac{k}{m} - \frac{b^2}{4 m^2}"), "holds");
+    assert_eq!(damped(r"\frac{b^2}{4 m^2} - \frac{k}{m}"), "fails");
 }

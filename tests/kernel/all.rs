@@ -6,6 +6,7 @@ mod claims;
 mod closed_holes;
 mod course;
 mod dimensions;
+mod exponentials;
 mod family;
 mod functions;
 mod induction;

@@ -158,3 +158,65 @@ fn point_of(value: i64) -> Assignment {
         ..Assignment::default()
     }
 }
+
+const FALL: &str = r"\frac{dy}{dx}";
+
+/// A point of two symbols, with a slope and what each law leads.
+fn sloping(x: i64, y: i64, slope: (i64, i64), leads: &[(usize, &str)]) -> Assignment {
+    let mut at = point(&[("x", x), ("y", y)]);
+    let key = (symbol("y"), symbol("x"));
+    at.derivatives.insert(key, ratio(slope.0, slope.1));
+    moving(at, None, leads)
+}
+
+#[test]
+fn law_is_kept_where_its_slope_vanishes_all_along() {
+    let hyperbola = claim(&["x y = 6"], r"\frac{dy}{dx} = \frac{y}{x}");
+    let leads = [(0, FALL)];
+    // y + x dy/dx = 0
+    let verdict = refuted(&hyperbola, sloping(2, 3, (-3, 2), &leads));
+    assert_eq!(verdict, Ok(()));
+    for slope in [(1, 1), (3, 2), (0, 1)] {
+        let verdict = refuted(&hyperbola, sloping(2, 3, slope, &leads));
+        assert_eq!(verdict, Err(Reject::NoCourse), "{slope:?}");
+    }
+    // The slope alone is not enough: the law is to be true, too.
+    let verdict = refuted(&hyperbola, sloping(2, 5, (-5, 2), &leads));
+    assert_eq!(verdict, Err(Reject::PremiseFalse(0)));
+    let right = claim(&["x y = 6"], r"\frac{dy}{dx} = -\frac{y}{x}");
+    let verdict = refuted(&right, sloping(2, 3, (-3, 2), &leads));
+    assert_eq!(verdict, Err(Reject::GoalNotFalse));
+}
+
+#[test]
+fn law_that_tells_no_slope_lets_none_be_chosen() {
+    // At the cusp of `y^2 = x^3`, and where the circle is upright.
+    let cusp = claim(&["y^2 = x^3"], r"\frac{dy}{dx} = 0");
+    let verdict = refuted(&cusp, sloping(0, 0, (1, 1), &[(0, FALL)]));
+    assert_eq!(verdict, Err(Reject::NoCourse));
+    let circle = claim(&["x^2 + y^2 = 25"], r"\frac{dy}{dx} = 0");
+    let verdict = refuted(&circle, sloping(5, 0, (1, 1), &[(0, FALL)]));
+    assert_eq!(verdict, Err(Reject::NoCourse));
+    // Two laws tell one slope, and not both of them lead it.
+    let two = claim(&["x y = 6", "x + y = 5"], r"\frac{dy}{dx} = 0");
+    for leads in [&[(0, FALL)][..], &[(0, FALL), (1, FALL)]] {
+        let verdict = refuted(&two, sloping(2, 3, (-3, 2), leads));
+        assert_eq!(verdict, Err(Reject::NoCourse), "{leads:?}");
+    }
+}
+
+#[test]
+fn slope_of_what_another_law_moves_is_to_be_known() {
+    let claim = claim(&["x y = c", "c = 3 x"], r"\frac{dy}{dx} = 1");
+    let mut at = sloping(2, 3, (-3, 2), &[(0, FALL), (1, "c")]);
+    at.symbols.insert(symbol("c"), number(6));
+    assert_eq!(refuted(&claim, at), Err(Reject::NoCourse));
+    // Nor is one of higher order told by the law itself.
+    let twice = super::claims::claim(&["x y = 6"], r"\frac{d^2 y}{dx^2} = 0");
+    let mut at = sloping(2, 3, (-3, 2), &[(0, r"\frac{d^2 y}{dx^2}")]);
+    if let Some(course) = &mut at.course {
+        let key = (symbol("y"), symbol("x"));
+        course.higher.insert(key, vec![number(7)]);
+    }
+    assert_eq!(refuted(&twice, at), Err(Reject::NoCourse));
+}

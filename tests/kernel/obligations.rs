@@ -1,6 +1,7 @@
 //! A claim that is read once, for several candidates.
 
-use cradle_verify::kernel::{Candidate, Certificate, Claim, Obligation, Reject};
+use cradle_verify::algebra::{Expr, Function};
+use cradle_verify::kernel::{Candidate, Certificate, Checked, Claim, Obligation, Reject};
 
 use super::claims::*;
 
@@ -57,5 +58,39 @@ fn proof_is_judged_by_what_it_puts_in_itself() {
         assert_eq!(verdict(&[0]), Ok(()));
         assert_eq!(verdict(&[]), Err(Reject::IdentityFails));
         assert_eq!(verdict(&[1]), Err(Reject::NoSuchFact(1)));
+    }
+}
+
+#[test]
+fn a_counterexample_at_which_more_is_positive_is_one() {
+    let goal = r"\ln \frac{q}{p} = 2";
+    let posed = |premises: &[&str]| {
+        let claim = claim(premises, goal);
+        Obligation::new(claim, Vec::new()).expect("a claim")
+    };
+    let found = |premises: &[&str]| {
+        let mut point = point(&[("z", 1)]);
+        for (name, value) in [("p", 0), ("q", 1)] {
+            let call = Expr::Call(Function::Ln, term(name).into());
+            point.functions.insert(call, number(value));
+        }
+        match posed(premises).check(Candidate::Counterexample(point)) {
+            Ok(Checked::Refuted(refuted)) => refuted,
+            other => panic!("{premises:?}: {other:?}"),
+        }
+    };
+    let both = found(&["p > 0", "q > 0"]);
+    assert_eq!(posed(&[]).refuted_by_fewer(&both), Ok(()));
+    assert_eq!(posed(&["p > 0"]).refuted_by_fewer(&both), Ok(()));
+    let other = posed(&["p = q"]).refuted_by_fewer(&both);
+    assert_eq!(other, Err(Reject::OfAnotherClaim));
+    // Nothing else may be said besides, and of nothing else.
+    for premises in [
+        &["p > 0", "q > 0", "z > 0"][..],
+        &["p > 0", "q > 0", "1 = 1"],
+        &["p > 0", "q > 0", r"\pi > 0"],
+    ] {
+        let verdict = posed(&[]).refuted_by_fewer(&found(premises));
+        assert_eq!(verdict, Err(Reject::OfAnotherClaim), "{premises:?}");
     }
 }

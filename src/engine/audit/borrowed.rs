@@ -333,12 +333,35 @@ impl Judge<'_> {
         self.auditor.failing(self.at, &premises)
     }
 
-    /// What was true at a point at which failing equations were found to be false.
+    /// What was true at a point at which failing equations were found to be false. Where the point tells slopes, also what that was
+    /// shown from: what is refuted from a slope is refuted from what that is the slope of.
     fn refuted_from(&self, failing: &[usize]) -> Set<Source> {
         let entries = failing.iter().flat_map(|&at| self.auditor.entries_of(at));
-        let refuted = entries.filter_map(|entry| entry.refuted());
-        let premises = refuted.flat_map(|(judged, _)| sources(&judged.assumed));
-        premises.collect()
+        let mut found = Set::new();
+        for (judged, refuted) in entries.filter_map(|entry| entry.refuted()) {
+            let from = sources(&judged.assumed);
+            let witness = refuted.witness();
+            if witness.course.is_some() || !witness.derivatives.is_empty() {
+                found.extend(from.iter().flat_map(|own| self.shown_from(own)));
+            }
+            found.extend(from);
+        }
+        found
+    }
+
+    /// What an equation before was proved from.
+    fn shown_from(&self, source: &Source) -> Vec<Source> {
+        let Source::Equation(at) = *source else {
+            return Vec::new();
+        };
+        // What is given may come later, and was shown from nothing.
+        if at >= self.at {
+            return Vec::new();
+        }
+        let entries = self.auditor.entries_of(at);
+        let judged = entries.flat_map(|entry| &entry.judged);
+        let proven = judged.filter(|judged| judged.outcome.is_proven());
+        proven.flat_map(|judged| sources(&judged.assumed)).collect()
     }
 
     /// Tries again with what stands before, cited or not.

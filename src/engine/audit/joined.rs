@@ -1,6 +1,6 @@
 //! Premises that no author joins: equations of two cases that are not cited, and true together only where hardly anything is left.
 
-use crate::algebra::{Expr, Formula};
+use crate::algebra::{Atom, Atoms, Expr, Formula, Lowering, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::search::{self, Decision};
 
@@ -56,4 +56,60 @@ impl Judge<'_> {
         }
         Some(own)
     }
+
+    /// The step judged without an equation that nobody cites and that alone speaks of an unknown, where the proof makes use of it: that
+    /// `s^2 + 2 g s + w^2 = 0` has a root says that `w^2 \leq g^2`, and who goes on to what is so for weak damping means none that is real.
+    pub(super) fn without_roots(
+        &self,
+        goal: &Goal,
+        steps: &[(usize, Formula)],
+        premises: &[usize],
+        found: &Found,
+    ) -> Option<Found> {
+        goal.formula.as_equation()?;
+        if !self.cites_loosely() {
+            return None;
+        }
+        let used = &found.judged.assumed;
+        let elsewhere = |own: &Assumed, symbol: &Symbol| {
+            let mut others = used.iter().filter(|other| *other != own);
+            goal.formula.names().contains(symbol)
+                || others.any(|other| other.formula.names().contains(symbol))
+        };
+        // What is said of every whole number is used at some.
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        let is_whole = |symbol: &Symbol| page.domains.get(symbol).is_some_and(|own| own.integer);
+        let is_of_root = |own: &&Assumed| {
+            let mut names = own.formula.names().into_iter();
+            names.any(|symbol| {
+                !is_whole(&symbol)
+                    && !elsewhere(own, &symbol)
+                    && is_curved_in(&own.formula, &symbol)
+            })
+        };
+        let source = used.iter().find(is_of_root)?.source;
+        let Source::Equation(at) = source else {
+            return None;
+        };
+        let assumed = self.cited(goal, steps).into_iter();
+        let assumed = assumed.filter(|own| own.source != source).collect();
+        let premises: Vec<usize> = premises.iter().copied().chain([at]).collect();
+        Some(self.judged(goal, assumed, &premises))
+    }
+}
+
+/// Whether an equation says of a symbol that a polynomial in it vanishes which may have no root.
+fn is_curved_in(formula: &Formula, symbol: &Symbol) -> bool {
+    let mut atoms = Atoms::default();
+    let mut lowering = Lowering::plain(&mut atoms);
+    let sides = formula.as_equation();
+    let difference = sides.and_then(|(left, right)| {
+        let (left, right) = (lowering.lower(left).ok()?, lowering.lower(right).ok()?);
+        left.minus(&right).ok()
+    });
+    let own = atoms.find(&Atom::Symbol(symbol.clone()));
+    let degree = difference
+        .zip(own)
+        .map(|(difference, own)| difference.numerator().degree_in(own));
+    degree.is_some_and(|degree| degree > 1)
 }

@@ -23,6 +23,15 @@ pub(super) const CONTRADICTORY: &str =
     "the premises contradict one another, so anything would follow";
 const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
 
+/// Whether a formula speaks of slopes.
+fn speaks_of_slopes(formula: &Formula) -> bool {
+    let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. });
+    formula.terms().into_iter().any(|term| term.any(&is_slope))
+}
+
+/// Laws are differentiated only where more is tried.
+const SLOPES: [(usize, Effort); 1] = [(8, Effort::Full)];
+
 /// Judges the goals of one statement.
 pub(super) struct Judge<'a> {
     pub derivation: &'a Derivation,
@@ -122,6 +131,11 @@ impl Judge<'_> {
         }
         if found.judged.outcome.is_proven()
             && let Some(own) = self.alone_after_all(goal, steps, premises, &found)
+        {
+            return own;
+        }
+        if found.judged.outcome.is_proven()
+            && let Some(own) = self.without_roots(goal, steps, premises, &found)
         {
             return own;
         }
@@ -252,7 +266,7 @@ impl Judge<'_> {
         }
     }
 
-    fn judged(&self, goal: &Goal, assumed: Vec<Assumed>, premises: &[usize]) -> Found {
+    pub(super) fn judged(&self, goal: &Goal, assumed: Vec<Assumed>, premises: &[usize]) -> Found {
         let mut found = Found::open(Judged {
             goal: goal.clone(),
             assumed: assumed.clone(),
@@ -318,7 +332,12 @@ impl Judge<'_> {
             } => {
                 // What stands before may say what is missing.
                 let attempts = self.attempts(goal, &assumed, premises, None);
-                if self.rescue(goal, &attempts, &NEARBY, &mut found) {
+                let divides = conditions.iter().any(|own| own.is_nonzero());
+                if self.rescue(goal, &attempts, &NEARBY, &mut found)
+                    || divides
+                        && speaks_of_slopes(&goal.formula)
+                        && self.rescue(goal, &attempts, &SLOPES, &mut found)
+                {
                     return found;
                 }
                 // A condition that the premises rule out proves nothing.

@@ -20,7 +20,7 @@ use super::Equation;
 use super::equation::each_side;
 use super::page::Page;
 use alike::write_alike;
-use dots::tie_dots;
+use dots::{tie_accelerations, tie_dots};
 use said::Said;
 
 /// Says of each partial derivative on a page what it holds fixed, as far as that can be told.
@@ -31,6 +31,10 @@ pub(super) fn tell_what_is_held(page: &mut Page, equations: &mut [Equation]) {
         text.contains("partial") || text.contains("pdv")
     };
     if !equations.iter().any(speaks) {
+        let accelerates = |own: &Equation| page.document.text(own.body).contains("ddot");
+        if equations.iter().any(accelerates) {
+            tie_accelerations(page, equations);
+        }
         return;
     }
     write_alike(page, equations);

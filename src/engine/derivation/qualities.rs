@@ -184,7 +184,15 @@ impl Moving {
             let Some((left, right)) = law.as_equation() else {
                 continue;
             };
-            for (side, other) in [(left, right), (right, left)] {
+            // `p V = c` ties two that move to what may well be constant.
+            let ties = matches!(right, Expr::Symbol(_))
+                && moving
+                    .iter()
+                    .filter(|own| left.mentions(own))
+                    .nth(1)
+                    .is_some();
+            let sides = [(left, right), (right, left)].into_iter();
+            for (side, other) in sides.take(if ties { 1 } else { 2 }) {
                 if let Expr::Symbol(symbol) = side
                     && speaks_of(other, &moving)
                     && !ties_another(symbol, other, &said)

@@ -239,6 +239,9 @@ pub(super) fn function(command: &str) -> Option<Function> {
         "sin" => Function::Sin,
         "cos" => Function::Cos,
         "tan" => Function::Tan,
+        "arcsin" => Function::ArcSin,
+        "arccos" => Function::ArcCos,
+        "arctan" => Function::ArcTan,
         "exp" => Function::Exp,
         "ln" | "log" => Function::Ln,
         _ => return None,
@@ -251,7 +254,7 @@ pub(super) fn is_function(command: &str) -> bool {
 }
 
 const FUNCTIONS: &[&str] = &[
-    "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "lg",
+    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "log", "sinh", "cosh", "tanh", "lg",
 ];
 
 /// Looks a command up in one of the tables of this page.

@@ -59,19 +59,43 @@ impl Lowering<'_> {
         // A root of a symbol would lead back to itself.
         if let Expr::Power(base, exponent) = &body
             && !matches!(atom, Atom::Root { .. })
-            && let Expr::Number(exponent) = &**exponent
         {
-            // d(b^r) = r · b^r / b · db
-            let base = self.lower_apart(base)?;
-            let inner = self.derivative(&base, variable)?;
-            let outer = Fraction::from(Polynomial::var(var)).times(&self.recip(&base)?)?;
-            return Ok(outer.times(&inner)?.times(&exponent.clone().into())?);
+            return self.derivative_of_power(var, base, exponent, variable);
         }
         let slope = match &self.partial {
             Some(held) => held.slope_of(body, variable),
             None => body.differentiated_by(variable),
         };
         Ok(self.atom(Atom::Opaque(slope)))
+    }
+
+    /// The derivative of an unknown that is a power, by the rules for products and for logarithms:
+    ///
+    /// $$ \frac{d}{dx} b^r = b^r \left(\frac{r}{b} \frac{db}{dx} + \ln b \, \frac{dr}{dx}\right) $$
+    ///
+    /// Where the base changes it must not vanish, and where the exponent does it must be positive.
+    fn derivative_of_power(
+        &mut self,
+        power: Var,
+        base: &Expr,
+        exponent: &Expr,
+        variable: &Symbol,
+    ) -> Lowered {
+        let base = self.lower_apart(base)?;
+        let exponent = self.lower_apart(exponent)?;
+        let inner = self.derivative(&base, variable)?;
+        let rise = self.derivative(&exponent, variable)?;
+        let own = Fraction::from(Polynomial::var(power));
+        let mut slope = Fraction::default();
+        if !inner.is_zero() {
+            let share = exponent.times(&self.recip(&base)?)?;
+            slope = own.times(&share)?.times(&inner)?;
+        }
+        if !rise.is_zero() {
+            let logarithm = self.logarithm_of_positive(&base)?;
+            slope = slope.plus(&own.times(&logarithm)?.times(&rise)?)?;
+        }
+        Ok(slope)
     }
 
     /// Whether an unknown is made of declared constants alone, the variable not among them.

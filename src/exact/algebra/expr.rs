@@ -131,6 +131,12 @@ pub enum Function {
     Cos,
     /// `\tan`
     Tan,
+    /// `\arcsin`
+    ArcSin,
+    /// `\arccos`
+    ArcCos,
+    /// `\arctan`
+    ArcTan,
     /// `\exp`
     Exp,
     /// `\ln`, and `\log` without a base

@@ -90,6 +90,11 @@ impl Formula {
         }
     }
 
+    /// Whether it is of the form `term ≠ 0`.
+    pub fn is_nonzero(&self) -> bool {
+        matches!(self, Formula::Relation { relation: Relation::NotEqual, right, .. } if *right == Expr::integer(0))
+    }
+
     /// `term > 0`.
     pub fn positive(term: Expr) -> Formula {
         Formula::Relation {

@@ -64,13 +64,19 @@ impl Lowering<'_> {
                 Ok(sine.times(&self.recip(&cosine)?)?)
             }
             Function::Exp => self.exponential(&value),
-            Function::Ln => {
-                let sign = sign_of_fraction(&value)?;
-                self.conditions.positive.insert(sign);
-                self.logarithm(&value)
-            }
+            Function::Ln => self.logarithm_of_positive(&value),
             Function::Abs => self.absolute(&value),
-            Function::Ceiling | Function::Floor => Ok(self.function_of(function, &value)),
+            Function::ArcSin | Function::ArcCos => {
+                // There is none beyond 1.
+                let inside = one().minus(&value.times(&value)?)?;
+                self.conditions
+                    .nonnegative
+                    .insert(sign_of_fraction(&inside)?);
+                Ok(self.function_of(function, &value))
+            }
+            Function::ArcTan | Function::Ceiling | Function::Floor => {
+                Ok(self.function_of(function, &value))
+            }
         }
     }
 
@@ -246,6 +252,13 @@ impl Lowering<'_> {
         let exponent = unit.times(&own)?.times(&number.clone().into())?;
         let exponent = expr_of_fraction(&exponent, self.atoms);
         self.lower(&Expr::Power(of, exponent.into())).map(Some)
+    }
+
+    /// The logarithm of a value, which must be positive.
+    pub(super) fn logarithm_of_positive(&mut self, value: &Fraction) -> Lowered {
+        let sign = sign_of_fraction(value)?;
+        self.conditions.positive.insert(sign);
+        self.logarithm(value)
     }
 
     /// The logarithm of a value that is positive, by those of its factors that are positive whatever the others are.
@@ -458,7 +471,11 @@ impl Lowering<'_> {
     ) -> Result<Option<Fraction>, LowerError> {
         if matches!(
             function,
-            Function::Ceiling | Function::Floor | Function::Tan
+            Function::Ceiling
+                | Function::Floor
+                | Function::Tan
+                | Function::ArcSin
+                | Function::ArcCos
         ) {
             return Ok(None);
         }
@@ -469,6 +486,7 @@ impl Lowering<'_> {
             Function::Cos => self.angle(&value)?.0.negated(),
             Function::Exp => self.exponential(&value)?,
             Function::Ln => self.recip(&value)?,
+            Function::ArcTan => self.recip(&one().plus(&value.times(&value)?)?)?,
             // |p|′ = |p| / p · p′, where p is not 0.
             _ => self.absolute(&value)?.times(&self.recip(&value)?)?,
         };

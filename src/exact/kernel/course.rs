@@ -11,10 +11,17 @@
 //! analytic right sides, and it has a solution through every initial point (Cauchy); the symbols that are led by none
 //! move as any polynomial with the given derivatives. What must not be negative, or not vanish, is asked not to be 0 at the
 //! point, so that it has its sign around it.
+//!
+//! A law in which what it leads does not occur, `p V = c` with `dp/dV`, is taken by its slope along the way, `V dp/dV + p = 0`: it is true
+//! at the point, and where its slope is 0 all along, it stays so.
+
+use std::borrow::Cow;
 
 use super::witness::Point;
 use super::{Origin, Reject, Sign, Standing};
-use crate::algebra::{Atom, Expr, Polynomial, Rational, Symbol, Var, element_parts};
+use crate::algebra::{
+    Atom, Atoms, Expr, Polynomial, Rational, Symbol, Var, element_parts, expr_of_atom,
+};
 use crate::sorted::{Map, Set};
 
 /// A derivative as a symbol, a variable and an order.
@@ -29,6 +36,25 @@ fn derivative(term: &Expr) -> Option<(&Symbol, &Symbol, usize)> {
             (own == variable).then_some((symbol, own, order + 1))
         }
     }
+}
+
+/// The slope of a law along the way, by the slopes of what moves. `None` where one of them is no unknown of its own.
+pub fn slope_along(
+    law: &Polynomial,
+    atoms: &Atoms,
+    variable: &Symbol,
+    moving: &Set<Var>,
+) -> Option<Polynomial> {
+    let mut slope = Polynomial::zero();
+    for var in law.vars().into_iter().filter(|var| moving.contains(var)) {
+        let own = expr_of_atom(atoms.atom(var));
+        let rate = match own == Expr::Symbol(variable.clone()) {
+            true => Polynomial::one(),
+            false => Polynomial::var(atoms.find(&Atom::Opaque(own.differentiated_by(variable)))?),
+        };
+        slope = slope.plus(&law.derivative(var).times(&rate).ok()?);
+    }
+    Some(slope)
 }
 
 /// What moves at a point.
@@ -95,7 +121,7 @@ impl Point<'_> {
         }
         self.nothing_else_moves(&motion)?;
         let moves = |p: &Polynomial| p.vars().iter().any(|var| motion.moving.contains(var));
-        let mut laws: Vec<(&Polynomial, Var)> = Vec::new();
+        let mut laws: Vec<(Cow<'_, Polynomial>, Var)> = Vec::new();
         for (fact, origin) in problem.facts.iter().zip(&problem.origins) {
             if !moves(&fact.polynomial) {
                 continue;
@@ -112,7 +138,18 @@ impl Point<'_> {
                 continue;
             }
             match (fact.sign, hypothesis.and_then(|at| leads.get(&at))) {
-                (Sign::Zero, Some(&lead)) => laws.push((&fact.polynomial, lead)),
+                (Sign::Zero, Some(&lead)) if fact.polynomial.degree_in(lead) > 0 => {
+                    laws.push((Cow::Borrowed(&fact.polynomial), lead));
+                }
+                (Sign::Zero, Some(&lead)) => {
+                    let (atoms, by) = (&*self.atoms, &motion.variable);
+                    let slope = slope_along(&fact.polynomial, atoms, by, &motion.moving);
+                    let slope = slope.ok_or(Reject::NoCourse)?;
+                    if !self.meets(&slope, Sign::Zero)? {
+                        return Err(Reject::NoCourse);
+                    }
+                    laws.push((Cow::Owned(slope), lead));
+                }
                 (Sign::Zero, None) => return Err(Reject::NoCourse),
                 _ if self.number(&fact.polynomial)?.is_zero() => return Err(Reject::NoCourse),
                 _ => {}
@@ -123,6 +160,8 @@ impl Point<'_> {
                 return Err(Reject::NoCourse);
             }
         }
+        let laws: Vec<(&Polynomial, Var)> =
+            laws.iter().map(|(law, lead)| (&**law, *lead)).collect();
         self.can_be_solved(&laws)
     }
 

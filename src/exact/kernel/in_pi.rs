@@ -1,4 +1,4 @@
-//! Exact numbers: polynomials in π with rational coefficients.
+//! Exact numbers: polynomials in π with rational coefficients; or, at points of their own, in a power of `e`.
 //!
 //! π is transcendental: a polynomial in it with rational coefficients vanishes only if all of them do. So whether
 //! two such numbers are equal is decided by their coefficients, and an equation can be refuted without a digit of
@@ -40,6 +40,16 @@ impl InPi {
         self.0.is_empty()
     }
 
+    /// `π^k`, or that of the number in its place.
+    pub fn power(exponent: u32) -> Result<InPi, Reject> {
+        let exponent = exponent as usize;
+        if exponent >= MOST_POWERS {
+            return Err(Reject::TooLarge);
+        }
+        let zeros = std::iter::repeat_n(Rational::zero(), exponent);
+        Ok(InPi::new(zeros.chain([Rational::one()])))
+    }
+
     pub fn as_rational(&self) -> Option<Rational> {
         match self.0.as_slice() {
             [] => Some(Rational::zero()),
@@ -77,6 +87,11 @@ impl InPi {
 
     /// How it compares with 0; an error where twenty digits do not tell.
     pub fn sign(&self) -> Result<Ordering, Reject> {
+        self.sign_between(&DIGITS)
+    }
+
+    /// The same where what it is a polynomial in lies between two positive numbers.
+    pub fn sign_between(&self, (low, high): &(Rational, Rational)) -> Result<Ordering, Reject> {
         if self.is_zero() {
             return Ok(Ordering::Equal);
         }
@@ -87,7 +102,6 @@ impl InPi {
                 false => Ordering::Less,
             });
         }
-        let (low, high) = &*DIGITS;
         let (mut least, mut most) = (Rational::zero(), Rational::zero());
         let (mut low_power, mut high_power) = (Rational::one(), Rational::one());
         for (at, c) in self.0.iter().enumerate() {

@@ -30,6 +30,7 @@ mod certificate;
 mod claim;
 mod course;
 pub mod dimension;
+mod exponentials;
 mod family;
 mod functions;
 mod in_pi;
@@ -55,6 +56,7 @@ pub use certificate::{
     ElementSide, Fact, Factors, Lemma, PositiveTerm, Proof, SeriesSquare, Sign,
 };
 pub use claim::{Claim, Domain, Hypothesis, Standing};
+pub use course::slope_along;
 pub use family::{FailsThroughout, Family, FamilyPart, Group, check_family};
 pub(crate) use functions::pi_is_the_number;
 pub use in_pi::in_powers_of_pi;

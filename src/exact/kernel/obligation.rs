@@ -1,5 +1,7 @@
+use super::powers::said_positive;
 use super::{
-    Assignment, Candidate, Checked, Claim, Model, Problem, Proven, Refuted, Reject, replay, witness,
+    Assignment, Candidate, Checked, Claim, Hypothesis, Model, Problem, Proven, Refuted, Reject,
+    replay, witness,
 };
 use crate::algebra::{Expr, Formula};
 
@@ -108,12 +110,26 @@ impl Obligation {
         Ok(Model { point })
     }
 
-    /// Whether a counterexample to another claim is one to this: the other is about fewer situations, for more is constant in it.
+    /// Whether a counterexample to another claim is one to this: the other is about fewer situations, for more is constant in it, or more
+    /// of what it speaks of is said to be positive.
     ///
     /// # Errors
-    /// The other claim is not the same with further symbols constant.
+    /// The other claim is not the same with further symbols constant, and further premises that symbols of its own are positive.
     pub fn refuted_by_fewer(&self, other: &Refuted) -> Result<(), Reject> {
         let mut own = self.claim.clone();
+        let further = other.claim.hypotheses.iter().skip(own.hypotheses.len());
+        let named = self.claim.free_symbols();
+        let sign = |further: &Hypothesis| match said_positive(&further.formula) {
+            // What names more than one thing, or a number, is not told by that.
+            Some(symbol) => {
+                named.contains(&symbol)
+                    && symbol.name() != "\\pi"
+                    && !self.claim.sequences.contains_key(symbol)
+            }
+            None => false,
+        };
+        own.hypotheses
+            .extend(further.filter(|own| sign(own)).cloned());
         let constant = other.claim.domains.iter().filter(|(_, own)| own.constant);
         for (symbol, _) in constant {
             own.domains.entry(symbol.clone()).or_default().constant = true;

@@ -79,7 +79,7 @@ pub(super) fn powers_of<'a>(
 }
 
 /// The symbol that a premise says to be positive.
-fn said_positive(formula: &Formula) -> Option<&Symbol> {
+pub(super) fn said_positive(formula: &Formula) -> Option<&Symbol> {
     let Formula::Relation {
         left,
         relation,

@@ -205,9 +205,17 @@ impl Point<'_> {
         Ok(match sign {
             Sign::Zero => value.is_zero(),
             Sign::NonZero => !value.is_zero(),
-            Sign::NonNegative => value.sign()?.is_ge(),
-            Sign::Positive => value.sign()?.is_gt(),
+            Sign::NonNegative => self.order(&value)?.is_ge(),
+            Sign::Positive => self.order(&value)?.is_gt(),
         })
+    }
+
+    /// How a number compares with 0.
+    fn order(&self, value: &InPi) -> Result<Ordering, Reject> {
+        match &self.unit {
+            Some(unit) => value.sign_between(&unit.bounds),
+            None => value.sign(),
+        }
     }
 
     /// Whether there is a value for each private symbol within its bounds.

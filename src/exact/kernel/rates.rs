@@ -76,8 +76,10 @@ impl Problem {
         let jumps = |part: &Expr| {
             matches!(
                 part,
-                Expr::Call(Function::Ceiling | Function::Floor, _)
-                    | Expr::Limit { .. }
+                Expr::Call(
+                    Function::Ceiling | Function::Floor | Function::ArcSin | Function::ArcCos,
+                    _
+                ) | Expr::Limit { .. }
                     | Expr::Series { .. }
             )
         };

@@ -1,6 +1,7 @@
 use std::borrow::Cow;
 
 use super::algebraic::InField;
+use super::exponentials::Unit;
 use super::in_pi::InPi;
 use super::private::{Bound, Private};
 use super::{Assignment, Claim, Domain, Fact, Problem, Reject, Sign, Standing};
@@ -21,6 +22,10 @@ pub(super) struct Point<'a> {
     values: Vec<Option<Rational>>,
     /// Those that are no rational numbers.
     in_pi: Map<usize, InPi>,
+    /// Where these are polynomials in an exponential, and not in π: of what.
+    pub(super) unit: Option<Unit>,
+    /// Whether what is evaluated is an exponent.
+    pub(super) in_exponent: bool,
     /// The values of all unknowns, where some are polynomials in one irrational root.
     pub(super) in_field: Option<InField>,
     /// The symbols that have no value, but functions of which have.
@@ -39,6 +44,8 @@ impl<'a> Point<'a> {
             at,
             values: Vec::new(),
             in_pi: Map::new(),
+            unit: None,
+            in_exponent: false,
             in_field: None,
             private: Vec::new(),
             bounds: Vec::new(),
@@ -180,7 +187,16 @@ impl<'a> Point<'a> {
                 return Ok(());
             }
         }
-        self.values[position] = Some(self.atom(var)?);
+        match self.atom(var) {
+            Err(Reject::NoValue) => match self.atoms.atom(var).clone() {
+                Atom::Opaque(Expr::Call(Function::Exp, argument)) => {
+                    let value = self.exponential(&argument)?;
+                    self.in_pi.insert(position, value);
+                }
+                _ => return Err(Reject::NoValue),
+            },
+            value => self.values[position] = Some(value?),
+        }
         Ok(())
     }
 

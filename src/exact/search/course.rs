@@ -5,7 +5,9 @@ use num_traits::Zero;
 use crate::algebra::{
     Atom, Atoms, BigRational, Expr, Formula, Polynomial, Rational, Symbol, Values, Var,
 };
-use crate::kernel::{Assignment, Claim, Course, Fact, Origin, Problem, Sign, Standing};
+use crate::kernel::{
+    Assignment, Claim, Course, Fact, Obligation, Origin, Problem, Sign, Standing, slope_along,
+};
 use crate::sorted::{Map, Set};
 
 /// How many choices of what a law is solved for are tried.
@@ -34,10 +36,12 @@ pub fn in_motion(
     let said = said_to_move(claim);
     let mut orders: Map<Symbol, (usize, Var)> = Map::new();
     let mut moving: Set<Var> = Set::new();
+    let mut by = None;
     for (var, atom) in problem.atoms.iter() {
         let Atom::Opaque(term @ Expr::Derivative { variable, .. }) = atom else {
             continue;
         };
+        by = Some(variable);
         let (symbol, order) = differentiated(term)?;
         let value = values.get(&var).map_or_else(one, Rational::to_big);
         // That something moves of which the author does not say so is no objection.
@@ -62,9 +66,7 @@ pub fn in_motion(
         let highest = orders.entry(symbol.clone()).or_insert((0, var));
         *highest = (order, var).max(*highest);
     }
-    if moving.is_empty() {
-        return None;
-    }
+    let variable = by?;
     for key in course.higher.keys() {
         point.derivatives.entry(key.clone()).or_insert_with(one);
     }
@@ -78,7 +80,9 @@ pub fn in_motion(
         }
     }
     let mut choice = Choice {
+        claim,
         atoms: &problem.atoms,
+        variable,
         laws,
         highest: orders.values().map(|own| own.1).collect(),
         differentiated: orders.keys().cloned().collect(),
@@ -121,6 +125,31 @@ pub fn in_motion(
         defined.remove(at);
     }
     Some(point)
+}
+
+/// The same for a point of another claim about the same symbols, which may ask more.
+pub(super) fn moved(obligation: &Obligation, point: &Assignment) -> Option<Assignment> {
+    let problem = obligation.as_written();
+    let value = |atom: &Atom| match atom {
+        Atom::Symbol(symbol) => point.symbols.get(symbol),
+        Atom::Opaque(term @ Expr::Derivative { variable, .. }) => {
+            let (symbol, order) = differentiated(term)?;
+            let key = (symbol.clone(), variable.clone());
+            match order {
+                1 => point.derivatives.get(&key),
+                order => point.course.as_ref()?.higher.get(&key)?.get(order - 2),
+            }
+        }
+        _ => None,
+    };
+    let values = problem.atoms.iter();
+    let values = values.filter_map(|(var, atom)| Some((var, value(atom)?.into())));
+    let point = Assignment {
+        unfold: obligation.unfold().to_vec(),
+        symbols: point.symbols.clone(),
+        ..Assignment::default()
+    };
+    in_motion(obligation.claim(), problem, &values.collect(), &point)
 }
 
 /// The symbols that are differentiated where the author writes it. Nobody differentiates what does not change: where that is a term with
@@ -173,7 +202,9 @@ pub(super) fn differentiated(term: &Expr) -> Option<(&Symbol, usize)> {
 }
 
 struct Choice<'a> {
+    claim: &'a Claim,
     atoms: &'a Atoms,
+    variable: &'a Symbol,
     laws: Vec<(usize, &'a Polynomial)>,
     highest: Vec<Var>,
     differentiated: Set<Symbol>,
@@ -182,6 +213,11 @@ struct Choice<'a> {
 }
 
 impl Choice<'_> {
+    fn value(&self, polynomial: &Polynomial) -> Option<Rational> {
+        let value = |var: Var| Some(self.values.get(&var).cloned().unwrap_or_else(Rational::one));
+        polynomial.evaluate(value).ok()?
+    }
+
     /// Gives each law that speaks of something moving an unknown of its own.
     fn extend(&mut self, leads: Map<usize, Var>, moving: &Set<Var>) -> Option<Map<usize, Var>> {
         self.left = self.left.checked_sub(1)?;
@@ -191,17 +227,34 @@ impl Choice<'_> {
         let Some(&(at, law)) = open else {
             return Some(leads);
         };
+        // What is differentiated by leads nothing. Of what speaks of no slope the page mostly says more than the laws of motion do: there no
+        // other choice is looked for than the first.
+        let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. });
+        let mut goal = self.claim.goal.terms().into_iter();
+        let is_of_slopes = goal.any(|term| term.any(&is_slope));
+        let may_lead = |symbol: &Symbol| {
+            let excluded = is_of_slopes && symbol == self.variable;
+            !excluded && !self.differentiated.contains(symbol) && !self.claim.is_constant(symbol)
+        };
         let mut candidates = self.highest.clone();
-        candidates.extend(law.vars().into_iter().filter(|&var| {
-            matches!(self.atoms.atom(var), Atom::Symbol(symbol) if !self.differentiated.contains(symbol))
-        }));
-        for var in candidates {
+        candidates.extend(law.vars().into_iter().filter(
+            |&var| matches!(self.atoms.atom(var), Atom::Symbol(symbol) if may_lead(symbol)),
+        ));
+        // A law may lead what it does not speak of, if its slope does.
+        let slope = slope_along(law, self.atoms, self.variable, moving);
+        let slope = slope.filter(|own| self.value(own).is_some_and(|value| value.is_zero()));
+        let led = self.highest.iter().filter(|var| law.degree_in(**var) == 0);
+        let led = slope
+            .iter()
+            .flat_map(|own| led.clone().map(move |&var| (own, var)));
+        let candidates = candidates.into_iter().map(|var| (law, var));
+        let candidates: Vec<(&Polynomial, Var)> = led.chain(candidates).collect();
+        for (law, var) in candidates {
             if leads.values().any(|own| *own == var) || law.degree_in(var) == 0 {
                 continue;
             }
-            let value =
-                |var: Var| Some(self.values.get(&var).cloned().unwrap_or_else(Rational::one));
-            if !matches!(law.derivative(var).evaluate(value), Ok(Some(slope)) if !slope.is_zero()) {
+            let slope = self.value(&law.derivative(var));
+            if slope.is_none_or(|slope| slope.is_zero()) {
                 continue;
             }
             let (mut leads, mut moving) = (leads.clone(), moving.clone());

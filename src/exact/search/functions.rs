@@ -1,7 +1,9 @@
 //! Points in the kernel's terms where functions or `\pi` occur: which symbols are left open, and which values are
 //! polynomials in π.
 
-use crate::algebra::{Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var};
+use crate::algebra::{
+    Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var, sign_of_fraction,
+};
 use crate::kernel::{Assignment, Claim, Fact, Problem, Sign};
 use crate::sorted::{self, Map};
 
@@ -71,7 +73,7 @@ fn open_in(claim: &Claim, problem: &Problem, argument: &Expr) -> Option<(Symbol,
     let mut atoms = problem.atoms.clone();
     let value = problem.lowering_over(&mut atoms).lower(argument).ok()?;
     let content = value.numerator().content();
-    let mut found = content.powers().iter().filter_map(|&(var, exponent)| {
+    let found = content.powers().iter().filter_map(|&(var, exponent)| {
         let Atom::Symbol(symbol) = atoms.atom(var) else {
             return None;
         };
@@ -79,7 +81,16 @@ fn open_in(claim: &Claim, problem: &Problem, argument: &Expr) -> Option<(Symbol,
         let open = exponent == 1 && !below && is_open(claim, problem, symbol);
         open.then(|| symbol.clone())
     });
-    let symbol = found.next()?;
+    // What stands in few arguments ties few of them together: `m` of `m t` beside `d t`.
+    let calls = |symbol: &Symbol| {
+        let all = problem.atoms.iter();
+        let in_call = |atom: &Atom| match atom {
+            Atom::Opaque(Expr::Call(_, argument)) => argument.mentions(symbol),
+            _ => false,
+        };
+        all.filter(|(_, atom)| in_call(atom)).count()
+    };
+    let symbol = found.min_by_key(calls)?;
     Some((symbol, value))
 }
 
@@ -152,6 +163,34 @@ pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
         need(own, Sign::Zero);
     }
     facts
+}
+
+/// Whether exponentials are the only functions of a problem, so that they may be taken of numbers.
+pub fn speaks_of_exponentials_alone(problem: &Problem) -> bool {
+    let calls = problem.atoms.iter().filter_map(|(_, atom)| match atom {
+        Atom::Opaque(Expr::Call(function, _)) => Some(*function),
+        _ => None,
+    });
+    let mut calls = calls.peekable();
+    calls.peek().is_some()
+        && !problem.pi_is_the_number()
+        && calls.all(|function| function == Function::Exp)
+}
+
+/// What a point needs for exponentials to be taken of numbers: that these are positive.
+pub fn positive_exponents(problem: &Problem) -> Vec<Fact> {
+    let mut atoms = problem.atoms.clone();
+    let calls = problem.atoms.iter().filter_map(|(_, atom)| match atom {
+        Atom::Opaque(Expr::Call(Function::Exp, argument)) => Some(argument),
+        _ => None,
+    });
+    let mut positive = |argument: &Expr| {
+        let value = problem.lowering_over(&mut atoms).lower(argument).ok()?;
+        let polynomial = sign_of_fraction(&value).ok()?;
+        let sign = Sign::Positive;
+        Some(Fact { polynomial, sign })
+    };
+    calls.filter_map(|argument| positive(argument)).collect()
 }
 
 /// Sines and cosines are of one kind.

@@ -36,8 +36,11 @@ mod unknown;
 mod unless;
 mod values;
 
-use crate::algebra::Formula;
-use crate::kernel::{Assignment, Candidate, Checked, Claim, Obligation, Refuted, Reject, check};
+use crate::algebra::{Atom, Expr, Formula, Function, Symbol};
+use crate::kernel::{
+    Assignment, Candidate, Checked, Claim, Domain, Obligation, Refuted, Reject, check,
+};
+use crate::sorted::Set;
 pub use algebraic::without_rational_points;
 use attempt::{Attempt, attempt_with, derived, prove};
 pub use attempt::{
@@ -162,14 +165,54 @@ pub fn decide_within(
         }
         stop.tried = points.tried;
     }
-    // Where no rational point was found there may be an irrational one.
-    let irrational = || algebraic::first(obligation, true, |point| refuted(obligation, point));
+    // Where no rational point was found there may be another.
     known
-        .or_else(irrational)
+        .or_else(|| refuted_beyond(obligation, quick))
         .map(Decision::Refuted)
         .or_else(|| still::decide(obligation))
+        .or_else(|| refuted_where_positive(obligation, quick).map(Decision::Refuted))
         .or_else(|| unknown::decide(obligation))
         .unwrap_or(Decision::Open(stop))
+}
+
+/// A counterexample where no rational point was found: with powers of `e`, or an irrational one. Powers of `e` are for what is said of
+/// slopes: a solution that only its differential equation gives follows from nothing else.
+fn refuted_beyond(obligation: &Obligation, budget: usize) -> Option<Refuted> {
+    let accepts = |point| refuted(obligation, point);
+    let exponentials = || {
+        let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. });
+        let mut goal = obligation.claim().goal.terms().into_iter();
+        let alone = goal.any(|term| term.any(&is_slope))
+            && functions::speaks_of_exponentials_alone(obligation.as_written());
+        let mut points = alone.then(|| refute::Points::of_exponentials(obligation))?;
+        first(&mut points, budget, accepts)
+    };
+    exponentials().or_else(|| algebraic::first(obligation, true, accepts))
+}
+
+/// A counterexample at which what stands in logarithms is positive factor by factor: then these are known by themselves.
+fn refuted_where_positive(obligation: &Obligation, budget: usize) -> Option<Refuted> {
+    let mut inside = Set::new();
+    for (_, atom) in obligation.as_written().atoms.iter() {
+        if let Atom::Opaque(Expr::Call(Function::Ln, argument)) = atom
+            && !matches!(**argument, Expr::Symbol(_))
+        {
+            inside.extend(argument.free_symbols());
+        }
+    }
+    let claim = obligation.claim();
+    let is_positive = |symbol: &Symbol| claim.domains.get(symbol).is_some_and(Domain::is_positive);
+    let positive = |symbol: &Symbol| Formula::positive(Expr::Symbol(symbol.clone()));
+    let unknown = inside.iter().filter(|symbol| !is_positive(symbol));
+    let positive: Vec<Formula> = unknown.map(positive).collect();
+    if positive.is_empty() {
+        return None;
+    }
+    let posed = pose(assuming(claim, &positive)).ok()?;
+    let mut points = refute::Points::new(&posed);
+    let found = first(&mut points, budget, |point| refuted(&posed, point))?;
+    obligation.refuted_by_fewer(&found).ok()?;
+    Some(found)
 }
 
 /// Reads a claim, with the definitions put in without which nothing can be computed.

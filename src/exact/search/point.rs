@@ -31,6 +31,8 @@ pub enum Wanted {
     Simple,
     /// Whichever is found soonest.
     Any,
+    /// One at which every symbol has a value, and exponentials are powers of `e`.
+    Exponentials,
 }
 
 /// What came of trying all choices up to a cost.
@@ -458,7 +460,7 @@ impl Search<'_> {
     fn next_var(&self, state: &State) -> Option<(Var, bool)> {
         let unknowns = |equation: &&Rc<Open>| equation.vars.met.0.count_ones();
         let urgent = match self.wanted {
-            Wanted::Any => self.urgent(state),
+            Wanted::Any | Wanted::Exponentials => self.urgent(state),
             Wanted::Simple => None,
         };
         if let Some(var) = urgent {

@@ -5,13 +5,15 @@ use super::prove::Prover;
 use super::{
     Attempt, Decision, Derived, Effort, assuming, attempt_with, derived, pose, prove_posed, still,
 };
-use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol};
-use crate::kernel::{Certificate, Claim, Fact, Obligation, Origin, Problem, Rate, Sign};
+use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, expr_of, factors};
+use crate::kernel::{Certificate, Claim, Fact, Knowledge, Obligation, Origin, Problem, Rate, Sign};
 use crate::sorted::Set;
 
 /// No more equations than this are differentiated, nor more often than this.
 const MOST_RATES: usize = 8;
 const MOST_TIMES: usize = 2;
+/// More factors than this are not divided out.
+const MOST_DIVISORS: usize = 3;
 
 /// Decides what follows from laws that are differentiated, with what is differentiated nowhere held still if need be. Before points
 /// are looked for: at them such things may move.
@@ -46,10 +48,19 @@ fn decide_by(
     let claim = obligation.claim();
     let attempt = |obligation: &Obligation| attempt_from(obligation, with_rates(obligation)?);
     let found = |conditions: &[Formula]| attempt(&pose(assuming(claim, conditions)).ok()?);
-    let needs = match found(&still)? {
+    let (attempted, divided) = match found(&still) {
+        Some(attempted) => (attempted, Vec::new()),
+        None => {
+            let divided = divisors_of_slopes(claim, &still, with_rates)?;
+            let conditions: Vec<Formula> = still.iter().chain(&divided).cloned().collect();
+            (found(&conditions)?, divided)
+        }
+    };
+    let mut needs = match attempted {
         Attempt::Needs(needs) => needs,
         _ => Vec::new(),
     };
+    needs.extend(divided);
     let proved = |still: &[Formula]| -> Option<Derived> {
         let conditions: Vec<Formula> = still.iter().chain(&needs).cloned().collect();
         let posed = pose(assuming(claim, &conditions)).ok()?;
@@ -70,6 +81,42 @@ fn decide_by(
         derived,
         conditions,
     })
+}
+
+/// That what the slopes of a goal are multiplied with in a differentiated law does not vanish, `4 T^3 dT/dS = a`, where that is not known.
+/// `None` where there is no such thing.
+fn divisors_of_slopes(
+    claim: &Claim,
+    still: &[Formula],
+    with_rates: &WithRates<'_>,
+) -> Option<Vec<Formula>> {
+    let posed = pose(assuming(claim, still)).ok()?;
+    let (problem, _) = with_rates(&posed)?;
+    let knowledge = Knowledge::new(&problem.facts);
+    let is_plain = |own: &Polynomial| {
+        let mut vars = own.vars().into_iter();
+        vars.all(|var| matches!(problem.atoms.atom(var), Atom::Symbol(_)))
+    };
+    let mut found: Vec<Formula> = Vec::new();
+    for slope in problem.goal.polynomial.vars() {
+        if !matches!(
+            problem.atoms.atom(slope),
+            Atom::Opaque(Expr::Derivative { .. })
+        ) {
+            continue;
+        }
+        for (fact, origin) in problem.facts.iter().zip(&problem.origins) {
+            let parts = fact.polynomial.in_powers_of(slope);
+            let (Origin::Rate(_), [_, by]) = (origin, parts.as_slice()) else {
+                continue;
+            };
+            let factors = factors(by).into_keys();
+            let open = factors.filter(|own| is_plain(own) && !knowledge.is_nonzero(own));
+            let open = open.map(|own| Formula::nonzero(expr_of(&own, &problem.atoms)));
+            found.extend(open.filter(|own| !found.contains(own)).collect::<Vec<_>>());
+        }
+    }
+    (1..=MOST_DIVISORS).contains(&found.len()).then_some(found)
 }
 
 /// A proof from laws that hold for every value of a variable of which the goal does not speak.

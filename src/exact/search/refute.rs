@@ -60,6 +60,11 @@ impl<'a> Points<'a> {
         Points::prepared(obligation, true, Wanted::Any)
     }
 
+    /// The same where exponentials are powers of `e`.
+    pub fn of_exponentials(obligation: &'a Obligation) -> Self {
+        Points::prepared(obligation, true, Wanted::Exponentials)
+    }
+
     /// Prepares a search for points at which the hypotheses hold; the goal is left alone.
     pub fn of_premises(obligation: &'a Obligation) -> Self {
         Points::prepared(obligation, false, Wanted::Any)
@@ -68,7 +73,7 @@ impl<'a> Points<'a> {
     fn prepared(obligation: &'a Obligation, against_goal: bool, wanted: Wanted) -> Self {
         let claim = obligation.claim();
         let counts = count_symbols(claim);
-        let mut sizes = sizes(&counts, claim);
+        let mut sizes = sizes(&counts, claim, against_goal);
         rule_out(&mut sizes, &counts, claim, against_goal);
         let sizes = sizes.into_iter();
         Points {

@@ -1,16 +1,18 @@
 //! What the author differentiates nowhere is mostly meant not to change. That is nothing to prove with unseen: a claim that
 //! follows so follows under a condition, and a counterexample at which it is so is a counterexample.
 
-use super::course::{differentiated, said_to_move};
+use super::course::{differentiated, moved, said_to_move};
 use super::prove::Prover;
 use super::refute::Points;
 use super::unfold::definitions_to_unfold;
 use super::{
     Decision, Derived, Effort, QUICK, assuming, contradiction, first, nowhere_put, pose,
-    prove_posed, rates, refuted,
+    prove_posed, rates, refuted, refuted_beyond,
 };
-use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, element_parts};
-use crate::kernel::{Claim, Fact, Obligation, Problem, Refuted, Sign, Standing, definition};
+use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, element_parts, expr_of};
+use crate::kernel::{
+    Claim, Fact, Obligation, Origin, Problem, Refuted, Sign, Standing, definition,
+};
 use crate::sorted::{Map, Set};
 
 /// More quantities than this that might change are not looked at one by one.
@@ -32,10 +34,21 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
             conditions,
         });
     }
-    if still.is_empty() || still.len() > MOST_STILL {
+    if still.len() > MOST_STILL {
         return None;
     }
-    let posed = with(&still)?;
+    let found = refuted_where_still(obligation, &still);
+    let found = found.or_else(|| refuted_along_laws(obligation, &still));
+    found.map(Decision::Refuted)
+}
+
+/// A counterexample at which what might change does not.
+fn refuted_where_still(obligation: &Obligation, still: &[Formula]) -> Option<Refuted> {
+    if still.is_empty() {
+        return None;
+    }
+    let claim = obligation.claim();
+    let posed = pose(assuming(claim, still)).ok()?;
     let own = claim.hypotheses.len();
     let mut points = Points::new(&posed);
     let found = first(&mut points, QUICK, |mut point| {
@@ -44,8 +57,35 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
         }
         refuted(obligation, point)
     });
-    let found = found.or_else(|| refuted_where_constant(obligation));
-    found.map(Decision::Refuted)
+    found.or_else(|| refuted_where_constant(obligation))
+}
+
+/// A counterexample through which all moves as the laws ask once they are differentiated: `V dp/dV + p = 0` for `p V = c`.
+///
+/// Of what speaks of no slope the laws may well say more than is read here.
+fn refuted_along_laws(obligation: &Obligation, still: &[Formula]) -> Option<Refuted> {
+    let claim = obligation.claim();
+    let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. });
+    let mut goal = claim.goal.terms().into_iter();
+    if !goal.any(|term| term.any(&is_slope)) {
+        return None;
+    }
+    let posed = pose(assuming(claim, still)).ok()?;
+    let with_rates =
+        rates::with_rates(&posed).or_else(|| rates::with_rates_of_variables(&posed))?;
+    let problem = with_rates.0;
+    let slopes = problem.facts.iter().zip(&problem.origins);
+    let slopes = slopes.filter(|(_, origin)| matches!(origin, Origin::Rate(_)));
+    let slopes = slopes.map(|(fact, _)| {
+        let slope = expr_of(&fact.polynomial, &problem.atoms);
+        Formula::equal(slope, Expr::integer(0))
+    });
+    let slopes: Vec<Formula> = slopes.collect();
+    let posed = pose(assuming(posed.claim(), &slopes)).ok()?;
+    let mut points = Points::any(&posed);
+    first(&mut points, QUICK, |point| {
+        refuted(obligation, moved(obligation, &point)?)
+    })
 }
 
 /// Whether the premises of a claim are not seen to contradict what is held still, nor to let it be so only where something vanishes:
@@ -108,7 +148,8 @@ fn refuted_where_constant(obligation: &Obligation) -> Option<Refuted> {
     let posed = pose(held_in(claim, held)?).ok()?;
     let found = first(&mut Points::new(&posed), QUICK, |point| {
         refuted(&posed, point)
-    })?;
+    });
+    let found = found.or_else(|| refuted_beyond(&posed, QUICK))?;
     obligation.refuted_by_fewer(&found).ok()?;
     Some(found)
 }

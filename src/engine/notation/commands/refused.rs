@@ -242,19 +242,9 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         None,
     ),
     (
-        "arcsin",
-        "inverse functions (`\\arcsin`) are not read",
-        Some("write `\\sin\\alpha = x`"),
-    ),
-    (
-        "arccos",
-        "inverse functions (`\\arccos`) are not read",
-        Some("write `\\cos\\alpha = x`"),
-    ),
-    (
-        "arctan",
-        "inverse functions (`\\arctan`) are not read",
-        Some("write `\\tan\\alpha = x`"),
+        "mid",
+        "`\\mid` is not read: the notation has no conditional probabilities",
+        Some("give it a name of its own"),
     ),
     (
         "coth",

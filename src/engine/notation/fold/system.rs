@@ -1,4 +1,5 @@
-//! Systems of equations behind a brace: `\left\{ \begin{aligned} a &= b \\ c &= d \end{aligned} \right.` says what its rows say.
+//! Systems of equations behind a brace: `\left\{ \begin{aligned} a &= b \\ c &= d \end{aligned} \right.` says what its rows say; and so does
+//! one in a box, `\boxed{\begin{aligned} … \end{aligned}}`.
 
 use super::super::commands;
 use super::{Kind, Token};
@@ -30,24 +31,36 @@ pub(super) fn without_braces<'s>(raw: Vec<Token<'s>>) -> Vec<Token<'s>> {
     out
 }
 
-/// `\left\{ \begin{…}`
+/// `\left\{ \begin{…}`, `\boxed{\begin{…}`
 fn opens(three: &[Token]) -> bool {
     let [left, brace, begin] = three else {
         return false;
     };
     let begun = |name: &str| name == "array" || ROWS.contains(&name);
+    if is_boxed(left) {
+        return brace.kind == Kind::Open
+            && matches!(begin.kind, Kind::Begin(name) if ROWS.contains(&name));
+    }
     matches!(left.kind, Kind::Command("left"))
         && matches!(brace.kind, Kind::Command("{" | "lbrace"))
         && matches!(begin.kind, Kind::Begin(name) if begun(name))
 }
 
-/// The environment of the system that begins at a place, and the place after its `\right.`.
+fn is_boxed(token: &Token) -> bool {
+    token.kind == Kind::Command("boxed")
+}
+
+/// The environment of the system that begins at a place, and the place after its `\right.`, or after its box.
 fn system_at<'s>(raw: &[Token<'s>], at: usize) -> Option<(Vec<Token<'s>>, usize)> {
     let begin = at + 2;
     if !opens(raw.get(at..=begin)?) {
         return None;
     }
     let finish = end_of(raw, begin)?;
+    if is_boxed(&raw[at]) {
+        let closed = raw.get(finish + 1)?.kind == Kind::Close;
+        return closed.then(|| (raw[begin..=finish].to_vec(), finish + 2));
+    }
     let closing = raw.get(finish + 1..finish + 3)?;
     let closed = closing[0].kind == Kind::Command("right") && closing[1].kind == Kind::Char('.');
     let mut body = raw[begin..=finish].to_vec();

@@ -216,6 +216,8 @@ impl<'s> Lexer<'s> {
             self.push(start, kind);
         } else if name != "operatorname" && !text.is_empty() && unit::read(text).is_ok() {
             self.push(start, Kind::Quantity("", text));
+        } else if name == "mathrm" && is_chemical(text) {
+            self.push(start, Kind::Upright(text));
         } else {
             let span = Span::new(start, self.at);
             self.bad(
@@ -225,4 +227,21 @@ impl<'s> Lexer<'s> {
             );
         }
     }
+}
+
+/// Whether a text is a chemical formula: letters, and numbers below the line, `H_2O`, `C_{12}H_{22}O_{11}`.
+fn is_chemical(text: &str) -> bool {
+    let mut parts = text.split('_');
+    let letters = |text: &str| text.chars().all(|c| c.is_ascii_alphanumeric());
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let starts = parts
+        .next()
+        .is_some_and(|first| letters(first) && first.starts_with(|c: char| c.is_ascii_uppercase()));
+    starts
+        && parts.all(|part| match part.strip_prefix('{') {
+            Some(braced) => braced
+                .split_once('}')
+                .is_some_and(|(number, rest)| digits(number) && letters(rest)),
+            None => part.starts_with(|c: char| c.is_ascii_digit()) && letters(part),
+        })
 }

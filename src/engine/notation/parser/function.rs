@@ -290,10 +290,17 @@ impl Parser<'_> {
         self.peek() == Kind::Char('^') && (next.0 == circ || braced)
     }
 
+    /// How many tokens `^\circ` is.
+    pub(super) fn length_of_degrees(&self) -> usize {
+        match self.kind(self.at + 1) {
+            Kind::Open => 4,
+            _ => 2,
+        }
+    }
+
     /// `30^\circ` is `30 \pi/180`. Whether π is the number on the page is looked at later.
     pub(super) fn degrees(&mut self, start: usize, number: Expr) -> Factor {
-        let braced = self.kind(self.at + 1) == Kind::Open;
-        self.at += if braced { 4 } else { 2 };
+        self.at += self.length_of_degrees();
         let pi = Symbol::new("\\pi");
         self.before.push(Before {
             name: pi.clone(),

@@ -61,6 +61,11 @@ pub(crate) fn with_subscript(stem: &str, text: &str) -> String {
     subscripted(stem.to_owned(), text)
 }
 
+/// A word as a name. The numbers below the line of a formula, `\mathrm{H_2O}`, are no less part of it than the letters.
+fn upright(text: &str) -> String {
+    format!("\\text{{{}}}", text.replace(['_', '{', '}'], ""))
+}
+
 fn subscripted(mut stem: String, text: &str) -> String {
     let bare = text.chars().take(2).count() == 1;
     let (open, close) = if bare { ("_", "") } else { ("_{", "}") };
@@ -171,7 +176,7 @@ impl Parser<'_> {
                 Kind::Upright(text) | Kind::Operator(text) | Kind::Text(text)
                     if parser.starts_name(parser.at) =>
                 {
-                    format!("\\text{{{text}}}")
+                    upright(text)
                 }
                 _ if parser.is_letter(parser.at) => return parser.single_letter(),
                 _ => return parser.no_term(),

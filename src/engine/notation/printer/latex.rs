@@ -343,6 +343,9 @@ fn call(function: Function, argument: &Expr) -> String {
         Function::Sin => ("\\sin\\left( ", " \\right)"),
         Function::Cos => ("\\cos\\left( ", " \\right)"),
         Function::Tan => ("\\tan\\left( ", " \\right)"),
+        Function::ArcSin => ("\\arcsin\\left( ", " \\right)"),
+        Function::ArcCos => ("\\arccos\\left( ", " \\right)"),
+        Function::ArcTan => ("\\arctan\\left( ", " \\right)"),
         Function::Exp => ("\\exp\\left( ", " \\right)"),
         Function::Ln => ("\\ln\\left( ", " \\right)"),
     };

@@ -360,6 +360,9 @@ fn call(function: Function, argument: &Expr) -> String {
         Function::Sin => "sin",
         Function::Cos => "cos",
         Function::Tan => "tan",
+        Function::ArcSin => "arcsin",
+        Function::ArcCos => "arccos",
+        Function::ArcTan => "arctan",
         Function::Exp => "exp",
         Function::Ln => "ln",
     };

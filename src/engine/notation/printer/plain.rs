@@ -177,6 +177,9 @@ fn factor(expr: &Expr, last: bool) -> String {
                 Function::Sin => format!("sin({inner})"),
                 Function::Cos => format!("cos({inner})"),
                 Function::Tan => format!("tan({inner})"),
+                Function::ArcSin => format!("arcsin({inner})"),
+                Function::ArcCos => format!("arccos({inner})"),
+                Function::ArcTan => format!("arctan({inner})"),
                 Function::Exp => format!("exp({inner})"),
                 Function::Ln => format!("ln({inner})"),
                 Function::Abs => format!("|{inner}|"),
@@ -374,6 +377,8 @@ fn letters(mut rest: &str) -> String {
                     text.push('†');
                 } else if command == "star" {
                     text.push('⋆');
+                } else if command == "circ" {
+                    text.push('°');
                 } else if command == "text" || command == "unit" {
                     waiting.push("");
                     rest = rest.strip_prefix('{').unwrap_or(rest);

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::ops::Deref;
 use std::rc::Rc;
 
-use super::super::functions::{in_terms_of_pi, leave_open, needs};
+use super::super::functions::{in_terms_of_pi, leave_open, needs, positive_exponents};
 use super::super::point::{Target, Wanted, satisfies};
 use super::super::values::candidates;
 use super::facts::{measured_in_units, negation, roots};
@@ -35,6 +35,7 @@ pub(super) struct Concrete<'a> {
     /// The problem's unknowns, and those of what roots are taken of.
     atoms: Cow<'a, Atoms>,
     pub target: Target,
+    wanted: Wanted,
 }
 
 impl<'a> Concrete<'a> {
@@ -88,7 +89,10 @@ impl<'a> Concrete<'a> {
             .any(|(_, atom)| matches!(atom, Atom::Opaque(_)))
         {
             facts.extend(roots(atoms.to_mut())?);
-            facts.extend(needs(obligation.claim(), obligation.as_written()));
+            facts.extend(match wanted {
+                Wanted::Exponentials => positive_exponents(obligation.as_written()),
+                _ => needs(obligation.claim(), obligation.as_written()),
+            });
         }
         facts.extend(measured_in_units(obligation.claim(), &atoms));
         let integers = obligation.claim().domains.iter();
@@ -108,6 +112,7 @@ impl<'a> Concrete<'a> {
             obligation,
             atoms,
             target,
+            wanted,
         })
     }
 
@@ -141,7 +146,9 @@ impl<'a> Concrete<'a> {
         );
         let problem = self.obligation.as_written();
         in_terms_of_pi(problem, values, &mut point);
-        leave_open(self.obligation.claim(), problem, values, &mut point);
+        if self.wanted != Wanted::Exponentials {
+            leave_open(self.obligation.claim(), problem, values, &mut point);
+        }
         point
     }
 }

@@ -9,6 +9,8 @@ use crate::algebra::{BigRational, Expr, Formula, Symbol, Values, element_symbol}
 use crate::kernel::{Assignment, Claim, Hypothesis, Standing, definition};
 use crate::sorted::{self, Map, Set};
 
+/// In place of a number of elements, an exponent of one half: that of what lies between 0 and 1.
+const HALF: i64 = 0;
 /// Sums over a symbolic number of elements are tried with up to this many.
 pub(super) const MOST_ELEMENTS: i64 = 4;
 /// The most terms that sums in one claim are written out to: sums in sums multiply.
@@ -59,15 +61,34 @@ fn collect_varying(expr: &Expr, found: &mut Set<Symbol>) {
     (expr.children()).for_each(|child| collect_varying(child, found));
 }
 
+/// The number that a size stands for.
+fn value_of(size: i64) -> BigRational {
+    match size {
+        HALF => BigRational::new(1.into(), 2.into()),
+        size => BigRational::from_integer(size.into()),
+    }
+}
+
+/// Whether hypotheses speak of all that the goal speaks of: what nothing is said of may be said in words that were not read.
+fn is_told(claim: &Claim, counts: &[Symbol]) -> bool {
+    let named = Formula::free_symbols_of(claim.hypotheses.iter().map(|own| &*own.formula));
+    let goal = claim.goal.free_symbols();
+    goal.iter()
+        .all(|own| named.contains(&own) || counts.contains(own))
+}
+
 /// All choices of sizes, the smallest total first.
-pub(super) fn sizes(counts: &[Symbol], claim: &Claim) -> Vec<Vec<i64>> {
+pub(super) fn sizes(counts: &[Symbol], claim: &Claim, against_goal: bool) -> Vec<Vec<i64>> {
     let mut all: Vec<Vec<i64>> = vec![Vec::new()];
     for count in counts {
         let fits = |n: &i64| {
-            let value = BigRational::from_integer((*n).into());
-            claim.domains.get(count).is_none_or(|d| d.contains(&value))
+            let domain = claim.domains.get(count);
+            domain.is_none_or(|d| d.contains(&value_of(*n)))
         };
-        let choices: Vec<i64> = (1..=MOST_ELEMENTS).filter(fits).collect();
+        let mut choices: Vec<i64> = (1..=MOST_ELEMENTS).filter(fits).collect();
+        if choices.is_empty() && fits(&HALF) && (!against_goal || is_told(claim, counts)) {
+            choices.push(HALF);
+        }
         all = all
             .iter()
             .flat_map(|sizes| {
@@ -108,7 +129,7 @@ pub(super) fn rule_out(
         let pairs = counts.iter().zip(sizes);
         let values = Values {
             symbols: pairs
-                .map(|(count, &n)| (count.clone(), BigRational::from_integer(n.into())))
+                .map(|(count, &n)| (count.clone(), value_of(n)))
                 .collect(),
             ..Values::default()
         };
@@ -124,7 +145,7 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
     let number = |expr: &Expr| {
         let sizes = counts.iter().zip(sizes);
         let at = sizes.fold(Cow::Borrowed(expr), |e, (count, &n)| {
-            Cow::Owned(e.substitute(count, &Expr::integer(n)))
+            Cow::Owned(e.substitute(count, &Expr::Number(value_of(n))))
         });
         match at.any(&|part| matches!(part, Expr::Series { .. })) {
             true => without_series(&at, &left),
@@ -266,9 +287,7 @@ pub(super) fn restored(
         return vec![point];
     }
     for (count, &n) in counts.iter().zip(sizes) {
-        point
-            .symbols
-            .insert(count.clone(), BigRational::from_integer(n.into()));
+        point.symbols.insert(count.clone(), value_of(n));
     }
     let longest = sizes.iter().copied().max().unwrap_or(0) as u32;
     for sequence in claim.sequences.keys() {

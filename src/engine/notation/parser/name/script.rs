@@ -1,7 +1,7 @@
 //! Subscripts and superscripts: what of them belongs to a name, and what is a power.
 
 use super::super::{Kind, Parser, Read, refuse, refuse_with};
-use super::{Name, Subscript, with_subscript};
+use super::{Name, Subscript, upright, with_subscript};
 use crate::algebra::Expr;
 use crate::document::Span;
 use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
@@ -79,6 +79,14 @@ impl Parser<'_> {
                     }
                     name.subscript = Some(subscript);
                 }
+                Kind::Char('^') if self.at_degrees() && self.may_be_standard(&name) => {
+                    if raised || !name.marks.is_empty() {
+                        return self.unexpected();
+                    }
+                    self.at += self.length_of_degrees();
+                    name.marks.push_str("\\circ");
+                    raised = true;
+                }
                 Kind::Char('^') => {
                     let script = self.superscript()?;
                     script.refuse_order()?;
@@ -105,6 +113,31 @@ impl Parser<'_> {
                 }
             }
         }
+    }
+
+    /// Whether a circle belongs to a name, for what is so in the standard state, `\Delta G^\circ`: that of an angle does not.
+    fn may_be_standard(&self, name: &Name) -> bool {
+        let letter = name.head.rsplit([' ', '{']).next().unwrap_or(&name.head);
+        let is_angle = letter
+            .strip_prefix('\\')
+            .is_some_and(|own| own != "mu" && own.starts_with(|c: char| c.is_ascii_lowercase()));
+        !self.angle && !is_angle
+    }
+
+    /// What to say of degrees that are none of an angle.
+    fn degrees_elsewhere<T>(&mut self) -> Read<T> {
+        let scale = matches!(
+            self.kind(self.at + 1),
+            Kind::Upright("C" | "F") | Kind::Letter('C' | 'F')
+        );
+        if scale {
+            return refuse_with(
+                self.span(),
+                "temperatures on a scale of degrees are not read: their zero is another than that of the kelvin",
+                "write the temperature in kelvin",
+            );
+        }
+        self.unexpected()
     }
 
     fn subscript(&mut self, start: usize) -> Read<Subscript> {
@@ -190,7 +223,7 @@ impl Parser<'_> {
                 name.canonical()
             }
             Kind::Text(words) => format!("\\text{{{}}}", words.trim()),
-            Kind::Upright(text) | Kind::Operator(text) => format!("\\text{{{text}}}"),
+            Kind::Upright(text) | Kind::Operator(text) => upright(text),
             Kind::Char(c) if "+-,*/()'".contains(c) => c.to_string(),
             Kind::Command(name)
                 if commands::find(LETTERS, name).is_some()
@@ -299,7 +332,7 @@ impl Parser<'_> {
                 script.marks.push(sign);
             }
             _ if self.mark(&mut script) => {}
-            Kind::Command("circ") => return self.unexpected(),
+            Kind::Command("circ") => return self.degrees_elsewhere(),
             Kind::Number(_) | Kind::Letter(_) | Kind::Command(_) => {
                 script.power = Some(self.argument("^")?)
             }

@@ -183,6 +183,7 @@ impl Name {
             let sign = match command {
                 "dagger" => "†",
                 "star" => "⋆",
+                "circ" => "∘",
                 other => other,
             };
             self.letters.push(format!("<mo>{}</mo>", escape(sign)));
