@@ -23,12 +23,6 @@ pub(super) const CONTRADICTORY: &str =
     "the premises contradict one another, so anything would follow";
 const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
 
-/// Whether a formula speaks of slopes.
-fn speaks_of_slopes(formula: &Formula) -> bool {
-    let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. });
-    formula.terms().into_iter().any(|term| term.any(&is_slope))
-}
-
 /// Laws are differentiated only where more is tried.
 const SLOPES: [(usize, Effort); 1] = [(8, Effort::Full)];
 
@@ -335,7 +329,7 @@ impl Judge<'_> {
                 let divides = conditions.iter().any(|own| own.is_nonzero());
                 if self.rescue(goal, &attempts, &NEARBY, &mut found)
                     || divides
-                        && speaks_of_slopes(&goal.formula)
+                        && goal.formula.speaks_of_slopes()
                         && self.rescue(goal, &attempts, &SLOPES, &mut found)
                 {
                     return found;

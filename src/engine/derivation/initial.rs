@@ -4,7 +4,7 @@
 use super::equation::{Equation, formulas};
 use super::page::Page;
 use super::rows::Part;
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Formula, Symbol};
 use crate::document::{Span, SuppositionKind};
 use crate::notation::read_formulas;
 use crate::sorted::Set;
@@ -35,7 +35,10 @@ impl Page {
             .flat_map(|formula| formula.names())
             .collect();
         let (start, mut unused) = (self.locals.len(), Vec::new());
-        let is_law_of_change = before.last().is_some_and(speaks_of_slopes);
+        let is_law_of_change = before.last().is_some_and(|law| {
+            let mut said = law.statements().iter().flat_map(formulas);
+            said.any(|formula| formula.speaks_of_slopes())
+        });
         let mut not_understood = other;
         for &(condition, place) in conditions {
             let is_free = |body| {
@@ -68,12 +71,4 @@ impl Page {
         let left: Vec<_> = left.collect::<Option<_>>()?;
         Some(Formula::names_in(left.into_iter()))
     }
-}
-
-fn speaks_of_slopes(equation: &Equation) -> bool {
-    let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. } | Expr::Partial { .. });
-    let formulas = equation.statements().iter().flat_map(formulas);
-    formulas
-        .into_iter()
-        .any(|formula| formula.terms().iter().any(|term| term.any(&is_slope)))
 }

@@ -90,6 +90,12 @@ impl Formula {
         }
     }
 
+    /// Whether something is differentiated in it.
+    pub fn speaks_of_slopes(&self) -> bool {
+        let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. } | Expr::Partial { .. });
+        self.terms().into_iter().any(|term| term.any(&is_slope))
+    }
+
     /// Whether it is of the form `term ≠ 0`.
     pub fn is_nonzero(&self) -> bool {
         matches!(self, Formula::Relation { relation: Relation::NotEqual, right, .. } if *right == Expr::integer(0))

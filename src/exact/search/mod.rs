@@ -180,9 +180,7 @@ pub fn decide_within(
 fn refuted_beyond(obligation: &Obligation, budget: usize) -> Option<Refuted> {
     let accepts = |point| refuted(obligation, point);
     let exponentials = || {
-        let is_slope = |part: &Expr| matches!(part, Expr::Derivative { .. });
-        let mut goal = obligation.claim().goal.terms().into_iter();
-        let alone = goal.any(|term| term.any(&is_slope))
+        let alone = obligation.claim().goal.speaks_of_slopes()
             && functions::speaks_of_exponentials_alone(obligation.as_written());
         let mut points = alone.then(|| refute::Points::of_exponentials(obligation))?;
         first(&mut points, budget, accepts)
