@@ -166,20 +166,22 @@ impl Judge<'_> {
         if !self.names_its_premises() || self.is_directed() || !self.failing(premises).is_empty() {
             return false;
         }
-        let is_undecided = |at: &usize| {
-            let mut entries = self.auditor.entries_of(*at);
-            entries.any(|entry| entry.verdict == Verdict::Undecided)
-        };
         let mut conditional = self.open_on_this_page(premises);
-        conditional.retain(|own| {
-            let on = self.auditor.unproved(self.at, &Set::from([*own]));
-            !is_undecided(own) && !on.iter().any(is_undecided)
+        conditional.retain(|&own| {
+            let on = self.auditor.unproved(self.at, &Set::from([own]));
+            !self.is_undecided(own) && !on.iter().any(|&other| self.is_undecided(other))
         });
         self.rescue_from(&conditional, goal, assumed, premises, found)
             || !conditional.is_empty() && self.follows_with(&conditional, goal, assumed, found)
     }
 
-    /// The same from some equations before.
+    /// Whether something of an equation before is undecided.
+    pub(super) fn is_undecided(&self, other: usize) -> bool {
+        let mut entries = self.auditor.entries_of(other);
+        entries.any(|entry| entry.verdict == Verdict::Undecided)
+    }
+
+    /// Tries a step again from some equations before.
     pub(super) fn rescue_from(
         &self,
         open: &[usize],
@@ -242,8 +244,7 @@ impl Judge<'_> {
             return;
         }
         let mut open = self.open_on_this_page(premises);
-        let is_undecided = |entry: &Entry| entry.verdict == Verdict::Undecided;
-        open.retain(|&other| self.auditor.entries_of(other).any(is_undecided));
+        open.retain(|&other| self.is_undecided(other));
         let names = goal.formula.free_symbols();
         let concerns = |own: &Assumed| {
             let stated = matches!(own.source, Source::Equation(_));

@@ -12,7 +12,7 @@ use crate::search::{self, Effort, InChain};
 use crate::sorted::{self, Set};
 
 use super::judge::{Found, Judge, NEARBY, condition, sources, step};
-use super::{Entry, Outcome, Verdict, stated};
+use super::{Outcome, stated};
 
 /// So much work is done for one step, as [`effort`] counts it.
 const MOST_WORK: u64 = 4_000_000;
@@ -109,9 +109,8 @@ impl Judge<'_> {
         if self.names_its_premises() {
             return false;
         }
-        let is_undecided = |entry: &Entry| entry.verdict == Verdict::Undecided;
         let mut open = premises.to_vec();
-        open.retain(|&own| self.auditor.entries_of(own).any(is_undecided));
+        open.retain(|&own| self.is_undecided(own));
         let others = self.sound(assumed, &open);
         others.len() < assumed.len()
             && self.follows_with_others(goal, &others, premises, Effort::Light, found)

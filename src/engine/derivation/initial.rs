@@ -23,10 +23,8 @@ impl Page {
     ) -> Option<Span> {
         let &(_, first) = conditions.first()?;
         let written = |place: Span| self.document.source.get(place.range());
-        let other = conditions.iter().map(|own| own.1);
-        let other = other
-            .into_iter()
-            .find(|&own| written(own) != written(first));
+        let mut places = conditions.iter().map(|own| own.1);
+        let other = places.find(|&own| written(own) != written(first));
         let statements = display
             .iter()
             .flat_map(|part| part.statements.iter().flatten());
