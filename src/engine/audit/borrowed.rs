@@ -631,40 +631,55 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) {
-        if !found.judged.outcome.is_refuted()
-            || found.mended.is_some()
-            || !self.is_said_elsewhere(goal, assumed, premises)
-        {
+        if !found.judged.outcome.is_refuted() || found.mended.is_some() {
             return;
         }
-        let Some(all) = self.with_others(assumed, premises) else {
+        let elsewhere = self.said_elsewhere(goal, assumed, premises);
+        if elsewhere.is_empty() {
             return;
-        };
-        let claim = self.derivation.claim(self.at, &all, &goal.formula);
-        let decision = search::pose(claim)
-            .map(|posed| search::decide_within(&posed, &self.auditor.hints(), self.points()));
-        if let Ok(Decision::Refuted(refuted)) = decision {
-            found.judged.outcome = Outcome::Refuted(refuted.into());
-            found.judged.assumed = all;
-        } else {
-            found.leave_open(
-                "what stands just before speaks of nothing in it, and nothing decides it with what does",
-            );
         }
+        // A point that everything before allows says most; if none is found, one that what speaks of it allows.
+        let with = |others| assumed.iter().cloned().chain(others).collect();
+        let everything = self.with_others(assumed, premises);
+        let tried = everything.into_iter().chain([with(elsewhere)]);
+        for all in tried {
+            let claim = self.derivation.claim(self.at, &all, &goal.formula);
+            let decision = search::pose(claim)
+                .map(|posed| search::decide_within(&posed, &self.auditor.hints(), self.points()));
+            if let Ok(Decision::Refuted(refuted)) = decision {
+                found.judged.outcome = Outcome::Refuted(refuted.into());
+                found.judged.assumed = all;
+                return;
+            }
+        }
+        found.leave_open(
+            "what stands just before says nothing of some symbol in it, and nothing decides it with what does",
+        );
     }
 
-    /// Whether a step that cites nothing is of what stands before, and what stands just before it is of something else.
-    fn is_said_elsewhere(&self, goal: &Goal, assumed: &[Assumed], premises: &[usize]) -> bool {
+    /// What stands before and speaks of a symbol of which what stands just before a step that cites nothing says nothing: with that as
+    /// the premise the symbol could have any value.
+    fn said_elsewhere(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+    ) -> Vec<Assumed> {
         let mut names = goal.formula.names();
         names.retain(|symbol| !symbol.is_unit());
-        let speaks = |own: &Assumed| !own.formula.names().is_disjoint(&names);
         let is_premise = |own: &&Assumed| matches!(own.source, Source::Equation(_));
         let mut near = assumed.iter().filter(is_premise).peekable();
+        if !self.cites_loosely() || near.peek().is_none() {
+            return Vec::new();
+        }
+        for own in near {
+            let spoken_of = own.formula.names();
+            names.retain(|symbol| !spoken_of.contains(symbol));
+        }
+        let speaks = |own: &&Assumed| !own.formula.names().is_disjoint(&names);
         let [others, _] = self.others(premises);
-        self.cites_loosely()
-            && near.peek().is_some()
-            && !near.any(speaks)
-            && others.iter().any(speaks)
+        let speaking = others.iter().filter(is_premise).filter(speaks);
+        speaking.take(NEARBY[1].0).cloned().collect()
     }
 }
 
