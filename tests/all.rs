@@ -35,5 +35,6 @@ mod repairs;
 mod report;
 mod robust;
 mod sorted;
+mod there;
 mod told;
 mod undeclared;

@@ -163,10 +163,11 @@ impl Report<'_> {
         text += "    From\n";
         for assumed in &judged.assumed {
             let formula = plain_formula(&assumed.formula);
-            text += &format!(
-                "      {formula}   {}\n",
-                paint(DIM, &self.origin(assumed.source))
-            );
+            let origin = match assumed.takes_index_off() {
+                true => "taken so: the quantity there".into(),
+                false => self.origin(assumed.source),
+            };
+            text += &format!("      {formula}   {}\n", paint(DIM, &origin));
         }
         let domains = claim.map(|claim| self.domains(entry, judged, claim));
         for (line, by) in domains.unwrap_or_default() {

@@ -161,10 +161,12 @@ fn comparison(implied: &Implied) -> String {
 /// `twice that`, `half of that`, `e² times that`.
 fn times(ratio: &Expr) -> String {
     let whole = |value: i64| BigRational::from_integer(value.into());
+    let is = |term: &Expr, value| matches!(term, Expr::Number(own) if *own == whole(value));
     match ratio {
         Expr::Number(value) if *value == whole(2) => "twice that".into(),
         Expr::Number(value) if *value == whole(-1) => "that with the wrong sign".into(),
         Expr::Number(value) if *value == whole(2).recip() => "half of that".into(),
+        Expr::Quotient(above, below) if is(above, 1) && is(below, 2) => "half of that".into(),
         Expr::Sum(_) => format!("({}) times that", plain(ratio)),
         _ => format!("{} times that", plain(ratio)),
     }

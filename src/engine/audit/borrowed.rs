@@ -659,12 +659,7 @@ impl Judge<'_> {
 
     /// What stands before and speaks of a symbol of which what stands just before a step that cites nothing says nothing: with that as
     /// the premise the symbol could have any value.
-    fn said_elsewhere(
-        &self,
-        goal: &Goal,
-        assumed: &[Assumed],
-        premises: &[usize],
-    ) -> Vec<Assumed> {
+    fn said_elsewhere(&self, goal: &Goal, assumed: &[Assumed], premises: &[usize]) -> Vec<Assumed> {
         let mut names = goal.formula.names();
         names.retain(|symbol| !symbol.is_unit());
         let is_premise = |own: &&Assumed| matches!(own.source, Source::Equation(_));

@@ -39,6 +39,7 @@ mod schedule;
 mod shifted;
 mod stated;
 mod statement;
+mod there;
 mod throughout;
 mod unstated;
 mod without;

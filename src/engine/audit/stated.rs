@@ -11,7 +11,7 @@ use crate::derivation::{Assumed, Equation, Goal, Kind, Source, is_put};
 use crate::document::Extent;
 use crate::kernel::Standing;
 use crate::notation::measured;
-use crate::search::{self, Effort};
+use crate::search;
 
 use super::judge::{Judge, step};
 use super::{Entry, Judged, Note, Outcome, Verdict, identity};
@@ -222,8 +222,7 @@ impl Judge<'_> {
             .any(|own| introduced.contains(own) && !right.contains(own))
     }
 
-    /// What to say of a definition that words before it announce as a step: nothing, where it is one and `M_{\max}` is what the
-    /// premises give for `M`.
+    /// What to say of a definition that words before it announce as a step, and of which nothing before says that it is one.
     pub(super) fn unchecked(&self, entry: &Entry) -> Option<Note> {
         let equation = &self.derivation.equations[self.at];
         let [judged] = &entry.judged[..] else {
@@ -238,24 +237,7 @@ impl Judge<'_> {
         if !equation.drawn || !alone || named.is_empty() {
             return None;
         }
-        let assumed = &self.usable.assumed;
-        let known = |base: &Symbol| {
-            let mut terms = assumed.iter().flat_map(|a| a.formula.terms());
-            terms.any(|term| term.mentions(base))
-        };
-        let base = symbol.without_subscript().filter(known);
-        let follows = base.is_some_and(|base| {
-            let goal = Formula::equal(Expr::Symbol(base), value.clone());
-            // "Its maximum at $x = L/2$ is" names where.
-            let named = self.derivation.mentioned(self.at).into_iter();
-            let named = named.map(|(_, formula)| Some(step(&formula)));
-            named.chain([None]).any(|named| {
-                let all: Vec<Assumed> = assumed.iter().cloned().chain(named).collect();
-                let claim = self.derivation.claim(self.at, &all, &goal);
-                search::prove_unconditionally(claim, Effort::Light).is_some()
-            })
-        });
-        (!follows).then(|| Note::TakenAsGiven(vec![symbol.clone()]))
+        Some(Note::TakenAsGiven(vec![symbol.clone()]))
     }
 
     /// The same of what is cited for a chain, and used for none of it that is proved: only what defines something can be drawn from it.

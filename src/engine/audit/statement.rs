@@ -12,6 +12,7 @@ use super::judge::{COMPLEX, Found, Judge, UNCLEAR};
 use super::mark::mark;
 use super::premise::Usable;
 use super::readings::Circumstances;
+use super::there::There;
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, rounded, stated};
 
 /// How many earlier steps of its statement a step may use, the last ones.
@@ -27,6 +28,9 @@ struct Links {
     may_follow: bool,
     /// The conditions under which some were proved.
     conditions: Vec<Formula>,
+    /// What would be a definition follows from what stands before, or what follows there is something else.
+    shown: bool,
+    contradicted: bool,
 }
 
 impl Auditor<'_> {
@@ -48,6 +52,7 @@ impl Auditor<'_> {
         }
         self.weigh_rounded(&judge, how.premises, &mut entry);
         if matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
+            && !links.contradicted
             && let Some(symbols) = judge.stated(&entry)
         {
             if entry.numeric.is_none() {
@@ -60,7 +65,8 @@ impl Auditor<'_> {
         }
         if entry.verdict == Verdict::Given {
             entry.kind = Kind::Given;
-            entry.notes.extend(judge.unchecked(&entry));
+            let unchecked = (!links.shown).then(|| judge.unchecked(&entry));
+            entry.notes.extend(unchecked.flatten());
         }
         let used = used(&entry);
         if entry.verdict == Verdict::Holds && how.premises.iter().all(|own| !used.contains(own)) {
@@ -109,12 +115,11 @@ impl Auditor<'_> {
     ) -> Links {
         let mut links = Links::default();
         for (position, goal) in goals(statement).into_iter().enumerate() {
-            if how.defines && position == 0 {
-                links.steps.push((goal.clause, goal.formula.clone()));
-                match judge.as_instance(&goal, how.premises) {
-                    Some(found) => self.take_up(found, &mut links, entry),
-                    None => entry.judged.push(self.defined(goal, how)),
-                }
+            if position == 0
+                && let Some(found) = self.begun(judge, &goal, how, &mut links)
+            {
+                links.steps.push((goal.clause, goal.formula));
+                self.take_up(found, &mut links, entry);
                 continue;
             }
             let recent = &links.steps[links.steps.len().saturating_sub(MOST_STEPS)..];
@@ -129,19 +134,44 @@ impl Auditor<'_> {
         links
     }
 
+    /// What is found of a first link that defines something, or would if what stands before did not say what that is; nothing of others.
+    fn begun(
+        &self,
+        judge: &Judge,
+        goal: &Goal,
+        how: &Circumstances,
+        links: &mut Links,
+    ) -> Option<Found> {
+        let instance = || judge.as_instance(goal, how.premises);
+        if let Some(found) = how.defines.then(instance).flatten() {
+            return Some(found);
+        }
+        match judge.as_value_there(goal, how.premises) {
+            Some(There::Refuted(found)) => {
+                links.contradicted = true;
+                Some(*found)
+            }
+            Some(There::Shown) => {
+                links.shown = true;
+                Some(self.defined(goal, how))
+            }
+            None => how.defines.then(|| self.defined(goal, how)),
+        }
+    }
+
     /// The first link of what defines something.
-    fn defined(&self, goal: Goal, how: &Circumstances) -> Judged {
+    fn defined(&self, goal: &Goal, how: &Circumstances) -> Found {
         // What could not be read may have spoken of it: then it is no definition.
         let is_drawn = self.derivation.equations[how.at].drawn;
         let outcome = match is_drawn && !how.usable.unreadable.is_empty() {
             true => Outcome::open("it is said to follow from what could not be read"),
             false => Outcome::Defined,
         };
-        Judged {
-            goal,
+        Found::open(Judged {
+            goal: goal.clone(),
             assumed: Vec::new(),
             outcome,
-        }
+        })
     }
 
     /// Enters what was found of a link.

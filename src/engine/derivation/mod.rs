@@ -39,7 +39,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::algebra::{BigRational, Formula, Relation, Symbol};
+use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use crate::document::{Citation, Document, Extent, Premise, Span};
 use crate::kernel::{Claim, Domain, Hypothesis, Standing, running_in};
 use crate::notation::{Spanned, measured, read_formulas};
@@ -93,6 +93,18 @@ pub struct Assumed {
     pub standing: Standing,
     /// Where it comes from.
     pub source: Source,
+}
+
+impl Assumed {
+    /// Whether it was not said, but taken so: that `P_{\max}` is `P` at the place in question.
+    pub fn takes_index_off(&self) -> bool {
+        let sides = self.formula.as_equation();
+        matches!(
+            sides,
+            Some((Expr::Symbol(new), Expr::Symbol(known)))
+                if self.source == Source::Step && new.without_subscript().as_ref() == Some(known)
+        )
+    }
 }
 
 /// Where a hypothesis comes from.

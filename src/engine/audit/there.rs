@@ -1,0 +1,133 @@
+//! What a quantity is at a place: `P_{\max}` is what `P` is where it is greatest, `y_L` what `y` is "at the free end, $x = L$".
+//!
+//! A new symbol with an index would be defined by what stands for it. Where the quantity itself is known, and what is cited or named
+//! says where, that is the step from the one to the other, and it is judged as one. It is refuted only where what follows instead
+//! speaks of the same symbols: what is left of others would say that the place was not found.
+
+use crate::algebra::{Expr, Formula, Symbol, split_subscript};
+use crate::derivation::{Assumed, Goal, Source};
+use crate::search::{self, Decision};
+use crate::sorted::Set;
+
+use super::judge::{Found, Judge, step};
+use super::stated::quantities;
+use super::{Judged, Outcome};
+
+/// So many equations are looked up that say what the quantity is, the nearest first.
+const MOST_MEANINGS: usize = 2;
+/// Indices of what is at its most or least.
+const EXTREMES: [&str; 6] = ["\\max", "\\min", "max", "min", "\\text{max}", "\\text{min}"];
+
+/// What is found of a symbol that a step would define.
+pub(super) enum There {
+    /// It is what the quantity is there.
+    Shown,
+    /// It is not.
+    Refuted(Box<Found>),
+}
+
+impl Judge<'_> {
+    /// What would define a symbol by its first link, judged as the value of the quantity without the index.
+    pub(super) fn as_value_there(&self, goal: &Goal, premises: &[usize]) -> Option<There> {
+        let (Expr::Symbol(new), value) = goal.formula.as_equation()? else {
+            return None;
+        };
+        let named = quantities(value);
+        let quantity = new.without_subscript()?;
+        let is_new = self.derivation.equations[self.at].introduces.contains(new);
+        if !is_new || named.is_empty() || named.contains(&quantity) {
+            return None;
+        }
+        let cited = self.cited(goal, &[]);
+        let words = self.said_of_the_place();
+        let meanings = self.meanings(&quantity, &cited, premises);
+        if meanings.is_empty() {
+            return None;
+        }
+        let is_place = !words.is_empty() || self.names_its_premises() || is_extreme(new);
+        let mut assumed: Vec<Assumed> = Vec::new();
+        for own in cited
+            .into_iter()
+            .chain(words)
+            .chain(meanings.iter().cloned())
+        {
+            if !own.formula.speaks_of_slopes() && !assumed.contains(&own) {
+                assumed.push(own);
+            }
+        }
+        let same = Formula::equal(Expr::Symbol(new.clone()), Expr::Symbol(quantity.clone()));
+        assumed.push(step(&same));
+        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+        let posed = search::pose(claim).ok()?;
+        match search::decide_within(&posed, &self.auditor.hints(), self.points()) {
+            Decision::Proven { .. } => Some(There::Shown),
+            Decision::Refuted(refuted) if is_place && self.is_put(&meanings, &quantity, &named) => {
+                let mut found = Found::open(Judged {
+                    goal: goal.clone(),
+                    assumed: assumed.clone(),
+                    outcome: Outcome::Refuted(refuted.into()),
+                });
+                self.instead(goal, &assumed, premises, &mut found);
+                found.gives(&named).then(|| There::Refuted(found.into()))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether something is gone from all that says what a quantity is: something that has a value at the place.
+    fn is_put(&self, meanings: &[Assumed], quantity: &Symbol, named: &Set<Symbol>) -> bool {
+        meanings.iter().all(|own| {
+            let spoken_of = own.formula.names();
+            let mut rest = spoken_of.iter().filter(|own| *own != quantity);
+            rest.any(|own| !named.contains(own))
+        })
+    }
+
+    /// What the words before a step tell, name or mention: "At the free end, $x = L$".
+    fn said_of_the_place(&self) -> Vec<Assumed> {
+        let mut words = self.derivation.told(self.at);
+        words.extend(self.derivation.named(self.at));
+        let mentioned = self.derivation.mentioned(self.at).into_iter();
+        words.extend(mentioned.map(|(_, formula)| step(&formula)));
+        words.retain(|own| own.formula.as_equation().is_some());
+        words
+    }
+
+    /// What says by a term what a quantity is, in what is cited and else in what stands before, the whole chain.
+    fn meanings(&self, quantity: &Symbol, cited: &[Assumed], premises: &[usize]) -> Vec<Assumed> {
+        let says = |own: &&Assumed| {
+            let sides = own.formula.as_equation();
+            let (Some((Expr::Symbol(left), right)), Source::Equation(_)) = (sides, own.source)
+            else {
+                return false;
+            };
+            left == quantity && !right.mentions(quantity)
+        };
+        let [others, _] = self.others(premises);
+        let all = || cited.iter().chain(others);
+        let mut chains: Vec<Source> = all().filter(says).map(|own| own.source).collect();
+        chains.truncate(MOST_MEANINGS);
+        let of_chains = all().filter(|own| chains.contains(&own.source));
+        of_chains.cloned().collect()
+    }
+}
+
+impl Found {
+    /// Whether something follows in the place of what was refuted, in just these symbols.
+    fn gives(&self, named: &Set<Symbol>) -> bool {
+        let in_these = |formula: &Formula| {
+            let sides = formula.as_equation();
+            sides.is_some_and(|(_, value)| quantities(value) == *named)
+        };
+        let implied = self.implied.as_ref().map(|own| &own.proven);
+        let mended = self.mended.as_ref().filter(|own| own.under.is_empty());
+        let mended = mended.map(|own| &own.proven);
+        let mut instead = implied.into_iter().chain(mended);
+        instead.any(|own| in_these(&own.claim().goal))
+    }
+}
+
+fn is_extreme(symbol: &Symbol) -> bool {
+    let index = split_subscript(symbol.name()).map(|(_, index)| index);
+    index.is_some_and(|index| EXTREMES.contains(&index))
+}

@@ -1,0 +1,81 @@
+//! What a quantity is at a place that the words name, and steps that are of something else than what stands just before them.
+
+use cradle_verify::audit::Audit;
+use cradle_verify::derivation::Derivation;
+use cradle_verify::document::Document;
+
+/// The verdict of the last statement of a text that declares nothing, and whether it is told that it is not checked.
+fn last(text: &str) -> (&'static str, bool) {
+    let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
+    let last = audit.entries.last().unwrap();
+    let unchecked = last.notes.iter().any(|note| note.code() == "taken-as-given");
+    (last.verdict.word(), unchecked)
+}
+
+const CHECKED: (&str, bool) = ("given", false);
+const FAILS: (&str, bool) = ("fails", false);
+
+#[test]
+fn what_is_greatest_is_what_the_quantity_is_there() {
+    let page = |place: &str, greatest: &str| {
+        last(&format!(
+            "The power in the load is\n\n$$ P = \\frac{{E^2 R}}{{(r + R)^2}} $$\n\nand its slope\n\n\
+             $$ \\frac{{dP}}{{dR}} = E^2 \\frac{{r - R}}{{(r + R)^3}} $$\n\n{place}\n\n$$ P_{{\\max}} = {greatest} $$\n"
+        ))
+    };
+    for place in [
+        "It is largest at $R = r$, where",
+        "Hence the maximum is at $R = r$ and amounts to",
+        "The slope is zero for $R = r$, so the largest power is",
+    ] {
+        assert_eq!(page(place, r"\frac{E^2}{4 r}"), CHECKED, "{place}");
+        assert_eq!(page(place, r"\frac{E^2}{2 r}"), FAILS, "{place}");
+        assert_eq!(page(place, r"\frac{E}{4 r}"), FAILS, "{place}");
+    }
+    // Where it is greatest is not said.
+    let unsaid = page("The largest power is therefore", r"\frac{E^2}{2 r}");
+    assert_eq!(unsaid.0, "given");
+}
+
+#[test]
+fn an_index_names_the_end_of_a_curve() {
+    let page = |place: &str, there: &str| {
+        last(&format!(
+            "The deflection of the beam is\n\n$$ y = \\frac{{F}}{{E I}} \\left( \\frac{{L x^2}}{{2}} - \\frac{{x^3}}{{6}} \\right) $$\n\n\
+             {place}\n\n$$ {there} $$\n"
+        ))
+    };
+    let place = "At the free end, $x = L$, the deflection is";
+    assert_eq!(page(place, r"y_L = \frac{F L^3}{3 E I}"), CHECKED);
+    assert_eq!(page(place, r"y_L = \frac{F L^3}{6 E I}"), FAILS);
+    // What follows there speaks of other symbols: the index may mean another load.
+    assert_eq!(page(place, r"y_G = \frac{G L^3}{3 E I}").0, "given");
+    // No place is named, and nothing is put in.
+    let other = "For a beam that is held at both ends one finds";
+    assert_eq!(page(other, r"y_m = \frac{F L^3}{192 E I}").0, "given");
+}
+
+#[test]
+fn an_index_on_what_is_the_same_everywhere_names_something_else() {
+    let page = |words: &str| {
+        last(&format!(
+            "The speed of the first wave is\n\n$$ v = \\sqrt{{g h}} $$\n\n{words}\n\n$$ v_1 = \\sqrt{{2 g h}} $$\n"
+        ))
+    };
+    assert_eq!(page("while that of the second one is").0, "given");
+    assert_eq!(page("A stone that falls from there has").0, "given");
+}
+
+/// `v^2 = 2 a h` goes on with what `a` is, of which the case before says nothing.
+#[test]
+fn what_stands_just_before_may_be_of_something_else() {
+    let page = |resistance: &str| {
+        last(&format!(
+            "The flow through the pipe is\n\n$$ Q = \\frac{{c R^4 p}}{{8 \\eta L}} $$\n\nThe mean velocity is\n\n\
+             $$ v = \\frac{{R^2 p}}{{8 \\eta L}} $$\n\nThe stress at the wall is\n\n$$ \\tau = \\frac{{R p}}{{2 L}} $$\n\n\
+             Let $Z = p/Q$ be the resistance, so that\n\n$$ Z = {resistance} $$\n"
+        ))
+    };
+    assert_eq!(page(r"\frac{8 \eta L}{c R^4}").0, "holds");
+    assert_eq!(page(r"\frac{8 \eta L}{c R^3}").0, "fails");
+}
