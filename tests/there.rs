@@ -8,7 +8,10 @@ use cradle_verify::document::Document;
 fn last(text: &str) -> (&'static str, bool) {
     let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
     let last = audit.entries.last().unwrap();
-    let unchecked = last.notes.iter().any(|note| note.code() == "taken-as-given");
+    let unchecked = last
+        .notes
+        .iter()
+        .any(|note| note.code() == "taken-as-given");
     (last.verdict.word(), unchecked)
 }
 
@@ -78,4 +81,26 @@ fn what_stands_just_before_may_be_of_something_else() {
     };
     assert_eq!(page(r"\frac{8 \eta L}{c R^4}").0, "holds");
     assert_eq!(page(r"\frac{8 \eta L}{c R^3}").0, "fails");
+}
+
+/// What is only calculated from what is known is no law, though no word says that it follows.
+#[test]
+fn what_is_known_in_the_same_symbols_is_no_law() {
+    let page = |difference: &str| {
+        last(&format!(
+            "Each firm earns\n\n$$ G = \\frac{{(a - c)^2}}{{9 b}} \\tag{{1}} $$\n\nwhile a monopolist has\n\n$$ G_m = \\frac{{(a - c)^2}}{{4 b}} \\tag{{2}} $$\n\n\
+             The two firms together lose\n\n$$ {difference} \\tag{{3}} $$\n"
+        ))
+    };
+    assert_eq!(page(r"G_m - 2 G = \frac{(a - c)^2}{36 b}").0, "holds");
+    assert_eq!(page(r"G_m - 2 G = \frac{(a - c)^2}{18 b}"), FAILS);
+    // Another symbol, and it may be a law.
+    assert_eq!(page(r"G_m - 2 G = \frac{k (a - c)^2}{18 b}").0, "given");
+    let forces = |balance: &str| {
+        last(&format!(
+            "The spring pulls with\n\n$$ F_1 = k x \\tag{{1}} $$\n\nand the air with\n\n$$ F_2 = b v \\tag{{2}} $$\n\nAt the lowest speed\n\n$$ {balance} \\tag{{3}} $$\n"
+        ))
+    };
+    assert_eq!(forces("F_1 + F_2 = m g").0, "given");
+    assert_eq!(forces("F_1 = F_2").0, "given");
 }

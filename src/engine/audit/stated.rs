@@ -162,6 +162,9 @@ impl Judge<'_> {
         if !(brings || equation.bare && may_be_law()) {
             return None;
         }
+        if matches!(outcome, Outcome::Refuted(_)) && self.is_evaluation(left, &others) {
+            return None;
+        }
         // How something changes of which is known what it is follows from that.
         if let Expr::Derivative { body, .. } = left
             && !has_value
@@ -255,6 +258,28 @@ impl Judge<'_> {
         let is_defined = matches!(first.outcome, Outcome::Defined) && !quantities(value).is_empty();
         (self.names_its_premises() && equation.drawn && is_defined && !new.is_empty())
             .then_some(Note::TakenAsGiven(new))
+    }
+
+    /// Whether a step only says how great something is: all that is on its left is known in just what is on its right. "`P_1 - 2 P_2 = `",
+    /// where both are known in `a`, `b` and `c`.
+    fn is_evaluation(&self, left: &Expr, others: &Set<Symbol>) -> bool {
+        let [sound, _] = self.others(&[]);
+        let known = || self.usable.assumed.iter().chain(sound);
+        let mut given_in = Set::new();
+        for symbol in quantities(left) {
+            let gives = |own: &Assumed| match own.formula.as_equation()? {
+                (Expr::Symbol(own), value) if *own == symbol && !value.mentions(&symbol) => {
+                    Some(quantities(value)).filter(|own| !own.is_empty())
+                }
+                _ => None,
+            };
+            let mut values = known().filter_map(gives);
+            match values.find(|own| own.is_subset(others)) {
+                Some(own) => given_in.extend(own),
+                None => return false,
+            }
+        }
+        !others.is_empty() && given_in == *others
     }
 
     /// Whether an equation that stands before says what a term is.

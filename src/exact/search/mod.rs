@@ -175,8 +175,8 @@ pub fn decide_within(
         .unwrap_or(Decision::Open(stop))
 }
 
-/// A counterexample where no rational point was found: with powers of `e`, or an irrational one. Powers of `e` are for what is said of
-/// slopes: a solution that only its differential equation gives follows from nothing else.
+/// A counterexample where no simple point was found: any other with rational numbers, one with powers of `e`, or an irrational one. Powers
+/// of `e` are for what is said of slopes: a solution that only its differential equation gives follows from nothing else.
 fn refuted_beyond(obligation: &Obligation, budget: usize) -> Option<Refuted> {
     let accepts = |point| refuted(obligation, point);
     let exponentials = || {
@@ -185,7 +185,10 @@ fn refuted_beyond(obligation: &Obligation, budget: usize) -> Option<Refuted> {
         let mut points = alone.then(|| refute::Points::of_exponentials(obligation))?;
         first(&mut points, budget, accepts)
     };
-    exponentials().or_else(|| algebraic::first(obligation, true, accepts))
+    let any = || first(&mut refute::Points::any(obligation), budget, accepts);
+    any()
+        .or_else(exponentials)
+        .or_else(|| algebraic::first(obligation, true, accepts))
 }
 
 /// A counterexample at which what stands in logarithms is positive factor by factor: then these are known by themselves.

@@ -345,12 +345,20 @@ impl Search<'_> {
 
     /// What there is to choose from in a state; `Err` with the point where nothing is left to choose.
     fn opened(&self, mut state: State) -> Result<Node, Solution> {
-        // Solve what is linear in an unknown with a constant coefficient.
-        while let Some((at, var, value)) = linear(&state.equations) {
-            state.equations.remove(at);
-            match state.with(var, value, self.integers) {
-                Some(next) => state = next,
-                None => return Ok(Node::Dead(1)),
+        loop {
+            // Solve what is linear in an unknown with a constant coefficient.
+            if let Some((at, var, value)) = linear(&state.equations) {
+                state.equations.remove(at);
+                match state.with(var, value, self.integers) {
+                    Some(next) => state = next,
+                    None => return Ok(Node::Dead(1)),
+                }
+                continue;
+            }
+            match state.without_factor(self.integers) {
+                Some(Some(divided)) => state = divided,
+                Some(None) => return Ok(Node::Dead(1)),
+                None => break,
             }
         }
         // Branch on the rational roots of an equation in one unknown.
@@ -559,6 +567,30 @@ impl State {
             conditions,
             solved,
         })
+    }
+}
+
+impl State {
+    /// The same with an equation divided by what all of its terms have in common, where that must not vanish: `b G = 4 b H` is an
+    /// equation for `G`. Nothing where there is none; `Some(None)` where an equation cannot be true.
+    fn without_factor(&self, integers: &[Var]) -> Option<Option<State>> {
+        let excluded = |var: Var| {
+            let mut all = self.conditions.iter();
+            all.any(|own| {
+                let excludes = matches!(own.sign, Sign::NonZero | Sign::Positive);
+                excludes && own.polynomial.len() == 1 && own.has(var)
+            })
+        };
+        let (at, rest) = self.equations.iter().enumerate().find_map(|(at, own)| {
+            let (content, rest) = own.polynomial.without_content();
+            let mut factors = content.powers().iter();
+            let divides = !content.is_one() && factors.all(|&(var, _)| excluded(var));
+            divides.then(|| (at, rest.into_owned()))
+        })?;
+        let mut divided = self.clone();
+        divided.equations.remove(at);
+        let possible = divided.require(Open::new(rest, Sign::Zero, integers));
+        Some(possible.then_some(divided))
     }
 }
 
