@@ -163,3 +163,19 @@ fn inserting_it() {
         assert_eq!(page(words, "k m^2 w^2"), "fails", "{words}");
     }
 }
+
+/// What is calculated from a number that was rounded on the way is as near as that, and no nearer.
+#[test]
+fn numbers_rounded_on_the_way() {
+    let page = |number: &str, range: &str| {
+        spring(&format!(
+            "The range is\n\n$$ L = \\frac{{v^2}}{{g^2}} \\left( \\sqrt{{g^2 + a^2}} - a \\right) \\tag{{3}} $$\n\nWith $v = 20$ m/s, \
+             $g = 9.8$ m/s² and $a = 2.0$ m/s² we get from (3)\n\n$$ L = \\frac{{400}}{{96.04}} ({number}) \\approx {range} $$"
+        ))
+    };
+    assert_eq!(page("10.002 - 2.0", "33.3"), "undecided");
+    assert_eq!(page("10.0 - 2.0", "33.3"), "undecided");
+    assert_eq!(page("10.102 - 2.0", "33.7"), "fails");
+    assert_eq!(page("10.002 + 2.0", "50.0"), "fails");
+    assert_eq!(page("10.002 - 2.0", "35.3"), "fails");
+}

@@ -9,6 +9,7 @@ mod branch;
 mod cases;
 mod cited;
 mod constant;
+mod decimals;
 mod dimensions;
 mod domain;
 mod entry;
