@@ -179,3 +179,31 @@ fn numbers_rounded_on_the_way() {
     assert_eq!(page("10.002 + 2.0", "50.0"), "fails");
     assert_eq!(page("10.002 - 2.0", "35.3"), "fails");
 }
+
+/// What a new symbol is at a place follows from what a law says there without its index; "this" is the display before.
+#[test]
+fn a_new_symbol_at_a_place() {
+    let page = |words: &str, square: &str| {
+        spring(&format!(
+            "The semi-major axis is\n\n$$ b = \\frac{{p + q}}{{2}} \\tag{{3}} $$\n\nand the speed is given by\n\n\
+             $$ v^2 = G \\left( \\frac{{2}}{{r}} - \\frac{{1}}{{b}} \\right) \\tag{{4}} $$\n\n{words}\n\n$$ v_p^2 = {square} $$"
+        ))
+    };
+    let right = "\\frac{2 G q}{p (p + q)}";
+    for words in [
+        "At pericentre, $r = p$, this gives together with (3)",
+        "At pericentre, where $r = p$, this becomes with (3)",
+        "For $r = p$ we get from (3) and (4)",
+    ] {
+        assert_eq!(page(words, right), "holds", "{words}");
+        for wrong in ["\\frac{G q}{p (p + q)}", "\\frac{2 G p}{q (p + q)}"] {
+            assert_ne!(page(words, wrong), "holds", "{words}");
+        }
+    }
+    // Nothing is said of where that is.
+    assert_ne!(page("This gives together with (3)", right), "holds");
+    assert_ne!(
+        page("At apocentre, $r = q$, this gives together with (3)", right),
+        "holds"
+    );
+}
