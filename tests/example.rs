@@ -207,3 +207,42 @@ fn a_new_symbol_at_a_place() {
         "holds"
     );
 }
+
+/// Lines without units reckon in those of the SI; in others nothing is said.
+#[test]
+fn units_are_left_out() {
+    let page = |amplitude: &str, force: &str| {
+        spring(&format!(
+            "For a spring with $k = 50\\,\\mathrm{{N/m}}$ and $a = {amplitude}$ we find from (2)\n\n$$ F = {force} $$"
+        ))
+    };
+    assert_eq!(page("0.1\\,\\mathrm{m}", "50 \\cdot 0.1 = 5"), "holds");
+    assert_ne!(page("0.1\\,\\mathrm{m}", "50 \\cdot 0.2 = 10"), "holds");
+    assert_ne!(page("10\\,\\mathrm{cm}", "50 \\cdot 10 = 500"), "holds");
+}
+
+/// What is told later takes the place of a value.
+#[test]
+fn later_values_replace_earlier_ones() {
+    let page = |constant: &str, other: &str| {
+        verdicts(&format!(
+            "$$ w^2 = \\frac{{k}}{{m}} \\tag{{1}} $$\n\nWith $m = 3$ kg and $k = 12$ N/m, (1) gives\n\n$$ w^2 = 4 $$\n\nIf instead \
+             $w = 4$, then by (1)\n\n$$ k = {constant} $$\n\nand a mass $m = 5$ kg needs by (1)\n\n$$ k = {other} $$\n"
+        ))
+    };
+    assert_eq!(page("48", "80"), ["given", "holds", "holds", "holds"]);
+    assert_eq!(page("36", "80")[2], "fails");
+    assert_ne!(page("48", "48")[3], "holds");
+}
+
+/// A step is not refuted where its sentence states what cannot be read.
+#[test]
+fn what_is_stated_and_not_read() {
+    let page = |stated: &str| {
+        spring(&format!(
+            "The slope is\n\n$$ s = \\frac{{u}}{{n}} \\tag{{3}} $$\n\nFrom (3) we have {stated}, hence\n\n$$ u = n + 1 $$"
+        ))
+    };
+    assert_eq!(page("$\\cos b = \\sqrt{1 - \\sin^2 a / n^2}$"), "undecided");
+    assert_eq!(page("$n s = u$"), "fails");
+}

@@ -41,6 +41,7 @@ mod shifted;
 mod stated;
 mod statement;
 mod throughout;
+mod unitless;
 mod unstated;
 mod without;
 

@@ -32,8 +32,12 @@ impl Reader<'_> {
         let locals = &self.page.locals;
         let is_left = |at: &usize| locals[*at].is_figure && !self.running.contains(at);
         let mut figures = self.active.iter().copied().filter(is_left).peekable();
-        if figures.peek().is_none() || display.iter().any(comes_to_a_number) {
+        if figures.peek().is_none() {
             return;
+        }
+        if display.iter().any(comes_to_a_number) {
+            drop(figures);
+            return self.leave_other_figures(display);
         }
         let statements = display
             .iter()
@@ -45,6 +49,45 @@ impl Reader<'_> {
         if figures.any(|at| !locals[at].names().is_disjoint(&said)) {
             self.example = locals.len();
         }
+    }
+
+    /// Leaves the values before the last display of which the words since then tell others: "and a mass $m = 5$ kg needs".
+    pub(super) fn leave_old_values(&mut self, named: &[usize]) {
+        let Some(last) = self.equations.last() else {
+            return;
+        };
+        let (locals, start) = (&self.page.locals, last.span.start);
+        if !self.active.iter().any(|&at| locals[at].is_figure) {
+            return;
+        }
+        let told = named.iter().chain(&self.told).map(|&at| &locals[at]);
+        let told: Vec<&Local> = told.filter(|own| own.span.start > start).collect();
+        let is_old = |local: &Local| {
+            let is_other = |own: &&Local| {
+                !own.values().is_disjoint(&local.values()) && own.formulas != local.formulas
+            };
+            local.is_figure && local.span.start < start && told.iter().any(is_other)
+        };
+        self.active.retain(|&at| !is_old(&locals[at]));
+    }
+
+    /// Leaves what has another value from a display on: "If instead $w = 4$, then $$k = 48$$".
+    fn leave_other_figures(&mut self, display: &[Part]) {
+        let statements = display
+            .iter()
+            .flat_map(|part| part.statements.iter().flatten());
+        let said: Vec<Formula> = statements.flat_map(formulas).collect();
+        let is_said = |symbol: &Symbol| {
+            let mut left = said.iter().filter_map(|own| Some(own.as_equation()?.0));
+            left.any(|own| matches!(own, Expr::Symbol(own) if own == symbol))
+        };
+        let (locals, running) = (&self.page.locals, &self.running);
+        let is_other = |local: &Local| {
+            let restated = local.formulas.iter().all(|own| said.contains(own));
+            local.is_figure && !restated && local.values().iter().any(is_said)
+        };
+        self.active
+            .retain(|at| running.contains(at) || !is_other(&locals[*at]));
     }
 
     /// What is supposed where a row of a display stands.

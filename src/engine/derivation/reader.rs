@@ -254,7 +254,10 @@ impl<'p> Reader<'p> {
             .filter(|own| own.kind.leaves_cases());
         let left = left.map(|own| own.body.start).max().unwrap_or_default();
         let named = prose.named.iter().filter(|own| own.body.start >= left);
-        self.between.named = self.named(named, before);
+        self.between.named = self.named(named, before, prose.leading);
+        let named = std::mem::take(&mut self.between.named);
+        self.leave_old_values(&named);
+        self.between.named = named;
         self.between.named.extend(told_with_last);
     }
 
@@ -311,11 +314,13 @@ impl<'p> Reader<'p> {
         }
     }
 
-    /// Takes up what a sentence names and does not suppose. What displays say already is a value of it, or has to be shown.
+    /// Takes up what a sentence names and does not suppose. What displays say already is a value of it, or has to be shown. What the
+    /// sentence states that leads on, and cannot be read, may be what the display follows from.
     fn named<'a>(
         &mut self,
         relations: impl Iterator<Item = &'a Named>,
         before: usize,
+        leading: Span,
     ) -> Vec<usize> {
         let mut named = Vec::new();
         for &Named { body, is_drawn } in relations {
@@ -324,7 +329,12 @@ impl<'p> Reader<'p> {
                 |local: &Local| body.start <= local.span.start && local.span.end <= body.end;
             if !own.any(within) && (!is_drawn || self.is_value(body) || !self.is_said(body)) {
                 let kind = SuppositionKind::Known;
+                let known = named.len();
                 self.page.suppose(body, kind, self.level, &mut named, false);
+                let leads = leading.start <= body.start && body.end <= leading.end;
+                if named.len() == known && leads && !self.between.unread.contains(&body) {
+                    self.between.unread.push(body);
+                }
             }
         }
         named

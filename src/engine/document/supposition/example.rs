@@ -239,7 +239,7 @@ fn introduced(before: &[Placed<'_>]) -> bool {
         let between = &before[at + 1..];
         let draws = |(token, _): &Placed<'_>| conclusion::draws_on(*token);
         between.len() <= MOST_LEADING
-            && between.iter().all(is_word)
+            && between.iter().all(|own| is_word(own) || own.0.is_mark(','))
             && !between.iter().any(draws)
             && !before.iter().any(disputed)
     })
