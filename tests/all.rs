@@ -15,6 +15,7 @@ mod derivation;
 mod dimension;
 mod document;
 mod doubts;
+mod example;
 mod examples;
 mod figures;
 mod formats;

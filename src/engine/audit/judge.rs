@@ -371,6 +371,8 @@ impl Judge<'_> {
                             self.follows_from_words(goal, all, premises, &mut found)
                                 || self.rescue_going_on(goal, all, premises, &mut found)
                         })
+                        || self.follows_without_units(goal, &assumed, &mut found)
+                        || self.follows_at_place(goal, named().unwrap_or(&assumed), &mut found)
                         || self.unstated(goal, &assumed, premises, &mut found)
                         || self.rescue_from_conditional(goal, &assumed, premises, &mut found)
                         || {
@@ -422,6 +424,7 @@ impl Judge<'_> {
                         || named().is_some_and(|all| {
                             self.follows_from_words(goal, all, premises, &mut found)
                         })
+                        || self.follows_without_units(goal, &assumed, &mut found)
                         || self.rescue_from_open(goal, &assumed, premises, &mut found)
                         || self.unstated(goal, &assumed, premises, &mut found)
                         || self.follows_from_open(goal, &assumed, premises, &mut found)

@@ -9,6 +9,7 @@ mod branch;
 mod cases;
 mod cited;
 mod constant;
+mod decimals;
 mod dimensions;
 mod domain;
 mod entry;
@@ -41,6 +42,7 @@ mod stated;
 mod statement;
 mod there;
 mod throughout;
+mod unitless;
 mod unstated;
 mod without;
 

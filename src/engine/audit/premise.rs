@@ -220,12 +220,11 @@ pub fn usable<'a>(
     let in_effect: Set<(usize, usize)> = in_effect.map(|&local| (page, local)).collect();
     // A value that the text has given to another symbol's place since is no longer meant.
     let replaced = |own: &Local| {
-        let values = own.values();
         let mut others = in_effect
             .iter()
             .map(|&(page, at)| derivation.local(page, at));
         // That $k > 0$ is not taken back by $k = m \omega^2$.
-        own.is_equation() && others.any(|other| !other.values().is_disjoint(&values))
+        own.is_equation() && others.any(|other| own.is_replaced_by(other))
     };
     let (_, named, _) = derivation.premises(at);
     let together: Vec<usize> = premises.iter().copied().chain([at]).collect();
@@ -255,7 +254,11 @@ pub fn usable<'a>(
         }
         let is_left = |place: &(usize, usize)| {
             let local = derivation.local(place.0, place.1);
-            let is_case = local.is_let || local.is_case() || local.is_told && replaced(local);
+            // "For the disc, with moment of inertia $I = M R^2/2$," tells what a new symbol means, and no case.
+            let is_case = match local.is_told && local.means {
+                true => replaced(local) || derivation.is_left_in_words(at, *place),
+                false => local.is_let || local.is_case() || local.is_told && replaced(local),
+            };
             is_case && !local.is_momentary() && !in_effect.contains(place)
                 || !named && derivation.is_beyond(at, *place)
         };

@@ -13,6 +13,7 @@ use crate::notation::{Precision, Rounding};
 
 use crate::search;
 
+use super::decimals;
 use super::entry::leave_open;
 use super::judge::Judge;
 use super::numeric::{self, Numeric, Taken, Weighed};
@@ -67,7 +68,9 @@ impl Auditor<'_> {
         };
         let open: Vec<Goal> = open.map(as_meant).collect();
         if open.is_empty() || !open.iter().all(is_weighed) {
-            self.leave_possible(at, entry);
+            if !self.weigh_decimals(judge, premises, &open, entry) {
+                self.leave_possible(at, entry);
+            }
             return;
         }
         let mut assumed = self.figures(at, usable);
@@ -128,6 +131,48 @@ impl Auditor<'_> {
             entry.notes.push(Note::RestsOnUnproved(open));
         }
         entry.numeric = Some(numeric.into());
+    }
+
+    /// Weighs a statement in which something is calculated from what was rounded on the way. It is left open where that is as near as it can be.
+    fn weigh_decimals(
+        &self,
+        judge: &Judge,
+        premises: &[usize],
+        open: &[Goal],
+        entry: &mut Entry,
+    ) -> bool {
+        let (at, usable) = (judge.at, judge.usable);
+        let page = self.derivation.equations[at].page;
+        let source = &self.derivation.pages[page].document.source;
+        let near = |goal: &Goal| match is_weighed(goal) {
+            true => Some(goal.clone()),
+            false => decimals::as_near_as_decimals(goal, source, &usable.assumed),
+        };
+        let near: Option<Vec<Goal>> = open.iter().map(near).collect();
+        let Some(near) = near.filter(|near| !near.is_empty() && near.iter().all(is_weighed)) else {
+            return false;
+        };
+        let figures = self.figures(at, usable);
+        let exactly = |all: &[Assumed]| {
+            numeric::weigh_rounded(self.derivation, at, &near, all, Taken::Exactly, &[])
+        };
+        let mut numeric = exactly(&figures);
+        if matches!(numeric.outcome(), Weighed::NoValue(_)) && judge.cites_loosely() {
+            let [others, _] = judge.others(premises);
+            let all: Vec<Assumed> = figures.iter().chain(others).cloned().collect();
+            numeric = exactly(&all);
+        }
+        if !numeric.is_supported() {
+            return false;
+        }
+        leave_open(entry, ROUNDED);
+        let used = numeric::used(&numeric);
+        let unproved = self.unproved(at, &used);
+        if !unproved.is_empty() {
+            entry.notes.push(Note::RestsOnUnproved(unproved));
+        }
+        entry.numeric = Some(numeric.into());
+        true
     }
 
     /// Leaves open what fails only for rounded numbers that may be so, as far as what it was judged from tells: somebody measured them.

@@ -2,8 +2,12 @@
 
 use crate::algebra::Formula;
 
+use super::reader::Reader;
+use super::rows::Part;
+use super::supposed::Local;
 use super::{Derivation, formulas};
 use crate::document::Span;
+use crate::notation::Statement;
 
 /// Words before a relation by which it is a condition, and no law: "equal if $a = b$".
 const CONDITIONAL: &[&str] = &[
@@ -25,7 +29,6 @@ impl Derivation {
         let Some(before) = first.checked_sub(1).map(|before| &self.equations[before]) else {
             return false;
         };
-        let names = local.names();
         let is_said = local.is_told || local.is_special;
         if !is_said
             || local.means
@@ -44,8 +47,17 @@ impl Derivation {
         if (page.general.get(left)).is_some_and(|&place| place < equation.span.start) {
             return true;
         }
+        local.is_parted_by(equation.statements())
+    }
+}
+
+impl Local {
+    /// Whether statements speak apart of what it says goes together, and do not say that themselves.
+    fn is_parted_by<'a>(&self, statements: impl IntoIterator<Item = &'a Statement>) -> bool {
+        let names = self.names();
+        let mut statements = statements.into_iter();
         names.len() > 1
-            && equation.statements().iter().any(|statement| {
+            && statements.any(|statement| {
                 let said = formulas(statement);
                 let equations: Vec<_> = said.iter().filter_map(Formula::as_equation).collect();
                 // On the way to where a chain arrives both may be spoken of.
@@ -56,9 +68,46 @@ impl Derivation {
                     }
                 };
                 names.is_subset(&arrived.names())
-                    && !local.formulas.iter().any(|own| said.contains(own))
+                    && !self.formulas.iter().any(|own| said.contains(own))
             })
     }
+}
+
+impl Reader<'_> {
+    /// Leaves the places that were named before the display before, "at $R = r$, where $$…$$", once a display speaks of both apart.
+    pub(super) fn leave_places(&mut self, display: &[Part]) {
+        let Some(before) = self.equations.last() else {
+            return;
+        };
+        let locals = &self.page.locals;
+        let source = &self.page.document.source;
+        let is_place = |local: &Local| {
+            local.of_case
+                && local.is_special
+                && local.moment.is_none()
+                && local.span.start < before.span.start
+                && local.is_equation()
+                && is_said_of_a_place(source, local.span)
+        };
+        let said = || {
+            display
+                .iter()
+                .flat_map(|part| part.statements.iter().flatten())
+        };
+        self.active
+            .retain(|&at| !(is_place(&locals[at]) && locals[at].is_parted_by(said())));
+    }
+}
+
+/// Whether what comes next is said of the place that is named: "Maximum hence at $R = r$, where".
+fn is_said_of_a_place(source: &str, span: Span) -> bool {
+    let after = source.get(span.end..).unwrap_or_default();
+    let after = after.trim_start_matches(|c: char| c == '$' || c == ',' || c.is_whitespace());
+    after
+        .strip_prefix("\\)")
+        .unwrap_or(after)
+        .trim_start_matches([',', ' '])
+        .starts_with("where")
 }
 
 /// Whether the words right before a relation say that it is a condition.

@@ -18,6 +18,7 @@ mod differentials;
 mod doubts;
 mod equation;
 mod euler;
+mod example;
 mod imaginary;
 mod indices;
 mod initial;

@@ -5,8 +5,8 @@ use std::vec;
 
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::document::{
-    Attribute, Citation, Directive, Extent, Item, Layout, Named, Premise, Prose, Qualities, Slope,
-    Span, Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
+    Attribute, Citation, Directive, Extent, Inserted, Item, Layout, Named, Premise, Prose,
+    Qualities, Slope, Span, Supposition, SuppositionKind, Vanishing, above_signs, is_reason,
 };
 use crate::notation::{Spanned, SyntaxError, read_formulas};
 use crate::sorted::Set;
@@ -72,6 +72,8 @@ struct Between {
     divides: bool,
     /// The slope that they take of what they cite.
     takes: Option<Slope>,
+    /// What they put in elsewhere.
+    inserted: Option<Citation>,
     /// Whether they are a mere "where" or "with".
     meant: bool,
     /// Whether they announce several laws.
@@ -93,6 +95,8 @@ pub(super) struct Reader<'p> {
     /// The displays that are still to come, read.
     ahead: vec::IntoIter<Vec<Part>>,
     pub(super) equations: Vec<Equation>,
+    /// What was put in elsewhere by the words before the last display: "it" in what goes on from there.
+    inserted: Option<Citation>,
     /// Of each equation, what says that it is derived.
     derived: Vec<Option<Span>>,
     pub(super) level: u8,
@@ -106,7 +110,9 @@ pub(super) struct Reader<'p> {
     /// What is said of symbols by adjectives.
     pub(super) sayings: Sayings,
     /// The cases whose sentence goes on with the next display.
-    running: Vec<usize>,
+    pub(super) running: Vec<usize>,
+    /// The values of examples that were supposed before this are over.
+    pub(super) example: usize,
     between: Between,
     /// Whether nothing that introduces the next display makes it a step: at the beginning and after a heading nothing does.
     bare: bool,
@@ -146,6 +152,7 @@ impl<'p> Reader<'p> {
             page,
             number,
             equations: Vec::new(),
+            inserted: None,
             derived: Vec::new(),
             level: 0,
             section: String::new(),
@@ -154,6 +161,7 @@ impl<'p> Reader<'p> {
             told: Vec::new(),
             sayings: Sayings::default(),
             running: Vec::new(),
+            example: 0,
             between: Between::default(),
             bare: true,
             laws: false,
@@ -216,6 +224,7 @@ impl<'p> Reader<'p> {
             equation.cite(of_last, prose.says_from);
         }
         self.between.hear(prose, own);
+        self.put_in(&prose.inserted);
         let told_with_last = match prose.joins {
             true => self.told_with_last(),
             false => Vec::new(),
@@ -245,8 +254,26 @@ impl<'p> Reader<'p> {
             .filter(|own| own.kind.leaves_cases());
         let left = left.map(|own| own.body.start).max().unwrap_or_default();
         let named = prose.named.iter().filter(|own| own.body.start >= left);
-        self.between.named = self.named(named, before);
+        self.between.named = self.named(named, before, prose.leading);
+        let named = std::mem::take(&mut self.between.named);
+        self.leave_old_values(&named);
+        self.between.named = named;
         self.between.named.extend(told_with_last);
+    }
+
+    /// Takes up what is put in elsewhere. "It" is what was put in before the display before, or what that says.
+    fn put_in(&mut self, inserted: &Inserted) {
+        if inserted.cited.is_some() {
+            self.between.inserted.clone_from(&inserted.cited);
+        } else if inserted.again && !self.last.is_empty() {
+            match self.inserted.take() {
+                Some(cited) => {
+                    self.between.cited.insert(0, cited.clone());
+                    self.between.inserted = Some(cited);
+                }
+                None => self.between.relative = true,
+            }
+        }
     }
 
     /// What the sentence of the display before names, and what it tells of that display alone: what goes on with the sentence may be
@@ -287,11 +314,13 @@ impl<'p> Reader<'p> {
         }
     }
 
-    /// Takes up what a sentence names and does not suppose. What displays say already is a value of it, or has to be shown.
+    /// Takes up what a sentence names and does not suppose. What displays say already is a value of it, or has to be shown. What the
+    /// sentence states that leads on, and cannot be read, may be what the display follows from.
     fn named<'a>(
         &mut self,
         relations: impl Iterator<Item = &'a Named>,
         before: usize,
+        leading: Span,
     ) -> Vec<usize> {
         let mut named = Vec::new();
         for &Named { body, is_drawn } in relations {
@@ -300,7 +329,12 @@ impl<'p> Reader<'p> {
                 |local: &Local| body.start <= local.span.start && local.span.end <= body.end;
             if !own.any(within) && (!is_drawn || self.is_value(body) || !self.is_said(body)) {
                 let kind = SuppositionKind::Known;
+                let known = named.len();
                 self.page.suppose(body, kind, self.level, &mut named, false);
+                let leads = leading.start <= body.start && body.end <= leading.end;
+                if named.len() == known && leads && !self.between.unread.contains(&body) {
+                    self.between.unread.push(body);
+                }
             }
         }
         named
@@ -540,7 +574,8 @@ impl<'p> Reader<'p> {
         own.retain(|symbol| !symbol.is_unit());
         let locals = &self.page.locals;
         let is_rival = |local: &Local| {
-            local.of_case && local.span.start < last.span.start && !local.names().is_disjoint(&own)
+            let is_before = local.of_case && local.span.start < last.span.start;
+            is_before && !local.is_figure && !local.names().is_disjoint(&own)
         };
         self.active.retain(|&at| !is_rival(&locals[at]));
     }
@@ -552,6 +587,7 @@ impl<'p> Reader<'p> {
         }
         match kind {
             SuppositionKind::Case { runs_on: true } => self.running.extend(new),
+            SuppositionKind::Figure => self.begin_example(new),
             SuppositionKind::Define => {
                 for equation in &mut self.equations[self.last.clone()] {
                     equation.locals.extend(new.clone());
@@ -584,6 +620,7 @@ impl<'p> Reader<'p> {
 
     fn display(&mut self, span: Span, body: Span, layout: Option<&Layout>) {
         let mut said = std::mem::take(&mut self.between);
+        self.inserted = said.inserted.take();
         let source = &self.page.document.source;
         said.cited.extend(above_signs(source, body));
         let read = self.ahead.next();
@@ -592,6 +629,8 @@ impl<'p> Reader<'p> {
         self.page.read_exponentials(statements.flatten());
         self.page
             .leave_cases(&read, &self.running, &mut self.active);
+        self.leave_examples(&read);
+        self.leave_places(&read);
         // "At the critical point both slopes vanish: $$p' = 0$$" says itself what the words announce.
         if !said.conditions.is_empty() && !said_to_be_zero(&read) {
             said.unread.append(&mut said.conditions);
@@ -808,6 +847,7 @@ impl<'p> Reader<'p> {
         let is_derived = kind == Kind::Derived;
         let opened = row == 0 && self.first_here == self.equations.len();
         let may_define = is_derived && !stated && said.from.is_none();
+        let locals = self.in_effect(&part);
         Equation {
             page: self.number,
             tag: part.tag,
@@ -855,7 +895,7 @@ impl<'p> Reader<'p> {
             },
             row,
             continues: part.continues,
-            locals: self.active.clone(),
+            locals,
             told: (self.told.iter().rev().take(MOST_MENTIONED).copied()).collect(),
             said: self.sayings.here(),
             disputed: Set::new(),

@@ -41,8 +41,10 @@ pub struct Local {
     pub is_told: bool,
     /// It lets something that was spoken of before have a value.
     pub(super) is_special: bool,
+    /// It is a value of a numerical example.
+    pub(super) is_figure: bool,
     /// It says what a new symbol means: "Let $u = 1/N$".
-    pub(super) means: bool,
+    pub means: bool,
     /// It is said for good: headings do not end it.
     pub(super) lasts: bool,
     /// It is said of the next display alone, and what that concludes of more: "In equilibrium the right-hand side of (1) vanishes", "With
@@ -76,6 +78,23 @@ impl Local {
     /// Whether it is so at one moment alone: what was concluded from it is a premise elsewhere, too, but it is not.
     pub fn is_momentary(&self) -> bool {
         self.moment.is_some()
+    }
+
+    /// Whether another one is said in its place, of the same symbol. What a new symbol means is so for good, be it said to be a number or another
+    /// symbol later: "the index $n_1 = c/v_1$" and then "in air $n_1 = 1$".
+    pub fn is_replaced_by(&self, other: &Local) -> bool {
+        let is_same = !other.values().is_disjoint(&self.values());
+        is_same && !self.leaves_room_for(other) && !other.leaves_room_for(self)
+    }
+
+    /// Whether it says what a new symbol means, and another one no more than its value.
+    fn leaves_room_for(&self, other: &Local) -> bool {
+        let is_value = |formula: &Arc<Formula>| match formula.as_equation() {
+            Some((Expr::Symbol(_), Expr::Symbol(value))) => !self.names().contains(value),
+            Some((Expr::Symbol(_), value)) => value.free_symbols().iter().all(Symbol::is_unit),
+            _ => false,
+        };
+        self.means && other.formulas.iter().all(is_value)
     }
 
     /// Whether it is said of the display alone that it leads to: what was concluded from it is a premise elsewhere, but it is not.
@@ -131,7 +150,7 @@ impl Page {
         active: &mut Vec<usize>,
         strict: bool,
     ) {
-        let is_case = matches!(kind, SuppositionKind::Case { .. });
+        let is_case = matches!(kind, SuppositionKind::Case { .. } | SuppositionKind::Figure);
         let in_passing = matches!(
             kind,
             SuppositionKind::Fact { .. } | SuppositionKind::Meaning
@@ -165,7 +184,7 @@ impl Page {
                     false => !is_fact || before.is_disjoint(&values),
                 }
             });
-            let set = match is_case || in_passing {
+            let set = match is_case && kind != SuppositionKind::Figure || in_passing {
                 true => formulas.iter().filter_map(set_to_a_number).collect(),
                 false => Set::new(),
             };
@@ -178,6 +197,7 @@ impl Page {
                 of_case: is_case || matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
                 is_told: is_fact,
                 is_special: false,
+                is_figure: false,
                 means: false,
                 lasts: false,
                 of_display: false,
@@ -384,6 +404,7 @@ impl Page {
                 of_case: true,
                 is_told: false,
                 is_special: false,
+                is_figure: false,
                 means: false,
                 lasts: false,
                 of_display: false,
@@ -479,6 +500,7 @@ impl Page {
             of_case: false,
             is_told: true,
             is_special: false,
+            is_figure: false,
             means: true,
             lasts: true,
             of_display: false,
@@ -504,6 +526,7 @@ impl Page {
             of_case: true,
             is_told: passage.is_none(),
             is_special: false,
+            is_figure: false,
             means: false,
             lasts: false,
             of_display: false,

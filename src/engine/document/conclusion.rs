@@ -265,7 +265,8 @@ pub(super) fn is_relative(tokens: &[Placed<'_>], last: &[Placed<'_>]) -> bool {
     matches!(first, Some((Token::Word("which"), _))) || works_on_it(last) || works_on_this(tokens)
 }
 
-/// "Comparing this with (1)": where nothing else is said after the display before, that is what is meant.
+/// "Comparing this with (1)", "At the top, $r = a$, this gives with (1)": where nothing else is said after the display before, that is what
+/// is meant.
 fn works_on_this(tokens: &[Placed<'_>]) -> bool {
     const WORKED_ON_THIS: &[&str] = &["comparing", "combining", "equating"];
     let words =
@@ -274,8 +275,11 @@ fn works_on_this(tokens: &[Placed<'_>]) -> bool {
     let (Some(sentence), None) = (sentences.next(), sentences.next()) else {
         return false;
     };
-    matches!(sentence, [(works, _), (this, _), (with, _), ..]
-        if works.is_among(WORKED_ON_THIS) && this.is_among(&["this"]) && with.is_among(&["with", "to", "and"]))
+    let gives = |pair: &[Placed<'_>]| pair[0].0.is_among(&["this"]) && draws_on(pair[1].0);
+    let this_gives = || sentence.windows(2).any(gives);
+    let is_worked_on = matches!(sentence, [(works, _), (this, _), (with, _), ..]
+        if works.is_among(WORKED_ON_THIS) && this.is_among(&["this"]) && with.is_among(&["with", "to", "and"]));
+    is_worked_on || this_gives()
 }
 
 /// What is done with the display before where nothing else is named: "Differentiating with respect to time and using (1)".

@@ -1,6 +1,7 @@
 //! What a document is made of once read.
 
 use super::Span;
+use super::inserted::Inserted;
 use crate::algebra::BigRational;
 use crate::notation::Spanned;
 
@@ -110,6 +111,8 @@ pub struct Prose {
     pub said_last: Option<Span>,
     /// The slope that its last sentence takes of what it cites.
     pub slope: Option<Slope>,
+    /// What its last sentence puts in elsewhere.
+    pub inserted: Inserted,
     /// Whether its last sentence names the rule by which several factors change together: "by the product rule".
     pub all_vary: bool,
     /// Whether its last sentence divides something by something: "Dividing (2) by (1)".
@@ -255,6 +258,8 @@ pub enum SuppositionKind {
         /// It is told of a special case: "For a horizontal pipe, $h_1 = h_2$, (1) becomes".
         of_case: bool,
     },
+    /// "With $m = 3$ kg and $g = 9.8$ m/s² (6) yields": a value of a numerical example, which displays put in that come to numbers.
+    Figure,
     /// "Hence, writing $r = p^2/m$,": told in passing, if it says what a new symbol means; otherwise it is concluded, or who knows what.
     Meaning,
     /// "At the turning points $v = 0$, so": a value at one moment.

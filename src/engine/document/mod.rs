@@ -15,6 +15,7 @@ mod citation;
 mod conclusion;
 mod data;
 mod directive;
+mod inserted;
 mod item;
 mod latex;
 mod markdown;
@@ -36,6 +37,7 @@ use std::sync::Arc;
 
 pub use attribute::declaration;
 pub(crate) use citation::above_signs;
+pub use inserted::Inserted;
 pub use item::{
     Attribute, Bound, Citation, Directive, Extent, Inline, Item, Layout, Named, Premise, Problem,
     Prose, Qualities, Row, Slope, Supposition, SuppositionKind, Vanishing,

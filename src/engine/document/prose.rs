@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::circumstance;
 use super::citation;
 use super::conclusion;
+use super::inserted;
 use super::qualities;
 use super::slope;
 use super::supposition;
@@ -227,6 +228,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         laws_named: conclusion::laws_named(last),
         said_last: whole(last),
         slope: slope::read(last),
+        inserted: inserted::read(last, &citations),
         all_vary: conclusion::names_rule_of_factors(last),
         divides: conclusion::divides(last),
         citations,

@@ -8,6 +8,7 @@
 
 mod cases;
 mod common;
+mod example;
 mod initial;
 mod introduction;
 mod mathematics;
@@ -81,6 +82,9 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     }
     let introduced = std::mem::take(&mut reader.introduced);
     let (mut found, mut mentions) = reader.finish();
+    if example::take_up(source, &tokens[..end], &mut found, &mut mentions) {
+        sorted::sort_by_key(&mut found, |supposition| supposition.body);
+    }
     retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
     retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));

@@ -12,6 +12,8 @@ use super::{Reach, follows, is_at_a_place};
 const PATIENCE: usize = 6;
 /// Words and commas between "if" and what it supposes: "If the bob is released from the horizontal, $u = 0$, then".
 const MOST_DESCRIBED: usize = 12;
+/// So many tokens after a display may be its unit.
+const LONGEST_UNIT: usize = 3;
 /// How many words may stand between "for" and what it supposes.
 pub(super) const MOST_DESCRIBING: usize = 3;
 
@@ -262,7 +264,21 @@ fn runs_on(rest: &[Placed<'_>]) -> bool {
 /// Whether a sentence goes on with these: "and".
 fn only_joins(before: &[Placed<'_>]) -> bool {
     let joins = |token: &Placed<'_>| token.0.is_among(&["and", "but"]) || token.0.is_mark(',');
-    !before.is_empty() && before.iter().all(joins)
+    let unit = before.iter().take_while(|token| !joins(token));
+    let unit = unit.take_while(|(token, _)| is_unit_word(*token)).count();
+    let before = &before[unit..];
+    !before.is_empty() && unit <= LONGEST_UNIT && before.iter().all(joins)
+}
+
+/// Whether a word may be of the unit of what a display says: "watts, and for $R = 3 r$".
+fn is_unit_word(token: Token<'_>) -> bool {
+    match token {
+        Token::Word(word) => {
+            let is_small = word.starts_with(char::is_lowercase);
+            is_small && !conclusion::draws(word) && !token.is_among(&NEGATING)
+        }
+        _ => token.is_mark('/'),
+    }
 }
 
 /// Whether what follows from the value after the word at `index` comes next: ", hence", ", that is", ", so that".

@@ -1,6 +1,6 @@
 //! What inline mathematics states, as far as its signs tell.
 
-use crate::algebra::Expr;
+use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
 use crate::notation::read_expr;
 
@@ -11,6 +11,26 @@ pub(super) fn is_number(math: &str) -> bool {
         .iter()
         .fold(value.to_owned(), |v, f| v.replace(f, ""));
     !value.contains(char::is_alphabetic)
+}
+
+/// Whether inline math says that something is a number, be it in a unit or with a power of ten: `r = 0.5\ \Omega`, `n = 8.5 \times 10^{28}`.
+pub(super) fn is_figure(math: &str) -> bool {
+    let Some((left, value)) = math.split_once('=') else {
+        return false;
+    };
+    let value_start = math.len() - value.len();
+    let digits =
+        value.trim_start_matches(|c: char| c.is_whitespace() || matches!(c, '-' | '\\' | ','));
+    let begins = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        || ["frac", "tfrac", "dfrac", "sqrt"]
+            .iter()
+            .any(|own| digits.starts_with(own));
+    let is_exact = |symbol: &Symbol| symbol.is_unit();
+    let number = || match read_expr(math, Span::new(value_start, math.len())) {
+        Ok(value) => value.free_symbols().iter().all(is_exact),
+        Err(_) => false,
+    };
+    begins && !left.trim_start().starts_with(|c: char| c.is_ascii_digit()) && number()
 }
 
 /// Whether inline math says that something is something else that has a name: `x = a`.

@@ -49,6 +49,10 @@ static AT_ANOTHER_TIME: Words = Words::of(&["until", "before", "after"]);
 static GOING_ON: Words = Words::of(&["there", "then", "here", "hence", "thus", "therefore", "so"]);
 /// A number that follows one of these is that of a case.
 static SETTING: Words = Words::of(&["for", "when", "if"]);
+/// A sentence that begins with one of these sets the scene for the one that goes on from there.
+static SCENES: Words = Words::of(&["let", "suppose", "assume", "consider", "imagine", "take"]);
+/// Before these words may stand.
+static AND_NOW: Words = Words::of(&["now", "next", "then", "finally", "again", "us"]);
 /// A sentence with one of these leaves the case that the one before sets.
 static LEAVING: Words = Words::of(&[
     "general",
@@ -88,7 +92,9 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Name
         let own = of_sentence(source, sentence);
         all.extend_from_slice(&own);
         // A number is said in its sentence, and in the one that goes on from there.
-        let is_case = |own: &Named| said == 1 && !is_lost && is_under(own.body, sentence);
+        let is_case = |own: &Named| {
+            said == 1 && !is_lost && (is_under(own.body, sentence) || sets_scene(sentence))
+        };
         let own = own.into_iter();
         named.extend(own.filter(|own| runs_on || !is_value(own) || is_case(own)));
         runs_on = back == 0 && begins_with(sentence, &GOING_ON);
@@ -155,6 +161,13 @@ fn is_taken_up(index: usize, sentence: &[Placed<'_>]) -> bool {
         Some(Token::Mark(',')) => matches!(after.next(), Some(Token::Word("which" | "whence"))),
         _ => false,
     }
+}
+
+/// Whether a sentence sets the scene: "Now let a ray in air ($n_1 = 1$) hit a plate of index $n_2 = n$."
+fn sets_scene(sentence: &[Placed<'_>]) -> bool {
+    let mut words = sentence.iter().map(|(token, _)| token);
+    let first = words.find(|token| !token.is_among(&AND_NOW) && !token.is_mark(','));
+    first.is_some_and(|token| token.is_among(&SCENES))
 }
 
 /// Whether a sentence sets what stands at a place as a case: "For $c = -1$ nothing is left", "It is back when $y = 0$".

@@ -24,7 +24,7 @@ pub(super) fn tell_kinds_apart(
     found: &mut Vec<Supposition>,
     mentions: &mut Vec<Span>,
 ) {
-    use SuppositionKind::{Assume, Case, Define, Fact, Known, Let, Meaning, OfKind};
+    use SuppositionKind::{Assume, Case, Define, Fact, Figure, Known, Let, Meaning, OfKind};
     // What the sentence says that leads on to the display is said of that.
     let leads_from = tokens
         .iter()
@@ -33,7 +33,7 @@ pub(super) fn tell_kinds_apart(
     let gives = |own: &Supposition| {
         matches!(
             own.kind,
-            Assume | Case { .. } | Define | Fact { .. } | Known | Let | Meaning
+            Assume | Case { .. } | Define | Fact { .. } | Figure | Known | Let | Meaning
         )
     };
     let mut values: Vec<(Span, &str, &str, Option<Span>)> = (0..tokens.len())
@@ -198,8 +198,8 @@ pub(super) fn take_back(
 }
 
 fn supposes(own: &Supposition) -> bool {
-    use SuppositionKind::{Assume, Case, Let};
-    matches!(own.kind, Case { .. } | Let | Assume)
+    use SuppositionKind::{Assume, Case, Figure, Let};
+    matches!(own.kind, Case { .. } | Figure | Let | Assume)
 }
 
 /// The left sides to which a sentence supposes different right ones: "Let $y = x^3$ in the first case and $y = x^2$ in the second".

@@ -87,7 +87,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         let is_first = number == 0 || number == 1 && is_tail(sentences[0]);
         let named = || leads.then(|| named(sentence)).flatten();
         let own = equated(source, sentence)
-            .or_else(|| asserted(source, sentence, is_first))
+            .or_else(|| asserted(source, sentence, is_first, leads))
             .or_else(|| set(source, sentence))
             .or_else(named);
         match own {
@@ -123,7 +123,9 @@ fn is_tail(sentence: &[Placed<'_>]) -> bool {
 fn is_doubtful(sentence: &[Placed<'_>], at: usize) -> bool {
     // "If we set the derivative to zero, we find" does so.
     let set_by_us = || among(sentence, at, &["if"]) && among(sentence, at + 1, &["we"]);
-    among(sentence, at, &DENYING) || among(sentence, at, &DOUBTFUL) && !set_by_us()
+    // "which leads to" draws a conclusion.
+    let draws = || among(sentence, at, &["leads"]) && among(sentence, at + 1, &["to"]);
+    among(sentence, at, &DENYING) && !draws() || among(sentence, at, &DOUBTFUL) && !set_by_us()
 }
 
 fn is_sure(sentence: &[Placed<'_>]) -> bool {
@@ -268,7 +270,12 @@ fn equated(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
 }
 
 /// "It must be equal to one, so", "the right-hand side of (1) vanishes", "(1) is zero for".
-fn asserted(source: &str, sentence: &[Placed<'_>], is_first: bool) -> Option<Supposition> {
+fn asserted(
+    source: &str,
+    sentence: &[Placed<'_>],
+    is_first: bool,
+    leads: bool,
+) -> Option<Supposition> {
     if sentence.len() > LONGEST || !is_sure(sentence) {
         return None;
     }
@@ -288,7 +295,9 @@ fn asserted(source: &str, sentence: &[Placed<'_>], is_first: bool) -> Option<Sup
         if conclusion::read(&sentence[..at]) == Some(true) {
             return None;
         }
-        let refers = is_first && (at == 0 || begins_with(sentence, BEFORE_PRONOUN));
+        // "Half of the maximum is reached when this equals $1/2$, so": the words before it are about something else.
+        let when = leads && at > 0 && among(sentence, at - 1, &["when", "where", "once"]);
+        let refers = is_first && (at == 0 || when || begins_with(sentence, BEFORE_PRONOUN));
         if is_pronoun && !refers {
             return None;
         }
@@ -302,7 +311,8 @@ fn asserted(source: &str, sentence: &[Placed<'_>], is_first: bool) -> Option<Sup
                 kind: SuppositionKind::Vanishes(what),
                 body,
             }),
-            false if must => {
+            // "This is $1/2$" may be what comes of it, "This equals $1/2$ for" says where.
+            false if must || is_pronoun && (when || leads_to_where(sentence, value)) => {
                 let (to, value) = value_at(source, sentence, value)?;
                 let kind = SuppositionKind::Equals(what, to, value);
                 Some(Supposition { kind, body })
@@ -310,6 +320,11 @@ fn asserted(source: &str, sentence: &[Placed<'_>], is_first: bool) -> Option<Sup
             false => None,
         }
     })
+}
+
+/// Whether a sentence ends after the value at a place with a word that says where that is: "This equals $1/2$ for".
+fn leads_to_where(sentence: &[Placed<'_>], value: usize) -> bool {
+    among(sentence, value + 1, &["for", "at", "when"]) && sentence.len() == value + 2
 }
 
 /// Whether the words that begin at a place say what must be, "must be equal to", "has to equal", and where the value stands that they lead to.
