@@ -5,8 +5,6 @@
 
 use crate::algebra::{Expr, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
-use crate::kernel::Standing;
-use crate::search::Effort;
 use crate::sorted::{Map, Set};
 
 use super::judge::{Found, Judge};
@@ -79,57 +77,6 @@ impl Judge<'_> {
         !self.instances(goal, &self.usable.assumed).is_empty()
     }
 
-    /// Whether a step follows that says what a new symbol is at a place, where that is said without the index of laws in force there: "At
-    /// $r = a$ this gives $$v_a^2 = g a$$" after `v^2 = g r`. What does not follow may be said of something else.
-    pub(super) fn follows_at_place(
-        &self,
-        goal: &Goal,
-        assumed: &[Assumed],
-        found: &mut Found,
-    ) -> bool {
-        let names = goal.formula.names();
-        let new = &self.derivation.equations[self.at].introduces;
-        let mut new = names.iter().filter(|own| new.contains(*own));
-        let (Some(new), None) = (new.next(), new.next()) else {
-            return false;
-        };
-        let Some((stem, _)) = split_subscript(new.name()).filter(|_| index(new).is_some()) else {
-            return false;
-        };
-        let plain = Symbol::new(stem);
-        // What is put in there is gone.
-        let is_place = |own: &Assumed| match (own.source, own.formula.as_equation()) {
-            (Source::Local(..), Some((Expr::Symbol(at), value))) => {
-                !names.contains(at) && !value.mentions(at) && *at != plain
-            }
-            _ => false,
-        };
-        let places: Vec<&Assumed> = assumed.iter().filter(|own| is_place(own)).collect();
-        if names.contains(&plain) || places.is_empty() {
-            return false;
-        }
-        let of_place = |law: &Assumed| {
-            let said = law.formula.names();
-            let mut places = places.iter().flat_map(|own| own.formula.names());
-            matches!(law.source, Source::Equation(_))
-                && said.contains(&plain)
-                && places.any(|own| said.contains(&own))
-        };
-        let put = Expr::Symbol(new.clone());
-        let laws = assumed.iter().filter(|law| of_place(law));
-        let said = laws.map(|law| Assumed {
-            formula: law
-                .formula
-                .map_terms(|term| term.substitute(&plain, &put))
-                .into(),
-            standing: Standing::AtPoint,
-            ..law.clone()
-        });
-        let said: Vec<Assumed> = said.collect();
-        let all = || assumed.iter().cloned().chain(said.clone()).collect();
-        !said.is_empty() && self.holds_under(goal, all(), &[], Effort::Light, found)
-    }
-
     /// What would define something new by its first link, where a law for particular things says what that is. Who writes a ratio of two
     /// new symbols, or draws the step, means the law; what speaks of more than the law does may define something else, `p_1 = m v_1 + M w`.
     pub(super) fn as_instance(&self, goal: &Goal, premises: &[usize]) -> Option<Found> {
@@ -146,7 +93,7 @@ impl Judge<'_> {
 }
 
 /// The index of a symbol as it is written, `_1`, if it tells things apart and does not run.
-fn index(symbol: &Symbol) -> Option<&str> {
+pub(super) fn index(symbol: &Symbol) -> Option<&str> {
     let (stem, index) = split_subscript(symbol.name())?;
     let runs = index.len() == 1 && index.bytes().all(|byte| (b'i'..=b'n').contains(&byte));
     symbol.name().get(stem.len()..).filter(|_| !runs)

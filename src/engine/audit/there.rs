@@ -2,13 +2,16 @@
 //!
 //! A new symbol with an index would be defined by what stands for it. Where the quantity itself is known, and what is cited or named
 //! says where, that is the step from the one to the other, and it is judged as one. It is refuted only where what follows instead
-//! speaks of the same symbols: what is left of others would say that the place was not found.
+//! speaks of the same symbols: what is left of others would say that the place was not found. A step that says something else of the
+//! new symbol, `v_a^2 = g a`, may follow from a law for the quantity without the index.
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
-use crate::search::{self, Decision};
+use crate::kernel::Standing;
+use crate::search::{self, Decision, Effort};
 use crate::sorted::Set;
 
+use super::instances::index;
 use super::judge::{Found, Judge, step};
 use super::stated::quantities;
 use super::{Judged, Outcome};
@@ -72,6 +75,57 @@ impl Judge<'_> {
             }
             _ => None,
         }
+    }
+
+    /// Whether a step follows that says what a new symbol is at a place, where that is said without the index of laws in force there: "At
+    /// $r = a$ this gives $$v_a^2 = g a$$" after `v^2 = g r`. What does not follow may be said of something else.
+    pub(super) fn follows_at_place(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
+        let names = goal.formula.names();
+        let new = &self.derivation.equations[self.at].introduces;
+        let mut new = names.iter().filter(|own| new.contains(*own));
+        let (Some(new), None) = (new.next(), new.next()) else {
+            return false;
+        };
+        let quantity = new.without_subscript().filter(|_| index(new).is_some());
+        let Some(plain) = quantity else {
+            return false;
+        };
+        // What is put in there is gone.
+        let is_place = |own: &Assumed| match (own.source, own.formula.as_equation()) {
+            (Source::Local(..), Some((Expr::Symbol(at), value))) => {
+                !names.contains(at) && !value.mentions(at) && *at != plain
+            }
+            _ => false,
+        };
+        let places: Vec<&Assumed> = assumed.iter().filter(|own| is_place(own)).collect();
+        if names.contains(&plain) || places.is_empty() {
+            return false;
+        }
+        let of_place = |law: &Assumed| {
+            let said = law.formula.names();
+            let mut places = places.iter().flat_map(|own| own.formula.names());
+            matches!(law.source, Source::Equation(_))
+                && said.contains(&plain)
+                && places.any(|own| said.contains(&own))
+        };
+        let put = Expr::Symbol(new.clone());
+        let laws = assumed.iter().filter(|law| of_place(law));
+        let said = laws.map(|law| Assumed {
+            formula: law
+                .formula
+                .map_terms(|term| term.substitute(&plain, &put))
+                .into(),
+            standing: Standing::AtPoint,
+            ..law.clone()
+        });
+        let said: Vec<Assumed> = said.collect();
+        let all = || assumed.iter().cloned().chain(said.clone()).collect();
+        !said.is_empty() && self.holds_under(goal, all(), &[], Effort::Light, found)
     }
 
     /// Whether something is gone from all that says what a quantity is: something that has a value at the place.
