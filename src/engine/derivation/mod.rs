@@ -55,7 +55,7 @@ pub use qualities::Said;
 pub use running::Running;
 use supposed::said_of_moment;
 pub use supposed::{Local, is_put};
-pub use values::{Printed, ValueSaid};
+pub use values::{ConditionSaid, Printed, ValueSaid};
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
 const LONGEST_RANGE: usize = 1000;
