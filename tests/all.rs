@@ -34,6 +34,7 @@ mod readme;
 mod repairs;
 mod report;
 mod robust;
+mod solutions;
 mod sorted;
 mod told;
 mod undeclared;

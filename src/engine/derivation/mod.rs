@@ -50,6 +50,7 @@ pub use approach::Approach;
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
+pub(crate) use names::{dotted, without_dots};
 pub use page::{Datum, Page, Premises};
 pub use qualities::Said;
 pub use running::Running;
