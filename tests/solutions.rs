@@ -157,6 +157,12 @@ fn values_at_one_place_are_none_for_good() {
         assert_ne!(step("C = 2 c"), "holds", "{words}");
         assert_ne!(step("w = c"), "holds", "{words}");
     }
+    // It cannot be false beside something that varies.
+    let force = "The force is\n\n$$ F = k v + c $$\n\nAt $t = 0$ we have $v = 0$. Hence\n\n";
+    let step = |formula: &str| last(&format!("{force}$$ {formula} $$\n"));
+    assert_eq!(step("F = c"), "holds");
+    assert_eq!(step("F = 2 c"), "fails");
+    assert_ne!(step("F = k v + c = c"), "fails");
     let spring = "The equation of motion is\n\n$$ m \\ddot x = -k x \\tag{1} $$\n\nWith the angular frequency\n\n$$ \\omega = \\sqrt{\\frac{k}{m}} $$\n\nsuppose that it is let go from rest, i.e. $x = A$, $\\dot{x} = 0$ at $t = 0$. Then\n\n";
     let step = |formula: &str| last(&format!("{spring}$$ {formula} $$\n"));
     assert_ne!(step(r"x = A \cos \omega t"), "fails");

@@ -90,7 +90,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         body,
     }));
     // What is so at one place alone is not supposed for good, and neither is the place.
-    let (initial, told) = initial::read(source, &tokens[..end]);
+    let (initial, told) = initial::read(source, &tokens[..end], &found);
     if !told.is_empty() {
         let is_for_good = |own: &Supposition| is_fact(own.kind) || is_hypothesis(own.kind);
         found.retain(|own| !told.contains(&own.body) || !is_for_good(own));

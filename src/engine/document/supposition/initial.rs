@@ -53,9 +53,53 @@ static CONCLUDING: Words = Words::of(&[
     "integration",
     "integrate",
 ]);
-/// Between "at" and where that is: "at the time $t = 0$". After the article anything may be named, "at the wall $r = R$".
+/// Between "at" and where that is: "at the time $t = 0$", "at the wall $r = R$". A temperature is no place.
 static PLACES: Words = Words::of(&[
-    "the", "time", "instant", "moment", "place", "point", "end", "wall", "surface",
+    "the",
+    "time",
+    "instant",
+    "moment",
+    "beginning",
+    "start",
+    "place",
+    "point",
+    "position",
+    "end",
+    "ends",
+    "wall",
+    "surface",
+    "boundary",
+    "edge",
+    "rim",
+    "tip",
+    "clamp",
+    "support",
+    "hinge",
+    "plate",
+    "plane",
+    "interface",
+    "axis",
+    "centre",
+    "center",
+    "middle",
+    "origin",
+    "top",
+    "bottom",
+    "ground",
+    "inlet",
+    "outlet",
+    "entrance",
+    "exit",
+    "left",
+    "right",
+    "upper",
+    "lower",
+    "inner",
+    "outer",
+    "free",
+    "fixed",
+    "far",
+    "near",
 ]);
 /// No more words stand there.
 const MOST_BETWEEN: usize = 4;
@@ -71,7 +115,18 @@ const MOST_BEFORE: usize = 40;
 const MOST_CONDITIONS: usize = 4;
 
 /// The conditions that prose makes use of, with where they are met, and those that it tells and makes no use of.
-pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Vec<Span>) {
+///
+/// What is supposed of the moment that a sentence names is none of them.
+pub(super) fn read(
+    source: &str,
+    tokens: &[Placed<'_>],
+    supposed: &[Supposition],
+) -> (Vec<Supposition>, Vec<Span>) {
+    let is_of_moment = |body: &Span| {
+        use SuppositionKind::{Case, Moment};
+        let mut supposed = supposed.iter().filter(|own| own.body == *body);
+        supposed.any(|own| matches!(own.kind, Moment | Case { .. }))
+    };
     let (mut found, mut told) = (Vec::new(), Vec::new());
     for (at, (token, _)) in tokens.iter().enumerate() {
         if !token.is_among(&["at", "when"]) {
@@ -84,7 +139,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         let (mut conditions, first) = conditions_before(source, &tokens[..at]);
         let mut is_used = uses(source, &tokens[..first], rest);
         if conditions.is_empty() && begins(&tokens[..at]) {
-            conditions.extend(condition_after(source, rest));
+            conditions.extend(condition_after(source, rest).filter(|own| !is_of_moment(own)));
             is_used = true;
         }
         if is_used {
@@ -131,15 +186,10 @@ fn condition_after(source: &str, tokens: &[Placed<'_>]) -> Option<Span> {
 
 /// The value of a symbol with which a text goes on, "the time $t = 0$", and how many tokens that takes.
 fn place_after(source: &str, tokens: &[Placed<'_>]) -> Option<(Span, usize)> {
-    let named = tokens
-        .first()
-        .is_some_and(|(token, _)| token.is_among(&["the"]));
-    let is_name = |token: &Token<'_>| match token {
-        Token::Word(_) => named || token.is_among(&PLACES),
-        _ => false,
-    };
     let words = tokens.iter().take(MOST_BETWEEN);
-    let words = words.take_while(|(token, _)| is_name(token)).count();
+    let words = words
+        .take_while(|(token, _)| token.is_among(&PLACES))
+        .count();
     let Token::Math(place) = tokens.get(words)?.0 else {
         return None;
     };
