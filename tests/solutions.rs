@@ -48,6 +48,13 @@ fn dots_on_what_is_made_of_what_moves() {
         step(r"\ddot h = \ell \ddot\theta \sin\theta - \ell \dot\theta^2 \cos\theta"),
         "holds"
     );
+    // A Lagrangian is differentiated by what has a dot as by a name.
+    let polar = "The bob has the coordinates\n\n$$ x = \\ell \\sin\\theta, \\qquad y = -\\ell \\cos\\theta $$\n\nwith constant $\\ell$. Its kinetic energy $T = \\frac12 m (\\dot x^2 + \\dot y^2)$ does not depend on $\\ddot\\theta$. The Lagrangian is\n\n$$ L = \\frac12 m \\ell^2 \\dot\\theta^2 + m g \\ell \\cos\\theta \\tag{1} $$\n\nHence\n\n$$ \\frac{\\partial L}{\\partial \\dot\\theta} = m \\ell^2 \\dot\\theta $$\n";
+    assert_eq!(last(polar), "holds");
+    assert_ne!(
+        last(&polar.replace("= m \\ell^2", "= 2 m \\ell^2")),
+        "holds"
+    );
     // A flow need not be the slope of what has its letter.
     let heat = "The heat is\n\n$$ Q = m c T $$\n\nand the power\n\n$$ \\dot Q = \\dot m c T $$\n";
     assert_eq!(verdicts(heat), ["given", "given"]);

@@ -37,6 +37,8 @@ struct Given {
     functions: Map<Symbol, Option<Symbol>>,
     /// All names with marks.
     marked: Set<Symbol>,
+    /// What has a dot in `\frac{\partial L}{\partial \dot q}`: by that is differentiated as by a name of its own.
+    varied: Set<Symbol>,
     /// Those that stand without what they are functions of.
     alone: Set<Symbol>,
     /// The text gives them by terms of their own.
@@ -119,6 +121,7 @@ impl Given {
             return;
         }
         let moves: Set<Symbol> = dotted.into_iter().map(|own| own.0).collect();
+        let varied = std::mem::take(&mut self.varied);
         for (name, of) in std::mem::take(&mut self.defined) {
             let of = of
                 .iter()
@@ -127,8 +130,10 @@ impl Given {
                 .filter(|own| moves.contains(own) && *own != name)
                 .peekable();
             if moves.contains(&name) && others.peek().is_some() {
-                self.moving.extend(others);
-                self.moving.insert(name);
+                let tied = others
+                    .chain([name.clone()])
+                    .filter(|own| !varied.contains(own));
+                self.moving.extend(tied);
             }
         }
     }
@@ -142,6 +147,11 @@ impl Given {
             if matches!(term, Expr::Symbol(_)) {
                 self.alone.insert(name.clone());
             }
+        }
+        if let Expr::Partial { variable, .. } = term
+            && let Some((name, _)) = without_dots(variable)
+        {
+            self.varied.insert(name);
         }
         (term.children()).for_each(|part| self.collect_marked(part));
     }
