@@ -35,6 +35,7 @@ mod readme;
 mod repairs;
 mod report;
 mod robust;
+mod solutions;
 mod sorted;
 mod there;
 mod told;

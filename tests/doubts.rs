@@ -200,3 +200,56 @@ fn differences_and_sums_are_no_products() {
         assert_eq!(last(&format!("{other}\n{product}")), Ok(()), "{other}");
     }
 }
+
+#[test]
+fn a_parenthesis_after_the_sine_of_an_angle_is_a_factor() {
+    let refused = [
+        r"a = \sin x (b + c)",
+        r"y = A \sin\omega (t - t_0)",
+        r"a = \cos 2 x (b + c)",
+        r"a = \sin x (b + \cos 2 x)",
+    ];
+    for math in refused {
+        let error = last(&display(math)).expect_err(math);
+        assert!(error.contains("where the argument"), "{math}: {error}");
+    }
+    let page = |before: &str, math: &str| last(&format!("{}\n{}", display(before), display(math)));
+    // What the page says of the angle elsewhere.
+    for (before, math) in [
+        (
+            r"\sin\theta_1 = \frac{a}{c}",
+            r"y = D \sin\theta_1 \left( 1 - \frac{b}{n} \right)",
+        ),
+        (
+            r"h = \ell (1 - \cos\theta)",
+            r"y = \sin^2\theta (a + b) + \cos 2\theta (a - b)",
+        ),
+        (
+            r"a = b",
+            r"y = \sin\theta (\omega_c^2 - \omega^2 \cos\theta)",
+        ),
+    ] {
+        assert_eq!(page(before, math), Ok(()), "{math}");
+    }
+    for (before, math) in [
+        (r"y = A \sin \omega t", r"y = A \sin\omega (t - t_0)"),
+        (r"\sin\theta_2 = \frac{a}{c}", r"y = \sin\theta_1 (a + b)"),
+        (r"z = \sin\theta (a + c)", r"y = \sin\theta (a + b)"),
+    ] {
+        assert!(page(before, math).is_err(), "{math}");
+    }
+}
+
+#[test]
+fn no_argument_holds_its_own_function() {
+    let page = |math: &str| last(&format!("{}\n{}", display("N(t) = f(x)"), display(math)));
+    for math in [
+        r"\frac{dN}{dt} = r N \left( 1 - \frac{N}{K} \right)",
+        r"\frac{K}{N (K - N)} = \frac{1}{N} + \frac{1}{K - N}",
+    ] {
+        assert_eq!(page(math), Ok(()), "{math}");
+    }
+    for math in ["y = N (t + 1)", "y = N (1 - q)", "y = f (1 - f(x))"] {
+        assert!(page(math).is_err(), "{math}");
+    }
+}

@@ -764,6 +764,10 @@ fn statements_and_what_separates_them() {
             r"a = \frac{\exp\left( 2 x \right) - \exp\left( -2 x \right)}{2} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \frac{\ln\left( y \right)}{\ln\left( 10 \right)} + \sin\left( \frac{30 \pi}{180} \right)",
         ),
         (
+            r"a = \ln \cos x + \ln \sin 2 y",
+            r"a = \ln\left( \cos\left( x \right) \right) + \ln\left( \sin\left( 2 y \right) \right)",
+        ),
+        (
             r"\alpha = \arctan\frac{y}{x} + \arcsin x - \arccos(2 x)",
             r"\alpha = \arctan\left( \frac{y}{x} \right) + \arcsin\left( x \right) - \arccos\left( 2 x \right)",
         ),
@@ -1099,7 +1103,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "the words `unless` cannot be read here",
     ),
     (
-        r"a = \sin x (b+c)",
+        r"a = \ln x (b+c)",
         "(b+c)",
         "where the argument of this function ends is not clear",
     ),
@@ -1455,6 +1459,11 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\alpha = 30^\circ",
         r"\circ",
         "degrees are read only in the angle",
+    ),
+    (
+        r"a = \ln \sin x \cos y",
+        r"\cos",
+        "where the argument of this function ends is not clear",
     ),
     (
         r"x = \sinh(\cosh y)",

@@ -317,9 +317,12 @@ fn what_would_follow_with_what_is_left_open_is_left_open() {
         where $c$ is a constant. Hence\n\n$$ N(t) = \\frac{K}{1 + c K e^{-r t}} \\tag{5} $$\n\n";
     let rate = "The growth rate $G = r N (1 - N/K)$ is largest when\n\n\
         $$ \\frac{dG}{dN} = r - \\frac{2 r N}{K} = 0 \\tag{6} $$\n";
-    let found = verdicts(&format!("{growth}{rate}"));
+    // A growth rate that speaks of what was so before is not read.
+    let delayed = growth.replace(r"\frac{N}{K}\right)", r"\frac{N (t - s)}{K}\right)");
+    let found = verdicts(&format!("{delayed}{rate}"));
     assert!(found[..5].contains(&"undecided"), "{found:?}");
     assert_eq!(found[5], "undecided");
+    assert_eq!(verdicts(&format!("{growth}{rate}"))[5], "undecided");
 }
 
 #[test]

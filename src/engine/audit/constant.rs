@@ -14,7 +14,7 @@ use super::{Judged, Outcome, stated};
 use crate::sorted::Set;
 
 /// What integrates a slope brings along, where nobody gives it a name.
-const OF_INTEGRATION: &str = "\\text{constant of integration}";
+pub(super) const OF_INTEGRATION: &str = "\\text{constant of integration}";
 /// Why it is not known whether something is constant.
 const UNKNOWN: &str = "nothing that it may follow from shows that this does not change";
 
@@ -144,7 +144,7 @@ impl Judge<'_> {
     }
 
     /// A step that says what something is up to a constant, where a term does not change.
-    fn where_constant(
+    pub(super) fn where_constant(
         &self,
         goal: &Goal,
         (term, constant): (Expr, &Symbol),
@@ -274,7 +274,7 @@ impl Judge<'_> {
     }
 
     /// What the page differentiates by, where that is one thing.
-    fn variable(&self) -> Option<Symbol> {
+    pub(super) fn variable(&self) -> Option<Symbol> {
         let page = self.derivation.equations[self.at].page;
         let mut variables = Set::new();
         for at in self.derivation.equations_of(page) {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::{Base, Dimension, Expr, Formula, Rational, Symbol, element_parts};
-use crate::derivation::{Derivation, Kind, Source, conditions, formulas};
+use crate::derivation::{Derivation, Kind, Source, conditions, formulas, without_dots};
 use crate::dimension::{Conflict, Inference, Reading, occur};
 use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
 use crate::notation::{Mark, Statement, measured};
@@ -308,10 +308,10 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
             let element =
                 || element_parts(symbol).and_then(|(sequence, _)| scope.sequences.get(&sequence));
             let dotted = || {
-                let (dots, name) = undotted(symbol)?;
+                let (name, dots) = without_dots(symbol)?;
                 Some(
                     declared(&name)?
-                        .over(&Dimension::base(Base::Time).power(&Rational::from(dots))),
+                        .over(&Dimension::base(Base::Time).power(&Rational::from(i32::from(dots)))),
                 )
             };
             // Nobody declares π, but who means something else by it.
@@ -330,25 +330,4 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
         });
     }
     scope
-}
-
-/// `\dot{x}_1` is one dot over `x_1`.
-fn undotted(symbol: &Symbol) -> Option<(i32, Symbol)> {
-    let name = symbol.name();
-    let (dots, rest) = [(1, "\\dot{"), (2, "\\ddot{"), (3, "\\dddot{")]
-        .into_iter()
-        .find_map(|(dots, accent)| Some((dots, name.strip_prefix(accent)?)))?;
-    let mut depth = 1_usize;
-    let close = rest.char_indices().find_map(|(at, c)| {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            _ => {}
-        }
-        (depth == 0).then_some(at)
-    })?;
-    Some((
-        dots,
-        Symbol::new(format!("{}{}", &rest[..close], &rest[close + 1..])),
-    ))
 }

@@ -147,6 +147,12 @@ impl Judge<'_> {
             return own;
         }
         if !found.judged.outcome.is_proven()
+            && found.contradictory.is_empty()
+            && let Some(own) = self.as_solution(goal, premises, &found)
+        {
+            return own;
+        }
+        if !found.judged.outcome.is_proven()
             && let Some(own) = self.in_limit(goal, premises, &found)
         {
             return own;
@@ -158,6 +164,9 @@ impl Judge<'_> {
                 outcome: Outcome::open(reason),
                 ..found.judged
             });
+        }
+        if found.judged.outcome.is_refuted() && takes_slope_at_a_point(&found.judged) {
+            found.leave_open("it takes the slope of what the text gives for one moment alone");
         }
         if found.judged.outcome.is_refuted() && self.is_unclear(&found.judged) {
             found = Found::open(Judged {
@@ -606,6 +615,22 @@ fn may_be_an_identity(formula: &Formula) -> bool {
     };
     let sides = formula.as_equation();
     !sides.is_some_and(|(left, right)| says_what_it_is(left, right) || says_what_it_is(right, left))
+}
+
+/// Whether a goal takes the slope of something that is given by a term at one point alone: what its slope is there, that does not say.
+fn takes_slope_at_a_point(judged: &Judged) -> bool {
+    let at_point = |own: &&Assumed| own.standing == Standing::AtPoint && own.source != Source::Step;
+    let at_point = judged.assumed.iter().filter(at_point);
+    let mut given = at_point.filter_map(|own| own.formula.as_equation());
+    let takes = |left: &Expr, right: &Expr| {
+        let is_slope = |part: &Expr| match part {
+            Expr::Derivative { body, variable } => **body == *left && right.mentions(variable),
+            _ => false,
+        };
+        let mut terms = judged.goal.formula.terms().into_iter();
+        terms.any(|term| term.any(&is_slope))
+    };
+    given.any(|(left, right)| takes(left, right))
 }
 
 /// A hypothesis that is supposed, or was shown before, in the statement itself.

@@ -38,6 +38,7 @@ mod rounded;
 mod scaling;
 mod schedule;
 mod shifted;
+mod solution;
 mod stated;
 mod statement;
 mod there;

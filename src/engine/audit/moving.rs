@@ -1,7 +1,7 @@
 //! What a page says of what changes with what: something of which it says so is not taken as constant, cited or not.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Derivation, Equation, Goal, formulas};
+use crate::derivation::{Assumed, Derivation, Equation, Goal, dotted, formulas};
 use crate::kernel::{Standing, definition};
 use crate::search::{self, Effort, are_tied};
 
@@ -115,7 +115,7 @@ impl Moving {
             let stem = own.name().rsplit_once('_').map(|parts| parts.0);
             own == name || is_sequence && stem == Some(name.name())
         };
-        let dotted = Symbol::new(format!("\\dot{{{name}}}"));
+        let velocity = dotted(name, false);
         let changes = |named: &Set<Symbol>| {
             let mut all = named.iter();
             all.any(|other| other == variable || self.differentiated.contains(other))
@@ -124,7 +124,7 @@ impl Moving {
         self.differentiated.iter().any(is_meant)
             || explicit.any(|(own, left, named)| {
                 let stands = is_meant(own) && (*left || !given);
-                *own == dotted || named.contains(&dotted) || stands && changes(named)
+                *own == velocity || named.contains(&velocity) || stands && changes(named)
             })
     }
 }

@@ -398,6 +398,29 @@ pub(super) fn slips(entry: &Entry, equation: &Equation) -> bool {
     })
 }
 
+/// "It is largest when $\frac{dG}{dN} = a - b N = 0$": that it is 0 there is a condition, and cannot be false where what it is put for is left
+/// open.
+pub(super) fn leave_condition(entry: &mut Entry, equation: &Equation) {
+    if equation.extent != Extent::Condition {
+        return;
+    }
+    let Some((last, before)) = entry.judged.split_last_mut() else {
+        return;
+    };
+    let is_open = |judged: &Judged| matches!(judged.outcome, Outcome::Open(_));
+    let is_put = |judged: &Judged| {
+        let sides = judged.goal.formula.as_equation();
+        sides.is_some_and(|(_, right)| matches!(right, Expr::Number(_)))
+    };
+    let refuted = before.iter().any(|own| own.outcome.is_refuted());
+    if last.outcome.is_refuted() && is_put(last) && !refuted && before.iter().any(is_open) {
+        last.outcome = Outcome::open("it is a condition, and what it is one of is left open");
+        entry.implied = None;
+        entry.mended = None;
+        entry.missing.clear();
+    }
+}
+
 /// What a page begins with is given, as far as it is not concluded in the display itself.
 pub(super) fn begin(entry: &mut Entry) {
     let goes_on = entry.judged.len() > 1;

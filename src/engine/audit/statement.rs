@@ -40,6 +40,7 @@ impl Auditor<'_> {
         let mut entry = blank(at, 0, 1, equation.kind, Verdict::Holds);
         let judge = Judge::new(self, at, usable);
         let links = self.links(&judge, statement, how, &mut entry);
+        stated::leave_condition(&mut entry, equation);
         entry.verdict = verdict(&entry.judged);
         if entry.verdict == Verdict::Fails {
             // With what another link needs the one that fails does not follow.

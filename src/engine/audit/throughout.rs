@@ -167,11 +167,18 @@ impl Judge<'_> {
     fn held(&self, claim: &Claim, variable: &Symbol) -> Option<Vec<Symbol>> {
         let named = claim.free_symbols().into_iter();
         let held = named.filter(|&own| {
-            own != variable && !own.is_unit() && !self.auditor.changes(self.at, own, variable)
+            own != variable
+                && !is_number(own, claim)
+                && !self.auditor.changes(self.at, own, variable)
         });
         let held: Vec<Symbol> = held.cloned().collect();
         (1..=MOST_HELD).contains(&held.len()).then_some(held)
     }
+}
+
+/// Whether a symbol is a unit or π.
+fn is_number(symbol: &Symbol, claim: &Claim) -> bool {
+    symbol.is_unit() || search::is_pi(symbol, claim)
 }
 
 /// That none of what is held constant, and of which nobody says where it lies, is 0; where roots are taken, that it is positive.

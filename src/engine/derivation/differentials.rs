@@ -84,7 +84,10 @@ impl Occurrences {
         }
         // A parenthesis does not show in the term: `d \cdot (a + b)` is the same product, and is one.
         let before = statements.iter().flat_map(|own| &own.before);
-        let groups = before.filter(|own| own.kind == BeforeKind::Factor && own.name == *d);
+        let groups = before.filter(|own| {
+            let is_factor = matches!(own.kind, BeforeKind::Factor | BeforeKind::Product);
+            is_factor && own.name == *d
+        });
         let groups = groups.count().min(found.alone);
         found.alone -= groups;
         found.differentials += groups;

@@ -3,7 +3,7 @@
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::Span;
-use crate::notation::{Doubt, DoubtKind, Spelt, Statement, SyntaxError};
+use crate::notation::{Doubt, DoubtKind, Spelt, Statement, SyntaxError, angle_of};
 use crate::sorted::Set;
 
 use super::Equation;
@@ -17,6 +17,8 @@ pub(super) struct OnPage {
     pub quantities: Set<Symbol>,
     /// Those that stand by themselves in the text, as indices may: "where $\mu$ runs from 0 to 3".
     pub spoken_of: Set<Symbol>,
+    /// Those of which sines and cosines are taken where nothing else could be meant: `\sin\theta = x/\ell`.
+    pub angles: Set<Symbol>,
 }
 
 /// Refuses the equations of a page in which something is no power or no product, as far as the page lets one see that.
@@ -32,10 +34,12 @@ pub(super) fn refuse(
         return;
     }
     // What stands in words says nothing of its letters.
-    let is_worded = |doubt: &Doubt| !matches!(doubt.kind, DoubtKind::Raised { .. });
+    let is_worded =
+        |doubt: &Doubt| !matches!(doubt.kind, DoubtKind::Raised { .. } | DoubtKind::Angle(_));
     let standing = OnPage {
         quantities: standing_in(all().filter(|own| !own.doubts.iter().any(is_worded))),
         spoken_of: spoken_of.collect(),
+        angles: angles_in(all()),
     };
     for equation in equations {
         if let Some(error) = doubtful(equation.statements(), &declared, &standing) {
@@ -53,7 +57,13 @@ pub(super) fn doubtful(
     let mut doubts = statements.iter().flat_map(|own| &own.doubts).peekable();
     doubts.peek()?;
     let letters = Letters::of(statements, declared, standing);
-    doubts.find_map(|doubt| refusal(doubt, &letters))
+    doubts.find_map(|doubt| match &doubt.kind {
+        DoubtKind::Angle(own) => {
+            let is_angle = standing.angles.contains(own);
+            (!is_angle).then(|| no_end(doubt.span))
+        }
+        _ => refusal(doubt, &letters),
+    })
 }
 
 fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
@@ -72,7 +82,18 @@ fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
             };
             (!product).then(|| no_product(word, spelt, doubt.span))
         }
+        // Asked of the page, not of letters.
+        DoubtKind::Angle(_) => None,
         DoubtKind::Operator(name) => (!letters.is_known(name)).then(|| no_factor(name, doubt.span)),
+    }
+}
+
+/// The refusal of a sine before a parenthesis.
+fn no_end(span: Span) -> SyntaxError {
+    SyntaxError {
+        span,
+        message: "where the argument of this function ends is not clear".to_owned(),
+        help: Some("put the argument in parentheses".to_owned()),
     }
 }
 
@@ -123,6 +144,34 @@ pub(super) fn standing_in<'s>(statements: impl Iterator<Item = &'s Statement>) -
         found.extend(statement.runs.iter().map(|run| run.symbol.clone()));
     }
     found
+}
+
+/// The symbols of which statements take sines and cosines where it is clear that these are of nothing more.
+fn angles_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol> {
+    let mut found = Set::new();
+    for statement in statements {
+        let in_doubt = |name: &Symbol| {
+            let mut doubts = statement.doubts.iter();
+            doubts.any(|own| matches!(&own.kind, DoubtKind::Angle(own) if own == name))
+        };
+        for formula in formulas(statement) {
+            for term in formula.terms() {
+                collect_angles(term, &mut |name| {
+                    if !in_doubt(name) {
+                        found.insert(name.clone());
+                    }
+                });
+            }
+        }
+    }
+    found
+}
+
+fn collect_angles(term: &Expr, see: &mut impl FnMut(&Symbol)) {
+    if let Some(name) = angle_of(term) {
+        see(name);
+    }
+    term.children().for_each(|part| collect_angles(part, see));
 }
 
 /// All symbols of statements, those with scripts among them.

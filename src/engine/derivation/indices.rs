@@ -67,6 +67,7 @@ impl<'p> Letters<'p> {
         let OnPage {
             quantities,
             spoken_of,
+            ..
         } = self.on_page;
         quantities.contains(symbol) || spoken_of.contains(symbol) || self.is_declared(symbol)
     }

@@ -51,12 +51,13 @@ pub use approach::Approach;
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
+pub(crate) use names::{dotted, without_dots};
 pub use page::{Datum, Page, Premises};
 pub use qualities::Said;
 pub use running::Running;
 use supposed::said_of_moment;
 pub use supposed::{Local, is_put};
-pub use values::{Printed, ValueSaid};
+pub use values::{ConditionSaid, Printed, ValueSaid};
 
 /// A longer range of numbers is a slip of the pen; only its ends are read.
 const LONGEST_RANGE: usize = 1000;

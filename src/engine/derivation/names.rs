@@ -8,16 +8,57 @@ use crate::notation::{Before, BeforeKind, SyntaxError};
 
 use super::{Equation, formulas, slopes};
 
+/// The accents for one dot, two and three.
+const DOTS: [&str; 3] = ["\\dot{", "\\ddot{", "\\dddot{"];
+
 /// `x` of `\dot{x}`.
 pub(super) fn undotted(name: &Symbol) -> Option<Symbol> {
-    let inside = name.name().strip_prefix("\\dot{")?.strip_suffix('}')?;
-    Some(Symbol::new(inside))
+    below(name, DOTS[0])
+}
+
+/// What stands below the dots of a name, and how many they are: `x_1` and 2 of `\ddot{x}_1`.
+pub(crate) fn without_dots(name: &Symbol) -> Option<(Symbol, u8)> {
+    let mut dots = DOTS.iter().zip(1..);
+    dots.find_map(|(accent, count)| Some((below(name, accent)?, count)))
+}
+
+/// A name with a dot, or with two: `\dot{x}_1` of `x_1`.
+pub(crate) fn dotted(name: &Symbol, twice: bool) -> Symbol {
+    let text = name.name();
+    let mut depth = 0_usize;
+    let stem = text.find(|c| {
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth == 0 && matches!(c, '_' | '^' | '\'')
+    });
+    let (stem, scripts) = text.split_at(stem.unwrap_or(text.len()));
+    Symbol::new(format!("{}{stem}}}{scripts}", DOTS[usize::from(twice)]))
+}
+
+/// What is below an accent, with the scripts that the name has beside it.
+fn below(name: &Symbol, accent: &str) -> Option<Symbol> {
+    let inside = name.name().strip_prefix(accent)?;
+    let mut depth = 1_usize;
+    let end = inside.find(|c| {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        depth == 0
+    })?;
+    let (stem, scripts) = (&inside[..end], &inside[end + 1..]);
+    let is_script = scripts.is_empty() || scripts.starts_with(['_', '^', '\'']);
+    is_script.then(|| Symbol::new(format!("{stem}{scripts}")))
 }
 
 /// Refuses the equations of a page in which a name is read as a factor before a parenthesis and elsewhere on the page as a function.
 ///
 /// `f(x + 1)` is a product by itself ([docs/notation.md](../../docs/notation.md)). Where the page has `f(x)` too, it is the
-/// value of a function at another place, and a product would be a misreading.
+/// value of a function at another place, and a product would be a misreading; not so `f (1 - f)`, for no argument holds its own function.
 /// The value at a number, `x(0)`, is read of what the page has as a function.
 /// What is read as a unit after a number is refused in the same way where the page has or declares a symbol of that name.
 pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
@@ -46,7 +87,7 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
     for equation in equations {
         let mut before = equation.statements().iter().flat_map(|s| &s.before);
         let doubtful = before.find(|before| match before.kind {
-            BeforeKind::Function => false,
+            BeforeKind::Function | BeforeKind::Product => false,
             BeforeKind::Value => {
                 let moving = slopes::base(&before.name);
                 !functions.contains(&before.name)

@@ -1,5 +1,5 @@
-//! Marks that stand for slopes: `\dot x` and `\ddot x` where a page says how `x` goes with the time, `x = A \cos(\omega t)`, and `f'` where
-//! it says what a function is, `f(x) = x^3`. Elsewhere they are names like any other. And slopes that the text writes with a slash, `dc/dt`,
+//! Marks that stand for slopes: `\dot x` and `\ddot x` where a page says how `x` goes with the time, `x = A \cos(\omega t)`, or what else that
+//! has dots it is made of, `s = x + y`, and `f'` where it says what a function is, `f(x) = x^3`. Elsewhere they are names like any other. And slopes that the text writes with a slash, `dc/dt`,
 //! where displays write `\frac{dc}{dt}`.
 
 use std::cell::LazyCell;
@@ -9,7 +9,7 @@ use crate::sorted::{Map, Set};
 
 use super::Equation;
 use super::equation::{all_terms, conditions, formulas, map_terms};
-use super::names::undotted;
+use super::names::without_dots;
 use super::page::Page;
 
 /// What a dot stands for a slope by. A prime stands for another thing there, what comes after, or another frame, unless a page that speaks
@@ -31,10 +31,14 @@ struct Slope {
 struct Given {
     /// By a term in the time.
     moving: Set<Symbol>,
+    /// By a term of any other kind, with what that speaks of.
+    defined: Vec<(Symbol, Set<Symbol>)>,
     /// Functions, each with what it is a function of; `None` where that is not the same everywhere.
     functions: Map<Symbol, Option<Symbol>>,
     /// All names with marks.
     marked: Set<Symbol>,
+    /// What has a dot in `\frac{\partial L}{\partial \dot q}`: by that is differentiated as by a name of its own.
+    varied: Set<Symbol>,
     /// Those that stand without what they are functions of.
     alone: Set<Symbol>,
     /// The text gives them by terms of their own.
@@ -63,6 +67,7 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
             given.own.insert(name.clone());
         }
     }
+    given.tie_together();
     let source = &page.document.source;
     let of_slopes = LazyCell::new(|| {
         let mut words = ["derivative", "Derivative", "ifferentiat"].into_iter();
@@ -87,6 +92,8 @@ impl Given {
         {
             if value.mentions(time) {
                 self.moving.insert(name.clone());
+            } else if !matches!(value, Expr::Symbol(_)) {
+                self.defined.push((name.clone(), value.free_symbols()));
             }
             if let Expr::Apply(_, arguments) = left
                 && let [Expr::Symbol(argument)] = arguments.as_slice()
@@ -105,6 +112,32 @@ impl Given {
         }
     }
 
+    /// Where a page speaks of accelerations, what has dots and is given by others that have some moves as they do: after `s = x_1 + x_2`
+    /// `\ddot s` is `\ddot x_1 + \ddot x_2`. A flow, `\dot Q = \dot m q`, need not be the slope of what has its letter.
+    fn tie_together(&mut self) {
+        let dots = |name: &Symbol| without_dots(name).filter(|own| own.1 <= 2);
+        let dotted: Vec<(Symbol, u8)> = self.marked.iter().filter_map(dots).collect();
+        if dotted.iter().all(|own| own.1 < 2) {
+            return;
+        }
+        let moves: Set<Symbol> = dotted.into_iter().map(|own| own.0).collect();
+        let varied = std::mem::take(&mut self.varied);
+        for (name, of) in std::mem::take(&mut self.defined) {
+            let of = of
+                .iter()
+                .map(|own| dots(own).map_or_else(|| own.clone(), |own| own.0));
+            let mut others = of
+                .filter(|own| moves.contains(own) && *own != name)
+                .peekable();
+            if moves.contains(&name) && others.peek().is_some() {
+                let tied = others
+                    .chain([name.clone()])
+                    .filter(|own| !varied.contains(own));
+                self.moving.extend(tied);
+            }
+        }
+    }
+
     /// The names with marks in a term.
     fn collect_marked(&mut self, term: &Expr) {
         if let Expr::Symbol(name) | Expr::Apply(name, _) = term
@@ -114,6 +147,11 @@ impl Given {
             if matches!(term, Expr::Symbol(_)) {
                 self.alone.insert(name.clone());
             }
+        }
+        if let Expr::Partial { variable, .. } = term
+            && let Some((name, _)) = without_dots(variable)
+        {
+            self.varied.insert(name);
         }
         (term.children()).for_each(|part| self.collect_marked(part));
     }
@@ -145,11 +183,8 @@ impl Given {
 
 /// What stands below the dots of a name, or before its primes, how many they are, and whether they are dots.
 pub(super) fn base(name: &Symbol) -> Option<(Symbol, usize, bool)> {
-    if let Some(own) = undotted(name) {
-        return Some((own, 1, true));
-    }
-    if let Some(inside) = name.name().strip_prefix("\\ddot{") {
-        return Some((Symbol::new(inside.strip_suffix('}')?), 2, true));
+    if let Some((own, dots)) = without_dots(name) {
+        return (dots <= 2).then_some((own, dots.into(), true));
     }
     let stem = name.name().trim_end_matches('\'');
     let order = name.name().len() - stem.len();

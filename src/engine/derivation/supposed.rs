@@ -237,7 +237,7 @@ impl Page {
     }
 
     /// Reads mathematics in the text, slopes with a slash as displays write them: "In the steady state $dc/dt = 0$".
-    fn read_slopes(&self, body: Span) -> Result<Vec<Statement>, SyntaxError> {
+    pub(super) fn read_slopes(&self, body: Span) -> Result<Vec<Statement>, SyntaxError> {
         let source = &self.document.source;
         read_formulas(source, body).or_else(|error| {
             let text = source.get(body.range()).unwrap_or_default();

@@ -6,11 +6,16 @@ use crate::notation::{Statement, read_formulas};
 
 use super::Derivation;
 use super::equation::{Goal, formulas, goals};
+use super::page::Page;
 
 /// More pieces of mathematics in the text than this are not looked through.
 const MOST_SAID: usize = 500;
 /// The words between a relation and the place where it is so.
 const AT: [&str; 6] = ["at", "at time", "at the time", "for", "when", "where"];
+/// A place may have a name before its value, of no more words: "at the lower end $x = 0$".
+const MOST_NAMING: usize = 3;
+/// No more conditions are met at one place.
+const MOST_JOINED: usize = 4;
 
 /// More numbers than this that a page prints are not looked at.
 const MOST_FIGURES: usize = 100;
@@ -37,7 +42,41 @@ pub struct ValueSaid {
     pub place: Expr,
 }
 
+/// What the text says that something is where a variable has some value: "$w = 0$ at the wall $r = R$".
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ConditionSaid {
+    /// What has the value: a symbol, or a slope.
+    pub of: Expr,
+    /// The value.
+    pub value: Expr,
+    /// What says where that is; `None` for `w(0)`.
+    pub variable: Option<Symbol>,
+    /// What it is there.
+    pub place: Expr,
+}
+
 impl Derivation {
+    /// What the text says that something is at a place, the last said first: between a display and the one before it, or, where it says no
+    /// such thing there, farther before.
+    pub fn conditions_said(&self, at: usize) -> Vec<ConditionSaid> {
+        let equation = &self.equations[at];
+        let page = &self.pages[equation.page];
+        let all: Vec<Span> = (page.document.inline().map(|math| math.body))
+            .take_while(|body| body.end <= equation.span.start)
+            .take(MOST_SAID)
+            .collect();
+        let conditions_at = |at: usize| conditions_at(page, &all, at);
+        let displays = &self.equations[self.equations_of(equation.page).start..at];
+        let mut before = displays.iter().rev().map(|own| own.span.end);
+        let before = before.find(|&end| end <= equation.span.start);
+        let first = all.partition_point(|body| before.is_some_and(|end| body.start < end));
+        let said: Vec<ConditionSaid> = (first..all.len()).rev().flat_map(conditions_at).collect();
+        match said.is_empty() {
+            true => (0..first).rev().flat_map(conditions_at).collect(),
+            false => said,
+        }
+    }
+
     /// The numbers that a page prints for symbols before the display after an equation, in the text and in displays, the nearest ones.
     pub fn figures_before(&self, at: usize) -> Vec<Printed> {
         let own = &self.equations[at];
@@ -125,6 +164,46 @@ impl Derivation {
     }
 }
 
+/// What one piece of mathematics says that something is at a place: "$w = w' = 0$ at $x = 0$", `w(0) = 0`.
+fn conditions_at(page: &Page, all: &[Span], at: usize) -> Vec<ConditionSaid> {
+    let text = page.document.text(all[at]);
+    let place = place(&page.document, all, at);
+    if !text.contains('=') || place.is_none() && !text.contains('(') {
+        return Vec::new();
+    }
+    let place = match place.as_deref() {
+        Some([place]) => place.as_equation(),
+        _ => None,
+    };
+    let read = page.read_slopes(all[at]).unwrap_or_default();
+    let said: Vec<Formula> = read.iter().flat_map(formulas).collect();
+    let mut found: Vec<ConditionSaid> = Vec::new();
+    // What `w = w' = 0` says of the first is what the last is.
+    for (of, value) in said.iter().rev().filter_map(Formula::as_equation) {
+        let same = found.iter().find(|own| own.of == *value);
+        let value = same.map_or(value, |own| &own.value).clone();
+        let (of, variable, place) = match (of, place) {
+            (Expr::Apply(name, arguments), _) if let [place @ Expr::Number(_)] = &arguments[..] => {
+                (Expr::Symbol(name.clone()), None, place)
+            }
+            (Expr::Symbol(_) | Expr::Derivative { .. }, Some((Expr::Symbol(variable), place))) => {
+                (of.clone(), Some(variable), place)
+            }
+            _ => continue,
+        };
+        let varies = |term: &Expr| variable.is_some_and(|own| term.mentions(own));
+        if !varies(&value) && !varies(place) {
+            found.push(ConditionSaid {
+                of,
+                value,
+                variable: variable.cloned(),
+                place: place.clone(),
+            });
+        }
+    }
+    found
+}
+
 fn said(document: &Document, body: Span) -> Vec<Formula> {
     let read = read_formulas(&document.source, body).unwrap_or_default();
     read.iter().flat_map(formulas).collect()
@@ -132,9 +211,13 @@ fn said(document: &Document, body: Span) -> Vec<Formula> {
 
 /// Where something has the value that a formula of a text gives it: what comes "at" after it, or begins the sentence.
 fn place(document: &Document, all: &[Span], at: usize) -> Option<Vec<Formula>> {
-    let body = all[at];
     let before = at.checked_sub(1).map(|at| all[at]);
-    match all.get(at + 1) {
+    // "$w = 0$ and $w' = 0$ at $x = 0$"
+    let rest = all[at..].iter().take(MOST_JOINED).zip(&all[at + 1..]);
+    let joined = rest.take_while(|own| joins(document, *own.0, *own.1));
+    let last = at + joined.count();
+    let body = all[last];
+    match all.get(last + 1) {
         Some(&next) if comes_at(document, body, next) => Some(said(document, next)),
         _ => before
             .filter(|&own| goes_on(document, own, body))
@@ -214,14 +297,28 @@ fn value_at(formula: &Formula, value: &Expr, place: &[Formula]) -> Option<ValueS
     }
 }
 
-/// "$q = q_0$ at $t = 0$".
+/// "$q = q_0$ at $t = 0$", "$v = 0$ at the wall $r = R$".
 fn comes_at(document: &Document, body: Span, place: Span) -> bool {
     let between = document
         .source
         .get(body.end..place.start)
         .unwrap_or_default();
     let words = between.trim_matches(|c: char| !c.is_alphabetic());
-    AT.iter().any(|own| own.eq_ignore_ascii_case(words))
+    let named = || {
+        let name = words.strip_prefix("at the ")?;
+        let mut name = name.split_whitespace();
+        let is_word = |word: &str| word.chars().all(char::is_alphabetic);
+        Some(name.by_ref().take(MOST_NAMING).all(is_word) && name.next().is_none())
+    };
+    AT.iter().any(|own| own.eq_ignore_ascii_case(words)) || named().unwrap_or(false)
+}
+
+/// "$w = 0$ and $w' = 0$", "$w = 0$, $w' = 0$"
+fn joins(document: &Document, body: Span, next: Span) -> bool {
+    let between = document.source.get(body.end..next.start);
+    let between = between.unwrap_or_default();
+    let words = between.trim_matches(|c: char| !c.is_alphabetic());
+    matches!(words, "" | "and") && !between.contains(['.', ';', '?', '!', ':'])
 }
 
 /// "At $t = 0$ the charge is $q = q_0$": one sentence, which begins with the place.
@@ -231,8 +328,22 @@ fn goes_on(document: &Document, place: Span, body: Span) -> bool {
         .get(place.end..body.start)
         .unwrap_or_default();
     let before = document.source.get(..place.start).unwrap_or_default();
-    let word = before.trim_end_matches(|c: char| !c.is_alphabetic());
-    let word = word.rsplit(|c: char| !c.is_alphabetic()).next();
+    let before = before.trim_end_matches(|c: char| !c.is_alphabetic());
+    let word = before.rsplit(|c: char| !c.is_alphabetic()).next();
     let begins = word.is_some_and(|word| ["At", "at", "When", "when", "time"].contains(&word));
+    // "At the wall $x = b$ we have $w = 0$", "from the wall $x = b$, where $w = 0$"
+    let named = || {
+        let words = before.rsplit(char::is_whitespace).take(MOST_NAMING + 2);
+        let words: Vec<&str> = words.collect();
+        let the = words.iter().skip(1).position(|own| *own == "the");
+        the.and_then(|at| words.get(at + 2)).copied()
+    };
+    let where_it_is = || between.trim_matches(|c: char| !c.is_alphabetic()) == "where";
+    let begins = begins
+        || match named() {
+            Some("At" | "at") => true,
+            Some("from" | "From") => where_it_is(),
+            _ => false,
+        };
     begins && !between.contains(['.', ';', '?'])
 }

@@ -184,6 +184,9 @@ const ABBREVIATED: [&str; 14] = [
     "eq", "eqs", "eqn", "eqns", "fig", "figs", "sec", "ref", "refs", "cf", "resp", "vs", "no",
     "approx",
 ];
+/// Two words, each with its point.
+const LATIN: [&str; 2] = ["i.e.", "e.g."];
+const LATIN_LENGTH: usize = 4;
 /// Commands that cite.
 const CITING: [&str; 8] = [
     "\\eqref{",
@@ -332,6 +335,10 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
     match first {
         '\n' | '\r' if ends_paragraph(rest) => (Some(Token::Stop), width),
         _ if first.is_whitespace() || matches!(first, '*' | '_' | '~' | '>') => (None, width),
+        // "i.e.", whose points end no sentence
+        'i' | 'e' if LATIN.iter().any(|own| rest.starts_with(own)) => {
+            (Some(Token::Word(&rest[..LATIN_LENGTH - 1])), LATIN_LENGTH)
+        }
         _ if first.is_alphabetic() => {
             let length = word_length(rest);
             (Some(Token::Word(&rest[..length])), length)

@@ -94,7 +94,11 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         body,
     }));
     // What is so at one place alone is not supposed for good, and neither is the place.
-    let initial = initial::read(source, &tokens[..end]);
+    let (initial, told) = initial::read(source, &tokens[..end], &found);
+    if !told.is_empty() {
+        let is_for_good = |own: &Supposition| is_fact(own.kind) || is_hypothesis(own.kind);
+        found.retain(|own| !told.contains(&own.body) || !is_for_good(own));
+    }
     if !initial.is_empty() {
         let spans = initial.iter().flat_map(|own| match own.kind {
             SuppositionKind::Initial(place) => [own.body, place],
@@ -481,6 +485,10 @@ impl Reader<'_> {
 /// Whether it is told whatever its symbols are. What may be concluded is no value that somebody might have meant to suppose.
 fn is_no_meaning(supposition: &Supposition) -> bool {
     supposition.kind != SuppositionKind::Meaning
+}
+
+fn is_hypothesis(kind: SuppositionKind) -> bool {
+    matches!(kind, SuppositionKind::Let | SuppositionKind::Assume)
 }
 
 fn is_fact(kind: SuppositionKind) -> bool {

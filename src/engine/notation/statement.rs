@@ -93,6 +93,8 @@ pub enum BeforeKind {
     Value,
     /// A factor before a parenthesis.
     Factor,
+    /// A factor before a parenthesis in which it stands itself, `N (K - N)`: no argument holds the function that it is one of.
+    Product,
     /// A unit after a number, `5\,\mathrm{km}`.
     Unit,
     /// The number π, which degrees bring in, `30^\circ`.
@@ -120,6 +122,8 @@ pub enum DoubtKind {
     },
     /// `\Delta` or `\Sigma` right before what it would multiply: a difference, `\Delta(m v)`, or a sum, `\Sigma F`.
     Operator(Symbol),
+    /// A symbol of which a sine, a cosine or a tangent is taken, right before a parenthesis that is read as a factor: `\sin\theta (1 - x)`.
+    Angle(Symbol),
     /// Letters written without a space between them, which TeX sets as a product, and which spell something: `cos`, `intensity`.
     Letters {
         /// The letters.

@@ -60,7 +60,7 @@ pub use scaling::{
     Repair, ScalingDecision, decide_scaling, is_plainly_possible, is_scaling, kept_hypotheses,
     prove_scaling,
 };
-pub use still::{are_tied, is_possible, makes_goal_vanish, still_in, with_constants};
+pub use still::{are_tied, is_pi, is_possible, makes_goal_vanish, still_in, with_constants};
 pub use supposing::fewest;
 use supposing::{assuming, defines_afresh, nowhere_put};
 pub use unless::{Unless, missing_conditions};

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, element_parts, expr_of};
 use crate::kernel::{
-    Claim, Fact, Obligation, Origin, Problem, Refuted, Sign, Standing, definition,
+    Claim, Fact, Obligation, Origin, Problem, Refuted, Sign, Standing, definition, pi_is_the_number,
 };
 use crate::sorted::{Map, Set};
 
@@ -190,6 +190,7 @@ impl<'a> Said<'a> {
         let moves = |other: &Symbol| self.moving.contains(other);
         let constant = |other: &Symbol| self.claim.is_constant(other);
         !moves(symbol)
+            && !is_pi(symbol, self.claim)
             && !self.put_in.contains_key(symbol)
             && !are_tied(symbol, variable, &self.laws, moves, constant)
     }
@@ -259,12 +260,20 @@ impl<'a> Said<'a> {
 fn is_velocity(symbol: &Symbol, problem: &Problem) -> bool {
     let dotted = symbol.name().strip_prefix("\\dot{");
     let dotted = dotted.or_else(|| symbol.name().strip_prefix("\\ddot{"));
-    let Some(name) = dotted.and_then(|own| own.strip_suffix('}')) else {
+    let Some(dotted) = dotted else {
         return false;
+    };
+    // `\dot{x}_1` is one dot over `x_1`.
+    let is_below = |name: &Symbol| {
+        let mut ends = dotted.match_indices('}');
+        ends.any(|(at, _)| {
+            let scripts = name.name().strip_prefix(&dotted[..at]);
+            scripts == Some(&dotted[at + 1..])
+        })
     };
     let is_slope = |(_, atom): (_, &Atom)| match atom {
         Atom::Opaque(slope @ Expr::Derivative { .. }) => {
-            differentiated(slope).is_some_and(|(own, _)| own.name() == name)
+            differentiated(slope).is_some_and(|(own, _)| is_below(own))
         }
         _ => false,
     };
@@ -340,12 +349,20 @@ fn held_in(claim: &Claim, held: Set<Symbol>) -> Option<Claim> {
     (!held.is_empty()).then(|| with_constants(claim.clone(), held))
 }
 
-/// A claim with further symbols that depend on no variable.
+/// A claim with further symbols that depend on no variable. The number π does so anyway, and is that number only where nobody declares it.
 pub fn with_constants(mut claim: Claim, held: impl IntoIterator<Item = Symbol>) -> Claim {
     for symbol in held {
+        if is_pi(&symbol, &claim) {
+            continue;
+        }
         claim.domains.entry(symbol).or_default().constant = true;
     }
     claim
+}
+
+/// Whether a symbol is the number π in a claim.
+pub fn is_pi(symbol: &Symbol, claim: &Claim) -> bool {
+    symbol.name() == "\\pi" && pi_is_the_number(claim)
 }
 
 /// A proof with as few of these held still as may be.

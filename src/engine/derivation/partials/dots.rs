@@ -6,7 +6,7 @@ use crate::document::Span;
 use crate::sorted::Set;
 
 use super::super::Equation;
-use super::super::names::undotted;
+use super::super::names::{self, undotted};
 use super::super::page::Page;
 use super::super::slopes::{TIME, base};
 use super::{is_partial, sides_of};
@@ -64,7 +64,7 @@ pub(super) fn tie_accelerations(page: &mut Page, equations: &mut [Equation]) {
     }
     let twice = names.iter().filter_map(|name| {
         let (own, order, is_dot) = base(name)?;
-        let dotted = Symbol::new(format!("\\dot{{{}}}", own.name()));
+        let dotted = names::dotted(&own, false);
         (order == 2 && is_dot && names.contains(&dotted)).then_some((dotted, own))
     });
     let Some(own) = suppose(page, twice.collect(), &time, span) else {
@@ -85,7 +85,7 @@ fn suppose(
     let mut said = Vec::new();
     for (dotted, name) in tied {
         let slope = |own: &Symbol| Expr::Symbol(own.clone()).differentiated_by(time);
-        let twice = Symbol::new(format!("\\ddot{{{}}}", name.name()));
+        let twice = names::dotted(&name, true);
         said.push(Formula::equal(slope(&name), Expr::Symbol(dotted.clone())));
         said.push(Formula::equal(slope(&dotted), Expr::Symbol(twice)));
     }

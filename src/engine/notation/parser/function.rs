@@ -1,7 +1,10 @@
 //! Functions: the known ones, `\sin x`, and unknown ones applied to bare symbols, `P(t)`.
 
 use super::vector::{Borne, refuse_vector};
-use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
+use super::{
+    Before, BeforeKind, Choice, Doubt, DoubtKind, Factor, Kind, Parser, Read, Shape, refuse,
+    refuse_with,
+};
 use crate::algebra::{BigRational, Expr, Function, Symbol};
 use crate::notation::{commands, latex};
 use num_traits::One;
@@ -37,7 +40,8 @@ impl Parser<'_> {
         }
         if let Some((name, exponent)) = name_raised(&function.expr) {
             self.refuse_raised(start, name, exponent, (bare, &arguments))?;
-            self.before.extend(self.factor_before(start, name));
+            self.before
+                .extend(self.factor_before(start, name, &arguments));
             return self.before_factor(start, open, function, arguments);
         }
         match (bare, function.expr) {
@@ -85,7 +89,8 @@ impl Parser<'_> {
                     let value = Expr::Apply(name.clone(), arguments);
                     return self.scripts(start, value, Shape::Tight, false);
                 }
-                self.before.extend(self.factor_before(start, &expr));
+                self.before
+                    .extend(self.factor_before(start, &expr, &arguments));
                 self.before_factor(start, open, Factor { expr, ..function }, arguments)
             }
         }
@@ -116,14 +121,20 @@ impl Parser<'_> {
     }
 
     /// A name that was read as a factor before a parenthesis.
-    fn factor_before(&self, start: usize, name: &Expr) -> Option<Before> {
-        let Expr::Symbol(name) = name else {
+    fn factor_before(&self, start: usize, name: &Expr, group: &[Expr]) -> Option<Before> {
+        let Expr::Symbol(symbol) = name else {
             return None;
         };
+        let has = |test: &dyn Fn(&Expr) -> bool| group.iter().any(|part| part.any(&test));
+        let applied = has(&|part| matches!(part, Expr::Apply(own, _) if own == symbol));
+        let kind = match has(&|part| part == name) && !applied {
+            true => BeforeKind::Product,
+            false => BeforeKind::Factor,
+        };
         Some(Before {
-            name: name.clone(),
+            name: symbol.clone(),
             span: self.since(start),
-            kind: BeforeKind::Factor,
+            kind,
         })
     }
 
@@ -322,6 +333,11 @@ impl Parser<'_> {
         let mut factors: Vec<Expr> = Vec::new();
         let mut borne = Borne::default();
         let mut last = None;
+        if let Kind::Command(inner) = self.peek()
+            && commands::is_function(inner)
+        {
+            return self.function_inside();
+        }
         while self.starts_factor() && !self.at_delimiter() && self.is_plain() {
             // Nobody takes `\sin 2x` for `(\sin 2) x`.
             if !matches!(factors.as_slice(), [] | [Expr::Number(_)]) {
@@ -335,6 +351,10 @@ impl Parser<'_> {
                 }
             }
             let factor = self.factor()?;
+            if self.is_angle_before_group(start, &factors, &factor) {
+                factors.push(factor.expr);
+                return Ok(product_of(factors));
+            }
             let group = self.pending.take().map(|group| group.span);
             let unclear = factor.braces && (factor.shape == Shape::Loose || self.starts_factor());
             if let Some(span) = group.or(unclear.then_some(factor.span)) {
@@ -365,21 +385,51 @@ impl Parser<'_> {
                 help,
             );
         }
-        match (factors.len(), factors.pop()) {
-            (1, Some(single)) => Ok(single),
-            (_, Some(single)) => {
-                factors.push(single);
-                Ok(Expr::Product(factors))
-            }
-            (_, None) => match self.peek() {
-                Kind::Char('+' | '-') => refuse_with(
-                    self.span(),
-                    "the argument of a function is missing before this",
-                    help,
-                ),
-                _ => self.no_term(),
-            },
+        if !factors.is_empty() {
+            return Ok(product_of(factors));
         }
+        match self.peek() {
+            Kind::Char('+' | '-') => refuse_with(
+                self.span(),
+                "the argument of a function is missing before this",
+                help,
+            ),
+            _ => self.no_term(),
+        }
+    }
+
+    /// `\cosh x` in `\ln \cosh x`, with nothing beside it that might go with the outer function or with none.
+    fn function_inside(&mut self) -> Read<Expr> {
+        let inner = self.factor()?;
+        let beside = matches!(
+            self.peek(),
+            Kind::Char('/' | '*') | Kind::Command("cdot" | "times")
+        );
+        if beside || self.pending.is_some() || self.starts_factor() || self.at_delimiter() {
+            return refuse_with(
+                self.span(),
+                "where the argument of this function ends is not clear",
+                "put the argument in parentheses",
+            );
+        }
+        Ok(inner.expr)
+    }
+
+    /// Whether a parenthesis after `\sin\theta` multiplies the sine: it does where it holds another sine or cosine of that angle, and may do so
+    /// where the page takes those of it elsewhere, as is looked at later. The group is then left pending.
+    fn is_angle_before_group(&mut self, start: usize, before: &[Expr], factor: &Factor) -> bool {
+        let (Some(group), Expr::Symbol(name)) = (&self.pending, &factor.expr) else {
+            return false;
+        };
+        if !self.angle || !matches!(before, [] | [Expr::Number(_)]) {
+            return false;
+        }
+        if !group.expr.any(&|part| angle_of(part) == Some(name)) {
+            let kind = DoubtKind::Angle(name.clone());
+            let span = self.since(start.saturating_sub(1));
+            self.doubts.push(Doubt { span, kind });
+        }
+        true
     }
 
     /// Whether a rate or a differential stands here, beside an argument that began at `start`: nobody means it in
@@ -413,6 +463,25 @@ impl Parser<'_> {
             }
             _ => self.starts_name(self.at),
         }
+    }
+}
+
+/// The product of some factors, one of them at least.
+fn product_of(mut factors: Vec<Expr>) -> Expr {
+    match factors.len() {
+        1 => factors.remove(0),
+        _ => Expr::Product(factors),
+    }
+}
+
+/// The symbol of which a term is a sine, a cosine or a tangent.
+pub(crate) fn angle_of(term: &Expr) -> Option<&Symbol> {
+    match term {
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, of) => match &**of {
+            Expr::Symbol(angle) => Some(angle),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

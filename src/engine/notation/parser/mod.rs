@@ -30,6 +30,7 @@ mod unit;
 mod vector;
 mod word;
 
+pub(crate) use function::angle_of;
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;
 

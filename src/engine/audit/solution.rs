@@ -1,0 +1,203 @@
+//! Solutions of laws of change of which the text tells a value at a place: `w = \frac{a}{2} (x^2 - b^2)` from `\frac{dw}{dx} = a x`, "with
+//! $w = 0$ at $x = b$".
+//!
+//! What both sides differ by does not change, by itself or times an exponential, and it is 0 at the place; then it is 0 everywhere. A law by itself leaves open which solution
+//! is meant, so a point on it refutes none: what refutes one is that it does not obey the law, or has another value there.
+
+use crate::algebra::{Expr, Formula, Function, Symbol};
+use crate::derivation::{Assumed, ConditionSaid, Goal};
+use crate::kernel::Standing;
+use crate::search::{self, Decision, Effort};
+
+use super::constant::OF_INTEGRATION;
+use super::judge::{Found, Judge, step};
+
+/// Why it is left open whether it is the solution that is meant.
+const UNDECIDED: &str = "it may be the solution with the values that the text tells at one place";
+
+/// More exponentials than these are not tried.
+const MOST_EXPONENTS: usize = 3;
+
+impl Judge<'_> {
+    /// What to say of a step that does not follow from laws of change alone, where the text tells the value at a place of something that it
+    /// speaks of.
+    pub(super) fn as_solution(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+        found: &Found,
+    ) -> Option<Found> {
+        let (left, right) = goal.formula.as_equation()?;
+        if goal.questioned || !goal.suppositions.is_empty() {
+            return None;
+        }
+        let variable = self.variable()?;
+        let conditions = self.met(goal, &variable);
+        if conditions.is_empty() {
+            return None;
+        }
+        // The law may stand farther before.
+        let near = self.others(premises)[0].iter();
+        let throughout = self.usable.assumed.iter().chain(near);
+        let throughout = throughout.filter(|own| own.standing == Standing::Identity);
+        let (mut laws, others): (Vec<&Assumed>, Vec<&Assumed>) =
+            throughout.partition(|own| own.formula.speaks_of_slopes());
+        let is_subject = |name: &Symbol| conditions.iter().any(|own| own.0.of.mentions(name));
+        laws.retain(|law| law.formula.names().iter().any(is_subject));
+        if laws.is_empty() {
+            return None;
+        }
+        let difference = Expr::Sum(vec![left.clone(), Expr::Negate(right.clone().into())]);
+        let kept = possibly_kept(difference, goal, &laws, &variable);
+        let mut fixed: Vec<Assumed> = others.iter().copied().cloned().collect();
+        fixed.retain(|own| self.is_fixed(own, &conditions, &variable));
+        let mut is_refuted = true;
+        for there in conditions.iter().map(|own| &own.1) {
+            let claim = self.derivation.claim(self.at, &fixed, there);
+            // What the step divides by anywhere is not 0 there either.
+            let divided = || {
+                let bare = self.derivation.claim(self.at, &[], there);
+                search::missing_conditions(&bare, None, Effort::Light, &[]).is_some()
+            };
+            if search::prove_unconditionally(claim.clone(), Effort::Light).is_some() || divided() {
+                let mut kept = kept.iter();
+                if let Some(own) = kept.find_map(|kept| self.keeps(goal, kept, premises)) {
+                    return Some(own);
+                }
+            }
+            let decision = search::decide(claim, &self.auditor.hints());
+            // Of several values it need have one.
+            is_refuted &= matches!(decision, Decision::Refuted(_));
+        }
+        if is_refuted || !found.judged.outcome.is_refuted() || self.breaks(goal, &laws, &others) {
+            return None;
+        }
+        let mut own = Found::open(found.judged.clone());
+        own.leave_open(UNDECIDED);
+        Some(own)
+    }
+
+    /// Whether a term that is 0 where a goal is met does not change.
+    fn keeps(&self, goal: &Goal, term: &Expr, premises: &[usize]) -> Option<Found> {
+        let constant = Symbol::new(OF_INTEGRATION);
+        let assumed = self.usable.assumed.clone();
+        self.where_constant(goal, (term.clone(), &constant), assumed, premises)
+    }
+
+    /// What the text tells at places of things that a goal speaks of, the last that it tells of each, and what the goal comes to there.
+    fn met(&self, goal: &Goal, variable: &Symbol) -> Vec<(ConditionSaid, Formula)> {
+        let mut found: Vec<(ConditionSaid, Formula)> = Vec::new();
+        for said in self.derivation.conditions_said(self.at) {
+            let is_same = |own: &ConditionSaid| own.of == said.of && own.place == said.place;
+            let is_known = found.iter().any(|own| is_same(&own.0));
+            if said.variable.as_ref().is_none_or(|own| own == variable)
+                && !is_known
+                && let Some(there) = there(&goal.formula, &said, variable)
+            {
+                found.push((said, there));
+            }
+        }
+        found
+    }
+
+    /// Whether a premise says nothing of what varies.
+    fn is_fixed(
+        &self,
+        own: &Assumed,
+        conditions: &[(ConditionSaid, Formula)],
+        variable: &Symbol,
+    ) -> bool {
+        let names = own.formula.names();
+        let moves = |name: &Symbol| {
+            let mut subjects = conditions.iter();
+            name == variable
+                || subjects.any(|own| own.0.of.mentions(name))
+                || self.auditor.changes(self.at, name, variable)
+        };
+        !names.iter().any(moves)
+    }
+
+    /// Whether what a goal claims does not obey one of the laws that it is drawn from.
+    fn breaks(&self, goal: &Goal, laws: &[&Assumed], others: &[&Assumed]) -> bool {
+        let mut with: Vec<Assumed> = others.iter().copied().cloned().collect();
+        with.push(Assumed {
+            standing: Standing::Identity,
+            ..step(&goal.formula)
+        });
+        laws.iter().any(|law| {
+            let claim = self.derivation.claim(self.at, &with, &law.formula);
+            matches!(
+                search::decide(claim, &self.auditor.hints()),
+                Decision::Refuted(_)
+            )
+        })
+    }
+}
+
+/// A difference, and its products with the exponentials in what varies of which a goal and laws speak, and with one over them: what solves a
+/// linear law differs from other solutions by a constant times one of these.
+fn possibly_kept(difference: Expr, goal: &Goal, laws: &[&Assumed], variable: &Symbol) -> Vec<Expr> {
+    let mut exponents: Vec<Expr> = Vec::new();
+    let all = laws.iter().map(|law| &*law.formula).chain([&goal.formula]);
+    for term in all.flat_map(Formula::terms) {
+        collect_exponents(term, variable, &mut exponents);
+    }
+    exponents.truncate(MOST_EXPONENTS);
+    let times = |exponent: Expr| {
+        let power = Expr::Call(Function::Exp, exponent.into());
+        Expr::Product(vec![difference.clone(), power])
+    };
+    let both = exponents.iter().flat_map(|own| {
+        let negative = Expr::Negate(own.clone().into());
+        [times(negative), times(own.clone())]
+    });
+    std::iter::once(difference.clone()).chain(both).collect()
+}
+
+fn collect_exponents(term: &Expr, variable: &Symbol, found: &mut Vec<Expr>) {
+    if let Expr::Call(Function::Exp, exponent) = term
+        && exponent.mentions(variable)
+        && !found.contains(exponent)
+    {
+        found.push((**exponent).clone());
+    }
+    let parts = term.children();
+    parts.for_each(|part| collect_exponents(part, variable, found));
+}
+
+/// What a formula comes to where a condition is met, if it speaks of what has the value there; `None` where it speaks of how that varies, too.
+fn there(formula: &Formula, said: &ConditionSaid, variable: &Symbol) -> Option<Formula> {
+    let varies = |part: &Expr| {
+        matches!(
+            part,
+            Expr::Derivative { .. }
+                | Expr::Partial { .. }
+                | Expr::Integral { .. }
+                | Expr::Limit { .. }
+                | Expr::Apply(..)
+        )
+    };
+    let mut speaks = false;
+    let put = formula.map_terms(|term| put_in(term, (said, variable), &mut speaks));
+    let is_known = !put.terms().into_iter().any(|term| term.any(&varies));
+    (speaks && is_known).then(|| put.map_terms(|term| term.substitute(variable, &said.place)))
+}
+
+/// A term with a value put in for what has it.
+fn put_in(term: &Expr, (said, variable): (&ConditionSaid, &Symbol), speaks: &mut bool) -> Expr {
+    let is_applied = match (term, &said.of) {
+        (Expr::Apply(name, arguments), Expr::Symbol(own)) => {
+            name == own && arguments.as_slice() == [Expr::Symbol(variable.clone())]
+        }
+        _ => false,
+    };
+    if *term == said.of || is_applied {
+        *speaks = true;
+        return said.value.clone();
+    }
+    match term {
+        // How it varies is no value of it.
+        Expr::Derivative { .. } => term.clone(),
+        term => term.map_children(|part| put_in(part, (said, variable), speaks)),
+    }
+}
