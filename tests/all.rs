@@ -19,6 +19,7 @@ mod example;
 mod examples;
 mod figures;
 mod formats;
+mod functions;
 mod graph;
 mod html;
 mod implied;

@@ -81,6 +81,21 @@ fn values_are_put_in_by_what_comes_to_a_number() {
     assert_eq!(page("k a", "5")[5], "fails");
 }
 
+/// After a case of its own a step goes on with what was derived for the disc: that its moment of inertia is called so is no case.
+#[test]
+fn what_a_new_symbol_means_outlasts_the_next_case() {
+    let page = |speed: &str| {
+        verdicts(&format!(
+            "For the disc, with moment of inertia $I = \\frac12 M R^2$ and angular acceleration $\\alpha = a/R$,\n\n$$ F R = I \\alpha \\tag{{1}} $$\n\n\
+             Inserting $I$ and $\\alpha$ in (1) gives\n\n$$ F = \\frac12 M a \\tag{{2}} $$\n\nIf there is no load, $M = 0$, the tension is\n\n$$ T = m g \\tag{{3}} $$\n\n\
+             Finally, the speed after a height $h$ is\n\n$$ v^2 = 2 a h = {speed} \\tag{{4}} $$\n"
+        ))
+    };
+    let last = |speed: &str| page(speed).pop().unwrap();
+    assert_eq!(last(r"\frac{4 F h}{M}"), "holds");
+    assert_eq!(last(r"\frac{2 F h}{M}"), "fails");
+}
+
 /// What a new symbol means is no case, be it told of one thing; and a value that it is said to have later goes with that.
 #[test]
 fn a_meaning_goes_with_a_value() {

@@ -163,6 +163,20 @@ fn who_takes_the_slope_of_a_product_lets_all_factors_change() {
     assert!(!conditional("Hence"));
 }
 
+/// Where all that changes is the variable itself, the factors are written in it.
+#[test]
+fn the_quotient_rule_needs_nothing_but_the_variable_to_change() {
+    let page = |slope: &str| {
+        verdicts(&format!(
+            "The power is\n\n$$ P = \\frac{{E^2 R}}{{(r + R)^2}} $$\n\nQuotient rule:\n\n$$ \\frac{{dP}}{{dR}} = {slope} $$\n"
+        ))
+    };
+    let right = r"E^2 \frac{(r + R)^2 - 2 R (r + R)}{(r + R)^4}";
+    assert_eq!(page(right)[1], "holds");
+    let wrong = r"E^2 \frac{(r + R)^2 - R (r + R)}{(r + R)^4}";
+    assert_eq!(page(wrong)[1], "fails");
+}
+
 #[test]
 fn where_is_said_of_all_displays_of_its_sentence() {
     let two =

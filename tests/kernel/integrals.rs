@@ -242,3 +242,22 @@ fn evidence_about_fewer_situations_must_be_about_the_same_claim() {
         assert_eq!(other.refuted_by_fewer(&found), Err(Reject::OfAnotherClaim));
     }
 }
+
+/// Where π is declared constant it may be any number; where it is not, it is the one that it is.
+#[test]
+fn a_counterexample_with_another_pi_is_none() {
+    use cradle_verify::kernel::{Candidate, Checked, Obligation};
+    let bare = claim(&[r"q = \int_0^1 v \pi \, dx"], r"q = 2 \pi");
+    let still = bare.clone().domain(r"\pi", constant());
+    let posed = Obligation::new(still.clone(), Vec::new()).expect("a claim");
+    let mut given = point(&[("q", 1), ("v", 1)]);
+    given.symbols.insert(symbol(r"\pi"), number(1));
+    let found = match posed.check(Candidate::Counterexample(given)) {
+        Ok(Checked::Refuted(found)) => found,
+        other => panic!("{other:?}"),
+    };
+    let own = Obligation::new(bare, Vec::new()).expect("a claim");
+    assert_eq!(own.refuted_by_fewer(&found), Err(Reject::OfAnotherClaim));
+    let same = Obligation::new(still, Vec::new()).expect("a claim");
+    assert_eq!(same.refuted_by_fewer(&found), Ok(()));
+}

@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal, Kind, Source, unconditional, values_at};
+use crate::derivation::{Assumed, Goal, Kind, Local, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation};
 use crate::search::{self, Decision, Effort, InChain};
 
@@ -541,9 +541,18 @@ impl Judge<'_> {
             let said = self.derivation.local(page, local);
             let bounds = || said.formulas.iter().all(|f| f.as_equation().is_none());
             let special = || said.is_let || said.is_case() || said.is_momentary();
-            let is_meant = own.is_under(page, local) || goes_on && !special();
+            let means = || said.is_told && said.means && !self.is_replaced(said);
+            let is_meant = own.is_under(page, local) || goes_on && !special() || means();
             is_meant && !self.derivation.is_beyond(self.at, (page, local)) || cites && bounds()
         })
+    }
+
+    /// Whether something else is said here in the place of what was told.
+    fn is_replaced(&self, told: &Local) -> bool {
+        let own = &self.derivation.equations[self.at];
+        let in_effect = own.locals.iter().chain(&own.told).chain(&own.named);
+        let mut others = in_effect.map(|&other| self.derivation.local(own.page, other));
+        others.any(|other| told.is_replaced_by(other))
     }
 
     /// What is given further on in the page and not cited: an author may have used it too soon.
@@ -591,14 +600,14 @@ impl Judge<'_> {
         false
     }
 
-    /// Whether what is cited is silent on a symbol of a goal that an equation before gives as an integral, or on a function that it
-    /// applies: a counterexample that gives it any value is none to what the author says.
-    pub(super) fn is_told_before(
+    /// What gives as an integral a symbol of a goal on which what is cited is silent, or a function that this applies: a counterexample that
+    /// gives it any value is none to what the author says.
+    pub(super) fn told_before(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
         premises: &[usize],
-    ) -> bool {
+    ) -> Vec<Assumed> {
         let integral = |part: &Expr| matches!(part, Expr::Integral { .. });
         let names = goal.formula.free_symbols();
         let concerns = |own: &&Assumed| !own.formula.free_symbols().is_disjoint(&names);
@@ -606,18 +615,24 @@ impl Judge<'_> {
         for term in (assumed.iter().filter(concerns)).flat_map(|own| own.formula.terms()) {
             term.collect_applied(&|_| true, &mut applied);
         }
-        let [near, _] = self.others(premises);
-        let mut given = near.iter().filter_map(|own| own.formula.as_equation());
-        given.any(|sides| match sides {
-            (Expr::Apply(function, _), _) => applied.contains(function),
-            (Expr::Symbol(symbol), term) => {
+        // What is cited says itself what these are.
+        for own in assumed {
+            if let Some((Expr::Apply(function, _), _)) = own.formula.as_equation() {
+                applied.remove(function);
+            }
+        }
+        let tells = |own: &&Assumed| match own.formula.as_equation() {
+            Some((Expr::Apply(function, _), _)) => applied.contains(function),
+            Some((Expr::Symbol(symbol), term)) => {
                 let one = Formula::equal(Expr::Symbol(symbol.clone()), Expr::integer(0));
                 names.contains(symbol)
                     && term.any(&integral)
                     && !speaks_of_all(assumed.iter(), &one)
             }
             _ => false,
-        })
+        };
+        let [near, _] = self.others(premises);
+        near.iter().filter(tells).cloned().collect()
     }
 }
 
@@ -638,23 +653,36 @@ impl Judge<'_> {
         if elsewhere.is_empty() {
             return;
         }
-        // A point that everything before allows says most; if none is found, one that what speaks of it allows.
-        let with = |others| assumed.iter().cloned().chain(others).collect();
+        if !self.refutes_with(goal, assumed, elsewhere, premises, found) {
+            found.leave_open(
+                "what stands just before says nothing of some symbol in it, and nothing decides it with what does",
+            );
+        }
+    }
+
+    /// Whether a step is refuted with what stands elsewhere, too. A point that everything before allows says most; if none is found,
+    /// one that this allows.
+    pub(super) fn refutes_with(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        elsewhere: Vec<Assumed>,
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        let with = assumed.iter().cloned().chain(elsewhere).collect();
         let everything = self.with_others(assumed, premises);
-        let tried = everything.into_iter().chain([with(elsewhere)]);
-        for all in tried {
+        everything.into_iter().chain([with]).any(|all| {
             let claim = self.derivation.claim(self.at, &all, &goal.formula);
             let decision = search::pose(claim)
                 .map(|posed| search::decide_within(&posed, &self.auditor.hints(), self.points()));
-            if let Ok(Decision::Refuted(refuted)) = decision {
-                found.judged.outcome = Outcome::Refuted(refuted.into());
-                found.judged.assumed = all;
-                return;
-            }
-        }
-        found.leave_open(
-            "what stands just before says nothing of some symbol in it, and nothing decides it with what does",
-        );
+            let Ok(Decision::Refuted(refuted)) = decision else {
+                return false;
+            };
+            found.judged.outcome = Outcome::Refuted(refuted.into());
+            found.judged.assumed = all;
+            true
+        })
     }
 
     /// What stands before and speaks of a symbol of which what stands just before a step that cites nothing says nothing: with that as

@@ -79,13 +79,19 @@ impl Judge<'_> {
         // What is said of every whole number is used at some.
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         let is_whole = |symbol: &Symbol| page.domains.get(symbol).is_some_and(|own| own.integer);
+        // What a function is has a value for every argument.
+        let is_function = |own: &Assumed| {
+            let sides = own.formula.as_equation();
+            sides.is_some_and(|(left, _)| matches!(left, Expr::Apply(..)))
+        };
         let is_of_root = |own: &&Assumed| {
             let mut names = own.formula.names().into_iter();
-            names.any(|symbol| {
-                !is_whole(&symbol)
-                    && !elsewhere(own, &symbol)
-                    && is_curved_in(&own.formula, &symbol)
-            })
+            !is_function(own)
+                && names.any(|symbol| {
+                    !is_whole(&symbol)
+                        && !elsewhere(own, &symbol)
+                        && is_curved_in(&own.formula, &symbol)
+                })
         };
         let source = used.iter().find(is_of_root)?.source;
         let Source::Equation(at) = source else {

@@ -394,10 +394,16 @@ impl Judge<'_> {
                                     && self.follows_from_open(goal, &assumed, premises, found)
                         }
                 };
-                if !settled && !strong && self.is_told_before(goal, &assumed, premises) {
-                    let reason = "of some symbol in it only what stands before and is not cited speaks, and nothing \
-                                  decides it with that";
-                    found.judged.outcome = Outcome::open(reason);
+                let told_before = match settled || strong {
+                    true => Vec::new(),
+                    false => self.told_before(goal, &assumed, premises),
+                };
+                if !told_before.is_empty() {
+                    if !self.refutes_with(goal, &assumed, told_before, premises, &mut found) {
+                        let reason = "of some symbol in it only what stands before and is not cited speaks, and \
+                                      nothing decides it with that";
+                        found.judged.outcome = Outcome::open(reason);
+                    }
                 } else if !settled {
                     let all = named().unwrap_or(&assumed);
                     let is_heeded =
@@ -439,6 +445,14 @@ impl Judge<'_> {
                         || self.follows_from_open(goal, &assumed, premises, &mut found)
                 };
                 found.may_follow = rescued;
+                if !rescued && !hopeless && self.cites_loosely() {
+                    let told_before = self.told_before(goal, &assumed, premises);
+                    if !told_before.is_empty()
+                        && self.refutes_with(goal, &assumed, told_before, premises, &mut found)
+                    {
+                        return found;
+                    }
+                }
                 if !rescued && obligation.is_ok_and(|posed| self.contradicts_itself(&posed)) {
                     found.contradictory = sources(&assumed);
                 }

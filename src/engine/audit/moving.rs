@@ -244,6 +244,12 @@ impl Auditor<'_> {
     pub(super) fn says_otherwise(&self, at: usize, conditions: &[Formula]) -> bool {
         let equation = &self.derivation.equations[at];
         let moving = self.moving(equation.page);
+        // Where the factors are written in the variable itself, nothing else need change: `R/(r + R)^2` by the quotient rule.
+        let writes_out = |variable: &Symbol| {
+            let is_variable = |part: &Expr| matches!(part, Expr::Symbol(own) if own == variable);
+            let mut stated = equation.statements().iter().flat_map(formulas);
+            stated.any(|own| own.terms().into_iter().any(|term| term.any(&is_variable)))
+        };
         conditions.iter().any(|condition| {
             let Some((Expr::Derivative { variable, .. }, _)) = condition.as_equation() else {
                 return false;
@@ -251,7 +257,8 @@ impl Auditor<'_> {
             let (names, sequences) = (condition.names(), condition.sequences());
             let mut held = names.iter().filter(|name| *name != variable);
             held.any(|name| {
-                if equation.all_vary && !equation.is_told_constant(name) {
+                let all_vary = equation.all_vary && !writes_out(variable);
+                if all_vary && !equation.is_told_constant(name) {
                     return true;
                 }
                 let name = (name, sequences.contains(name));

@@ -302,8 +302,14 @@ pub fn usable<'a>(
             standing,
             source: Source::Equation(premise),
         });
+        let values = derivation.values_of_function(premise, &together);
+        let values = values.into_iter().map(|formula| Assumed {
+            formula: formula.into(),
+            standing,
+            source: Source::Equation(premise),
+        });
         // What was concluded says more of the same symbol than what it was concluded from.
-        for assumed in stated.chain(carried) {
+        for assumed in stated.chain(values).chain(carried) {
             if !usable.assumed.contains(&assumed) {
                 usable.assumed.push(assumed);
             }

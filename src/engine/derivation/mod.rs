@@ -19,6 +19,7 @@ mod doubts;
 mod equation;
 mod euler;
 mod example;
+mod functions;
 mod imaginary;
 mod indices;
 mod initial;
@@ -198,8 +199,12 @@ impl Derivation {
             let mut mentions: Tree<Symbol, Vec<usize>> = Tree::new();
             let mut neighbours = BTreeSet::from([page]);
             for at in derivation.equations_of(page) {
-                for symbol in derivation.equations[at].symbols() {
-                    mentions.entry(symbol).or_default().push(at);
+                let equation = &derivation.equations[at];
+                for symbol in equation.symbols().into_iter().chain(equation.functions()) {
+                    let own = mentions.entry(symbol).or_default();
+                    if own.last() != Some(&at) {
+                        own.push(at);
+                    }
                 }
                 let cited = derivation.premises(at).0.into_iter();
                 neighbours.extend(cited.map(|premise| derivation.equations[premise].page));
@@ -427,10 +432,14 @@ impl Derivation {
             fresh
         };
         // What defines the symbols, and what defines those of the definitions.
-        let mut wanted = self.equations[at].symbols();
+        let spoken_of = |at: usize| {
+            let own = &self.equations[at];
+            own.symbols().into_iter().chain(own.functions())
+        };
+        let mut wanted: Set<Symbol> = spoken_of(at).collect();
         wanted.extend(self.told_of(at));
         let mut found = speaking(wanted);
-        let symbols = (found.iter()).flat_map(|&other| self.equations[other].symbols());
+        let symbols = found.iter().flat_map(|&other| spoken_of(other));
         found.extend(speaking(symbols.collect()));
         let mut order: Vec<usize> = found.into_iter().rev().take(most).collect();
         let solved = |at: &usize| {

@@ -132,7 +132,10 @@ impl Obligation {
             .extend(further.filter(|own| sign(own)).cloned());
         let constant = other.claim.domains.iter().filter(|(_, own)| own.constant);
         for (symbol, _) in constant {
-            own.domains.entry(symbol.clone()).or_default().constant = true;
+            // To declare it would make π any constant, and a point at which it is another number is none of this claim.
+            if symbol.name() != "\\pi" || own.domains.contains_key(symbol) {
+                own.domains.entry(symbol.clone()).or_default().constant = true;
+            }
         }
         match own == other.claim {
             true => Ok(()),

@@ -11,7 +11,8 @@ use super::{
 };
 use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, element_parts, expr_of};
 use crate::kernel::{
-    Claim, Fact, Obligation, Origin, Problem, Refuted, Sign, Standing, definition, pi_is_the_number,
+    Claim, Fact, Obligation, Origin, Problem, Refuted, Sign, Standing, applied_definition,
+    definition, pi_is_the_number,
 };
 use crate::sorted::{Map, Set};
 
@@ -169,12 +170,15 @@ struct Said<'a> {
     moving: Set<Symbol>,
     /// The symbols for which hypotheses put in the terms that define them: how these move is said there.
     put_in: Map<Symbol, Expr>,
+    /// The same of functions: what `v(r)` is.
+    applied: Vec<(Expr, Expr)>,
 }
 
 impl<'a> Said<'a> {
     fn of(claim: &'a Claim, unfold: &[usize]) -> Self {
-        let hypotheses = unfold.iter().filter_map(|&at| claim.hypotheses.get(at));
-        let defined = hypotheses.filter_map(|own| definition(&own.formula));
+        let hypotheses = || unfold.iter().filter_map(|&at| claim.hypotheses.get(at));
+        let defined = hypotheses().filter_map(|own| definition(&own.formula));
+        let applied = hypotheses().filter_map(|own| applied_definition(&own.formula));
         let laws = claim.hypotheses.iter();
         let laws = laws.filter(|own| own.standing == Standing::Identity);
         Said {
@@ -182,6 +186,7 @@ impl<'a> Said<'a> {
             laws: laws.map(|own| &*own.formula).collect(),
             moving: said_to_move(claim),
             put_in: defined.collect(),
+            applied: applied.collect(),
         }
     }
 
@@ -200,9 +205,17 @@ impl<'a> Said<'a> {
     fn nothing_of_all_integrands(&self) -> Vec<(Symbol, Symbol)> {
         let mut all = Vec::new();
         for term in self.claim.formulas().flat_map(Formula::terms) {
-            in_integrals(term, &mut |symbol, variable| {
+            let mut take = |symbol: &Symbol, variable: &Symbol| {
                 all.push((symbol.clone(), variable.clone()));
-            });
+            };
+            match &self.applied[..] {
+                [] => in_integrals(term, &mut take),
+                applied => {
+                    let replaced = |term: Expr, (what, by): &(Expr, Expr)| term.replace(what, by);
+                    let written_out = applied.iter().fold(term.clone(), replaced);
+                    in_integrals(&written_out, &mut take);
+                }
+            }
         }
         let (mut seen, mut found) = (Set::new(), Vec::new());
         let mut next = 0;

@@ -35,8 +35,9 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
                 return None;
             }
             if let Some((applied, term)) = applied_definition(&formulas[at]) {
-                let fits = claim.hypotheses[at].standing == Standing::Identity
-                    && found.applied.contains(&applied);
+                let is_asked =
+                    || found.applied.contains(&applied) || applies(&formulas[goal], &applied);
+                let fits = claim.hypotheses[at].standing == Standing::Identity && is_asked();
                 return fits.then_some((at, applied, term));
             }
             let (symbol, term) = definition(&formulas[at])?;
@@ -79,6 +80,15 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     }
 }
 
+/// Whether a formula speaks of the function that is applied, for whichever argument.
+fn applies(formula: &Formula, applied: &Expr) -> bool {
+    let Expr::Apply(function, _) = applied else {
+        return false;
+    };
+    let is_it = |part: &Expr| matches!(part, Expr::Apply(own, _) if own == function);
+    formula.terms().iter().any(|term| term.any(&is_it))
+}
+
 /// Whether no other formula speaks of a symbol.
 fn is_alone(symbol: &Symbol, at: usize, formulas: &[Arc<Formula>]) -> bool {
     let mut others = formulas
@@ -93,6 +103,7 @@ fn has_operands(formula: &Formula) -> bool {
     let is_operand = |part: &Expr| match part {
         Expr::Call(..) => true,
         Expr::Symbol(symbol) => symbol.name() == "\\pi",
+        Expr::Apply(..) => true,
         _ => part.binder().is_some() || part.is_root(),
     };
     matches!(formula, Formula::AllEqual { .. })

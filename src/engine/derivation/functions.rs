@@ -1,0 +1,94 @@
+//! What the definition of a function says of the arguments with which others speak of it: of `f(x) = 3 x^2` also that `f(2) = 12`.
+//!
+//! A function is defined by the equation that is the first to speak of it, and gives it for a symbol by a term in that. What comes later,
+//! `f(x) = 0`, is a condition.
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::document::Extent;
+use crate::kernel::Domain;
+use crate::sorted::Set;
+
+use super::equation::{formulas, terms};
+use super::{Derivation, Equation};
+
+/// So many values of one function are told.
+const MOST_VALUES: usize = 8;
+
+impl Equation {
+    /// The functions that it speaks of with an argument.
+    pub(super) fn functions(&self) -> Set<Symbol> {
+        let mut found = Set::new();
+        for term in self.statements().iter().flat_map(terms) {
+            term.collect_applied(&|_| true, &mut found);
+        }
+        found
+    }
+}
+
+impl Derivation {
+    /// The values of a function that an equation defines, for the arguments with which equations among these speak of it.
+    pub fn values_of_function(&self, definition: usize, among: &[usize]) -> Vec<Formula> {
+        let equation = &self.equations[definition];
+        if equation.extent != Extent::Throughout {
+            return Vec::new();
+        }
+        let mut stated = equation.statements().iter().flat_map(formulas);
+        let Some((function, argument, value)) = stated.find_map(|own| defined(&own)) else {
+            return Vec::new();
+        };
+        let page = &self.pages[equation.page];
+        let mentions = self.mentions[equation.page].get(&function);
+        let is_first = mentions.and_then(|all| all.first()) == Some(&definition);
+        // What is defined for some numbers alone says nothing of others.
+        if !is_first || page.domains.get(&argument).is_some_and(is_bounded) {
+            return Vec::new();
+        }
+        let mut places: Vec<Expr> = Vec::new();
+        for term in
+            (among.iter()).flat_map(|&at| self.equations[at].statements().iter().flat_map(terms))
+        {
+            collect_arguments(term, &function, &mut places);
+        }
+        places.retain(|place| *place != Expr::Symbol(argument.clone()));
+        places.truncate(MOST_VALUES);
+        let at = |place: Expr| {
+            let own = value.substitute(&argument, &place);
+            Formula::equal(Expr::Apply(function.clone(), vec![place]), own)
+        };
+        places.into_iter().map(at).collect()
+    }
+}
+
+/// `f(x) = term`, where the term speaks of `x` and not of `f`.
+fn defined(formula: &Formula) -> Option<(Symbol, Symbol, Expr)> {
+    let (Expr::Apply(function, arguments), value) = formula.as_equation()? else {
+        return None;
+    };
+    let [Expr::Symbol(argument)] = &arguments[..] else {
+        return None;
+    };
+    let is_said = value.mentions(argument) && !value.mentions(function);
+    // To put something in under what is done by the argument would change what that is.
+    let is_bound = value.any(&|part| part.binder().is_some());
+    (is_said && !is_bound).then(|| (function.clone(), argument.clone(), value.clone()))
+}
+
+fn is_bounded(domain: &Domain) -> bool {
+    domain.integer || domain.bounds().next().is_some()
+}
+
+/// The arguments of a function, where they stand under nothing by which they run.
+fn collect_arguments(term: &Expr, function: &Symbol, found: &mut Vec<Expr>) {
+    if term.binder().is_some() {
+        return;
+    }
+    if let Expr::Apply(own, arguments) = term
+        && own == function
+        && let [place] = &arguments[..]
+        && !found.contains(place)
+    {
+        found.push(place.clone());
+    }
+    term.children()
+        .for_each(|child| collect_arguments(child, function, found));
+}
