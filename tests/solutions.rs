@@ -191,3 +191,14 @@ fn pi_in_integrals() {
     assert_eq!(flow("", r"\frac{\pi a R^4}{2}")[3], "undecided");
     assert_eq!(flow("2", r"\frac{\pi a R^4}{4}")[4], "fails");
 }
+
+/// Who is shown that a solution holds is told what makes it that one: its slope alone leaves a constant open.
+#[test]
+fn the_explanation_names_the_value_at_the_place() {
+    let text = "The slope obeys\n\n$$ \\frac{dw}{dx} = a x \\tag{1} $$\n\nso with $w = 0$ at $x = b$\n\n$$ w = \\frac{a}{2} (x^2 - b^2) \\tag{2} $$\n";
+    let audit = Audit::of(&Derivation::from_markdown("a.md", text));
+    let last = audit.entries.last().unwrap();
+    assert_eq!(last.verdict.word(), "holds");
+    let mut assumed = last.judged.iter().flat_map(|judged| &judged.assumed);
+    assert!(assumed.any(|own| own.tells_value_there()));
+}

@@ -165,6 +165,7 @@ impl Report<'_> {
             let formula = plain_formula(&assumed.formula);
             let origin = match assumed.takes_index_off() {
                 true => "taken so: the quantity there".into(),
+                false if assumed.tells_value_there() => "told: its value there".into(),
                 false => self.origin(assumed.source),
             };
             text += &format!("      {formula}   {}\n", paint(DIM, &origin));

@@ -21,7 +21,16 @@ impl Report<'_> {
         let mut lines = Vec::new();
         let goal = &proven.claim().goal;
         if *goal != judged.goal.formula {
-            lines.push(format!("it is enough that {}", plain_formula(goal)));
+            let mut assumed = judged.assumed.iter();
+            // What does not change is what it is at one place.
+            let there = match assumed.find(|own| own.tells_value_there()) {
+                Some(own) => format!(
+                    ", for with {} both sides agree there",
+                    plain_formula(&own.formula)
+                ),
+                None => String::new(),
+            };
+            lines.push(format!("it is enough that {}{there}", plain_formula(goal)));
         }
         lines.extend(self.written_out(Some(judged), proven));
         lines

@@ -4,7 +4,7 @@
 //! What both sides differ by does not change, by itself or times an exponential, and it is 0 at the place; then it is 0 everywhere. A law by itself leaves open which solution
 //! is meant, so a point on it refutes none: what refutes one is that it does not obey the law, or has another value there.
 
-use crate::algebra::{Expr, Formula, Function, Symbol};
+use crate::algebra::{Expr, Formula, Function, LimitPoint, Symbol};
 use crate::derivation::{Assumed, ConditionSaid, Goal};
 use crate::kernel::Standing;
 use crate::search::{self, Decision, Effort};
@@ -52,7 +52,7 @@ impl Judge<'_> {
         let mut fixed: Vec<Assumed> = others.iter().copied().cloned().collect();
         fixed.retain(|own| self.is_fixed(own, &conditions, &variable));
         let mut is_refuted = true;
-        for there in conditions.iter().map(|own| &own.1) {
+        for (said, there) in &conditions {
             let claim = self.derivation.claim(self.at, &fixed, there);
             // What the step divides by anywhere is not 0 there either.
             let divided = || {
@@ -61,7 +61,8 @@ impl Judge<'_> {
             };
             if search::prove_unconditionally(claim.clone(), Effort::Light).is_some() || divided() {
                 let mut kept = kept.iter();
-                if let Some(own) = kept.find_map(|kept| self.keeps(goal, kept, premises)) {
+                if let Some(mut own) = kept.find_map(|kept| self.keeps(goal, kept, premises)) {
+                    own.judged.assumed.push(step(&value_there(said, &variable)));
                     return Some(own);
                 }
             }
@@ -132,6 +133,16 @@ impl Judge<'_> {
             )
         })
     }
+}
+
+/// That something has its value at a place, for who reads what a step was judged from.
+fn value_there(said: &ConditionSaid, variable: &Symbol) -> Formula {
+    let there = Expr::Limit {
+        body: said.of.clone().into(),
+        variable: variable.clone(),
+        point: LimitPoint::Finite(said.place.clone().into()),
+    };
+    Formula::equal(there, said.value.clone())
 }
 
 /// A difference, and its products with the exponentials in what varies of which a goal and laws speak, and with one over them: what solves a

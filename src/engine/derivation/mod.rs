@@ -99,6 +99,12 @@ pub struct Assumed {
 }
 
 impl Assumed {
+    /// Whether the text tells it of one place: that `w` is 0 where `x` is.
+    pub fn tells_value_there(&self) -> bool {
+        let sides = self.formula.as_equation();
+        self.source == Source::Step && matches!(sides, Some((Expr::Limit { .. }, _)))
+    }
+
     /// Whether it was not said, but taken so: that `P_{\max}` is `P` at the place in question.
     pub fn takes_index_off(&self) -> bool {
         let sides = self.formula.as_equation();
