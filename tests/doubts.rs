@@ -253,3 +253,13 @@ fn no_argument_holds_its_own_function() {
         assert!(page(math).is_err(), "{math}");
     }
 }
+
+/// What could not be read is counted apart from what was, and could not be decided.
+#[test]
+fn the_summary_counts_what_is_unreadable() {
+    let text = "The speed is\n\n$$ v = u + a t \\tag{1} $$\n\nHence\n\n$$ w = \\sin\\omega (t - s) \\tag{2} $$\n\nBy (1) and (2)\n\n$$ w = v \\tag{3} $$\n";
+    let derivation = cradle_verify::derivation::Derivation::from_markdown("page.md", text);
+    let told = crate::common::human(&derivation);
+    let counted = "Of 3 statements, 1 given, 1 undecided and 1 unreadable.";
+    assert!(told.contains(counted), "{told}");
+}

@@ -66,6 +66,8 @@ impl Report<'_> {
         let total = count(entries.len(), "statement");
         let supported = entries.iter().filter(|e| e.is_supported()).count();
         let open = of(Verdict::Undecided) - supported;
+        let is_unread = |e: &&Entry| e.notes.iter().any(|own| matches!(own, Note::Unreadable(_)));
+        let unread = entries.iter().filter(is_unread).count().min(open);
         let mut told = Vec::new();
         for (number, word) in [
             (of(Verdict::Given), "given"),
@@ -74,7 +76,8 @@ impl Report<'_> {
             (crossed, "crossed out by the author and rightly so"),
             (asserted(Verdict::IllDimensioned), "ill-dimensioned"),
             (supported, "supported numerically"),
-            (open, "undecided"),
+            (open - unread, "undecided"),
+            (unread, "unreadable"),
         ] {
             if number > 0 {
                 told.push(format!("{number} {word}"));
