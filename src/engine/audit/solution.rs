@@ -31,8 +31,13 @@ impl Judge<'_> {
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
+        // To look for the variable is to look through the page.
+        let said = self.derivation.conditions_said(self.at);
+        if said.is_empty() {
+            return None;
+        }
         let variable = self.variable()?;
-        let conditions = self.met(goal, &variable);
+        let conditions = met(said, goal, &variable);
         if conditions.is_empty() {
             return None;
         }
@@ -85,22 +90,6 @@ impl Judge<'_> {
         self.where_constant(goal, (term.clone(), &constant), assumed, premises)
     }
 
-    /// What the text tells at places of things that a goal speaks of, the last that it tells of each, and what the goal comes to there.
-    fn met(&self, goal: &Goal, variable: &Symbol) -> Vec<(ConditionSaid, Formula)> {
-        let mut found: Vec<(ConditionSaid, Formula)> = Vec::new();
-        for said in self.derivation.conditions_said(self.at) {
-            let is_same = |own: &ConditionSaid| own.of == said.of && own.place == said.place;
-            let is_known = found.iter().any(|own| is_same(&own.0));
-            if said.variable.as_ref().is_none_or(|own| own == variable)
-                && !is_known
-                && let Some(there) = there(&goal.formula, &said, variable)
-            {
-                found.push((said, there));
-            }
-        }
-        found
-    }
-
     /// Whether a premise says nothing of what varies.
     fn is_fixed(
         &self,
@@ -133,6 +122,22 @@ impl Judge<'_> {
             )
         })
     }
+}
+
+/// What the text tells at places of things that a goal speaks of, the last that it tells of each, and what the goal comes to there.
+fn met(all: Vec<ConditionSaid>, goal: &Goal, variable: &Symbol) -> Vec<(ConditionSaid, Formula)> {
+    let mut found: Vec<(ConditionSaid, Formula)> = Vec::new();
+    for said in all {
+        let is_same = |own: &ConditionSaid| own.of == said.of && own.place == said.place;
+        let is_known = found.iter().any(|own| is_same(&own.0));
+        if said.variable.as_ref().is_none_or(|own| own == variable)
+            && !is_known
+            && let Some(there) = there(&goal.formula, &said, variable)
+        {
+            found.push((said, there));
+        }
+    }
+    found
 }
 
 /// That something has its value at a place, for who reads what a step was judged from.
