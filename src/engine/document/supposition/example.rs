@@ -52,7 +52,7 @@ static EXAMPLES: Words = Words::of(&[
 static PARTING: Words = Words::of(&[
     "or", "then", "so", "is", "are", "was", "were", "be", "has", "have", "had", "where", "if",
     "when", "but", "versus", "instead", "than", "to", "from", "until", "at", "while", "whereas",
-    "after", "before", "for", "becomes", "while", "up", "down",
+    "after", "before", "for", "becomes", "up", "down",
 ]);
 /// Before a list, and in what goes on from it, these say that it is not so.
 static DISPUTED: Words = Words::of(&[
