@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Local, Source, unconditional, values_at};
 use crate::kernel::{Assignment, Obligation};
-use crate::search::{self, Decision, Effort, InChain};
+use crate::search::{self, Effort, InChain};
 
 use super::judge::{Found, Judge, NEARBY, sources};
 use super::premise::usable;
@@ -673,10 +673,7 @@ impl Judge<'_> {
         let with = assumed.iter().cloned().chain(elsewhere).collect();
         let everything = self.with_others(assumed, premises);
         everything.into_iter().chain([with]).any(|all| {
-            let claim = self.derivation.claim(self.at, &all, &goal.formula);
-            let decision = search::pose(claim)
-                .map(|posed| search::decide_within(&posed, &self.auditor.hints(), self.points()));
-            let Ok(Decision::Refuted(refuted)) = decision else {
+            let Some(refuted) = self.counterexample(&all, &goal.formula) else {
                 return false;
             };
             found.judged.outcome = Outcome::Refuted(refuted.into());

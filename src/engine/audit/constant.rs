@@ -225,7 +225,7 @@ impl Judge<'_> {
         let Ok(posed) = search::pose(claim.clone()) else {
             return false;
         };
-        let decision = search::decide_within(&posed, &self.auditor.hints(), self.points());
+        let decision = self.decide(&posed);
         let own = Goal {
             formula: claim.goal,
             ..goal.clone()

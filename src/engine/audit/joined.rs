@@ -2,7 +2,7 @@
 
 use crate::algebra::{Atom, Atoms, Expr, Formula, Lowering, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
-use crate::search::{self, Decision};
+use crate::search;
 
 use super::judge::{Found, Judge};
 use super::{Judged, Outcome};
@@ -47,10 +47,7 @@ impl Judge<'_> {
             assumed: assumed.clone(),
             outcome: Outcome::open(TOGETHER),
         });
-        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-        let decision = search::pose(claim)
-            .map(|posed| search::decide_within(&posed, &self.auditor.hints(), self.points()));
-        if let Ok(Decision::Refuted(refuted)) = decision {
+        if let Some(refuted) = self.counterexample(&assumed, &goal.formula) {
             own.judged.outcome = Outcome::Refuted(refuted.into());
             self.instead(goal, &assumed, premises, &mut own);
         }

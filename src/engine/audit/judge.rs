@@ -2,7 +2,7 @@ use std::cell::OnceCell;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Kind, Source, values_at};
-use crate::kernel::{Obligation, Standing};
+use crate::kernel::{Obligation, Refuted, Standing};
 use crate::search::{self, Consistency, Decision, Effort, Implied, InChain, Mended, Stop};
 use crate::sorted;
 
@@ -300,7 +300,7 @@ impl Judge<'_> {
                 .as_deref()
         };
         let decision = match &obligation {
-            Ok(posed) => search::decide_within(posed, &self.auditor.hints(), self.points()),
+            Ok(posed) => self.decide(posed),
             Err(reject) => search::hopeless(reject.clone()),
         };
         let condition = match &decision {
@@ -461,8 +461,27 @@ impl Judge<'_> {
         found
     }
 
+    /// What is decided of a claim that was read, within what the author allows.
+    pub(super) fn decide(&self, posed: &Obligation) -> Decision {
+        search::decide_within(posed, &self.auditor.hints(), self.points())
+    }
+
+    /// What is decided of a goal under hypotheses; nothing where the kernel cannot read that.
+    pub(super) fn decide_from(&self, assumed: &[Assumed], goal: &Formula) -> Option<Decision> {
+        let claim = self.derivation.claim(self.at, assumed, goal);
+        Some(self.decide(&search::pose(claim).ok()?))
+    }
+
+    /// A counterexample to a goal under hypotheses; nothing where it follows or is left open.
+    pub(super) fn counterexample(&self, assumed: &[Assumed], goal: &Formula) -> Option<Refuted> {
+        match self.decide_from(assumed, goal)? {
+            Decision::Refuted(refuted) => Some(refuted),
+            _ => None,
+        }
+    }
+
     /// How many choices of values may be tried, where the author limits that.
-    pub(super) fn points(&self) -> Option<usize> {
+    fn points(&self) -> Option<usize> {
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         page.beside.as_ref()?.budget.points
     }

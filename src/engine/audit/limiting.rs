@@ -133,9 +133,7 @@ impl Judge<'_> {
         let Ok(posed) = search::pose(claim) else {
             return found;
         };
-        // The points that are known are let go before more are found.
-        let decision = search::decide_within(&posed, &self.auditor.hints(), self.points());
-        match decision {
+        match self.decide(&posed) {
             Decision::Proven {
                 derived,
                 conditions,

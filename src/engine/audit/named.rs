@@ -98,11 +98,10 @@ impl Judge<'_> {
         all: &[Assumed],
         found: &mut Found,
     ) -> bool {
-        let claim = self.derivation.claim(self.at, all, &goal.formula);
-        let Ok(posed) = search::pose(claim) else {
+        let Some(decision) = self.decide_from(all, &goal.formula) else {
             return true;
         };
-        match search::decide_within(&posed, &self.auditor.hints(), self.points()) {
+        match decision {
             Decision::Refuted(refuted) if !speaks_of_elements(all, goal) => {
                 found.judged.outcome = Outcome::Refuted(refuted.into());
                 found.judged.assumed = all.to_vec();

@@ -8,7 +8,7 @@
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::Standing;
-use crate::search::{self, Decision, Effort};
+use crate::search::{Decision, Effort};
 use crate::sorted::Set;
 
 use super::instances::index;
@@ -60,9 +60,7 @@ impl Judge<'_> {
         }
         let same = Formula::equal(Expr::Symbol(new.clone()), Expr::Symbol(quantity.clone()));
         assumed.push(step(&same));
-        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-        let posed = search::pose(claim).ok()?;
-        match search::decide_within(&posed, &self.auditor.hints(), self.points()) {
+        match self.decide_from(&assumed, &goal.formula)? {
             Decision::Proven { .. } => Some(There::Shown),
             Decision::Refuted(refuted) if is_place && self.is_put(&meanings, &quantity, &named) => {
                 let mut found = Found::open(Judged {
