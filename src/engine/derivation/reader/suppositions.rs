@@ -1,0 +1,204 @@
+//! What the text supposes, and what it tells in passing.
+
+use std::ops::Range;
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::document::{Citation, Span, Supposition, SuppositionKind, Vanishing, is_reason};
+use crate::notation::read_formulas;
+
+use super::super::equation::formulas;
+use super::super::qualities;
+use super::super::supposed::{Local, MOST_BEFORE, rate_of};
+use super::Reader;
+
+impl Reader<'_> {
+    /// What was told of a special case is told no more.
+    pub(super) fn forget_cases(&mut self) {
+        let locals = &self.page.locals;
+        self.told.retain(|&at| !locals[at].of_case);
+    }
+
+    /// Takes up what prose supposes; what it only names is returned.
+    pub(super) fn supposition(
+        &mut self,
+        &Supposition { kind, body }: &Supposition,
+        cited: &[Citation],
+    ) -> Option<Span> {
+        let kind = self.as_introduced(kind, body);
+        let (new, passage) = (self.page.locals.len().., self.equations.len());
+        if matches!(kind, SuppositionKind::Fact { of_case: false, .. }) && self.is_said(body) {
+            return Some(body);
+        }
+        let (page, active) = (&mut *self.page, &mut self.active);
+        match kind {
+            SuppositionKind::General | SuppositionKind::Elsewhere => {
+                let all = kind == SuppositionKind::General;
+                active.retain(|&at| !page.locals[at].is_left_by(all));
+                page.general.push(body.start);
+                self.forget_cases();
+                // "Inside, $E = k Q r/R^3$. Outside" leaves what was said of the place before.
+                if let Some(from) = self.elsewhere.take() {
+                    let locals = &self.page.locals;
+                    self.told.retain(|&at| locals[at].span.start < from);
+                }
+                self.elsewhere = (!all).then_some(body.start);
+            }
+            SuppositionKind::Moment => {
+                page.begin_moment(passage, false, &[], active);
+                page.suppose(body, SuppositionKind::Assume, self.level, active, false);
+                page.date(new.clone(), passage);
+                page.leave_other_values(new, active);
+            }
+            SuppositionKind::Initial(place) => self.between.initial.push((body, place)),
+            SuppositionKind::Fact { runs_on, .. } => {
+                self.take_up(kind, body);
+                let page = &mut *self.page;
+                page.date_with(new, &self.active);
+                self.told
+                    .retain(|&at| runs_on || page.locals[at].set.is_empty());
+            }
+            SuppositionKind::Meaning => {
+                self.spoken_of.learn(&self.equations, &page.locals);
+                let known = &self.spoken_of;
+                let is_new = |symbol: &Symbol| !known.speaks_of(symbol);
+                if page.explains(body, is_new) || page.links(body, is_new) {
+                    self.take_up(kind, body);
+                }
+            }
+            SuppositionKind::Anew => self.introduce_anew(body),
+            SuppositionKind::Common => self.name_what_is_common(body),
+            SuppositionKind::OfKind(kind) => self.kinds.push((kind, body)),
+            SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
+            SuppositionKind::Vanishes(what) | SuppositionKind::StandsStill(what) => {
+                let place = (body, &self.equations[..], cited);
+                match page.vanishing(what, place) {
+                    Some(term) if what == Vanishing::Told => {
+                        let zero = Expr::integer(0);
+                        self.told.push(page.suppose_equal(term, zero, body, None));
+                    }
+                    Some(term)
+                        if let SuppositionKind::StandsStill(_) = kind
+                            && let Some(rate) = rate_of(&term, &self.equations) =>
+                    {
+                        active.push(page.suppose_rest(rate, body));
+                        // That says all that the equation says here.
+                        let is_side = |own: &Citation| own.span == body;
+                        self.between.cited.retain(|own| !is_side(own));
+                        self.between.rests = true;
+                    }
+                    Some(term) => {
+                        page.begin_moment(passage, false, &[], active);
+                        let zero = Expr::integer(0);
+                        active.push(page.suppose_equal(term, zero, body, Some(passage)));
+                    }
+                    None if what == Vanishing::Slope => self.between.slope = Some(body),
+                    None if matches!(what, Vanishing::Term | Vanishing::Told) => {}
+                    // Of what has no letter nobody knows what it is to be zero.
+                    None => self.between.unread.push(body),
+                }
+            }
+            SuppositionKind::Equals(what, to, value) => {
+                let term = |what, body| page.vanishing(what, (body, &self.equations, cited));
+                match (term(what, body), term(to, value)) {
+                    (Some(term), Some(value)) => {
+                        page.begin_moment(passage, false, &[], active);
+                        active.push(page.suppose_equal(term, value, body, Some(passage)));
+                    }
+                    _ => self.between.unread.push(body),
+                }
+            }
+            SuppositionKind::Unread => self.between.conditions.push(body),
+            // "…, where $m = 2 a$" of what more than that display speaks of: told in passing.
+            SuppositionKind::Define if !self.says_what_is_meant(body) => {
+                if !self.page.explains(body, |_| true) {
+                    return Some(body);
+                }
+                self.take_up(SuppositionKind::Meaning, body);
+            }
+            _ => self.suppose(kind, body),
+        }
+        None
+    }
+
+    /// Whether displays say already what the text says something is: that it is something else they would have to show. Of what
+    /// nobody spoke of before they can show nothing: "All of it becomes kinetic energy, $U = K$".
+    pub(super) fn is_said(&mut self, body: Span) -> bool {
+        let source = &self.page.document.source;
+        if is_reason(source, body) {
+            return false;
+        }
+        let said = read_formulas(source, body).unwrap_or_default();
+        let said: Vec<Formula> = said.iter().flat_map(formulas).collect();
+        self.spoken_of.learn(&self.equations, &self.page.locals);
+        let known = |symbol: &Symbol| self.spoken_of.speaks_of(symbol);
+        let values = said.iter().filter_map(|own| Some(own.as_equation()?.1));
+        if values
+            .into_iter()
+            .any(|value| !value.free_symbols().iter().all(known))
+        {
+            return false;
+        }
+        let mut left = said.iter().filter_map(|own| Some(own.as_equation()?.0));
+        let before = self.equations.iter().rev().take(MOST_BEFORE);
+        let statements = before.flat_map(|own| own.statements()).flat_map(formulas);
+        let known: Vec<Formula> = statements.collect();
+        let mut known = known.iter().filter_map(|own| Some(own.as_equation()?.0));
+        left.any(|own| known.any(|known| known == own))
+    }
+
+    fn says_what_is_meant(&mut self, body: Span) -> bool {
+        let last = self.last.clone();
+        self.known
+            .says_what_is_meant(body, self.page, &self.equations, last)
+    }
+
+    /// Takes up what is told in passing, or supposed, and returns where it stands.
+    fn take_up(&mut self, kind: SuppositionKind, body: Span) -> Range<usize> {
+        if matches!(kind, SuppositionKind::Case { .. }) {
+            self.leave_rivals(body);
+        }
+        let before = self.page.locals.len();
+        self.spoken_of.learn(&self.equations, &self.page.locals);
+        let among = match kind {
+            SuppositionKind::Fact { .. } | SuppositionKind::Meaning => &mut self.told,
+            _ => &mut self.active,
+        };
+        self.page.suppose(body, kind, self.level, among, false);
+        self.page.restrict(before.., kind, &self.spoken_of);
+        let new = before..self.page.locals.len();
+        self.keep(new.clone(), kind);
+        new
+    }
+
+    /// Leaves the cases before the last display that speak of the same: "If $R = r$, $$…$$ If $r = 0$, $$…$$".
+    fn leave_rivals(&mut self, body: Span) {
+        let Some(last) = self.equations.last() else {
+            return;
+        };
+        let mut own = qualities::spoken_of(&self.page.document.source, body);
+        own.retain(|symbol| !symbol.is_unit());
+        let locals = &self.page.locals;
+        let is_rival = |local: &Local| {
+            let is_before = local.of_case && local.span.start < last.span.start;
+            is_before && !local.is_figure && !local.names().is_disjoint(&own)
+        };
+        self.active.retain(|&at| !is_rival(&locals[at]));
+    }
+
+    pub(super) fn suppose(&mut self, kind: SuppositionKind, body: Span) {
+        let new = self.take_up(kind, body);
+        if new.is_empty() && read_formulas(&self.page.document.source, body).is_err() {
+            self.between.unread.push(body);
+        }
+        match kind {
+            SuppositionKind::Case { runs_on: true } => self.running.extend(new),
+            SuppositionKind::Figure => self.begin_example(new),
+            SuppositionKind::Define => {
+                for equation in &mut self.equations[self.last.clone()] {
+                    equation.locals.extend(new.clone());
+                }
+            }
+            _ => {}
+        }
+    }
+}
