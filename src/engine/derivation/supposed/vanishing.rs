@@ -1,0 +1,138 @@
+//! What words say is zero, or has a value, without writing it as an equation: "Setting the derivative to zero".
+
+use crate::algebra::Expr;
+use crate::document::{Citation, Span, Vanishing};
+use crate::notation::{Clause, read_expr};
+
+use super::super::equation::{Equation, formulas};
+use super::super::page::Page;
+use super::super::rows::Part;
+
+/// How many displays back is looked for what prose says to be zero.
+pub(in crate::derivation) const MOST_BEFORE: usize = 6;
+
+impl Page {
+    /// What prose says to be zero, or to have a value, where that is known: at its place in the text, after these equations, and with what
+    /// the text cites.
+    pub(in crate::derivation) fn vanishing(
+        &self,
+        what: Vanishing,
+        (body, equations, cited): (Span, &[Equation], &[Citation]),
+    ) -> Option<Expr> {
+        let source = &self.document.source;
+        let mut before = equations.iter().rev().take(MOST_BEFORE);
+        // Of what is cited there, or else of the display before.
+        let at = cited.partition_point(|own| own.span.start < body.start);
+        let meant = || match cited.get(at).filter(|own| own.span == body) {
+            Some(cited) => equations.iter().rev().find(|own| match cited.key {
+                true => own.keys.contains(&cited.tag),
+                false => own.tag.as_ref() == Some(&cited.tag),
+            }),
+            None => equations.last().filter(|_| what != Vanishing::Cited),
+        };
+        match what {
+            Vanishing::Term => match source.get(body.range())? {
+                "one" | "unity" => Some(Expr::integer(1)),
+                "zero" | "nought" => Some(Expr::integer(0)),
+                _ => read_expr(source, body).ok(),
+            },
+            Vanishing::Slope => {
+                let is_slope = |side: &&Expr| matches!(side, Expr::Derivative { .. });
+                before
+                    .find_map(|own| left_side(own).filter(is_slope))
+                    .cloned()
+            }
+            Vanishing::Display | Vanishing::Told => before.next().and_then(left_side).cloned(),
+            Vanishing::Previous => before.nth(1).and_then(left_side).cloned(),
+            Vanishing::Cited => meant().and_then(left_side).cloned(),
+            // What is said of one side is so of the other by the equation itself, which is cited for that.
+            Vanishing::LeftSide | Vanishing::RightSide => {
+                let sides = meant().map(|own| [left_side(own), right_side(own)])?;
+                let [own, other] = match what {
+                    Vanishing::LeftSide => sides,
+                    _ => [sides[1], sides[0]],
+                };
+                let is_number = |side: &&Expr| matches!(side, Expr::Number(_));
+                other.filter(|side| !is_number(side)).or(own).cloned()
+            }
+            Vanishing::Named => {
+                let noun = source.get(body.range())?;
+                let is_said = |own: &&Equation| self.says_what_is(noun, own.span);
+                let symbol = |side: &&Expr| matches!(side, Expr::Symbol(_));
+                before
+                    .find(is_said)
+                    .and_then(left_side)
+                    .filter(symbol)
+                    .cloned()
+            }
+        }
+    }
+
+    /// Whether the words that lead on to a display say what something is that has a name: "The velocity of the ball is".
+    fn says_what_is(&self, noun: &str, display: Span) -> bool {
+        let before = self
+            .document
+            .source
+            .get(..display.start)
+            .unwrap_or_default();
+        let line = before.trim_end().rsplit("\n\n").next().unwrap_or_default();
+        let sentence = line.rsplit(". ").next().unwrap_or_default();
+        let words = sentence.split(|c: char| !c.is_alphanumeric());
+        let mut words = words.filter(|word| !word.is_empty());
+        // Of nothing else.
+        words.any(|word| word.eq_ignore_ascii_case("the"))
+            && words.next() == Some(noun)
+            && words.next_back() == Some("is")
+    }
+}
+
+/// The derivative by what a display says the value of, `x = \\dots`, of what was last said to be made of that.
+pub(in crate::derivation) fn slope_by(display: &[Part], equations: &[Equation]) -> Option<Expr> {
+    let mut statements = display
+        .iter()
+        .flat_map(|part| part.statements.iter().flatten());
+    let first = formulas(statements.next()?).into_iter().next()?;
+    let (Expr::Symbol(variable), _) = first.as_equation()? else {
+        return None;
+    };
+    let mut laws = equations
+        .iter()
+        .rev()
+        .take(MOST_BEFORE)
+        .flat_map(Equation::statements);
+    laws.find_map(|law| {
+        let law = formulas(law).into_iter().next()?;
+        let (body @ Expr::Symbol(own), value) = law.as_equation()? else {
+            return None;
+        };
+        let varies = own != variable && value.mentions(variable);
+        varies.then(|| body.clone().differentiated_by(variable))
+    })
+}
+
+/// How fast something changes, where an equation says so of this slope without speaking of the time: where that is zero, it is for good.
+pub(in crate::derivation) fn rate_of(slope: &Expr, equations: &[Equation]) -> Option<Expr> {
+    let Expr::Derivative { variable, .. } = slope else {
+        return None;
+    };
+    let mut before = equations.iter().rev();
+    let rate = right_side(before.find(|own| left_side(own) == Some(slope))?)?;
+    let changes = matches!(rate, Expr::Number(_)) || rate.mentions(variable);
+    (!changes).then(|| rate.clone())
+}
+
+/// What an equation says the value of.
+fn left_side(equation: &Equation) -> Option<&Expr> {
+    match equation.statements().first()?.clauses.first()? {
+        Clause::Chain { sides, .. } => sides.first().map(|side| &side.expr),
+        Clause::AllEqual { .. } => None,
+    }
+}
+
+/// What it ends with.
+fn right_side(equation: &Equation) -> Option<&Expr> {
+    match equation.statements().first()?.clauses.first()? {
+        Clause::Chain { sides, .. } => sides.last().map(|side| &side.expr),
+        Clause::AllEqual { .. } => None,
+    }
+}
