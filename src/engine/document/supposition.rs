@@ -6,53 +6,39 @@
 //! alternative ("or"), not a condition ("if") but one of what the sentence goes on to display, not a negation, not a question, not a proof by contradiction. A value that is
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
+mod around;
 mod cases;
 mod common;
 mod example;
+mod general;
 mod initial;
 mod introduction;
 mod mathematics;
 pub(super) mod named;
+mod reach;
+mod reason;
 mod retraction;
+mod telling;
 mod vanishing;
 mod words;
 
-use self::introduction::{MOST_DESCRIBING, introduced, is_condition};
-pub(super) use self::mathematics::relates;
-use self::mathematics::{differs, equals_a_name, is_bound, is_letters, is_number, is_value};
-use self::words::{
-    CONCLUDING, DENYING, DOUBTFUL, HAVING, HYPOTHETICAL, KNOWN, MOMENTARY, NAMED_AFTER,
-    NAMED_BEFORE, NAMING, NEGATING, OF_CASES, REASONS, REGIMES, UNDECIDED,
-};
-use super::circumstance;
-use super::conclusion;
-use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
-use super::words::{Listed, Words, is_in_any_case};
-use super::{Extent, Span, Supposition, SuppositionKind};
 use crate::sorted::{self, Set};
 
-/// So many words may stand between "include" and "again".
-const MOST_RECALLED: usize = 8;
+use self::around::{follows, follows_comma, is_at_a_value, is_origin};
+use self::general::generalizes;
+use self::introduction::{introduced, is_condition};
+use self::mathematics::{equals_a_name, is_letters, is_number};
+use self::reach::Reach;
+use self::words::{
+    CONCLUDING, DENYING, DOUBTFUL, HAVING, HYPOTHETICAL, KNOWN, NAMED_BEFORE, NAMING, NEGATING,
+    OF_CASES, REGIMES, UNDECIDED,
+};
+use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
+use super::words::Words;
+use super::{Span, Supposition, SuppositionKind, conclusion};
 
-/// How far a supposition reaches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Reach {
-    /// "Let", "Assume" as the verb of the sentence: all of it.
-    Sentence,
-    /// "With $…$, $…$ and $…$": so many more.
-    List { left: usize },
-    /// "…, taking $…$ and $…$, …": what is joined to it.
-    Joined {
-        /// Words that may still come before the first.
-        patience: usize,
-        /// A comma has just been read.
-        comma: bool,
-        /// Something has been supposed.
-        found: bool,
-        /// "At $…$": a comma ends it.
-        short: bool,
-    },
-}
+pub(super) use self::mathematics::relates;
+pub use self::reason::is_reason;
 
 /// The suppositions in prose, in order, and the values that it names besides.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Vec<Span>) {
@@ -126,8 +112,6 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     (found, mentions)
 }
 
-/// In a sentence with more words and formulas nothing is told.
-const LONGEST_SENTENCE: usize = 200;
 /// Reads prose token by token.
 struct Reader<'a> {
     source: &'a str,
@@ -342,97 +326,6 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the sentence introduces the letter at `index`: "Let $v$ be", "Here $v$ denotes".
-    fn introduces(&self, index: usize) -> bool {
-        let lets = matches!(self.sentence.active, Some((SuppositionKind::Let, _)));
-        match self.tokens.get(index + 1) {
-            Some((Token::Word(word), _)) => {
-                lets && NAMED_AFTER.has(word) || matches!(*word, "denotes" | "denote")
-            }
-            _ => false,
-        }
-    }
-
-    /// Whether what the sentence says before the token at `index` is said of one moment or place; in doubt it is.
-    fn is_of_moment(&self, index: usize) -> bool {
-        let before = self
-            .tokens
-            .get(self.sentence.first..index)
-            .unwrap_or_default();
-        if before.len() > LONGEST_SENTENCE {
-            return true;
-        }
-        // A moment of inertia is none.
-        let is_of = |at: usize| {
-            let next = before.get(at + 1);
-            before[at].0.is_among(&["moment"]) && next.is_some_and(|(own, _)| own.is_among(&["of"]))
-        };
-        let names = |at: usize| before[at].0.is_among(&MOMENTARY) && !is_of(at);
-        (0..before.len()).any(names) || circumstance::of_sentence(before) == Extent::Moment
-    }
-
-    /// Whether the sentence tells what number something is at one moment: "At the turning points $v = 0$, so".
-    fn is_momentary(&self, index: usize, body: Span) -> bool {
-        let text = self.text(body);
-        let own = &self.sentence;
-        let is_value = is_value(text) && is_number(text) && !is_named(index, self.tokens);
-        if !is_value || own.active.is_some() || own.doubtful || own.concluded || !own.begun {
-            return false;
-        }
-        match self.is_silent() {
-            true => {
-                let before = &self.tokens[own.first..index];
-                let says = matches!(before.last(), Some((Token::Word(_) | Token::Mark(','), _)));
-                let is_place = follows(index, self.tokens, &NAMED_BEFORE);
-                says && !is_place && circumstance::of_sentence(before) == Extent::Moment
-            }
-            false => self.joins(index, |kind| kind == SuppositionKind::Moment),
-        }
-    }
-
-    /// Whether the sentence tells plainly that a relation is known.
-    fn is_known(&self, index: usize) -> bool {
-        let own = &self.sentence;
-        if own.active.is_some() || own.doubtful || !own.factual || is_named(index, self.tokens) {
-            return false;
-        }
-        tells_that(index, self.tokens) || self.joins(index, |kind| kind == SuppositionKind::Known)
-    }
-
-    /// Whether an "and" joins the mathematics at `index` to what was supposed just before it, if that is of such a kind.
-    fn joins(&self, index: usize, is: impl Fn(SuppositionKind) -> bool) -> bool {
-        let last = self.found.last().filter(|last| is(last.kind));
-        follows(index, self.tokens, &["and"])
-            && last.is_some_and(|last| ends_before(last.body, index, self.tokens))
-    }
-
-    /// Whether a relation is a fact that the sentence tells in passing.
-    fn tells(&self, index: usize, body: Span) -> bool {
-        let (own, text) = (&self.sentence, self.text(body));
-        if own.active.is_some() || own.doubtful || !own.factual {
-            return false;
-        }
-        // "At $\mu = 1$, $\eta = 1$" says what follows there.
-        let mut others = self.found[own.start..].iter();
-        let follows_here =
-            own.concluded || others.any(|s| !is_fact(s.kind) && !s.kind.leaves_cases());
-        if follows_here && !follows(index, self.tokens, &REASONS) {
-            return false;
-        }
-        // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
-        let bounds = is_bound(text) && !differs(text);
-        let plainly = match is_number(text) && !bounds {
-            true => is_plain(index, self.tokens) || self.joins(index, is_fact),
-            false => !(bounds && follows(index, self.tokens, &["for"])),
-        };
-        // "which starts with $I = I_0$ at $t = 0$" is so then.
-        let is_then = is_at_a_value(self.source, index, self.tokens)
-            || is_at_a_place(self.source, index, self.tokens);
-        // "The magnification $M = f/s$ is": what is no number is no origin.
-        let is_name = is_number(text) && is_named(index, self.tokens);
-        plainly && !is_name && !is_then && !follows(index, self.tokens, &NAMED_BEFORE)
-    }
-
     /// A bullet or an emphasis before the first word is nothing; inside, a mark ends a phrase.
     fn mark(&mut self, mark: Token<'_>) {
         if mark.is_mark(',') {
@@ -494,261 +387,4 @@ fn is_hypothesis(kind: SuppositionKind) -> bool {
 fn is_fact(kind: SuppositionKind) -> bool {
     use SuppositionKind::{Fact, Known, Meaning};
     matches!(kind, Fact { .. } | Known | Meaning)
-}
-
-/// Whether the word before mathematics gives it as a reason: "since $a = b$".
-pub fn is_reason(source: &str, body: Span) -> bool {
-    let before = source.get(..body.start).unwrap_or_default();
-    let before = before.trim_end_matches(|c: char| !c.is_alphabetic());
-    let word = before.rsplit(|c: char| !c.is_alphabetic()).next();
-    // "They have the same size where $s = t$" says at which place.
-    let is_place = |word: &str| {
-        let before = before[..before.len() - word.len()].trim_end();
-        word == "where" && before.ends_with(char::is_alphabetic)
-    };
-    word.is_some_and(|word| REASONS.has_in_any_case(word) && !is_place(word))
-        || follows_a_reason(source, body)
-}
-
-/// Whether the clause before mathematics gives a reason in words: "Since no heat is lost, $a = b$".
-fn follows_a_reason(source: &str, body: Span) -> bool {
-    let before = source.get(..body.start).unwrap_or_default();
-    let before =
-        before.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, '$' | '(' | '\\'));
-    let Some(before) = before.strip_suffix(',') else {
-        return false;
-    };
-    let clause = before.rsplit([',', '.', ';', ':', '$', '}', ')']).next();
-    let mut words = clause.unwrap_or_default().split_whitespace();
-    let (first, next) = (words.next(), words.next());
-    let rest = words.count();
-    let is =
-        |word: Option<&str>, among: &[&str]| word.is_some_and(|word| among.has_in_any_case(word));
-    // "As a check," gives none.
-    let describes = is(
-        next,
-        &[
-            "a", "an", "in", "for", "we", "to", "with", "can", "shown", "expected",
-        ],
-    );
-    is(first, &["since", "because"]) && rest > 0 || is(first, &["as"]) && rest > 1 && !describes
-}
-
-/// Whether one of these words, in lower case, stands before what is at `index`.
-fn follows(index: usize, tokens: &[Placed<'_>], words: &(impl Listed + ?Sized)) -> bool {
-    let before = index.checked_sub(1).and_then(|before| tokens.get(before));
-    before.is_some_and(|(token, _)| token.is_among(words))
-}
-
-fn follows_comma(index: usize, tokens: &[Placed<'_>]) -> bool {
-    let before = index.checked_sub(1).map(|before| tokens[before].0);
-    before == Some(Token::Mark(','))
-}
-
-/// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".
-fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
-    let word = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
-        Some((token @ Token::Word(_), _)) => Some(*token),
-        _ => None,
-    };
-    let is = |by: usize, words: &[&str]| word(by).is_some_and(|own| own.is_among(words));
-    let is_known = |by: usize| word(by).is_some_and(|own| own.is_among(&KNOWN));
-    if is(1, &["that"]) {
-        let mut before = (2..=MOST_DESCRIBING + 2).take_while(|&by| word(by).is_some());
-        return before.any(is_known);
-    }
-    // "We measured $h = 1.20\,\mathrm{m}$"
-    is(1, &["be"]) && is(2, &["to"]) && is_known(3)
-        || is(1, &["measured"]) && is(2, &["we", "i", "have"])
-}
-
-/// Whether mathematics stands two tokens before what is at `index`: one word is between them.
-fn ends_before(body: Span, index: usize, tokens: &[Placed<'_>]) -> bool {
-    let before = index.checked_sub(2).and_then(|before| tokens.get(before));
-    matches!(before, Some((Token::Math(own), _)) if *own == body)
-}
-
-/// Whether what stands before the mathematics at `index` makes it a fact of its own: "For a target at rest, $u_2 = 0$, …".
-fn is_plain(index: usize, tokens: &[Placed<'_>]) -> bool {
-    let before = index.checked_sub(1).map(|before| tokens[before].0);
-    matches!(before, Some(Token::Mark(',')) | None)
-        || follows(index, tokens, &["with", "since", "because", "using", "is"])
-}
-
-/// Whether the mathematics at `index` is told where something begins, or what it is called, and supposed to be no value.
-///
-/// "With $g = G M/R^2$ at the surface" is a value: an origin is a number.
-fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> bool {
-    let starts = || reach == Reach::Sentence && follows(index, tokens, &NAMED_BEFORE);
-    let after = tokens.get(index + 1).map(|(token, _)| *token);
-    let placed = matches!(after, Some(Token::Word("at" | "when"))) && !is_number(math);
-    // "Let $v > 0$ be the speed" names it and says its sign, "Let $\mu = a b$ be the reduced mass" what it is.
-    let named = || is_named(index, tokens) && !placed && !is_bound(math);
-    named() && (is_number(math) || equals_a_name(math)) || starts()
-}
-
-/// Whether what comes after the mathematics at `index` says for which number it is so: "$q = q_0$ at $t = 0$".
-fn is_at_a_value(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
-    let rest = tokens.get(index + 1..).unwrap_or_default();
-    let [(first, _), rest @ ..] = rest else {
-        return false;
-    };
-    let skipped = rest
-        .iter()
-        .take_while(|(token, _)| token.is_among(&["the", "time", "place", "point"]))
-        .count();
-    let place = rest.get(skipped).map(|(token, _)| *token);
-    first.is_among(&["at", "when"])
-        && matches!(place, Some(Token::Math(body))
-            if source.get(body.range()).is_some_and(|text| is_value(text) && is_number(text)))
-}
-
-/// Whether what comes after the mathematics at `index` says at which place it is so: "Setting $F = m g$ at $v = u$".
-fn is_at_a_place(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
-    let rest = tokens.get(index + 1..).unwrap_or_default();
-    matches!(rest, [(Token::Word("at"), _), (Token::Math(body), _), ..]
-        if source.get(body.range()).is_some_and(is_value))
-}
-
-/// Whether what comes after the mathematics at `index` makes it a name.
-fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
-    match tokens.get(index + 1) {
-        Some((Token::Word(word), _)) => NAMED_AFTER.has(word),
-        _ => false,
-    }
-}
-
-/// Whether the word at `index` leaves special cases behind: "in general", "in the general case", "without this assumption", "let us
-/// return to"; or cases and moments alone: "for arbitrary $w$", "Later", "In between".
-fn generalizes(word: &str, index: usize, tokens: &[Placed<'_>]) -> Option<SuppositionKind> {
-    use SuppositionKind::{Elsewhere, General};
-    let before = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
-        Some((Token::Word(word), _)) => *word,
-        _ => "",
-    };
-    let (last, second) = (before(1), before(2));
-    let is_one = |word: &str, words: &[&str]| words.has_in_any_case(word);
-    let after = |one: &str| is_in_any_case(last, one);
-    let is = |said: bool, kind| said.then_some(kind);
-    match word {
-        "general" => {
-            let the = || after("the") && is_one(second, &["in", "to", "for"]);
-            is(after("in") || the(), General)
-        }
-        "generally" => Some(General),
-        "assumption" | "restriction" | "supposition" => {
-            const DROPPING: &[&str] = &["dropping", "drop", "lifting", "relaxing", "without"];
-            let one = is_one(last, &["this", "that", "the", "our"]);
-            is(one && is_one(second, DROPPING), General)
-        }
-        "to" => is(after("return"), General),
-        // "Now we include friction again", "Restoring the friction", "no longer neglecting friction"
-        "again" => is(recalls(index, tokens), General),
-        "restoring" | "reinstating" | "reinstate" => is(last.is_empty() || after("we"), General),
-        "neglect" | "neglecting" | "ignore" | "ignoring" | "assume" | "assuming" => {
-            is(after("longer") && is_one(second, &["no"]), General)
-        }
-        "cases" => is(after("all") && is_one(second, &["in"]), Elsewhere),
-        "all" | "any" | "every" if after("at") => is(second.is_empty(), Elsewhere),
-        "arbitrary" | "all" | "any" | "every" => is(after("for"), Elsewhere),
-        "between" => is(after("in"), Elsewhere),
-        "later" | "otherwise" | "else" | "elsewhere" | "meanwhile" => {
-            is(last.is_empty(), Elsewhere)
-        }
-        word if REGIMES.has(word) => is(last.is_empty(), Elsewhere),
-        _ => None,
-    }
-}
-
-/// Whether the words before "again" say that something is taken into account: "Now we include friction again".
-fn recalls(index: usize, tokens: &[Placed<'_>]) -> bool {
-    const RECALLING: &[&str] = &[
-        "include",
-        "including",
-        "allow",
-        "allowing",
-        "restore",
-        "restoring",
-        "admit",
-        "reinstate",
-        "account",
-        "switch",
-        "turn",
-    ];
-    let before = tokens[..index].iter().rev();
-    let mut words = before.map_while(|(token, _)| match token {
-        Token::Word(_) => Some(*token),
-        _ => None,
-    });
-    words
-        .by_ref()
-        .take(MOST_RECALLED)
-        .any(|word| word.is_among(RECALLING))
-}
-
-impl Reach {
-    fn past_word(self, word: &str) -> Option<Reach> {
-        let (patience, found, short) = match self {
-            Reach::Sentence => return Some(self),
-            Reach::List { .. } => return (word == "and").then_some(self),
-            Reach::Joined {
-                patience,
-                found,
-                short,
-                ..
-            } => (patience, found, short),
-        };
-        let patience = patience.checked_sub(1)?;
-        let joins = matches!(word, "and" | "that" | "both" | "also");
-        (joins || !found).then_some(Reach::Joined {
-            patience,
-            comma: false,
-            found,
-            short,
-        })
-    }
-
-    fn past_math(self, relation: bool) -> Option<Reach> {
-        Some(match self {
-            Reach::Joined {
-                patience,
-                found,
-                short,
-                ..
-            } => Reach::Joined {
-                patience,
-                comma: false,
-                found: found || relation,
-                short,
-            },
-            Reach::List { left } => Reach::List {
-                left: left.saturating_sub(1),
-            },
-            Reach::Sentence => self,
-        })
-    }
-
-    fn past_comma(self) -> Option<Reach> {
-        match self {
-            Reach::Sentence => Some(self),
-            Reach::List { left } => (left > 0).then_some(self),
-            Reach::Joined {
-                found,
-                short,
-                comma,
-                ..
-            } if !found || short || comma => None,
-            Reach::Joined {
-                patience,
-                found,
-                short,
-                ..
-            } => Some(Reach::Joined {
-                patience,
-                comma: true,
-                found,
-                short,
-            }),
-        }
-    }
 }

@@ -4,9 +4,10 @@ use super::super::conclusion;
 use super::super::prose::{Placed, Token};
 use super::super::words::Words;
 use super::super::{Span, SuppositionKind};
+use super::around::{follows, is_at_a_place};
 use super::mathematics::{differs, is_bound, is_value, relates};
+use super::reach::Reach;
 use super::words::{COMPARING, CONCLUDING, DEFINING, NEGATING};
-use super::{Reach, follows, is_at_a_place};
 
 /// Words between "taking" and what is taken: "taking the non-trivial solution $…$".
 const PATIENCE: usize = 6;

@@ -7,8 +7,8 @@ use super::super::conclusion;
 use super::super::prose::{Placed, Token, begins_with, ends_sentence};
 use super::super::words::Words;
 use super::super::{Named, Span};
+use super::around::follows;
 use super::cases::COMPARED;
-use super::follows;
 use super::mathematics::{is_number, relates};
 use super::words::{BESIDE, DISPUTING, KNOWN, NAMED_BEFORE, RETRACTING};
 

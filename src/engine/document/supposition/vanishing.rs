@@ -8,7 +8,7 @@ use super::super::conclusion;
 use super::super::prose::{Placed, Token, begins_with, lead};
 use super::super::words::{Listed, Words};
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
-use super::follows;
+use super::around::follows;
 use super::mathematics::{is_value, relates};
 use super::words::{DENYING, DOUBTFUL};
 

@@ -1,0 +1,93 @@
+//! What stands around mathematics in its sentence: whether the words before it and after it make it a value, a name, or a place.
+
+use super::super::Span;
+use super::super::prose::{Placed, Token};
+use super::super::words::Listed;
+use super::introduction::MOST_DESCRIBING;
+use super::mathematics::{equals_a_name, is_bound, is_number, is_value};
+use super::reach::Reach;
+use super::words::{KNOWN, NAMED_AFTER, NAMED_BEFORE};
+
+/// Whether one of these words, in lower case, stands before what is at `index`.
+pub(super) fn follows(index: usize, tokens: &[Placed<'_>], words: &(impl Listed + ?Sized)) -> bool {
+    let before = index.checked_sub(1).and_then(|before| tokens.get(before));
+    before.is_some_and(|(token, _)| token.is_among(words))
+}
+
+pub(super) fn follows_comma(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = index.checked_sub(1).map(|before| tokens[before].0);
+    before == Some(Token::Mark(','))
+}
+
+/// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".
+pub(super) fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let word = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
+        Some((token @ Token::Word(_), _)) => Some(*token),
+        _ => None,
+    };
+    let is = |by: usize, words: &[&str]| word(by).is_some_and(|own| own.is_among(words));
+    let is_known = |by: usize| word(by).is_some_and(|own| own.is_among(&KNOWN));
+    if is(1, &["that"]) {
+        let mut before = (2..=MOST_DESCRIBING + 2).take_while(|&by| word(by).is_some());
+        return before.any(is_known);
+    }
+    // "We measured $h = 1.20\,\mathrm{m}$"
+    is(1, &["be"]) && is(2, &["to"]) && is_known(3)
+        || is(1, &["measured"]) && is(2, &["we", "i", "have"])
+}
+
+/// Whether mathematics stands two tokens before what is at `index`: one word is between them.
+pub(super) fn ends_before(body: Span, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = index.checked_sub(2).and_then(|before| tokens.get(before));
+    matches!(before, Some((Token::Math(own), _)) if *own == body)
+}
+
+/// Whether what stands before the mathematics at `index` makes it a fact of its own: "For a target at rest, $u_2 = 0$, …".
+pub(super) fn is_plain(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = index.checked_sub(1).map(|before| tokens[before].0);
+    matches!(before, Some(Token::Mark(',')) | None)
+        || follows(index, tokens, &["with", "since", "because", "using", "is"])
+}
+
+/// Whether the mathematics at `index` is told where something begins, or what it is called, and supposed to be no value.
+///
+/// "With $g = G M/R^2$ at the surface" is a value: an origin is a number.
+pub(super) fn is_origin(index: usize, math: &str, reach: Reach, tokens: &[Placed<'_>]) -> bool {
+    let starts = || reach == Reach::Sentence && follows(index, tokens, &NAMED_BEFORE);
+    let after = tokens.get(index + 1).map(|(token, _)| *token);
+    let placed = matches!(after, Some(Token::Word("at" | "when"))) && !is_number(math);
+    // "Let $v > 0$ be the speed" names it and says its sign, "Let $\mu = a b$ be the reduced mass" what it is.
+    let named = || is_named(index, tokens) && !placed && !is_bound(math);
+    named() && (is_number(math) || equals_a_name(math)) || starts()
+}
+
+/// Whether what comes after the mathematics at `index` says for which number it is so: "$q = q_0$ at $t = 0$".
+pub(super) fn is_at_a_value(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 1..).unwrap_or_default();
+    let [(first, _), rest @ ..] = rest else {
+        return false;
+    };
+    let skipped = rest
+        .iter()
+        .take_while(|(token, _)| token.is_among(&["the", "time", "place", "point"]))
+        .count();
+    let place = rest.get(skipped).map(|(token, _)| *token);
+    first.is_among(&["at", "when"])
+        && matches!(place, Some(Token::Math(body))
+            if source.get(body.range()).is_some_and(|text| is_value(text) && is_number(text)))
+}
+
+/// Whether what comes after the mathematics at `index` says at which place it is so: "Setting $F = m g$ at $v = u$".
+pub(super) fn is_at_a_place(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = tokens.get(index + 1..).unwrap_or_default();
+    matches!(rest, [(Token::Word("at"), _), (Token::Math(body), _), ..]
+        if source.get(body.range()).is_some_and(is_value))
+}
+
+/// Whether what comes after the mathematics at `index` makes it a name.
+pub(super) fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
+    match tokens.get(index + 1) {
+        Some((Token::Word(word), _)) => NAMED_AFTER.has(word),
+        _ => false,
+    }
+}
