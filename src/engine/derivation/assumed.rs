@@ -1,0 +1,185 @@
+//! What may be assumed where an equation stands: what the text supposes, tells and names, each with where it comes from.
+
+use std::sync::Arc;
+
+use crate::algebra::{Expr, Formula};
+use crate::document::{Extent, Span};
+use crate::kernel::{Standing, running_in};
+use crate::notation::read_formulas;
+
+use super::equation::{Kind, formulas};
+use super::supposed::{Local, said_of_moment};
+use super::{Derivation, constants};
+
+/// A hypothesis with where it comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Assumed {
+    /// What is assumed.
+    pub formula: Arc<Formula>,
+    /// Throughout, or at the point in question.
+    pub standing: Standing,
+    /// Where it comes from.
+    pub source: Source,
+}
+
+impl Assumed {
+    /// Whether the text tells it of one place: that `w` is 0 where `x` is.
+    pub fn tells_value_there(&self) -> bool {
+        let sides = self.formula.as_equation();
+        self.source == Source::Step && matches!(sides, Some((Expr::Limit { .. }, _)))
+    }
+
+    /// Whether it was not said, but taken so: that `P_{\max}` is `P` at the place in question.
+    pub fn takes_index_off(&self) -> bool {
+        let sides = self.formula.as_equation();
+        matches!(
+            sides,
+            Some((Expr::Symbol(new), Expr::Symbol(known)))
+                if self.source == Source::Step && new.without_subscript().as_ref() == Some(known)
+        )
+    }
+}
+
+/// Where a hypothesis comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Source {
+    /// A `let` or an assumption: page, position in [`Page::locals`].
+    Local(usize, usize),
+    /// An equation, by position.
+    Equation(usize),
+    /// An earlier step of the same statement, or the other side of an `\iff`.
+    Step,
+}
+
+impl Derivation {
+    /// The hypotheses in effect where an equation stands.
+    pub fn locals(&self, at: usize) -> Vec<Assumed> {
+        self.supposed(at, &self.equations[at].locals)
+    }
+
+    /// Those that are so at one moment alone.
+    pub fn momentary(&self, at: usize) -> Vec<Assumed> {
+        let own = &self.equations[at];
+        let locals = own.locals.iter().copied();
+        let of_moment = |&local: &usize| self.local(own.page, local).is_momentary();
+        self.supposed(at, &locals.filter(of_moment).collect::<Vec<_>>())
+    }
+
+    /// Whether an equation says something throughout or of one value alone of what runs in others that it is taken with: "At the top $v = 0$",
+    /// or what is given where $t = 0$ is supposed.
+    pub fn standing_among(&self, at: usize, others: &[usize]) -> Standing {
+        let own = &self.equations[at];
+        let given = own.kind == Kind::Given && !own.locals.is_empty();
+        let of_moment = |statement| said_of_moment(statement, Extent::Moment, |_| true).is_some();
+        let told = own.at_moment && !own.explains && own.statements().iter().all(of_moment);
+        if !told && !given {
+            return Standing::Identity;
+        }
+        let statements = others
+            .iter()
+            .flat_map(|&at| self.equations[at].statements());
+        let said: Vec<Formula> = statements.flat_map(formulas).collect();
+        let running = running_in(said.iter());
+        let page = &self.pages[own.page];
+        let fixes = |local: &usize| {
+            let local = &page.locals[*local];
+            let at_point = |own: &&Arc<Formula>| page.standing_of(local, own) == Standing::AtPoint;
+            let mut formulas = local.formulas.iter().filter(at_point);
+            formulas.any(|own| {
+                own.free_symbols()
+                    .iter()
+                    .any(|symbol| running.contains(symbol))
+            })
+        };
+        match !running.is_empty() && (told || own.locals.iter().any(fixes)) {
+            true => Standing::AtPoint,
+            false => Standing::Identity,
+        }
+    }
+
+    /// What the text before an equation tells in passing, the nearest first. What announces the equation itself is no premise of it.
+    pub fn told(&self, at: usize) -> Vec<Assumed> {
+        let equation = &self.equations[at];
+        let mut told = self.supposed(at, &equation.told);
+        let stated: Vec<Formula> = match told.is_empty() {
+            true => Vec::new(),
+            false => equation.statements().iter().flat_map(formulas).collect(),
+        };
+        told.retain(|own| !stated.contains(&own.formula));
+        told
+    }
+
+    /// What the last sentence before an equation tells in passing.
+    pub fn told_just_before(&self, at: usize) -> Vec<Assumed> {
+        let Some(sentence) = self.equations[at].said_last else {
+            return Vec::new();
+        };
+        let mut told = self.told(at);
+        told.retain(|own| match own.source {
+            Source::Local(page, local) => self.local(page, local).span.start >= sentence.start,
+            _ => false,
+        });
+        told
+    }
+
+    /// Whether words between what is said and an equation leave cases: "For arbitrary masses".
+    pub fn is_left_in_words(&self, at: usize, (page, local): (usize, usize)) -> bool {
+        let start = self.local(page, local).span.start;
+        let general = &self.pages[page].general;
+        let left = general.partition_point(|&place| place < start);
+        let own = &self.equations[at];
+        own.page == page && (general.get(left)).is_some_and(|&place| place < own.span.start)
+    }
+
+    /// What the sentence that leads on to an equation names, and does not suppose plainly.
+    pub fn named(&self, at: usize) -> Vec<Assumed> {
+        self.supposed(at, &self.equations[at].named)
+    }
+
+    fn supposed(&self, at: usize, locals: &[usize]) -> Vec<Assumed> {
+        let number = self.equations[at].page;
+        let page = &self.pages[number];
+        let meant = locals
+            .iter()
+            .filter(|&&local| !self.is_beyond(at, (number, local)));
+        let all = meant.flat_map(|&local| {
+            let source = self.source_of(number, local);
+            let local = &page.locals[local];
+            local.formulas.iter().map(move |formula| Assumed {
+                formula: formula.clone(),
+                standing: page.standing_of(local, formula),
+                source,
+            })
+        });
+        all.collect()
+    }
+
+    /// The values that the text around an equation names without supposing them, with their places.
+    pub fn mentioned(&self, at: usize) -> Vec<(Span, Formula)> {
+        let equation = &self.equations[at];
+        let page = &self.pages[equation.page];
+        let read = equation.mentioned.iter().filter_map(|&body| {
+            let mut statements = read_formulas(&page.document.source, body).ok()?;
+            page.read_exponentials(statements.iter_mut());
+            let plain = statements.iter().filter(|s| s.under.is_empty());
+            let said: Vec<Formula> = plain.flat_map(formulas).collect();
+            let said = said.into_iter().filter(|f| !constants::speaks_of_some(f));
+            Some(said.map(move |formula| (body, formula)))
+        });
+        read.flatten().collect()
+    }
+
+    /// What says a local hypothesis: the display, where one says it of a moment.
+    fn source_of(&self, page: usize, local: usize) -> Source {
+        let moment = self.pages[page].locals[local].moment.as_ref();
+        match moment.and_then(|moment| moment.display) {
+            Some(display) => Source::Equation(self.equations_of(page).start + display),
+            None => Source::Local(page, local),
+        }
+    }
+
+    /// A local hypothesis by its source.
+    pub fn local(&self, page: usize, local: usize) -> &Local {
+        &self.pages[page].locals[local]
+    }
+}

@@ -1,0 +1,97 @@
+//! Which equations before one speak of the same symbols.
+
+use std::collections::BTreeSet;
+
+use crate::algebra::Symbol;
+use crate::sorted::Set;
+
+use super::Derivation;
+
+impl Derivation {
+    /// Whether any equation of a page speaks of a symbol.
+    pub fn is_spoken_of(&self, page: usize, symbol: &Symbol) -> bool {
+        self.mentions[page].get(symbol).is_some()
+    }
+
+    /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a
+    /// symbol, then the rest, each the nearest first.
+    pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {
+        let speaking = |wanted: Set<Symbol>| {
+            let mut fresh: BTreeSet<usize> = BTreeSet::new();
+            for symbol in &wanted {
+                for page in self.speaking_of(symbol, at) {
+                    let all = &self.mentions[page][symbol];
+                    let before = &all[..all.partition_point(|&other| other < at)];
+                    fresh.extend(before.iter().rev().take(most));
+                }
+            }
+            fresh
+        };
+        // What defines the symbols, and what defines those of the definitions.
+        let spoken_of = |at: usize| {
+            let own = &self.equations[at];
+            own.symbols().into_iter().chain(own.functions())
+        };
+        let mut wanted: Set<Symbol> = spoken_of(at).collect();
+        wanted.extend(self.told_of(at));
+        let mut found = speaking(wanted);
+        let symbols = found.iter().flat_map(|&other| spoken_of(other));
+        found.extend(speaking(symbols.collect()));
+        let mut order: Vec<usize> = found.into_iter().rev().take(most).collect();
+        let solved = |at: &usize| {
+            let mut relations = self.equations[*at].relations().into_iter();
+            relations.any(|(left, ..)| matches!(left, crate::algebra::Expr::Symbol(_)))
+        };
+        let rest = order.split_off(order.len().min(2));
+        let (first, last): (Vec<usize>, Vec<usize>) = rest.into_iter().partition(solved);
+        order.into_iter().chain(first).chain(last).collect()
+    }
+
+    /// The symbols by which the text tells what others are that an equation speaks of: of `\bar M = n_0 M/n` also `n`.
+    fn told_of(&self, at: usize) -> Set<Symbol> {
+        let own = &self.equations[at];
+        if own.told.is_empty() && own.named.is_empty() {
+            return Set::new();
+        }
+        let symbols = own.symbols();
+        let locals = &self.pages[own.page].locals;
+        let told = own.told.iter().chain(&own.named).map(|&at| &locals[at]);
+        // What is concluded from what is told of a case is said of that alone.
+        let formulas = told
+            .filter(|local| !local.of_case)
+            .flat_map(|local| &local.formulas);
+        let mut told = Set::new();
+        for formula in formulas {
+            let names = formula.names();
+            if !names.is_disjoint(&symbols) {
+                told.extend(names);
+            }
+        }
+        told
+    }
+
+    /// The pages to look for a symbol of equation `at`: its own and those that this cites, as far as they speak
+    /// of the symbol before; if they do not, the last page that did.
+    fn speaking_of(&self, symbol: &Symbol, at: usize) -> Vec<usize> {
+        let own = self.equations[at].page;
+        let speaks = |&page: &usize| {
+            let all = self.mentions[page].get(symbol);
+            all.is_some_and(|all| all.first().is_some_and(|&first| first < at))
+        };
+        let near: Vec<usize> = self.neighbours[own]
+            .iter()
+            .copied()
+            .filter(speaks)
+            .collect();
+        if !near.is_empty() {
+            return near;
+        }
+        let pages = self
+            .pages_of
+            .get(symbol)
+            .map(Vec::as_slice)
+            .unwrap_or_default();
+        let before = pages.partition_point(|&page| page < own);
+        pages[..before].last().copied().into_iter().collect()
+    }
+}
