@@ -1,0 +1,125 @@
+//! What holds in the place of what was refuted.
+
+use crate::algebra::{Expr, Formula};
+use crate::derivation::{Assumed, Goal, values_at};
+use crate::search::{self, Effort, Implied, InChain};
+
+use super::super::Outcome;
+use super::{Found, Judge};
+
+impl Judge<'_> {
+    /// Looks for what holds in the place of what was refuted: a consequence, a mended formula, or what was not said.
+    pub(in crate::audit) fn instead(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        let Outcome::Refuted(refuted) = &found.judged.outcome else {
+            return;
+        };
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        let Some(chain) = self.in_chain(goal, assumed) else {
+            return;
+        };
+        // What the text itself names is likelier meant than that the pen slipped.
+        let mentioned = self.derivation.mentioned(self.at);
+        if !mentioned.is_empty() {
+            let mentioned = mentioned.into_iter().map(|(_, formula)| formula).collect();
+            let (witness, hints) = (refuted.witness(), self.auditor.hints());
+            let missing = search::missing_among(&claim, witness, mentioned, &hints, values_at);
+            if let Some((all, _)) = missing {
+                found.missing = all;
+                return;
+            }
+        }
+        let begins = matches!(goal.formula.as_equation(), Some((Expr::Symbol(_), _)));
+        let settled = match begins {
+            true => chain.right_settled,
+            false => chain.left_settled,
+        };
+        if !settled {
+            let implied = search::implied(&claim);
+            // To be told what a premise says helps nobody who cites it.
+            let helps = |i: &Implied| !i.restates() || i.ratio.is_some();
+            found.implied = implied.filter(helps).map(Box::new);
+        }
+        // Where only a factor is wrong, the author's own words are kept already.
+        if !found.implied.as_ref().is_some_and(|i| i.is_multiple()) {
+            let witness = refuted.witness();
+            let hints = self.auditor.hints();
+            let mended = search::mended(&claim, &chain, witness, &hints, values_at);
+            found.mended = mended.map(Box::new);
+        }
+        if !found.has_conditions
+            && let Some(unless) = search::missing_conditions(
+                &claim,
+                Some(refuted.witness()),
+                Effort::Light,
+                &self.auditor.hints(),
+            )
+        {
+            found.conditions = unless.conditions();
+        }
+        if found.conditions.is_empty()
+            && found.mended.is_none()
+            && found
+                .implied
+                .as_ref()
+                .is_none_or(|i| i.restates() && !i.is_multiple())
+        {
+            let elsewhere = self.later(premises);
+            let hints = self.auditor.hints();
+            let missing = search::missing_suppositions(
+                &claim,
+                refuted.witness(),
+                &elsewhere,
+                &hints,
+                values_at,
+            );
+            if let Some((all, _)) = missing {
+                (found.missing, found.implied) = (all, None);
+            } else {
+                self.mended_from_all(goal, assumed, premises, &chain, found);
+                if found.mended.is_none() {
+                    self.mended_under_conditions(goal, assumed, premises, &chain, found);
+                }
+            }
+        }
+    }
+
+    /// Which side of a refuted link may be wrong, as far as its neighbours tell; nothing where it is only the left one,
+    /// which is the link before to put right.
+    fn in_chain(&self, goal: &Goal, assumed: &[Assumed]) -> Option<InChain> {
+        let sides = |goal: &Goal| {
+            let (left, right) = goal.formula.as_equation()?;
+            Some((left.clone(), right.clone()))
+        };
+        // Where a chain goes on rightly past a member, that member is wrong.
+        let joined = |one: &Goal, other: &Goal| {
+            let joined = sides(one).zip(sides(other));
+            joined.is_some_and(|((left, _), (_, right))| {
+                let formula = Formula::equal(left, right);
+                let claim = self.derivation.claim(self.at, assumed, &formula);
+                search::prove_unconditionally(claim, Effort::Light).is_some()
+            })
+        };
+        let before = self.derivation.link_before(self.at, goal);
+        if let Some(before) = before.as_ref().filter(|before| joined(before, goal)) {
+            // Of what an author only asks no repair is looked for.
+            let asked = InChain {
+                right_settled: true,
+                ..InChain::default()
+            };
+            return before.questioned.then_some(asked);
+        }
+        let after = self.derivation.link_after(self.at, goal);
+        let passed = after.as_ref().is_some_and(|after| joined(goal, after));
+        Some(InChain {
+            left_settled: before.is_some() || passed,
+            right_settled: false,
+            next: after.map(|after| after.formula),
+        })
+    }
+}

@@ -1,0 +1,86 @@
+//! What makes a verdict doubtful: complex numbers, partial derivatives that hold nobody knows what fixed, what is constant here and changes there.
+
+use crate::algebra::{Expr, Symbol};
+use crate::derivation::{Assumed, Goal, Source};
+use crate::kernel::Standing;
+
+use super::super::Judged;
+use super::{Judge, sources};
+
+impl Judge<'_> {
+    /// Whether something speaks of a partial derivative of which it is not clear what it holds fixed, or how it moves: that
+    /// `\frac{d}{dt} \frac{\partial L}{\partial \dot x}` goes with `\ddot x` is nowhere said.
+    pub(super) fn is_unclear(&self, judged: &Judged) -> bool {
+        let page = self.derivation.equations[self.at].page;
+        let unclear = &self.derivation.pages[page].unclear_slopes;
+        if self.derivation.pages[page].dependent.is_empty() {
+            return false;
+        }
+        let is_partial = |part: &Expr| matches!(part, Expr::Partial { .. });
+        let is_one = |part: &Expr| match part {
+            Expr::Derivative { body, .. } => body.any(&is_partial),
+            Expr::Partial { body, variable, .. } => unclear
+                .iter()
+                .any(|(name, own)| own == variable && body.mentions(name)),
+            _ => false,
+        };
+        // What was left out of the counterexample may be what it was to be drawn from.
+        let assumed = judged.assumed.iter().chain(&self.usable.assumed);
+        let formulas = assumed.map(|own| &*own.formula);
+        let mut all = formulas.chain([&judged.goal.formula]);
+        all.any(|formula| formula.terms().into_iter().any(|term| term.any(&is_one)))
+    }
+
+    /// What is constant by one of the premises of a proof and changes by another.
+    pub(super) fn joins_what_moves(&self, judged: &Judged) -> Option<&Symbol> {
+        let all = sources(&judged.assumed).into_iter();
+        let all: Vec<usize> = all
+            .filter_map(|source| match source {
+                Source::Equation(premise) => Some(premise),
+                _ => None,
+            })
+            .collect();
+        let derivation = self.derivation;
+        let constant = all
+            .iter()
+            .find_map(|&own| derivation.is_released(self.at, own));
+        constant.filter(|&symbol| {
+            let mut own = all.iter().map(|&own| &derivation.equations[own]);
+            own.any(|own| own.released.contains(symbol) && own.symbols().contains(symbol))
+        })
+    }
+
+    /// Whether a goal speaks of what may be complex.
+    pub(in crate::audit) fn is_complex(&self, goal: &Goal) -> bool {
+        let page = self.derivation.equations[self.at].page;
+        self.derivation.pages[page].is_complex(&goal.formula)
+    }
+
+    /// Whether a step takes slopes or integrals, and it cannot be told whether something in it changes.
+    pub(super) fn is_disputed(&self, judged: &Judged) -> bool {
+        let disputed = &self.derivation.equations[self.at].disputed;
+        let runs = |part: &Expr| matches!(part, Expr::Derivative { .. } | Expr::Integral { .. });
+        let formulas = judged.assumed.iter().map(|own| &*own.formula);
+        let mut all = formulas.chain([&judged.goal.formula]);
+        let goal = judged.goal.formula.terms();
+        !disputed.is_empty()
+            && goal.into_iter().any(|term| term.any(&runs))
+            && all.any(|formula| !formula.names().is_disjoint(disputed))
+    }
+}
+
+/// Whether a goal takes the slope of something that is given by a term at one point alone: what its slope is there, that does not say.
+pub(super) fn takes_slope_at_a_point(judged: &Judged) -> bool {
+    let at_point = |own: &&Assumed| own.standing == Standing::AtPoint && own.source != Source::Step;
+    let at_point = judged.assumed.iter().filter(at_point);
+    let mut given = at_point.filter_map(|own| own.formula.as_equation());
+    let takes = |left: &Expr, right: &Expr| {
+        let is_slope = |part: &Expr| match part {
+            Expr::Derivative { body, variable } => **body == *left && right.mentions(variable),
+            _ => false,
+        };
+        let mut terms = judged.goal.formula.terms().into_iter();
+        terms.any(|term| term.any(&is_slope))
+    };
+    given.any(|(left, right)| takes(left, right))
+}
