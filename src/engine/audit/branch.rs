@@ -4,8 +4,8 @@ use crate::algebra::{Expr, Formula, Relation};
 use crate::derivation::{Assumed, Goal};
 use crate::search::{self, Consistency, Effort};
 
+use super::again::unstated::unbounded;
 use super::judge::{Found, Judge, step};
-use super::unstated::unbounded;
 
 impl Judge<'_> {
     /// Whether the step follows on one side of what its root is added to, with what must not vanish or must be positive besides.

@@ -14,7 +14,7 @@ use crate::search::{self, Decision, Effort, Implied, Mended};
 use crate::sorted;
 
 use self::unclear::takes_slope_at_a_point;
-use super::borrowed::Before;
+use super::again::borrowed::Before;
 use super::premise::Usable;
 use super::{Auditor, Judged, Outcome, stated};
 

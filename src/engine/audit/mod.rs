@@ -4,7 +4,7 @@
 //! A step that does not follow from these is tried once more from what stands before it, so that a stale
 //! citation is told apart from an error.
 
-mod borrowed;
+mod again;
 mod branch;
 mod cases;
 mod cited;
@@ -17,17 +17,13 @@ mod equation;
 mod family;
 mod figures;
 mod given;
-mod going_on;
 mod identity;
 mod induction;
 mod instances;
-mod joined;
 mod judge;
 mod least;
-mod limiting;
 mod mark;
 mod moving;
-mod named;
 mod numeric;
 mod premise;
 mod readings;
@@ -38,13 +34,8 @@ mod rounded;
 mod scaling;
 mod schedule;
 mod shifted;
-mod solution;
 mod stated;
 mod statement;
-mod there;
-mod throughout;
-mod unitless;
-mod unstated;
 mod without;
 
 use std::cell::{Ref, RefCell};

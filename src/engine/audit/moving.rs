@@ -5,8 +5,8 @@ use crate::derivation::{Assumed, Derivation, Equation, Goal, dotted, formulas};
 use crate::kernel::{Standing, definition};
 use crate::search::{self, Effort, are_tied};
 
+use super::again::throughout::slope;
 use super::judge::{Found, Judge, step};
-use super::throughout::slope;
 use super::{Auditor, Outcome, stated};
 use crate::sorted::Set;
 

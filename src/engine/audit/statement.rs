@@ -7,12 +7,12 @@ use crate::notation::Statement;
 use crate::search::{self, Consistency, Decision};
 use crate::sorted::Set;
 
+use super::again::there::There;
 use super::entry::{blank, leave_open, verdict};
 use super::judge::{COMPLEX, Found, Judge, UNCLEAR};
 use super::mark::mark;
 use super::premise::Usable;
 use super::readings::Circumstances;
-use super::there::There;
 use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, rounded, stated};
 
 /// How many earlier steps of its statement a step may use, the last ones.

@@ -7,14 +7,14 @@ use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::search::{self, Decision, Effort};
 
-use super::Outcome;
-use super::judge::{Found, Judge, NEARBY};
+use super::super::Outcome;
+use super::super::judge::{Found, Judge, NEARBY};
 use crate::sorted::Set;
 
 impl Judge<'_> {
     /// What a step may be taken from, with what the words before it name, and tell in passing; nothing where they name nothing, or what
     /// cannot be so.
-    pub(super) fn with_what_is_named(
+    pub(in crate::audit) fn with_what_is_named(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -58,7 +58,7 @@ impl Judge<'_> {
     }
 
     /// Whether the step follows from `all`: what it may be taken from, with what the words before it name.
-    pub(super) fn follows_from_words(
+    pub(in crate::audit) fn follows_from_words(
         &self,
         goal: &Goal,
         all: &[Assumed],
@@ -92,7 +92,7 @@ impl Judge<'_> {
     }
 
     /// Refutes a step where what the words name is so, too, and says from what; returns whether that was found.
-    pub(super) fn heed_what_is_named(
+    pub(in crate::audit) fn heed_what_is_named(
         &self,
         goal: &Goal,
         all: &[Assumed],

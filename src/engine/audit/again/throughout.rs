@@ -9,8 +9,8 @@ use crate::kernel::{Claim, Standing, definition};
 use crate::search;
 use crate::sorted::{self, Set};
 
-use super::Outcome;
-use super::judge::{Found, Judge, condition, sources, step};
+use super::super::Outcome;
+use super::super::judge::{Found, Judge, condition, sources, step};
 use super::unstated::unbounded;
 
 /// More symbols than this are not held constant.
@@ -108,7 +108,7 @@ impl Judge<'_> {
 
     /// Leaves open a step that was refuted at one value of a variable only, where what it is drawn from, or stands before, is so for every
     /// value.
-    pub(super) fn heed_what_varies(
+    pub(in crate::audit) fn heed_what_varies(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -210,7 +210,7 @@ fn varies(assumed: &Assumed, variable: &Symbol) -> bool {
 }
 
 /// That a symbol does not change with a variable.
-pub(super) fn stands_still(symbol: &Symbol, variable: &Symbol) -> Formula {
+pub(in crate::audit) fn stands_still(symbol: &Symbol, variable: &Symbol) -> Formula {
     let slope = Expr::Symbol(symbol.clone()).differentiated_by(variable);
     Formula::equal(slope, Expr::integer(0))
 }
@@ -240,7 +240,7 @@ fn slopes(all: &[Assumed], held: &[Symbol], variable: &Symbol) -> Vec<Formula> {
 }
 
 /// Both sides of an equation differentiated.
-pub(super) fn slope(law: &Formula, variable: &Symbol) -> Option<Formula> {
+pub(in crate::audit) fn slope(law: &Formula, variable: &Symbol) -> Option<Formula> {
     let (left, right) = law.as_equation()?;
     let slope = |side: &Expr| side.clone().differentiated_by(variable);
     Some(Formula::equal(slope(left), slope(right)))

@@ -11,8 +11,8 @@ use crate::kernel::{Assignment, Claim};
 use crate::search::{self, Effort, InChain};
 use crate::sorted::{self, Set};
 
-use super::judge::{Found, Judge, NEARBY, condition, sources, step};
-use super::{Outcome, stated};
+use super::super::judge::{Found, Judge, NEARBY, condition, sources, step};
+use super::super::{Outcome, stated};
 
 /// So much work is done for one step, as [`effort`] counts it.
 const MOST_WORK: u64 = 4_000_000;
@@ -22,7 +22,7 @@ impl Judge<'_> {
     /// are not 0; of a root, where they are positive.
     ///
     /// It takes work of its own: what may be tried after it is tried however long this takes.
-    pub(super) fn unstated(
+    pub(in crate::audit) fn unstated(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -226,7 +226,7 @@ impl Judge<'_> {
 
     /// The slip of the pen in a step that would follow, without it, where symbols that could be anything are not 0: with a counterexample at
     /// which none of them is.
-    pub(super) fn mended_under_conditions(
+    pub(in crate::audit) fn mended_under_conditions(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -289,7 +289,7 @@ impl Judge<'_> {
     }
 
     /// Whether the step follows from a set where something is not 0, or is positive; or `still`, where something does not change.
-    pub(super) fn under_conditions(
+    pub(in crate::audit) fn under_conditions(
         &self,
         goal: &Goal,
         set: Vec<Assumed>,
@@ -400,7 +400,7 @@ impl Judge<'_> {
     /// That all of the symbols are positive which are no numbers, with what must not vanish beside roots; if that can be.
     ///
     /// Where that cannot be, `U = -k/r`, those that the step speaks of are; or what logarithms and powers are taken of, `Q = -n R T \ln r`.
-    pub(super) fn positive(
+    pub(in crate::audit) fn positive(
         &self,
         goal: &Goal,
         set: &[Assumed],
@@ -466,7 +466,7 @@ impl Judge<'_> {
     }
 
     /// Whether the step follows under conditions; those that it does without are left out.
-    pub(super) fn holds_under(
+    pub(in crate::audit) fn holds_under(
         &self,
         goal: &Goal,
         set: Vec<Assumed>,
@@ -557,7 +557,7 @@ fn any_part(formula: &Formula, is_meant: &dyn Fn(&Expr) -> bool) -> bool {
 }
 
 /// The symbols that a step speaks of, or its premises, and of which nobody says where they lie.
-pub(super) fn unbounded(claim: &Claim) -> Vec<Symbol> {
+pub(in crate::audit) fn unbounded(claim: &Claim) -> Vec<Symbol> {
     let named = Formula::free_symbols_of(claim.formulas()).into_iter();
     let said = |symbol: &Symbol| {
         let domain = claim.domains.get(symbol);

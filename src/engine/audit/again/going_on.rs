@@ -2,14 +2,14 @@
 
 use crate::derivation::{Assumed, Goal, Source};
 
+use super::super::judge::{Found, Judge, sources};
+use super::super::{Entry, Verdict};
 use super::borrowed::Before;
-use super::judge::{Found, Judge, sources};
-use super::{Entry, Verdict};
 
 impl Judge<'_> {
     /// Tries a step that does not follow from what it cites with the display before, where the text goes on from that: whoever does means the
     /// conditions under which it holds, and rests on what it rests on.
-    pub(super) fn rescue_going_on(
+    pub(in crate::audit) fn rescue_going_on(
         &self,
         goal: &Goal,
         assumed: &[Assumed],

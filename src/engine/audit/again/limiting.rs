@@ -8,9 +8,9 @@ use crate::derivation::{Approach, Assumed, Goal, Source};
 use crate::kernel::definition;
 use crate::search::{self, Decision};
 
-use super::judge::{Found, Judge, condition, sources, step};
+use super::super::judge::{Found, Judge, condition, sources, step};
+use super::super::{Judged, Outcome};
 use super::throughout::stands_still;
-use super::{Judged, Outcome};
 
 /// How many definitions are put in one after another.
 const MOST_PUT_IN: usize = 8;
@@ -22,7 +22,12 @@ const OPEN: &str = "it is said of a limit, and what that is could not be told";
 impl Judge<'_> {
     /// What becomes of a goal that is not proved where it stands, if it is said of a limit: it holds if it does as one of the limits
     /// that may be meant, and fails if it does as none.
-    pub(super) fn in_limit(&self, goal: &Goal, premises: &[usize], found: &Found) -> Option<Found> {
+    pub(in crate::audit) fn in_limit(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+        found: &Found,
+    ) -> Option<Found> {
         let readings = self.derivation.approached(self.at);
         if readings.is_empty() || !goal.suppositions.is_empty() {
             return None;

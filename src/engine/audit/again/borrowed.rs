@@ -7,9 +7,9 @@ use crate::derivation::{Assumed, Goal, Kind, Local, Source, unconditional, value
 use crate::kernel::{Assignment, Obligation};
 use crate::search::{self, Effort, InChain};
 
-use super::judge::{Found, Judge, NEARBY, sources};
-use super::premise::usable;
-use super::{Entry, Note, Outcome, Verdict};
+use super::super::judge::{Found, Judge, NEARBY, sources};
+use super::super::premise::usable;
+use super::super::{Entry, Note, Outcome, Verdict};
 use crate::sorted::Set;
 
 /// How many earlier equations are looked at for a step that does not follow from what it cites.
@@ -21,9 +21,9 @@ const MOST_LATER: usize = 4;
 
 /// The equations that stand before a step and that it does not cite.
 #[derive(Default)]
-pub(super) struct Before {
+pub(in crate::audit) struct Before {
     /// What rests on nothing false or open.
-    pub(super) sound: Vec<usize>,
+    pub(in crate::audit) sound: Vec<usize>,
     /// What rests on no more than what is cited does.
     all: Vec<usize>,
     /// This, and what is left open itself or holds under conditions.
@@ -31,7 +31,7 @@ pub(super) struct Before {
 }
 
 /// What a step that does not follow from what it cites may be tried with.
-pub(super) struct Attempt {
+pub(in crate::audit) struct Attempt {
     cited: Vec<Assumed>,
     /// The likeliest first.
     others: Vec<Assumed>,
@@ -50,7 +50,7 @@ enum Whole {
 
 impl Judge<'_> {
     /// Hypotheses with the nearest of what stands before and is not cited, if there is anything.
-    pub(super) fn with_others(
+    pub(in crate::audit) fn with_others(
         &self,
         assumed: &[Assumed],
         premises: &[usize],
@@ -78,12 +78,12 @@ impl Judge<'_> {
     }
 
     /// Whether the step may rest on what stands before as its author goes along: nothing is cited, and no directive says what follows.
-    pub(super) fn cites_loosely(&self) -> bool {
+    pub(in crate::audit) fn cites_loosely(&self) -> bool {
         !self.names_its_premises() && !self.is_directed()
     }
 
     /// The slip of the pen in a step that needs what stands before and is not cited.
-    pub(super) fn mended_from_all(
+    pub(in crate::audit) fn mended_from_all(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -113,7 +113,7 @@ impl Judge<'_> {
 
     /// What a step that does not follow may be tried with: what is cited, and what is not but stands before.
     /// The witness against it may stand against all of these too.
-    pub(super) fn attempts(
+    pub(in crate::audit) fn attempts(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -138,12 +138,12 @@ impl Judge<'_> {
     }
 
     /// What that says.
-    pub(super) fn open_before(&self, premises: &[usize]) -> Vec<Assumed> {
+    pub(in crate::audit) fn open_before(&self, premises: &[usize]) -> Vec<Assumed> {
         self.gathered(&self.open_on_this_page(premises))
     }
 
     /// Tries a step that is not proved from what is itself left open, or holds under conditions.
-    pub(super) fn rescue_from_open(
+    pub(in crate::audit) fn rescue_from_open(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -156,7 +156,7 @@ impl Judge<'_> {
 
     /// Tries a step that does not follow from what it says it does with what stands before under conditions, where no directive says what
     /// follows from what: "Expressed by the frequency, the energy (5) becomes" goes on from what the frequency is, too.
-    pub(super) fn rescue_from_conditional(
+    pub(in crate::audit) fn rescue_from_conditional(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -199,7 +199,7 @@ impl Judge<'_> {
     }
 
     /// The same, where symbols that could be anything are not 0.
-    pub(super) fn follows_from_open(
+    pub(in crate::audit) fn follows_from_open(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -233,7 +233,7 @@ impl Judge<'_> {
     /// Leaves open a step that was refuted from less than what stands before, where all of it with what is itself left open does not
     /// refute it: it may follow from that. Nothing is left open of which a slip of the pen is found, or where the author says what it
     /// follows from.
-    pub(super) fn heed_what_is_open(
+    pub(in crate::audit) fn heed_what_is_open(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -323,13 +323,13 @@ impl Judge<'_> {
     }
 
     /// What is cited and does not fail: what does can stand in the way of what follows.
-    pub(super) fn sound(&self, assumed: &[Assumed], failing: &[usize]) -> Vec<Assumed> {
+    pub(in crate::audit) fn sound(&self, assumed: &[Assumed], failing: &[usize]) -> Vec<Assumed> {
         let fails = |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));
         assumed.iter().filter(|a| !fails(a)).cloned().collect()
     }
 
     /// The failing equations that what is cited rests on.
-    pub(super) fn failing(&self, premises: &[usize]) -> Vec<usize> {
+    pub(in crate::audit) fn failing(&self, premises: &[usize]) -> Vec<usize> {
         let premises = premises.iter().copied().collect();
         self.auditor.failing(self.at, &premises)
     }
@@ -366,7 +366,7 @@ impl Judge<'_> {
     }
 
     /// Tries again with what stands before, cited or not.
-    pub(super) fn rescue(
+    pub(in crate::audit) fn rescue(
         &self,
         goal: &Goal,
         attempts: &[Attempt],
@@ -427,7 +427,7 @@ impl Judge<'_> {
 
     /// What stands before and is not cited: what is sound, and the same with what rests on no more than what is cited does. Empty, where
     /// that is no more.
-    pub(super) fn others(&self, premises: &[usize]) -> &[Vec<Assumed>; 2] {
+    pub(in crate::audit) fn others(&self, premises: &[usize]) -> &[Vec<Assumed>; 2] {
         self.others.get_or_init(|| {
             let Before { sound, all, .. } = self.before(premises);
             match sound.len() == all.len() {
@@ -437,7 +437,7 @@ impl Judge<'_> {
         })
     }
 
-    pub(super) fn before(&self, premises: &[usize]) -> &Before {
+    pub(in crate::audit) fn before(&self, premises: &[usize]) -> &Before {
         self.before.get_or_init(|| self.look_before(premises))
     }
 
@@ -556,7 +556,7 @@ impl Judge<'_> {
     }
 
     /// What is given further on in the page and not cited: an author may have used it too soon.
-    pub(super) fn later(&self, premises: &[usize]) -> Vec<Formula> {
+    pub(in crate::audit) fn later(&self, premises: &[usize]) -> Vec<Formula> {
         let equations = &self.derivation.equations;
         let own = self.derivation.equations_of(equations[self.at].page);
         let given = (self.at + 1..own.end)
@@ -571,7 +571,7 @@ impl Judge<'_> {
 
     /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that
     /// stands before can then be what the step follows from.
-    pub(super) fn strengthen(
+    pub(in crate::audit) fn strengthen(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -602,7 +602,7 @@ impl Judge<'_> {
 
     /// What gives as an integral a symbol of a goal on which what is cited is silent, or a function that this applies: a counterexample that
     /// gives it any value is none to what the author says.
-    pub(super) fn told_before(
+    pub(in crate::audit) fn told_before(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -639,7 +639,7 @@ impl Judge<'_> {
 impl Judge<'_> {
     /// Leaves open a step that cites nothing and is of something else than what stands just before it, unless it is refuted with what
     /// speaks of it, or a slip of the pen is found.
-    pub(super) fn heed_what_is_elsewhere(
+    pub(in crate::audit) fn heed_what_is_elsewhere(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
@@ -662,7 +662,7 @@ impl Judge<'_> {
 
     /// Whether a step is refuted with what stands elsewhere, too. A point that everything before allows says most; if none is found,
     /// one that this allows.
-    pub(super) fn refutes_with(
+    pub(in crate::audit) fn refutes_with(
         &self,
         goal: &Goal,
         assumed: &[Assumed],

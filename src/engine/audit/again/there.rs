@@ -11,10 +11,10 @@ use crate::kernel::Standing;
 use crate::search::{Decision, Effort};
 use crate::sorted::Set;
 
-use super::instances::index;
-use super::judge::{Found, Judge, step};
-use super::stated::quantities;
-use super::{Judged, Outcome};
+use super::super::instances::index;
+use super::super::judge::{Found, Judge, step};
+use super::super::stated::quantities;
+use super::super::{Judged, Outcome};
 
 /// So many equations are looked up that say what the quantity is, the nearest first.
 const MOST_MEANINGS: usize = 2;
@@ -22,7 +22,7 @@ const MOST_MEANINGS: usize = 2;
 const EXTREMES: [&str; 6] = ["\\max", "\\min", "max", "min", "\\text{max}", "\\text{min}"];
 
 /// What is found of a symbol that a step would define.
-pub(super) enum There {
+pub(in crate::audit) enum There {
     /// It is what the quantity is there.
     Shown,
     /// It is not.
@@ -31,7 +31,11 @@ pub(super) enum There {
 
 impl Judge<'_> {
     /// What would define a symbol by its first link, judged as the value of the quantity without the index.
-    pub(super) fn as_value_there(&self, goal: &Goal, premises: &[usize]) -> Option<There> {
+    pub(in crate::audit) fn as_value_there(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+    ) -> Option<There> {
         let (Expr::Symbol(new), value) = goal.formula.as_equation()? else {
             return None;
         };
@@ -77,7 +81,7 @@ impl Judge<'_> {
 
     /// Whether a step follows that says what a new symbol is at a place, where that is said without the index of laws in force there: "At
     /// $r = a$ this gives $$v_a^2 = g a$$" after `v^2 = g r`. What does not follow may be said of something else.
-    pub(super) fn follows_at_place(
+    pub(in crate::audit) fn follows_at_place(
         &self,
         goal: &Goal,
         assumed: &[Assumed],

@@ -4,8 +4,8 @@ use crate::algebra::{Atom, Atoms, Expr, Formula, Lowering, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::search;
 
-use super::judge::{Found, Judge};
-use super::{Judged, Outcome};
+use super::super::judge::{Found, Judge};
+use super::super::{Judged, Outcome};
 
 /// Why nothing is proved from what stands before and is not cited.
 const TOGETHER: &str =
@@ -15,7 +15,7 @@ impl Judge<'_> {
     /// The step judged from what it cites alone, where it follows only with premises that no author joins, and these can all be true only
     /// where something that it speaks of is 0: those of two cases, "at the top" and "on landing", are mostly true together where nothing
     /// is thrown.
-    pub(super) fn alone_after_all(
+    pub(in crate::audit) fn alone_after_all(
         &self,
         goal: &Goal,
         steps: &[(usize, Formula)],
@@ -56,7 +56,7 @@ impl Judge<'_> {
 
     /// The step judged without an equation that nobody cites and that alone speaks of an unknown, where the proof makes use of it: that
     /// `s^2 + 2 g s + w^2 = 0` has a root says that `w^2 \leq g^2`, and who goes on to what is so for weak damping means none that is real.
-    pub(super) fn without_roots(
+    pub(in crate::audit) fn without_roots(
         &self,
         goal: &Goal,
         steps: &[(usize, Formula)],

@@ -9,8 +9,8 @@ use crate::derivation::{Assumed, ConditionSaid, Goal};
 use crate::kernel::Standing;
 use crate::search::{self, Decision, Effort};
 
-use super::constant::OF_INTEGRATION;
-use super::judge::{Found, Judge, step};
+use super::super::constant::OF_INTEGRATION;
+use super::super::judge::{Found, Judge, step};
 
 /// Why it is left open whether it is the solution that is meant.
 const UNDECIDED: &str = "it may be the solution with the values that the text tells at one place";
@@ -21,7 +21,7 @@ const MOST_EXPONENTS: usize = 3;
 impl Judge<'_> {
     /// What to say of a step that does not follow from laws of change alone, where the text tells the value at a place of something that it
     /// speaks of.
-    pub(super) fn as_solution(
+    pub(in crate::audit) fn as_solution(
         &self,
         goal: &Goal,
         premises: &[usize],

@@ -9,11 +9,11 @@ use crate::document::Span;
 use crate::notation::read_expr;
 use crate::search::Effort;
 
-use super::judge::{Found, Judge};
+use super::super::judge::{Found, Judge};
 
 impl Judge<'_> {
     /// Whether a step without units follows from figures whose units are left out.
-    pub(super) fn follows_without_units(
+    pub(in crate::audit) fn follows_without_units(
         &self,
         goal: &Goal,
         assumed: &[Assumed],
