@@ -1,0 +1,211 @@
+//! A counterexample held against what stands before and is not cited: it is strengthened, or left open what that might save.
+
+use crate::algebra::{Expr, Formula};
+use crate::derivation::{Assumed, Goal, Source, values_at};
+use crate::search::{self, InChain};
+use crate::sorted::Set;
+
+use super::super::Outcome;
+use super::super::judge::{Found, Judge, NEARBY};
+use super::borrowed::speaks_of_all;
+
+impl Judge<'_> {
+    /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that
+    /// stands before can then be what the step follows from.
+    pub(in crate::audit) fn strengthen(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        // Other pages may mean other things by the same letters.
+        let page = self.derivation.equations[self.at].page;
+        let near = |a: &Assumed| match a.source {
+            Source::Equation(other) => self.derivation.equations[other].page == page,
+            Source::Local(other, _) => other == page,
+            Source::Step => true,
+        };
+        let [sound, _] = self.others(premises);
+        let sound = sound.iter().filter(|own| near(own)).cloned();
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
+        if all.len() == assumed.len() {
+            return false;
+        }
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        if let Some(refuted) = search::refute_in_context(&claim, larger) {
+            found.judged.outcome = Outcome::Refuted(refuted.into());
+            return true;
+        }
+        false
+    }
+
+    /// What gives as an integral a symbol of a goal on which what is cited is silent, or a function that this applies: a counterexample that
+    /// gives it any value is none to what the author says.
+    pub(in crate::audit) fn told_before(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+    ) -> Vec<Assumed> {
+        let integral = |part: &Expr| matches!(part, Expr::Integral { .. });
+        let names = goal.formula.free_symbols();
+        let concerns = |own: &&Assumed| !own.formula.free_symbols().is_disjoint(&names);
+        let mut applied = Set::new();
+        for term in (assumed.iter().filter(concerns)).flat_map(|own| own.formula.terms()) {
+            term.collect_applied(&|_| true, &mut applied);
+        }
+        // What is cited says itself what these are.
+        for own in assumed {
+            if let Some((Expr::Apply(function, _), _)) = own.formula.as_equation() {
+                applied.remove(function);
+            }
+        }
+        let tells = |own: &&Assumed| match own.formula.as_equation() {
+            Some((Expr::Apply(function, _), _)) => applied.contains(function),
+            Some((Expr::Symbol(symbol), term)) => {
+                let one = Formula::equal(Expr::Symbol(symbol.clone()), Expr::integer(0));
+                names.contains(symbol)
+                    && term.any(&integral)
+                    && !speaks_of_all(assumed.iter(), &one)
+            }
+            _ => false,
+        };
+        let [near, _] = self.others(premises);
+        near.iter().filter(tells).cloned().collect()
+    }
+
+    /// Leaves open a step that was refuted from less than what stands before, where all of it with what is itself left open does not
+    /// refute it: it may follow from that. Nothing is left open of which a slip of the pen is found, or where the author says what it
+    /// follows from.
+    pub(in crate::audit) fn heed_what_is_open(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        if self.names_its_premises() || found.mended.is_some() {
+            return;
+        }
+        let mut open = self.open_on_this_page(premises);
+        open.retain(|&other| self.is_undecided(other));
+        let names = goal.formula.free_symbols();
+        let concerns = |own: &Assumed| {
+            let stated = matches!(own.source, Source::Equation(_));
+            stated && !own.formula.free_symbols().is_disjoint(&names)
+        };
+        let open: Vec<Assumed> = (self.gathered(&open).into_iter())
+            .filter(concerns)
+            .collect();
+        if open.is_empty() {
+            return;
+        }
+        let [sound, _] = self.others(premises);
+        let sound = sound.iter().chain(&open).cloned();
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        match search::refute_in_context(&claim, larger) {
+            Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
+            None => {
+                found.leave_open("it may follow from what stands before and is left open itself");
+            }
+        }
+    }
+
+    /// Leaves open a step that cites nothing and is of something else than what stands just before it, unless it is refuted with what
+    /// speaks of it, or a slip of the pen is found.
+    pub(in crate::audit) fn heed_what_is_elsewhere(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        if !found.judged.outcome.is_refuted() || found.mended.is_some() {
+            return;
+        }
+        let elsewhere = self.said_elsewhere(goal, assumed, premises);
+        if elsewhere.is_empty() {
+            return;
+        }
+        if !self.refutes_with(goal, assumed, elsewhere, premises, found) {
+            found.leave_open(
+                "what stands just before says nothing of some symbol in it, and nothing decides it with what does",
+            );
+        }
+    }
+
+    /// Whether a step is refuted with what stands elsewhere, too. A point that everything before allows says most; if none is found,
+    /// one that this allows.
+    pub(in crate::audit) fn refutes_with(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        elsewhere: Vec<Assumed>,
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        let with = assumed.iter().cloned().chain(elsewhere).collect();
+        let everything = self.with_others(assumed, premises);
+        everything.into_iter().chain([with]).any(|all| {
+            let Some(refuted) = self.counterexample(&all, &goal.formula) else {
+                return false;
+            };
+            found.judged.outcome = Outcome::Refuted(refuted.into());
+            found.judged.assumed = all;
+            true
+        })
+    }
+
+    /// What stands before and speaks of a symbol of which what stands just before a step that cites nothing says nothing: with that as
+    /// the premise the symbol could have any value.
+    fn said_elsewhere(&self, goal: &Goal, assumed: &[Assumed], premises: &[usize]) -> Vec<Assumed> {
+        let mut names = goal.formula.names();
+        names.retain(|symbol| !symbol.is_unit());
+        let is_premise = |own: &&Assumed| matches!(own.source, Source::Equation(_));
+        let mut near = assumed.iter().filter(is_premise).peekable();
+        if !self.cites_loosely() || near.peek().is_none() {
+            return Vec::new();
+        }
+        for own in near {
+            let spoken_of = own.formula.names();
+            names.retain(|symbol| !spoken_of.contains(symbol));
+        }
+        let speaks = |own: &&Assumed| !own.formula.names().is_disjoint(&names);
+        let [others, _] = self.others(premises);
+        let speaking = others.iter().filter(is_premise).filter(speaks);
+        speaking.take(NEARBY[1].0).cloned().collect()
+    }
+
+    /// The slip of the pen in a step that needs what stands before and is not cited.
+    pub(in crate::audit) fn mended_from_all(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        chain: &InChain,
+        found: &mut Found,
+    ) {
+        let Outcome::Refuted(refuted) = &found.judged.outcome else {
+            return;
+        };
+        if self.names_its_premises() {
+            return;
+        }
+        let Some(all) = self.with_others(assumed, premises) else {
+            return;
+        };
+        if !speaks_of_all(all.iter(), &goal.formula) {
+            return;
+        }
+        let claim = self.derivation.claim(self.at, &all, &goal.formula);
+        let hints = self.auditor.hints();
+        let mended = search::mended(&claim, chain, refuted.witness(), &hints, values_at);
+        if let Some(mended) = mended {
+            (found.mended, found.implied) = (Some(Box::new(mended)), None);
+        }
+    }
+}
