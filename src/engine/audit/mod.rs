@@ -3,19 +3,21 @@
 //! One failing step does not drown the rest: each is judged from the premises it cites, as they are written.
 //! A step that does not follow from these is tried once more from what stands before it, so that a stale
 //! citation is told apart from an error.
+//!
+//! `equation` goes through the statements of an equation, `statement` through the links of a statement, and `judge` decides a link: what is tried
+//! when it does not follow is in `again`, what is weighed rather than proved in `numeric`. `premise` says what all of them may use, and
+//! `review` what falls with what fails.
 
 mod again;
 mod branch;
 mod cases;
 mod cited;
 mod constant;
-mod decimals;
 mod dimensions;
 mod domain;
 mod entry;
 mod equation;
 mod family;
-mod figures;
 mod given;
 mod identity;
 mod induction;
@@ -30,7 +32,6 @@ mod readings;
 mod rests;
 mod review;
 mod roots;
-mod rounded;
 mod scaling;
 mod schedule;
 mod shifted;

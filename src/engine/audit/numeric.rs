@@ -1,3 +1,9 @@
+//! Numeric claims: definitions put in until figures are left, then weighed.
+
+mod decimals;
+mod figures;
+mod rounded;
+
 use num_traits::{One, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Function, Relation, Symbol};
@@ -6,6 +12,8 @@ use crate::document::Span;
 use crate::interval::{Compared, Figures, Interval, NoInterval};
 use crate::notation::{Precision, Rounding, measured, read_formulas};
 use crate::sorted::{Map, Set};
+
+pub(super) use self::rounded::open_by_figures;
 
 /// "Much greater" is taken for: at least so many times.
 pub const FAR: i32 = 10;
@@ -76,7 +84,7 @@ impl Numeric {
 
 /// How near the numbers are taken that premises print.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Taken {
+enum Taken {
     /// As they are printed, whatever their uncertainty; what is claimed may be rounded.
     Exactly,
     /// As they are printed, and within their uncertainty where one is stated.
@@ -86,18 +94,13 @@ pub(super) enum Taken {
 }
 
 /// Evaluates goals from what they cite, and the figures of its pages.
-pub(super) fn evaluate(
-    derivation: &Derivation,
-    at: usize,
-    goals: &[Goal],
-    assumed: &[Assumed],
-) -> Numeric {
+fn evaluate(derivation: &Derivation, at: usize, goals: &[Goal], assumed: &[Assumed]) -> Numeric {
     weigh_rounded(derivation, at, goals, assumed, Taken::AsStated, &[])
 }
 
 /// The same with numbers that are taken as they are rounded, and with what the page prints for symbols of which nothing else says what
 /// they are.
-pub(super) fn weigh_rounded(
+fn weigh_rounded(
     derivation: &Derivation,
     at: usize,
     goals: &[Goal],

@@ -13,7 +13,7 @@ use super::judge::{COMPLEX, Found, Judge, UNCLEAR};
 use super::mark::mark;
 use super::premise::Usable;
 use super::readings::Circumstances;
-use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, rounded, stated};
+use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, stated};
 
 /// How many earlier steps of its statement a step may use, the last ones.
 const MOST_STEPS: usize = 64;
@@ -61,7 +61,7 @@ impl Auditor<'_> {
             }
             // What might be a law, but for the figures that speak against it.
             if entry.verdict == Verdict::Fails {
-                rounded::open_by_figures(&mut entry);
+                numeric::open_by_figures(&mut entry);
             }
         }
         if entry.verdict == Verdict::Given {
@@ -245,7 +245,7 @@ impl Auditor<'_> {
         let missing = missing.into_iter().any(|premises| !premises.is_empty());
         if entry.verdict == Verdict::Fails && missing {
             match entry.numeric {
-                Some(_) => rounded::open_by_figures(entry),
+                Some(_) => numeric::open_by_figures(entry),
                 None => entry.verdict = Verdict::Undecided,
             }
         }

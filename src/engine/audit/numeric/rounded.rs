@@ -13,11 +13,10 @@ use crate::notation::{Precision, Rounding};
 
 use crate::search;
 
-use super::decimals;
-use super::entry::leave_open;
-use super::judge::Judge;
-use super::numeric::{self, Numeric, Taken, Weighed};
-use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, judge, premise};
+use super::super::entry::leave_open;
+use super::super::judge::{self, Judge};
+use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, premise};
+use super::{Numeric, Taken, Weighed, decimals};
 
 /// Why a step that ends in a rounded number is neither.
 const ROUNDED: &str = "it is rounded";
@@ -53,7 +52,12 @@ impl Auditor<'_> {
     }
 
     /// Weighs what was not proved of a statement, if all of that ends in rounded numbers.
-    pub(super) fn weigh_rounded(&self, judge: &Judge, premises: &[usize], entry: &mut Entry) {
+    pub(in crate::audit) fn weigh_rounded(
+        &self,
+        judge: &Judge,
+        premises: &[usize],
+        entry: &mut Entry,
+    ) {
         let (at, usable) = (judge.at, judge.usable);
         if !matches!(entry.verdict, Verdict::Fails | Verdict::Undecided) {
             return;
@@ -228,7 +232,7 @@ fn is_weighed(goal: &Goal) -> bool {
 }
 
 /// Leaves open what was refuted, and figures speak against: that is told instead.
-pub(super) fn open_by_figures(entry: &mut Entry) {
+pub(in crate::audit) fn open_by_figures(entry: &mut Entry) {
     leave_open(entry, ROUNDED);
     entry.notes.push(Note::NumericNotSupported);
 }

@@ -3,13 +3,19 @@
 use crate::derivation::{Assumed, Kind, Source, goals};
 use crate::notation::Statement;
 
-use super::entry::blank;
-use super::premise::Usable;
-use super::{Auditor, Entry, Note, Verdict, Weighed, numeric};
+use super::super::entry::blank;
+use super::super::premise::Usable;
+use super::super::{Auditor, Entry, Note, Verdict, numeric};
+use super::Weighed;
 
 impl Auditor<'_> {
     /// Evaluates a numeric claim.
-    pub(super) fn numeric(&self, at: usize, statement: &Statement, usable: &Usable) -> Entry {
+    pub(in crate::audit) fn numeric(
+        &self,
+        at: usize,
+        statement: &Statement,
+        usable: &Usable,
+    ) -> Entry {
         let mut entry = blank(at, 0, 1, Kind::Derived, Verdict::Undecided);
         let assumed = self.sound_figures(at, usable);
         let numeric = numeric::evaluate(self.derivation, at, &goals(statement), &assumed);
@@ -27,7 +33,7 @@ impl Auditor<'_> {
     }
 
     /// What figures may be taken from: what is wrong or not proved itself is not put in.
-    pub(super) fn sound_figures(&self, at: usize, usable: &Usable) -> Vec<Assumed> {
+    pub(in crate::audit) fn sound_figures(&self, at: usize, usable: &Usable) -> Vec<Assumed> {
         let sound = |premise: usize| {
             // Of what figures support only what is exact is offered.
             let proved = |e: &Entry| match e.verdict {
