@@ -4,7 +4,7 @@ use crate::algebra::{Expr, Formula, Relation};
 use crate::derivation::{Assumed, Goal};
 use crate::search::{self, Consistency, Effort};
 
-use super::again::unstated::unbounded;
+use super::again::conditions::unbounded;
 use super::judge::{Found, Judge, step};
 
 impl Judge<'_> {

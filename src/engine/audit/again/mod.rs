@@ -1,13 +1,14 @@
 //! What is tried again where a step does not follow from what it cites, or follows only as nobody means it.
 //!
 //! Authors cite less than they use: the display before ([`going_on`]), what else stands before ([`borrowed`], [`rescue`]), what the words name
-//! ([`named`], [`there`], [`unitless`]). They leave unsaid that something is not 0 ([`unstated`]), that it is so for every value of a variable
-//! ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]). What is proved only with premises that no
-//! author joins is judged again without them ([`joined`]), and what refutes a step is held against what else stands before
+//! ([`named`], [`there`], [`unitless`]). They leave unsaid that something is not 0 ([`unstated`], [`conditions`]), that it is so for every
+//! value of a variable ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]). What is proved only with
+//! premises that no author joins is judged again without them ([`joined`]), and what refutes a step is held against what else stands before
 //! ([`against`]). In which order all this is tried is said where a goal is judged.
 
 mod against;
 pub(super) mod borrowed;
+pub(super) mod conditions;
 mod going_on;
 mod joined;
 mod limiting;
@@ -17,4 +18,4 @@ mod solution;
 pub(super) mod there;
 pub(super) mod throughout;
 mod unitless;
-pub(super) mod unstated;
+mod unstated;

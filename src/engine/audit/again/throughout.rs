@@ -11,7 +11,7 @@ use crate::sorted::{self, Set};
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, condition, sources, step};
-use super::unstated::unbounded;
+use super::conditions::unbounded;
 
 /// More symbols than this are not held constant.
 const MOST_HELD: usize = 10;

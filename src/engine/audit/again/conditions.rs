@@ -1,0 +1,278 @@
+//! A step tried under conditions: that something is not 0, is positive, or does not change.
+
+use crate::algebra::{Expr, Formula, Function, Symbol};
+use crate::derivation::{Assumed, Goal, Source};
+use crate::kernel::{Assignment, Claim};
+use crate::search::{self, Effort};
+use crate::sorted::Set;
+
+use super::super::judge::{Found, Judge, condition, sources, step};
+use super::super::{Outcome, stated};
+
+impl Judge<'_> {
+    /// Whether the step follows from a set where something is not 0, or is positive; or `still`, where something does not change.
+    pub(in crate::audit) fn under_conditions(
+        &self,
+        goal: &Goal,
+        set: Vec<Assumed>,
+        witness: Option<&Assignment>,
+        (still, effort): (bool, Effort),
+        found: &mut Found,
+    ) -> bool {
+        let claim = self.derivation.claim(self.at, &set, &goal.formula);
+        let unbounded = unbounded(&claim);
+        if unbounded.is_empty() {
+            return false;
+        }
+        let nonzero = self.nonzero(&claim, &unbounded, witness, effort, found);
+        if nonzero.is_some_and(|own| self.holds_under(goal, set.clone(), &own, effort, found)) {
+            return true;
+        }
+        if still && self.holds_still(goal, &set, claim, found) {
+            return true;
+        }
+        if effort == Effort::Full && self.follows_divided(goal, &set, &unbounded, found) {
+            return true;
+        }
+        // Who writes a root means the positive one.
+        let conditions = match takes_root(&goal.formula) {
+            true => self.positive(goal, &set, &unbounded),
+            false => None,
+        };
+        // That there is a root at all may have to be proved.
+        conditions.is_some_and(|conditions| {
+            self.holds_under(goal, set.clone(), &conditions, Effort::Full, found)
+        }) || effort == Effort::Full && self.follows_on_one_side(goal, &set, found)
+    }
+
+    /// Whether the step follows where nothing that is divided by is 0, if words say that something is: "Dividing (2) by (1)".
+    fn follows_divided(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        unbounded: &[Symbol],
+        found: &mut Found,
+    ) -> bool {
+        if !self.derivation.equations[self.at].divides {
+            return false;
+        }
+        let mut factors = Set::new();
+        let cited = set
+            .iter()
+            .filter(|own| matches!(own.source, Source::Equation(_)));
+        for (left, right) in cited.filter_map(|own| own.formula.as_equation()) {
+            collect_factors(left, &mut factors);
+            collect_factors(right, &mut factors);
+        }
+        let factors = factors.into_iter().filter(|own| unbounded.contains(own));
+        let conditions: Vec<Formula> = factors
+            .map(|own| Formula::nonzero(Expr::Symbol(own)))
+            .collect();
+        let with = conditions.iter().map(step);
+        let with: Vec<Assumed> = set.iter().cloned().chain(with).collect();
+        !self.is_contradictory(&with, goal)
+            && self.holds_under(goal, set.to_vec(), &conditions, Effort::Full, found)
+    }
+
+    /// Whether the step follows where what is differentiated nowhere does not change, and something is left that does.
+    fn holds_still(&self, goal: &Goal, set: &[Assumed], claim: Claim, found: &mut Found) -> bool {
+        let still = search::still_in(claim.clone());
+        let mut own = Found::open(found.judged.clone());
+        let holds = !still.is_empty()
+            && self.holds_under(goal, set.to_vec(), &still, Effort::Full, &mut own)
+            && search::is_possible(&claim, &own.conditions)
+            && stated::constants(&own.judged, &own.conditions).is_some();
+        if holds {
+            *found = own;
+        }
+        holds
+    }
+
+    /// What must not vanish for the step to follow, where that is told of single symbols, or of what it is no equation for: who solves
+    /// `x (a - b) = c` for `x` means `a ≠ b`, and who draws `x = 1` from `x^2 = 1` does not mean `x ≠ -1`.
+    fn nonzero(
+        &self,
+        claim: &Claim,
+        unbounded: &[Symbol],
+        witness: Option<&Assignment>,
+        effort: Effort,
+        found: &mut Found,
+    ) -> Option<Vec<Formula>> {
+        let unless = search::missing_conditions(claim, witness, effort, &self.auditor.hints());
+        found.has_conditions |= witness.is_some();
+        let unless = unless?;
+        let may_be_meant = |condition: &Formula| {
+            let names = condition.free_symbols();
+            let solved = || (claim.goal.as_equation()).map(|(left, _)| left.free_symbols());
+            names.iter().all(|symbol| unbounded.contains(symbol))
+                && (names.len() == 1 || solved().is_some_and(|own| own.is_disjoint(&names)))
+        };
+        let meant = unless.divided.iter().all(may_be_meant);
+        let conditions = unless.conditions();
+        // What is to be shown is no condition of its own.
+        if conditions.contains(&claim.goal) {
+            return None;
+        }
+        if witness.is_some() {
+            found.conditions.clone_from(&conditions);
+        }
+        meant.then_some(conditions)
+    }
+
+    /// That all of the symbols are positive which are no numbers, with what must not vanish beside roots; if that can be.
+    ///
+    /// Where that cannot be, `U = -k/r`, those that the step speaks of are; or what logarithms and powers are taken of, `Q = -n R T \ln r`.
+    pub(in crate::audit) fn positive(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        unbounded: &[Symbol],
+    ) -> Option<Vec<Formula>> {
+        self.all_positive(goal, set, unbounded).or_else(|| {
+            let named = goal.formula.names();
+            let of_goal: Vec<Symbol> = unbounded
+                .iter()
+                .filter(|&own| named.contains(own))
+                .cloned()
+                .collect();
+            let fewer = of_goal.len() < unbounded.len();
+            let of_goal = fewer
+                .then(|| self.all_positive(goal, set, &of_goal))
+                .flatten();
+            of_goal.or_else(|| {
+                let mut below = Set::new();
+                let formulas = set.iter().map(|own| &*own.formula);
+                for term in formulas.chain([&goal.formula]).flat_map(Formula::terms) {
+                    collect_raised(term, &mut below);
+                }
+                let below: Vec<Symbol> = unbounded
+                    .iter()
+                    .filter(|&own| below.contains(own))
+                    .cloned()
+                    .collect();
+                let fewer = !below.is_empty() && below.len() < unbounded.len();
+                fewer
+                    .then(|| self.all_positive(goal, set, &below))
+                    .flatten()
+            })
+        })
+    }
+
+    fn all_positive(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        unbounded: &[Symbol],
+    ) -> Option<Vec<Formula>> {
+        let is_number = |symbol: &Symbol| {
+            set.iter()
+                .any(|a| a.formula.set_to_number() == Some(symbol))
+        };
+        let open = unbounded.iter().filter(|symbol| !is_number(symbol));
+        let mut conditions: Vec<Formula> = open
+            .map(|own| Formula::positive(Expr::Symbol(own.clone())))
+            .collect();
+        if conditions.is_empty() {
+            return None;
+        }
+        let under = |conditions: &[Formula]| {
+            let all = set.iter().cloned().chain(conditions.iter().map(step));
+            let all: Vec<Assumed> = all.collect();
+            self.derivation.claim(self.at, &all, &goal.formula)
+        };
+        let posed = search::pose(under(&conditions)).ok()?;
+        conditions.extend(search::divided_beside_roots(posed.problem()));
+        let claim = under(&conditions);
+        let possible = search::consistency(&claim, &self.auditor.hints());
+        matches!(possible, search::Consistency::Model(_)).then_some(conditions)
+    }
+
+    /// Whether the step follows under conditions; those that it does without are left out.
+    pub(in crate::audit) fn holds_under(
+        &self,
+        goal: &Goal,
+        set: Vec<Assumed>,
+        conditions: &[Formula],
+        effort: Effort,
+        found: &mut Found,
+    ) -> bool {
+        let with = |conditions: &[Formula]| -> Vec<Assumed> {
+            let conditions = conditions.iter().map(condition);
+            set.iter().cloned().chain(conditions).collect()
+        };
+        let proved = |conditions: &[Formula]| {
+            let claim = self
+                .derivation
+                .claim(self.at, &with(conditions), &goal.formula);
+            let posed = search::pose(claim).ok()?;
+            let derived = search::prove_posed(&posed, effort)?;
+            Some((posed, derived))
+        };
+        let conditions = conditions.to_vec();
+        // What is only found in earnest is not left out by those who try for little.
+        let found_under = match effort {
+            Effort::Full => search::fewest(conditions, proved),
+            Effort::Light => proved(&conditions).map(|found| (found, conditions)),
+        };
+        let Some(((posed, derived), conditions)) = found_under else {
+            return false;
+        };
+        let with = with(&conditions);
+        let (kept, least) = self.least(with, goal, &posed, derived);
+        let is_kept = |own: &&Formula| kept.contains(&condition(own));
+        found.conditions = conditions.iter().filter(is_kept).cloned().collect();
+        found.instead = sources(&kept);
+        found.judged.assumed = kept;
+        found.judged.outcome = Outcome::Proven(least.into());
+        true
+    }
+}
+
+/// The symbols that a side of an equation is divided by where one is divided by it.
+fn collect_factors(side: &Expr, factors: &mut Set<Symbol>) {
+    match side {
+        Expr::Symbol(symbol) => {
+            factors.insert(symbol.clone());
+        }
+        Expr::Product(parts) => parts.iter().for_each(|own| collect_factors(own, factors)),
+        Expr::Power(part, _) | Expr::Quotient(part, _) | Expr::Negate(part) => {
+            collect_factors(part, factors);
+        }
+        _ => {}
+    }
+}
+
+/// Whether a root is written in a formula.
+pub(super) fn takes_root(formula: &Formula) -> bool {
+    any_part(formula, &Expr::is_root)
+}
+
+/// What a logarithm is taken of, or a power with symbols in the exponent.
+pub(super) fn raised(part: &Expr) -> Option<&Expr> {
+    match part {
+        Expr::Power(base, exponent) if !exponent.free_symbols().is_empty() => Some(base),
+        Expr::Call(Function::Ln, of) => Some(of),
+        _ => None,
+    }
+}
+
+fn collect_raised(term: &Expr, found: &mut Set<Symbol>) {
+    found.extend(raised(term).into_iter().flat_map(Expr::free_symbols));
+    (term.children()).for_each(|child| collect_raised(child, found));
+}
+
+pub(super) fn any_part(formula: &Formula, is_meant: &dyn Fn(&Expr) -> bool) -> bool {
+    let mut terms = formula.terms().into_iter();
+    terms.any(|term| term.any(&is_meant))
+}
+
+/// The symbols that a step speaks of, or its premises, and of which nobody says where they lie.
+pub(in crate::audit) fn unbounded(claim: &Claim) -> Vec<Symbol> {
+    let named = Formula::free_symbols_of(claim.formulas()).into_iter();
+    let said = |symbol: &Symbol| {
+        let domain = claim.domains.get(symbol);
+        domain.is_some_and(|d| d.nonzero || d.bounds().next().is_some())
+    };
+    let unbounded = named.filter(|symbol| !said(symbol) && !symbol.is_unit());
+    unbounded.cloned().collect()
+}
