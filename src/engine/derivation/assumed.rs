@@ -43,7 +43,7 @@ impl Assumed {
 /// Where a hypothesis comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Source {
-    /// A `let` or an assumption: page, position in [`Page::locals`].
+    /// A `let` or an assumption: page, position in [`Page::locals`](super::Page::locals).
     Local(usize, usize),
     /// An equation, by position.
     Equation(usize),
