@@ -104,3 +104,87 @@ fn what_is_known_in_the_same_symbols_is_no_law() {
     assert_eq!(forces("F_1 + F_2 = m g").0, "given");
     assert_eq!(forces("F_1 = F_2").0, "given");
 }
+
+#[test]
+fn a_name_with_something_added_is_what_is_put_in_makes_of_the_whole() {
+    let page = |words: &str, step: &str| {
+        last(&format!(
+            "The force of the spring is\n\n$$ F = F_0 - k x \\tag{{1}} $$\n\nand it rests at\n\n$$ x_r = \\frac{{F_0 - w}}{{2 k}} \\tag{{2}} $$\n\n\
+             {words}\n\n$$ {step} $$\n"
+        ))
+    };
+    // What `x_r` is stands in an equation that is not cited.
+    for words in [
+        "Inserting $x = x_r$ in (1), the force at rest is",
+        "With $x = x_r$ equation (1) says that the force is",
+    ] {
+        assert_eq!(page(words, r"F_r = \frac{F_0 + w}{2}"), CHECKED, "{words}");
+        assert_eq!(page(words, r"F_r = \frac{F_0 - w}{2}"), FAILS, "{words}");
+    }
+    // What is printed speaks of something that nothing before ties to the rest.
+    let other = page(
+        "Inserting $x = x_r$ in (1), the force at rest is",
+        r"F_r = \frac{F_0 + q}{2}",
+    );
+    assert_eq!(other.0, "given");
+}
+
+#[test]
+fn what_the_words_say_of_a_new_name_is_what_it_is_taken_from() {
+    let page = |words: &str, step: &str| {
+        last(&format!(
+            "The pull on the cart is\n\n$$ b = \\frac{{P}}{{M}} \\tag{{1}} $$\n\n{words}\n\n$$ {step} $$\n"
+        ))
+    };
+    let words = "It starts at rest, and $u^2 = 2 b z$ after the way $z$, so by (1)";
+    assert_eq!(page(words, r"u = \sqrt{\frac{P z}{M}}"), FAILS);
+    assert_ne!(page(words, r"u = \sqrt{\frac{2 P z}{M}}").0, "fails");
+    let twice = "What the cart keeps is $L = M b - b$, or";
+    assert_eq!(page(twice, r"L = P + \frac{P}{M}"), FAILS);
+    assert_ne!(page(twice, r"L = P - \frac{P}{M}").0, "fails");
+}
+
+#[test]
+fn a_condition_in_the_text_says_what_a_name_is() {
+    let page = |step: &str| {
+        last(&format!(
+            "The two pulls are\n\n$$ P = m r s, \\qquad Q = \\frac{{n}}{{s}} $$\n\nThe bead rests if they are equal, $P = Q$. We conclude that\n\n\
+             $$ {step} $$\n\nis where it rests.\n"
+        ))
+    };
+    assert_eq!(page(r"s_0 = \frac{n}{m r}"), FAILS);
+    assert_ne!(page(r"s_0 = \sqrt{\frac{n}{m r}}").0, "fails");
+}
+
+#[test]
+fn a_value_at_a_place_is_no_law() {
+    let page = |words: &str, step: &str| {
+        last(&format!(
+            "The answer of the filter is\n\n$$ G(q) = \\frac{{a}}{{1 + a + b q}} $$\n\n{words}\n\n$$ {step} $$\n"
+        ))
+    };
+    let words = "What it lets through of a steady input is the value at $q = 0$,";
+    assert_eq!(page(words, r"G(0) = \frac{a}{1 + a}").0, "holds");
+    assert_eq!(page(words, r"G(0) = \frac{a}{1 - a}"), FAILS);
+    // What brings in something else may be a condition.
+    assert_eq!(page(words, r"G(0) = c").0, "given");
+    let rate = |step: &str| {
+        last(&format!(
+            "The rate is\n\n$$ W = \\frac{{p z}}{{H + z}} $$\n\nWhen the dose is $z = H$, the rate comes to\n\n$$ {step} $$\n"
+        ))
+    };
+    assert_eq!(rate(r"W = \frac{p}{2}").0, "holds");
+    assert_eq!(rate(r"W = \frac{p}{4}"), FAILS);
+}
+
+#[test]
+fn the_value_at_a_named_place_is_that_of_what_has_its_argument_left_out() {
+    let page = |step: &str| {
+        last(&format!(
+            "The hull has the area\n\n$$ A = 2 b^2 + 3 b c $$\n\nand with the volume\n\n$$ c = \\frac{{V}}{{b^2}} $$\n\n\
+             that is a function of $b$ alone,\n\n$$ {step} $$\n\nAt its best it is $A_0 = A(b_0)$, no less.\n"
+        ))
+    };
+    assert_eq!(page(r"A(b) = 2 b^2 + \frac{3 V}{b}").0, "holds");
+    assert_eq!(page(r"A(b) = 2 b^2 + \frac{2 V}{b}"), FAILS);
+}

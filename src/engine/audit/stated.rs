@@ -6,7 +6,7 @@
 //! What is so taken is told. An equation that contradicts what stands before, or is one slip of the pen away from what
 //! follows, still fails.
 
-use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::algebra::{Expr, Formula, LimitPoint, Relation, Symbol};
 use crate::derivation::{Assumed, Equation, Goal, Kind, Source, is_put};
 use crate::document::Extent;
 use crate::kernel::Standing;
@@ -38,6 +38,26 @@ impl Judge<'_> {
             None => false,
         };
         matches!(body, Expr::Symbol(_) | Expr::Apply(..)) && self.usable.assumed.iter().any(gives)
+    }
+
+    /// Whether a side is the value at a place of something that a premise gives by a term, in which all that it is said to be made of stands.
+    /// What brings in something else, `y(0) = y_0`, may be a condition.
+    fn is_value_of_given(&self, side: &Expr, others: &Set<Symbol>) -> bool {
+        let Expr::Limit {
+            body,
+            variable,
+            point: LimitPoint::Finite(_),
+        } = side
+        else {
+            return false;
+        };
+        let gives = |own: &Assumed| match own.formula.as_equation() {
+            Some((left, right)) => {
+                left == &**body && right.mentions(variable) && others.is_subset(&quantities(right))
+            }
+            None => false,
+        };
+        !others.is_empty() && self.usable.assumed.iter().any(gives)
     }
 
     /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.
@@ -120,7 +140,9 @@ impl Judge<'_> {
         let put = has_value || is_put(right, equation.extent);
         // That a measured value does not go with what is wrong itself is no slip.
         let is_number = matches!(left, Expr::Symbol(_)) && others.is_empty();
-        let is_slip = || is_slip(entry) && !(is_number && self.draws_on_failing(judged));
+        let is_otherwise = || put && is_otherwise(entry, &others);
+        let is_slip =
+            || (is_slip(entry) || is_otherwise()) && !(is_number && self.draws_on_failing(judged));
         if !has_value && is_slip() || !put && !entry.missing.is_empty() {
             return None;
         }
@@ -131,6 +153,8 @@ impl Judge<'_> {
             _ if named == others => return None,
             // A limit of what is written out could not be otherwise; nor could the slope of what the page gives by a term, in what is known.
             _ if identity::is_carried_out(left, right, equation.drawn) => return None,
+            // Nor could the value at a place of what the page gives by a term in just what it is said to be made of.
+            _ if self.is_value_of_given(left, &others) => return None,
             // That it is 0 is a condition.
             _ if self.is_slope_of_given(left)
                 && !others.is_empty()
@@ -375,6 +399,13 @@ fn stands(term: &Expr, symbol: &Symbol) -> bool {
 pub(super) fn is_slip(entry: &Entry) -> bool {
     let mended = entry.mended.as_ref();
     mended.is_some_and(|mended| mended.under.is_empty())
+}
+
+/// Whether something else follows that is made of the same symbols: what is put at a place, `V = v/4`, is another value there then.
+fn is_otherwise(entry: &Entry, named: &Set<Symbol>) -> bool {
+    let implied = entry.implied.as_ref().map(|own| &own.proven.claim().goal);
+    let value = implied.and_then(|goal| Some(goal.as_equation()?.1));
+    !named.is_empty() && value.is_some_and(|value| quantities(value) == *named)
 }
 
 /// Whether what a page begins with goes on with something false: a link whose sides speak of the same (`A = \pi r^2 = 2 \pi r`), what

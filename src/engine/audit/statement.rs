@@ -147,7 +147,7 @@ impl Auditor<'_> {
         if let Some(found) = how.defines.then(instance).flatten() {
             return Some(found);
         }
-        match judge.as_value_there(goal, how.premises) {
+        match judge.as_value_there(goal, how.premises, how.defines) {
             Some(There::Refuted(found)) => {
                 links.contradicted = true;
                 Some(*found)

@@ -3,7 +3,8 @@
 //! Both are one quantity where a page has both and is solved for it somewhere, wherever the argument is the same symbol. Not where a term or a statement speaks
 //! of both in two ways, where a sum or a limit goes over the argument, nor where it is another elsewhere: `f(s)` beside `f(t)`.
 //!
-//! The value at a number, `y(0)`, is that of what depends on one symbol throughout; `\dot{y}(0)` is that of its slope.
+//! The value at a number, `y(0)`, is that of what depends on one symbol throughout; `\dot{y}(0)` is that of its slope. So is the value at what
+//! names a special value of the argument, `y(t_1)`, where the argument is left out elsewhere.
 
 use std::collections::BTreeSet;
 
@@ -51,19 +52,30 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     let mut functions: Tree<Symbol, (Symbol, bool)> = Tree::new();
     let mut any = false;
     for (name, own) in all.into_entries() {
-        let mut arguments = own.arguments.into_iter();
-        if let (Some(argument), None) = (arguments.next(), arguments.next()) {
-            let left_out = own.solved && own.alone && !own.apart && argument != name;
-            any |= left_out || own.valued;
-            functions.insert(name, (argument, left_out));
-        } else {
-            any |= own.valued;
+        let argument = the_argument(&own.arguments).filter(|_| own.arguments.len() == 1);
+        let may_be_left_out = own.solved && own.alone && !own.apart;
+        // "At $t_1$ it is $y(t_1)$", where `y` is elsewhere what `y(t)` is.
+        let beside_values = || the_argument(&own.arguments).filter(|_| may_be_left_out);
+        any |= own.valued;
+        if let Some(argument) = argument.or_else(beside_values) {
+            let left_out = may_be_left_out && *argument != name;
+            any |= left_out;
+            functions.insert(name, (argument.clone(), left_out));
         }
     }
     if !any {
         return;
     }
     map_terms(page, equations, |term| without(term, &functions));
+}
+
+/// The one symbol of which all other arguments name special values.
+fn the_argument(all: &BTreeSet<Symbol>) -> Option<&Symbol> {
+    let is_it = |own: &&Symbol| {
+        let mut others = all.iter().filter(|other| other != own);
+        others.all(|other| other.is_variant_of(own))
+    };
+    all.iter().find(is_it)
 }
 
 /// What is said in one statement.
@@ -158,8 +170,13 @@ fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
         let (body, variable) = plain(&undotted(name)?)?;
         Some((body.differentiated_by(&variable), variable))
     };
+    // `y(0)`, or `y(t_1)` beside `y(t)`.
+    let is_place = |place: &Expr| match (place, functions.get(name)) {
+        (Expr::Symbol(place), Some((argument, true))) => place.is_variant_of(argument),
+        (place, _) => matches!(place, Expr::Number(_)),
+    };
     match &arguments[..] {
-        [place @ Expr::Number(_)] => match plain(name).or_else(slope) {
+        [place] if is_place(place) => match plain(name).or_else(slope) {
             Some((body, variable)) => Expr::Limit {
                 body: body.into(),
                 variable,

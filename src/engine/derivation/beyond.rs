@@ -1,6 +1,6 @@
 //! What is said of more than a special case of which the text told before.
 
-use crate::algebra::Formula;
+use crate::algebra::{Expr, Formula};
 
 use super::reader::Reader;
 use super::rows::Part;
@@ -52,29 +52,64 @@ impl Derivation {
 }
 
 impl Local {
+    /// Whether statements speak of what it gives a special value, `\omega = \omega_0` or `r = 1`, and not of that value.
+    fn is_left_for_the_whole<'a>(
+        &self,
+        statements: impl IntoIterator<Item = &'a Statement>,
+    ) -> bool {
+        if !self.is_special {
+            return false;
+        }
+        let mut special = self
+            .formulas
+            .iter()
+            .filter_map(|own| match own.as_equation()? {
+                (Expr::Symbol(whole), Expr::Symbol(own)) => {
+                    own.is_variant_of(whole).then_some((whole, Some(own)))
+                }
+                (Expr::Symbol(whole), Expr::Number(_)) => Some((whole, None)),
+                _ => None,
+            });
+        let Some((whole, own)) = special.next() else {
+            return false;
+        };
+        let mut arrived = statements.into_iter().filter_map(arrived);
+        arrived.any(|formula| {
+            let names = formula.names();
+            let is_own = own.is_some_and(|own| names.contains(own));
+            names.contains(whole) && !is_own
+        })
+    }
+
     /// Whether statements speak apart of what it says goes together, and do not say that themselves.
     fn is_parted_by<'a>(&self, statements: impl IntoIterator<Item = &'a Statement>) -> bool {
         let names = self.names();
         let mut statements = statements.into_iter();
         names.len() > 1
             && statements.any(|statement| {
-                let said = formulas(statement);
-                let equations: Vec<_> = said.iter().filter_map(Formula::as_equation).collect();
                 // On the way to where a chain arrives both may be spoken of.
-                let arrived = match &equations[..] {
-                    [] => return false,
-                    [(left, _), .., (_, right)] | [(left, right)] => {
-                        Formula::equal((*left).clone(), (*right).clone())
-                    }
-                };
-                names.is_subset(&arrived.names())
-                    && !self.formulas.iter().any(|own| said.contains(own))
+                let parted = arrived(statement).is_some_and(|own| names.is_subset(&own.names()));
+                let said = formulas(statement);
+                parted && !self.formulas.iter().any(|own| said.contains(own))
             })
     }
 }
 
+/// What the ends of a chain of equations say.
+fn arrived(statement: &Statement) -> Option<Formula> {
+    let said = formulas(statement);
+    let equations: Vec<_> = said.iter().filter_map(Formula::as_equation).collect();
+    match &equations[..] {
+        [] => None,
+        [(left, _), .., (_, right)] | [(left, right)] => {
+            Some(Formula::equal((*left).clone(), (*right).clone()))
+        }
+    }
+}
+
 impl Reader<'_> {
-    /// Leaves the places that were named before the display before, "at $R = r$, where $$…$$", once a display speaks of both apart.
+    /// Leaves the places that were named before the display before, "at $R = r$, where $$…$$", once a display speaks of both apart; and
+    /// what something is in a special case, "at $\omega = \omega_0$", "Suppose that $r = 1$", once a display speaks of it in general.
     pub(super) fn leave_places(&mut self, display: &[Part]) {
         let Some(before) = self.equations.last() else {
             return;
@@ -94,8 +129,14 @@ impl Reader<'_> {
                 .iter()
                 .flat_map(|part| part.statements.iter().flatten())
         };
-        self.active
-            .retain(|&at| !(is_place(&locals[at]) && locals[at].is_parted_by(said())));
+        let is_before = |local: &Local| local.span.start < before.span.start;
+        self.active.retain(|&at| {
+            let own = &locals[at];
+            let is_left = is_place(own) && own.is_parted_by(said())
+                || is_before(own) && own.is_left_for_the_whole(said());
+            !is_left
+        });
+        self.page.leave_passages(&mut self.active);
     }
 }
 

@@ -306,9 +306,14 @@ fn set_to_a_number(formula: &Formula) -> Option<Symbol> {
             left: Expr::Symbol(symbol),
             relation: Relation::Equal,
             right,
-        } if right.free_symbols().iter().all(Symbol::is_unit) => Some(symbol.clone()),
+        } if right.free_symbols().iter().all(is_number) => Some(symbol.clone()),
         _ => None,
     }
+}
+
+/// Whether a symbol stands for a number, or for so much of a unit.
+fn is_number(symbol: &Symbol) -> bool {
+    symbol.is_unit() || symbol.name() == "\\pi"
 }
 
 /// The symbols that an equation between them gives a value.

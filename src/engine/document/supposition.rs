@@ -225,7 +225,11 @@ impl Reader<'_> {
         let unsaid = self.sentence.active.is_some() && self.is_silent() && among(&NEGATING);
         // A "non-trivial" solution is none of the trivial ones.
         let compound = || index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
-        let conditional = || is_condition(self.source, index, self.tokens);
+        let conditional = || {
+            // "The energy is $K = E - E'$, or $$…$$" says the same once more.
+            let says_again = word == "or" && index + 1 == self.tokens.len();
+            says_again || is_condition(self.source, index, self.tokens)
+        };
         if denies || unsaid || among(&DOUBTFUL) && !compound() && !conditional() {
             self.withdraw();
             self.sentence.doubtful = true;

@@ -76,6 +76,12 @@ impl Symbol {
         split_subscript(self.name()).map(|(stem, _)| Symbol::new(stem))
     }
 
+    /// Whether it is the name of another symbol with something added, and so names a special value of that: `\omega_0`, `f'` or `E^*`.
+    pub fn is_variant_of(&self, whole: &Symbol) -> bool {
+        let added = self.name.strip_prefix(whole.name());
+        added.is_some_and(|added| added.starts_with(['_', '\'', '^']))
+    }
+
     /// Whether it stands for a unit of measurement: `\unit{m}`.
     pub fn is_unit(&self) -> bool {
         self.name.starts_with("\\unit{")

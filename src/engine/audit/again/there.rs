@@ -15,6 +15,7 @@ use super::super::instances::index;
 use super::super::judge::{Found, Judge, step};
 use super::super::stated::quantities;
 use super::super::{Judged, Outcome};
+use super::conditions::{any_part, unbounded};
 
 /// So many equations are looked up that say what the quantity is, the nearest first.
 const MOST_MEANINGS: usize = 2;
@@ -30,52 +31,165 @@ pub(in crate::audit) enum There {
 }
 
 impl Judge<'_> {
-    /// What would define a symbol by its first link, judged as the value of the quantity without the index.
+    /// What would define a symbol by its first link, judged as the value of the quantity without the index; or as what the words before the
+    /// step say of the symbol itself: "As $v^2 = 2 a h$, by (1)".
     pub(in crate::audit) fn as_value_there(
         &self,
         goal: &Goal,
         premises: &[usize],
+        defines: bool,
     ) -> Option<There> {
         let (Expr::Symbol(new), value) = goal.formula.as_equation()? else {
             return None;
         };
         let named = quantities(value);
-        let quantity = new.without_subscript()?;
         let is_new = self.derivation.equations[self.at].introduces.contains(new);
-        if !is_new || named.is_empty() || named.contains(&quantity) {
+        if !is_new || named.is_empty() {
             return None;
         }
         let cited = self.cited(goal, &[]);
         let words = self.said_of_the_place();
-        let meanings = self.meanings(&quantity, &cited, premises);
-        if meanings.is_empty() {
-            return None;
-        }
-        let is_place = !words.is_empty() || self.names_its_premises() || is_extreme(new);
-        let mut assumed: Vec<Assumed> = Vec::new();
-        for own in cited
-            .into_iter()
-            .chain(words)
-            .chain(meanings.iter().cloned())
-        {
-            if !own.formula.speaks_of_slopes() && !assumed.contains(&own) {
-                assumed.push(own);
+        let quantity = whole(new).filter(|own| !named.contains(own));
+        let asked = Asked {
+            new,
+            named: &named,
+            quantity: quantity.as_ref(),
+        };
+        let by_itself = || self.said_of_itself(&asked, &cited, &words, premises);
+        let by_itself = defines.then(by_itself).flatten();
+        let at_a_place = || self.said_of_the_whole(&asked, cited, words, premises);
+        let (assumed, may_fail) = by_itself.or_else(at_a_place)?;
+        let found = self.judged_there(goal, assumed.clone(), premises, &asked, may_fail);
+        found.or_else(|| {
+            // That something may be 0 or less can be all that keeps the symbol from being anything at all. Where all is positive, too, there
+            // is a counterexample or nothing is said.
+            let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+            let free = unbounded(&claim).into_iter();
+            let free = free.filter(|symbol| symbol.name() != "\\pi");
+            let positive = free.map(|symbol| step(&Formula::positive(Expr::Symbol(symbol))));
+            let before = assumed.len();
+            let assumed: Vec<Assumed> = assumed.into_iter().chain(positive).collect();
+            if may_fail == MayFail::Never || assumed.len() == before {
+                return None;
             }
-        }
-        let same = Formula::equal(Expr::Symbol(new.clone()), Expr::Symbol(quantity.clone()));
-        assumed.push(step(&same));
+            let found = self.judged_there(goal, assumed, premises, &asked, may_fail);
+            found.filter(|own| matches!(own, There::Refuted(_)))
+        })
+    }
+
+    /// The same from just these premises.
+    fn judged_there(
+        &self,
+        goal: &Goal,
+        assumed: Vec<Assumed>,
+        premises: &[usize],
+        asked: &Asked,
+        may_fail: MayFail,
+    ) -> Option<There> {
         match self.decide_from(&assumed, &goal.formula)? {
             Decision::Proven { .. } => Some(There::Shown),
-            Decision::Refuted(refuted) if is_place && self.is_put(&meanings, &quantity, &named) => {
+            Decision::Refuted(refuted) if may_fail != MayFail::Never => {
                 let mut found = Found::open(Judged {
                     goal: goal.clone(),
                     assumed: assumed.clone(),
                     outcome: Outcome::Refuted(refuted.into()),
                 });
                 self.instead(goal, &assumed, premises, &mut found);
-                found.gives(&named).then(|| There::Refuted(found.into()))
+                let gives = found.gives(asked, may_fail);
+                gives.then(|| There::Refuted(found.into()))
             }
             _ => None,
+        }
+    }
+
+    /// What a new symbol may be taken from, of which the words before the step say something already; nothing where they do not, or say what
+    /// the step says.
+    fn said_of_itself(
+        &self,
+        asked: &Asked,
+        cited: &[Assumed],
+        words: &[Assumed],
+        premises: &[usize],
+    ) -> Option<(Vec<Assumed>, MayFail)> {
+        let is_own = |own: &Assumed| {
+            let is_word = !matches!(own.source, Source::Equation(_));
+            is_word
+                && own.formula.as_equation().is_some()
+                && own.formula.names().contains(asked.new)
+        };
+        let all = || cited.iter().chain(words);
+        if !all().any(is_own) {
+            return None;
+        }
+        let mut assumed: Vec<Assumed> = Vec::new();
+        join(all().cloned(), &mut assumed);
+        self.join_meanings(asked, premises, &mut assumed);
+        Some((assumed, MayFail::InTheSameSymbols))
+    }
+
+    /// What a new symbol may be taken from that names a special value of a quantity.
+    fn said_of_the_whole(
+        &self,
+        asked: &Asked,
+        cited: Vec<Assumed>,
+        words: Vec<Assumed>,
+        premises: &[usize],
+    ) -> Option<(Vec<Assumed>, MayFail)> {
+        let quantity = asked.quantity?;
+        let meanings = self.meanings(quantity, &cited, premises);
+        let mut assumed: Vec<Assumed> = Vec::new();
+        let may_fail = match meanings.is_empty() {
+            false => {
+                let is_place = !words.is_empty() || self.names_its_premises();
+                let is_place = is_place || is_extreme(asked.new);
+                let all = cited.into_iter().chain(words).chain(meanings);
+                let all = all.filter(|own| !own.formula.speaks_of_slopes());
+                join(all, &mut assumed);
+                match is_place && is_put(&assumed, asked) {
+                    true => MayFail::InTheSameSymbols,
+                    false => MayFail::Never,
+                }
+            }
+            // "Setting $dY/dE = 0$ we find $$E^* = r/2$$"
+            true => {
+                let is_condition = |own: &Assumed| {
+                    let is_word = !matches!(own.source, Source::Equation(_));
+                    is_word && own.formula.as_equation().is_some()
+                };
+                let mut conditions = cited.iter().chain(&words);
+                if !conditions.any(is_condition) {
+                    return None;
+                }
+                join(cited.into_iter().chain(words), &mut assumed);
+                MayFail::ByAnyOther
+            }
+        };
+        self.join_meanings(asked, premises, &mut assumed);
+        if !assumed
+            .iter()
+            .any(|own| own.formula.names().contains(quantity))
+        {
+            return None;
+        }
+        let same = Formula::equal(
+            Expr::Symbol(asked.new.clone()),
+            Expr::Symbol(quantity.clone()),
+        );
+        assumed.push(step(&same));
+        Some((assumed, may_fail))
+    }
+
+    /// Adds what stands before and says what that is of which the premises speak, `Q_m`, where $Q = Q_m$ is put in, or the step.
+    fn join_meanings(&self, asked: &Asked, premises: &[usize], assumed: &mut Vec<Assumed>) {
+        let names = assumed.iter().flat_map(|own| own.formula.names());
+        let spoken_of: Set<Symbol> = names.chain(asked.named.iter().cloned()).collect();
+        let is_asked = |own: &Symbol| own == asked.new || Some(own) == asked.quantity;
+        for symbol in spoken_of.iter().filter(|own| !is_asked(own)) {
+            let meanings = self.meanings(symbol, assumed, premises);
+            let meanings = meanings
+                .into_iter()
+                .filter(|own| !own.formula.speaks_of_slopes());
+            join(meanings, assumed);
         }
     }
 
@@ -130,22 +244,20 @@ impl Judge<'_> {
         !said.is_empty() && self.holds_under(goal, all(), &[], Effort::Light, found)
     }
 
-    /// Whether something is gone from all that says what a quantity is: something that has a value at the place.
-    fn is_put(&self, meanings: &[Assumed], quantity: &Symbol, named: &Set<Symbol>) -> bool {
-        meanings.iter().all(|own| {
-            let spoken_of = own.formula.names();
-            let mut rest = spoken_of.iter().filter(|own| *own != quantity);
-            rest.any(|own| !named.contains(own))
-        })
-    }
-
     /// What the words before a step tell, name or mention: "At the free end, $x = L$".
     fn said_of_the_place(&self) -> Vec<Assumed> {
         let mut words = self.derivation.told(self.at);
         words.extend(self.derivation.named(self.at));
         let mentioned = self.derivation.mentioned(self.at).into_iter();
         words.extend(mentioned.map(|(_, formula)| step(&formula)));
-        words.retain(|own| own.formula.as_equation().is_some());
+        let page = self.derivation.equations[self.at].page;
+        let is_unknown = |part: &Expr| match part {
+            Expr::Apply(name, _) => !self.derivation.is_spoken_of(page, name),
+            _ => false,
+        };
+        words.retain(|own| {
+            own.formula.as_equation().is_some() && !any_part(&own.formula, &is_unknown)
+        });
         words
     }
 
@@ -168,19 +280,72 @@ impl Judge<'_> {
     }
 }
 
+/// What is asked of a new symbol.
+struct Asked<'a> {
+    new: &'a Symbol,
+    /// What its value is said to be made of.
+    named: &'a Set<Symbol>,
+    /// What it may name a special value of.
+    quantity: Option<&'a Symbol>,
+}
+
+/// When what would define a symbol is told to be wrong.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum MayFail {
+    Never,
+    /// Where something else follows that is made of the same symbols.
+    InTheSameSymbols,
+    /// Where something else follows, whatever it is made of but the quantity itself: the words say all that it is taken from.
+    ByAnyOther,
+}
+
 impl Found {
-    /// Whether something follows in the place of what was refuted, in just these symbols.
-    fn gives(&self, named: &Set<Symbol>) -> bool {
-        let in_these = |formula: &Formula| {
-            let sides = formula.as_equation();
-            sides.is_some_and(|(_, value)| quantities(value) == *named)
+    /// Whether something follows in the place of what was refuted.
+    fn gives(&self, asked: &Asked, may_fail: MayFail) -> bool {
+        let is_meant = |formula: &Formula| match formula.as_equation() {
+            Some((_, value)) if may_fail == MayFail::ByAnyOther => {
+                let own = quantities(value);
+                !own.contains(asked.new) && asked.quantity.is_none_or(|q| !own.contains(q))
+            }
+            Some((_, value)) => quantities(value) == *asked.named,
+            None => false,
         };
         let implied = self.implied.as_ref().map(|own| &own.proven);
         let mended = self.mended.as_ref().filter(|own| own.under.is_empty());
         let mended = mended.map(|own| &own.proven);
         let mut instead = implied.into_iter().chain(mended);
-        instead.any(|own| in_these(&own.claim().goal))
+        instead.any(|own| is_meant(&own.claim().goal))
     }
+}
+
+/// Adds hypotheses that are not there yet.
+fn join(more: impl Iterator<Item = Assumed>, assumed: &mut Vec<Assumed>) {
+    for own in more {
+        if !assumed.contains(&own) {
+            assumed.push(own);
+        }
+    }
+}
+
+/// Whether something is gone from all that says what a quantity is: something that has a value at the place.
+fn is_put(assumed: &[Assumed], asked: &Asked) -> bool {
+    let says = |own: &&Assumed| match own.formula.as_equation() {
+        Some((Expr::Symbol(left), _)) => {
+            Some(left) == asked.quantity && matches!(own.source, Source::Equation(_))
+        }
+        _ => false,
+    };
+    assumed.iter().filter(says).all(|own| {
+        let spoken_of = own.formula.names();
+        let mut rest = spoken_of.iter().filter(|own| Some(*own) != asked.quantity);
+        rest.any(|own| !asked.named.contains(own))
+    })
+}
+
+/// What a symbol may name a special value of: `P` of `P_{\max}`, `E` of `E^*`.
+fn whole(symbol: &Symbol) -> Option<Symbol> {
+    let starred = symbol.name().strip_suffix("^*");
+    (symbol.without_subscript()).or_else(|| starred.map(Symbol::new))
 }
 
 fn is_extreme(symbol: &Symbol) -> bool {

@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Citation, Span, Supposition, SuppositionKind, Vanishing, is_reason};
 use crate::notation::read_formulas;
+use crate::sorted::Set;
 
 use super::super::equation::formulas;
 use super::super::qualities;
@@ -166,8 +167,32 @@ impl Reader<'_> {
         self.page.suppose(body, kind, self.level, among, false);
         self.page.restrict(before.., kind, &self.spoken_of);
         let new = before..self.page.locals.len();
+        self.leave_replaced(new.clone());
         self.keep(new.clone(), kind);
         new
+    }
+
+    /// Leaves the cases before the last display in which something had another value than the text says now: "Inserting $Q = Q_m$, $$…$$ Now
+    /// there are two firms, $Q = q_1 + q_2$".
+    fn leave_replaced(&mut self, new: Range<usize>) {
+        let Some(last) = self.equations.last() else {
+            return;
+        };
+        let locals = &self.page.locals;
+        let own = || locals[new.clone()].iter().filter(|own| own.is_equation());
+        let values: Set<Symbol> = own().flat_map(Local::values).collect();
+        if values.is_empty() {
+            return;
+        }
+        self.active.retain(|&at| {
+            let old = &locals[at];
+            let is_left = !new.contains(&at)
+                && old.of_case
+                && !old.is_figure
+                && old.span.start < last.span.start
+                && !old.values().is_disjoint(&values);
+            !is_left
+        });
     }
 
     /// Leaves the cases before the last display that speak of the same: "If $R = r$, $$…$$ If $r = 0$, $$…$$".

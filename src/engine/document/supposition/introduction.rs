@@ -173,6 +173,10 @@ pub(super) fn introduced(
         word if DEFINING.has(word) && by_us() && listed() >= 2 => {
             Some((SuppositionKind::Let, Reach::List { left: listed() }))
         }
+        // "we put $m = 0$ in (1)"
+        word if DEFINING.has(word) && by_us() && value() && is_put_into(rest) => {
+            Some((case, joined(true)))
+        }
         word if DEFINING.has(word) && by_us() && value() => {
             Some((SuppositionKind::Let, joined(true)))
         }
@@ -244,6 +248,16 @@ fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
         token => token.is_stop(),
     };
     !rest.iter().any(says)
+}
+
+/// Whether the value after a word is put into an equation that is cited: "$m = 0$ in (1)", "$x = 1$ into equation (2)".
+fn is_put_into(rest: &[Placed<'_>]) -> bool {
+    let [_, (Token::Word("in" | "into"), _), on @ ..] = rest else {
+        return false;
+    };
+    let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
+    let cited = on.iter().take(MOST_DESCRIBING).find(|own| !words(own));
+    matches!(cited, Some((Token::Tag(_) | Token::Keys(_), _)))
 }
 
 /// Whether a comma comes after the formulas that a sentence begins with.
