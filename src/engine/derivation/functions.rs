@@ -29,7 +29,10 @@ impl Derivation {
     /// The values of a function that an equation defines, for the arguments with which equations among these speak of it.
     pub fn values_of_function(&self, definition: usize, among: &[usize]) -> Vec<Formula> {
         let equation = &self.equations[definition];
-        if equation.extent != Extent::Throughout {
+        // Most equations define no function, and need not be gone through for it.
+        let mut sides = equation.statements().iter().flat_map(terms);
+        let may_define = sides.any(|side| matches!(side, Expr::Apply(..)));
+        if equation.extent != Extent::Throughout || !may_define {
             return Vec::new();
         }
         let mut stated = equation.statements().iter().flat_map(formulas);
