@@ -1106,3 +1106,46 @@ fn solutions_are_not_of_the_moment_at_which_they_begin() {
     assert_eq!(drag(r"\frac{m g}{a}")[2], "holds");
     assert_eq!(drag(r"\frac{2 m g}{a}")[2], "fails");
 }
+
+#[test]
+fn numbers_that_the_text_tells_are_not_overlooked() {
+    let page = |words: &str, value: &str| {
+        last(&format!(
+            "The toll is\n\n$$ L = \\frac{{g + 3 h}}{{2}} \\tag{{1}} $$\n\n{words}\n\n$$ L = {value} $$\n"
+        ))
+        .0
+    };
+    // Plainly supposed, if not in so many words.
+    for words in [
+        "If $g = 7$ and $h = 5$, a carrier would pay",
+        "For $g = 7$ and $h = 5$ one could ask",
+    ] {
+        assert_eq!(page(words, "11"), "holds", "{words}");
+        assert_eq!(page(words, "12"), "fails", "{words}");
+    }
+    // Only told: nothing is refuted as if it were not.
+    for words in [
+        "Our ferry has $g = 7$ and $h = 5$. By (1) the toll is therefore",
+        "Suppose $g = 7$. The rate is $h = 5$. Hence",
+        "The data are $g = 7$ and $h = 5$. From (1),",
+        "The ferry goes at $h = 5$ in a harbour with $g = 7$. (1) tells us that",
+    ] {
+        assert_eq!(page(words, "11"), "undecided", "{words}");
+        assert_eq!(page(words, "12"), "fails", "{words}");
+    }
+    assert_eq!(page("From (1) it is plain that", "11"), "fails");
+}
+
+#[test]
+fn a_rounded_link_beside_one_that_is_open_is_not_refuted() {
+    let page = |value: &str| {
+        last(&format!(
+            "The way down is\n\n$$ z = \\frac{{1}}{{2}} b t^2 \\tag{{1}} $$\n\nWe found $z = 1.30\\,\\mathrm{{m}}$ and a time $t = 1.10\\,\\mathrm{{s}}$. \
+             With $g = 9.81\\,\\mathrm{{m/s^2}}$ (1) yields\n\n\
+             $$ b = \\frac{{2 \\cdot 1.30\\,\\mathrm{{m}}}}{{(1.10\\,\\mathrm{{s}})^2}} = {value}\\,\\mathrm{{m/s^2}} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("2.15"), "undecided");
+    assert_eq!(page("2.51"), "fails");
+}

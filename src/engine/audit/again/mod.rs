@@ -13,6 +13,7 @@ mod going_on;
 mod joined;
 mod limiting;
 mod named;
+mod overlooked;
 mod rescue;
 mod solution;
 pub(super) mod there;

@@ -191,6 +191,7 @@ impl Judge<'_> {
             if !strong {
                 self.heed_what_is_elsewhere(goal, assumed, premises, found);
             }
+            self.heed_values_told(goal, all, found);
             self.heed_what_varies(goal, all, premises, found);
             self.heed_what_is_open(goal, all, premises, found);
         }

@@ -72,8 +72,20 @@ impl Auditor<'_> {
         };
         let open: Vec<Goal> = open.map(as_meant).collect();
         if open.is_empty() || !open.iter().all(is_weighed) {
-            if !self.weigh_decimals(judge, premises, &open, entry) {
-                self.leave_possible(at, entry);
+            let refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+            let refuted: Vec<Goal> = refuted.map(as_meant).collect();
+            // Beside a link that is open the one that is refuted may only be rounded.
+            let is_near = || {
+                let all = self.figures(at, usable);
+                refuted.iter().all(is_weighed)
+                    && self.weighed(at, &refuted, &all, &[]).is_supported()
+            };
+            if self.weigh_decimals(judge, premises, &open, entry) {
+                return;
+            }
+            match entry.verdict == Verdict::Fails && is_near() {
+                true => leave_open(entry, ROUNDED),
+                false => self.leave_possible(at, entry),
             }
             return;
         }

@@ -54,11 +54,10 @@ static PARTING: Words = Words::of(&[
     "when", "but", "versus", "instead", "than", "to", "from", "until", "at", "while", "whereas",
     "after", "before", "for", "becomes", "up", "down",
 ]);
+/// Before a list these say that it is not so; what goes on from one may well say what would be so with it.
+static DOUBTED: Words = Words::of(&["would", "could", "might"]);
 /// Before a list, and in what goes on from it, these say that it is not so.
 static DISPUTED: Words = Words::of(&[
-    "would",
-    "could",
-    "might",
     "unlike",
     "either",
     "neither",
@@ -233,7 +232,10 @@ fn introduced(before: &[Placed<'_>]) -> bool {
         .iter()
         .rposition(|(token, _)| token.is_among(&LISTING));
     let disputed = |(token, _): &Placed<'_>| {
-        token.is_among(&DISPUTED) || token.is_among(&NEGATING) || token.is_among(&RETRACTING)
+        token.is_among(&DISPUTED)
+            || token.is_among(&DOUBTED)
+            || token.is_among(&NEGATING)
+            || token.is_among(&RETRACTING)
     };
     lists.is_some_and(|at| {
         let between = &before[at + 1..];
