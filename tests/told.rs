@@ -1149,3 +1149,18 @@ fn a_rounded_link_beside_one_that_is_open_is_not_refuted() {
     assert_eq!(page("2.15"), "undecided");
     assert_eq!(page("2.51"), "fails");
 }
+
+#[test]
+fn of_what_an_unreadable_display_speaks_nothing_else_is_refuted() {
+    let page = |before: &str, step: &str| {
+        last(&format!(
+            "The share is\n\n$$ q = \\frac{{u}}{{w}} \\tag{{1}} $$\n\nand the mean\n\n$$ {before} \\tag{{2}} $$\n\nIn the rates, by (1), this is\n\n$$ {step} $$\n"
+        ))
+        .0
+    };
+    let unreadable = r"K = \sum_{n=0}^{\infty} n (1 - q) q^n";
+    assert_eq!(page(unreadable, r"K = \frac{u}{w - u}"), "undecided");
+    // It speaks of something else.
+    let other = r"J = \sum_{n=0}^{\infty} n (1 - q) q^n";
+    assert_eq!(page(other, r"q = \frac{w}{u}"), "fails");
+}

@@ -1,6 +1,6 @@
 //! One statement judged from what it may use: its links one after another, and what they come to together.
 
-use crate::algebra::Formula;
+use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Equation, Goal, Kind, Source, goals};
 use crate::kernel::Standing;
 use crate::notation::Statement;
@@ -253,6 +253,14 @@ impl Auditor<'_> {
             leave_open(entry, &self.unread(equation));
         }
         if entry.verdict == Verdict::Fails
+            && let Some(symbol) = self.spoken_of_unreadably(equation, entry)
+        {
+            let reason = format!(
+                "of `{symbol}` something is said before that could not be read, and nothing else"
+            );
+            leave_open(entry, &reason);
+        }
+        if entry.verdict == Verdict::Fails
             && equation.puts_condition
             && speaks_first(equation, entry)
         {
@@ -272,6 +280,28 @@ impl Auditor<'_> {
         if entry.verdict == Verdict::Fails && usable.has_presumed {
             leave_open(entry, UNCLEAR);
         }
+    }
+
+    /// A symbol of which what is refuted is the first to speak readably, and a display before on the page that could not be read speaks, too.
+    fn spoken_of_unreadably(&self, equation: &Equation, entry: &Entry) -> Option<Symbol> {
+        let source = &self.derivation.pages[equation.page].document.source;
+        let before = self.derivation.equations_of(equation.page).start..entry.equation;
+        let before = before.map(|other| &self.derivation.equations[other]);
+        let (unread, read): (Vec<_>, Vec<_>) = before.partition(|other| other.statements.is_err());
+        if unread.is_empty() {
+            return None;
+        }
+        let refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+        let names: Set<Symbol> = refuted.flat_map(|own| own.goal.formula.names()).collect();
+        let is_spoken_of = |own: &Symbol| {
+            let mut all = unread
+                .iter()
+                .filter_map(|other| source.get(other.body.range()));
+            all.any(|text| stands_in(own.name(), text))
+        };
+        let is_read = |own: &Symbol| read.iter().any(|other| other.symbols().contains(own));
+        let mut names = names.into_iter();
+        names.find(|own| is_spoken_of(own) && !is_read(own))
     }
 
     /// Whether nothing refutes a step with what it cites and is derived for a case that is not in effect here. Directives say which it is
@@ -344,6 +374,17 @@ impl Auditor<'_> {
             unread.join(", ")
         )
     }
+}
+
+/// Whether a name stands in the source of a display, not as a part of a longer one.
+fn stands_in(name: &str, text: &str) -> bool {
+    let mut places = text.match_indices(name);
+    places.any(|(at, _)| {
+        let before = text[..at].chars().next_back();
+        let after = text[at + name.len()..].chars().next();
+        let is_letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
+        before != Some('\\') && !is_letter(before) && !is_letter(after)
+    })
 }
 
 /// Whether something is refuted that speaks of what no equation before does.
