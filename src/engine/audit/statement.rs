@@ -17,6 +17,8 @@ use super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, stated};
 
 /// How many earlier steps of its statement a step may use, the last ones.
 const MOST_STEPS: usize = 64;
+/// So far back is looked for displays that could not be read and speak of something in a step that fails.
+const MOST_BEFORE: usize = 64;
 
 /// What was found of the links of a statement besides what is said of each.
 #[derive(Default)]
@@ -285,9 +287,10 @@ impl Auditor<'_> {
     /// A symbol of which what is refuted is the first to speak readably, and a display before on the page that could not be read speaks, too.
     fn spoken_of_unreadably(&self, equation: &Equation, entry: &Entry) -> Option<Symbol> {
         let source = &self.derivation.pages[equation.page].document.source;
-        let before = self.derivation.equations_of(equation.page).start..entry.equation;
-        let before = before.map(|other| &self.derivation.equations[other]);
-        let (unread, read): (Vec<_>, Vec<_>) = before.partition(|other| other.statements.is_err());
+        let start = self.derivation.equations_of(equation.page).start;
+        let before = start.max(entry.equation.saturating_sub(MOST_BEFORE))..entry.equation;
+        let before = self.derivation.equations[before].iter();
+        let unread: Vec<&Equation> = before.filter(|other| other.statements.is_err()).collect();
         if unread.is_empty() {
             return None;
         }
@@ -299,7 +302,7 @@ impl Auditor<'_> {
                 .filter_map(|other| source.get(other.body.range()));
             all.any(|text| stands_in(own.name(), text))
         };
-        let is_read = |own: &Symbol| read.iter().any(|other| other.symbols().contains(own));
+        let is_read = |own: &Symbol| self.derivation.is_spoken_of_before(entry.equation, own);
         let mut names = names.into_iter();
         names.find(|own| is_spoken_of(own) && !is_read(own))
     }

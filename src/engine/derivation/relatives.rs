@@ -13,6 +13,13 @@ impl Derivation {
         self.mentions[page].get(symbol).is_some()
     }
 
+    /// Whether an equation of the same page that stands before another speaks of a symbol.
+    pub fn is_spoken_of_before(&self, at: usize, symbol: &Symbol) -> bool {
+        let all = self.mentions[self.equations[at].page].get(symbol);
+        all.and_then(|all| all.first())
+            .is_some_and(|&first| first < at)
+    }
+
     /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a
     /// symbol, then the rest, each the nearest first.
     pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {

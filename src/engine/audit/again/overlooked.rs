@@ -71,8 +71,8 @@ impl Judge<'_> {
                 matches!(left, Expr::Symbol(s) if s == symbol) && is_number(right)
             })
         };
-        let before = document.items.iter().rev();
-        let before = before.skip_while(|item| item.span().start >= own.span.start);
+        let here = (document.items).partition_point(|item| item.span().start < own.span.start);
+        let before = document.items[..here].iter().rev();
         let since =
             before.take_while(|item| !matches!(item, Item::Display { .. } | Item::Heading { .. }));
         let texts = since.filter_map(|item| match item {
