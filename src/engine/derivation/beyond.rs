@@ -120,7 +120,6 @@ impl Reader<'_> {
             local.of_case
                 && local.is_special
                 && local.moment.is_none()
-                && local.span.start < before.span.start
                 && local.is_equation()
                 && is_said_of_a_place(source, local.span)
         };
@@ -129,12 +128,12 @@ impl Reader<'_> {
                 .iter()
                 .flat_map(|part| part.statements.iter().flatten())
         };
-        let is_before = |local: &Local| local.span.start < before.span.start;
         self.active.retain(|&at| {
             let own = &locals[at];
-            let is_left = is_place(own) && own.is_parted_by(said())
-                || is_before(own) && own.is_left_for_the_whole(said());
-            !is_left
+            let is_before = own.span.start < before.span.start;
+            let is_beyond =
+                || is_place(own) && own.is_parted_by(said()) || own.is_left_for_the_whole(said());
+            !(is_before && is_beyond())
         });
         self.page.leave_passages(&mut self.active);
     }

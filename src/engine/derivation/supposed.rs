@@ -99,6 +99,11 @@ impl Local {
         self.of_case || !self.set.is_empty()
     }
 
+    /// Whether it is a special case, and no example, that was set before a display.
+    pub(super) fn is_case_before(&self, display: Span) -> bool {
+        self.of_case && !self.is_figure && self.span.start < display.start
+    }
+
     /// The symbols that it says the value of.
     pub fn values(&self) -> Set<Symbol> {
         self.formulas.iter().flat_map(|f| assigned(f)).collect()

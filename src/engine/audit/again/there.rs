@@ -111,12 +111,8 @@ impl Judge<'_> {
         words: &[Assumed],
         premises: &[usize],
     ) -> Option<(Vec<Assumed>, MayFail)> {
-        let is_own = |own: &Assumed| {
-            let is_word = !matches!(own.source, Source::Equation(_));
-            is_word
-                && own.formula.as_equation().is_some()
-                && own.formula.names().contains(asked.new)
-        };
+        let is_own =
+            |own: &Assumed| is_said_in_words(own) && own.formula.names().contains(asked.new);
         let all = || cited.iter().chain(words);
         if !all().any(is_own) {
             return None;
@@ -152,12 +148,8 @@ impl Judge<'_> {
             }
             // "Setting $dY/dE = 0$ we find $$E^* = r/2$$"
             true => {
-                let is_condition = |own: &Assumed| {
-                    let is_word = !matches!(own.source, Source::Equation(_));
-                    is_word && own.formula.as_equation().is_some()
-                };
                 let mut conditions = cited.iter().chain(&words);
-                if !conditions.any(is_condition) {
+                if !conditions.any(is_said_in_words) {
                     return None;
                 }
                 join(cited.into_iter().chain(words), &mut assumed);
@@ -316,6 +308,11 @@ impl Found {
         let mut instead = implied.into_iter().chain(mended);
         instead.any(|own| is_meant(&own.claim().goal))
     }
+}
+
+/// Whether no display, but the text says that two things are equal.
+fn is_said_in_words(own: &Assumed) -> bool {
+    !matches!(own.source, Source::Equation(_)) && own.formula.as_equation().is_some()
 }
 
 /// Adds hypotheses that are not there yet.

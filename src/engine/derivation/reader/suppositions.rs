@@ -186,12 +186,8 @@ impl Reader<'_> {
         }
         self.active.retain(|&at| {
             let old = &locals[at];
-            let is_left = !new.contains(&at)
-                && old.of_case
-                && !old.is_figure
-                && old.span.start < last.span.start
-                && !old.values().is_disjoint(&values);
-            !is_left
+            let is_left = old.is_case_before(last.span) && !old.values().is_disjoint(&values);
+            new.contains(&at) || !is_left
         });
     }
 
@@ -203,10 +199,8 @@ impl Reader<'_> {
         let mut own = qualities::spoken_of(&self.page.document.source, body);
         own.retain(|symbol| !symbol.is_unit());
         let locals = &self.page.locals;
-        let is_rival = |local: &Local| {
-            let is_before = local.of_case && local.span.start < last.span.start;
-            is_before && !local.is_figure && !local.names().is_disjoint(&own)
-        };
+        let is_rival =
+            |local: &Local| local.is_case_before(last.span) && !local.names().is_disjoint(&own);
         self.active.retain(|&at| !is_rival(&locals[at]));
     }
 
