@@ -138,6 +138,14 @@ impl Judge<'_> {
             return own;
         }
         if found.judged.outcome.is_proven()
+            && let Some(case) = self.lingering(&found, premises)
+        {
+            found.instead.clear();
+            found.leave_open(format!(
+                "it follows only where `{case}`, and nothing says that this is still meant"
+            ));
+        }
+        if found.judged.outcome.is_proven()
             && let Some(symbol) = self.joins_what_moves(&found.judged)
         {
             found.leave_open(format!(
@@ -184,6 +192,7 @@ impl Judge<'_> {
     /// What a goal is judged from, where nothing else is needed.
     pub(super) fn cited(&self, goal: &Goal, steps: &[(usize, Formula)]) -> Vec<Assumed> {
         let mut assumed = self.usable.assumed.clone();
+        assumed.retain(|own| !self.announces(own, goal));
         // The other side of an equivalence is supposed; what was shown before in the statement is known.
         assumed.extend(goal.suppositions.iter().map(step));
         if goal.suppositions.is_empty() {

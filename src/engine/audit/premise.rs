@@ -226,6 +226,16 @@ pub fn usable<'a>(
         // That $k > 0$ is not taken back by $k = m \omega^2$.
         own.is_equation() && others.any(|other| own.is_replaced_by(other))
     };
+    let is_left_for_other = |own: &Local| {
+        let mut others = in_effect
+            .iter()
+            .map(|&(page, at)| derivation.local(page, at));
+        others.any(|other| own.is_left_for(other))
+    };
+    usable.assumed.retain(|own| match own.source {
+        Source::Local(page, at) => !is_left_for_other(derivation.local(page, at)),
+        _ => true,
+    });
     let (_, named, _) = derivation.premises(at);
     let together: Vec<usize> = premises.iter().copied().chain([at]).collect();
     for &premise in premises {
@@ -259,7 +269,8 @@ pub fn usable<'a>(
                 true => replaced(local) || derivation.is_left_in_words(at, *place),
                 false => local.is_let || local.is_case() || local.is_told && replaced(local),
             };
-            is_case && !local.is_momentary() && !in_effect.contains(place)
+            let is_over = !in_effect.contains(place) || is_left_for_other(local);
+            is_case && !local.is_momentary() && is_over
                 || !named && derivation.is_beyond(at, *place)
         };
         if offer.under.iter().any(is_left) {

@@ -212,8 +212,10 @@ impl Judge<'_> {
         let named = symbols.into_iter();
         let named = named.filter(|symbol| !self.derivation.is_some_constant(symbol));
         let named = named.collect();
-        let is_drawn = equation.drawn && equation.extent == Extent::Throughout;
-        let is_out = is_drawn && self.leaves_nothing(&all, &goal);
+        let is_step = equation.drawn || equation.reasons;
+        let is_step = is_step && equation.extent == Extent::Throughout;
+        let is_out =
+            is_step && (self.leaves_nothing(&all, &goal) || self.gives_otherwise(&all, &goal));
         (!is_out && !self.is_contradictory(&all, &goal)).then_some(named)
     }
 
@@ -227,6 +229,23 @@ impl Judge<'_> {
             }
             _ => false,
         })
+    }
+
+    /// Whether what stands before says what the symbol is that a step gives a value of, by a term in just the same symbols: another value
+    /// is no second law, whatever reason words give for it.
+    fn gives_otherwise(&self, all: &[Assumed], goal: &Goal) -> bool {
+        let Some((Expr::Symbol(_), value)) = goal.formula.as_equation() else {
+            return false;
+        };
+        let [before @ .., _] = all else {
+            return false;
+        };
+        let claim = self.derivation.claim(self.at, before, &goal.formula);
+        let implied = search::implied(&claim);
+        let implied = implied
+            .as_ref()
+            .and_then(|own| own.proven.claim().goal.as_equation());
+        implied.is_some_and(|(_, own)| quantities(own) == quantities(value))
     }
 
     /// Whether a law of which words draw the step leaves hardly anything of what stands before: `w = m v/(m + 2 M)` beside

@@ -104,6 +104,16 @@ impl Local {
         self.of_case && !self.is_figure && self.span.start < display.start
     }
 
+    /// Whether it says what is equal in a special case, and gives no value for an example.
+    pub fn is_of_special_case(&self) -> bool {
+        self.of_case && !self.is_figure && self.is_equation()
+    }
+
+    /// Whether it gives something a value that it does not have throughout: in a case, at one moment, or as far as is supposed.
+    pub fn is_of_some_case(&self) -> bool {
+        (self.of_case || self.is_special || self.is_momentary()) && self.is_equation()
+    }
+
     /// The symbols that it says the value of.
     pub fn values(&self) -> Set<Symbol> {
         self.formulas.iter().flat_map(|f| assigned(f)).collect()
@@ -112,6 +122,14 @@ impl Local {
     /// Whether it says what something is, and does not bound it.
     pub fn is_equation(&self) -> bool {
         self.formulas.iter().all(|own| own.as_equation().is_some())
+    }
+
+    /// Whether it is left for another case of the same quantities: "For $m_1 = m_2$, …" and then "If $m_2 = 3 m_1$, …".
+    pub fn is_left_for(&self, other: &Local) -> bool {
+        let names = self.names();
+        let both_give = !self.values().is_empty() && !other.values().is_empty();
+        let is_other = self.formulas != other.formulas && self.span.start < other.span.start;
+        self.of_case && both_give && is_other && names.len() > 1 && names == other.names()
     }
 
     /// The symbols and sequences that it speaks of.
@@ -173,7 +191,10 @@ impl Page {
                 match old.is_let && is_let {
                     true => before.is_disjoint(&values) && !other_case(),
                     // "The height is $x = h$, so … The width is $x = w$, so".
-                    false => !is_fact || before.is_disjoint(&values),
+                    false => {
+                        let is_other = old.of_case && other_case();
+                        !is_other && (!is_fact || before.is_disjoint(&values))
+                    }
                 }
             });
             let set = match is_case && kind != SuppositionKind::Figure || in_passing {

@@ -2,6 +2,7 @@
 
 mod announced;
 mod going_on;
+mod outside;
 mod reason;
 mod words;
 
@@ -51,6 +52,11 @@ const IN_OTHER_WORDS: [&[&str]; 5] = [
     &["or", "equivalently"],
 ];
 
+/// What "from" may come after, or "by", with the display that something comes from.
+const FOLLOWING: [&str; 6] = [
+    "follows", "follow", "obtained", "found", "solved", "deduced",
+];
+
 /// Whether nothing else is said than that the next display says the same: "i.e.", "that is,".
 fn says_the_same(sentence: &[Placed<'_>]) -> bool {
     let marks = |(token, _): &&Placed<'_>| !matches!(token, Token::Mark(_) | Token::Stop);
@@ -78,6 +84,11 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
     if says_the_same(sentence) || says_it_is(sentence) {
         return Some(true);
     }
+    // "The time of the fall follows from": what is displayed is what it follows from.
+    let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_) | Token::Math(_));
+    let ends = sentence.iter().rev().find(words);
+    let is_source =
+        ends.is_some_and(|(token, _)| token.is_among(&["from", "by", "through", "via"]));
     let otherwise = |at: usize| {
         let (token, next) = (sentence[at].0, sentence.get(at + 1));
         // "From then on mechanical energy is conserved" tells when.
@@ -90,13 +101,17 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
         );
         // "Momentum is conserved, and so is the energy"
         let adds = |(next, _): &Placed<'_>| next.is_among(&["is", "are", "does", "do"]);
-        token.is_among(&["then"]) && tells_when
+        let source_follows = is_source && before.is_some() && token.is_among(&FOLLOWING);
+        source_follows
+            || token.is_among(&["then"]) && tells_when
             || token.is_among(&["so"]) && next.is_some_and(adds)
             || token.is_among(&["means"]) && !refers(&sentence[..at])
+            // "No enzyme gets lost" draws nothing; "one gets" does.
+            || token.is_among(&["gets"]) && !before.is_some_and(|own| own.is_among(&["one"]))
     };
     let follows = |at: usize| {
         let token = sentence[at].0;
-        token.is_among(&WORKED) || draws_on(token) && !otherwise(at)
+        (token.is_among(&WORKED) || draws_on(token)) && !otherwise(at)
     };
     Some((0..sentence.len()).any(follows))
 }

@@ -227,7 +227,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         closing: citations.iter().rev().take_while(in_last).count(),
         tail: citations.iter().take_while(in_tail).count(),
         says_from: conclusion::says_from(tail),
-        reasons: conclusion::reasons_in_words(source, last),
+        reasons: conclusion::reasons_in_words(source, before(&tokens, last), last),
         laws_named: conclusion::laws_named(last),
         said_last: whole(last),
         slope: slope::read(last),
@@ -252,6 +252,13 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         joins: conclusion::joins(trimmed(&tokens)),
         extent: circumstance::read(source, &tokens),
     }
+}
+
+/// What is said before the last sentence.
+fn before<'t, 'a>(tokens: &'t [Placed<'a>], last: &[Placed<'_>]) -> &'t [Placed<'a>] {
+    let start = last.first().map(|(_, span)| span.start);
+    let is_before = |(_, span): &&Placed<'_>| Some(span.start) < start;
+    &tokens[..tokens.iter().take_while(is_before).count()]
 }
 
 /// Without the ends of paragraphs around them.

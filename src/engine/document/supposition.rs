@@ -24,7 +24,7 @@ mod words;
 
 use crate::sorted::{self, Set};
 
-use self::around::{follows, follows_comma, is_at_a_value, is_origin};
+use self::around::{follows, follows_comma, is_at_a_value, is_origin, is_taken_from};
 use self::general::generalizes;
 use self::introduction::{introduced, is_condition};
 use self::mathematics::{equals_a_name, is_letters, is_number};
@@ -284,7 +284,8 @@ impl Reader<'_> {
             self.withdraw_facts();
         }
         let text = self.text(body);
-        let (states, is_zero) = (relates(text), text.trim_end().ends_with("= 0"));
+        let states = relates(text) && !is_taken_from(&self.tokens[index..]);
+        let is_zero = text.trim_end().ends_with("= 0");
         let says_number = is_number(text);
         // "At $x = h$" says where.
         let is_place = follows(index, self.tokens, &NAMED_BEFORE) && equals_a_name(text);

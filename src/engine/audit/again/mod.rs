@@ -3,7 +3,8 @@
 //! Authors cite less than they use: the display before ([`going_on`]), what else stands before ([`borrowed`], [`rescue`]), what the words name
 //! ([`named`], [`there`], [`unitless`]). They leave unsaid that something is not 0 ([`unstated`], [`conditions`]), that it is so for every
 //! value of a variable ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]). What is proved only with
-//! premises that no author joins is judged again without them ([`joined`]), and what refutes a step is held against what else stands before
+//! premises that no author joins is judged again without them ([`joined`]), or left open where they are of a case that may be over
+//! ([`lingering`]), and what refutes a step is held against what else stands before
 //! ([`against`]). In which order all this is tried is said where a goal is judged.
 
 mod against;
@@ -12,6 +13,7 @@ pub(super) mod conditions;
 mod going_on;
 mod joined;
 mod limiting;
+mod lingering;
 mod named;
 mod overlooked;
 mod rescue;

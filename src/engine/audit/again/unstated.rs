@@ -179,7 +179,16 @@ impl Judge<'_> {
             let claim = self.derivation.claim(self.at, &with, &goal.formula);
             search::prove_unconditionally(claim, Effort::Full).is_some()
         };
-        if !is_equation && alone() {
+        // Nor is one that a condition only says in other words: `h < h_0` where $Q = m g (h_0 - h)$ is positive.
+        let is_said_by = |condition: &Formula| {
+            let without = self.derivation.claim(self.at, assumed, condition);
+            let with = assumed.iter().cloned().chain([step(&goal.formula)]);
+            let with: Vec<Assumed> = with.collect();
+            let with = self.derivation.claim(self.at, &with, condition);
+            search::prove_unconditionally(with, Effort::Full).is_some()
+                && search::prove_unconditionally(without, Effort::Full).is_none()
+        };
+        if !is_equation && (alone() || conditions.iter().any(is_said_by)) {
             return false;
         }
         let holds = self.holds_under(goal, assumed.to_vec(), &conditions, Effort::Full, found);

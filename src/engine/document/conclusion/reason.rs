@@ -4,6 +4,7 @@ use super::super::Span;
 use super::super::prose::{Placed, Token};
 use super::super::supposition::relates;
 use super::draws_on;
+use super::outside;
 use super::words::{LAWS, OF_ALGEBRA, WORKED};
 
 /// Between what is done and the law that it is done by: "we obtain from energy conservation".
@@ -45,17 +46,26 @@ pub(in crate::document) fn names_rule_of_factors(last: &[Placed<'_>]) -> bool {
     from.any(|at| last[at + 1..].iter().take(3).any(is_rule))
 }
 
-/// Whether the last sentence gives a reason that is no equation: a law by its name, or words after "since".
-pub(in crate::document) fn reasons_in_words(source: &str, last: &[Placed<'_>]) -> bool {
+/// Whether the last sentence gives a reason that is no equation: a law by its name, words after "since", what something is said to come
+/// from, what is known.
+///
+/// `before` are the sentences before the last one, back to the display before.
+pub(in crate::document) fn reasons_in_words(
+    source: &str,
+    before: &[Placed<'_>],
+    last: &[Placed<'_>],
+) -> bool {
     let among = |words: &'static [&str]| move |(token, _): &Placed<'_>| token.is_among(words);
     let is_equation = |own: &Placed<'_>| is_equation(source, own);
     let since = last.iter().position(among(&BECAUSE));
     let reason = since.map(|since| &last[since + 1..]);
     let is_said = |words: &[Placed<'_>]| !words.is_empty() && !words.iter().any(is_equation);
-    reason.is_some_and(is_said)
-        || names_a_law(last) && is_said(last)
-        || is_said(last) && puts_circumstances(last)
-        || is_said(last) && concludes_from_words(last)
+    let gives_one = names_a_law(last)
+        || puts_circumstances(last)
+        || concludes_from_words(last)
+        || outside::is_named(last)
+        || outside::is_stated_before(before, last) && !before.iter().any(is_equation);
+    reason.is_some_and(is_said) || is_said(last) && gives_one
 }
 
 /// Whether it is an equation, or cites one.
@@ -132,16 +142,29 @@ fn puts_circumstances(sentence: &[Placed<'_>]) -> bool {
 
 /// "No heat is lost, so": a sentence that draws one conclusion, from words that say how things are.
 fn concludes_from_words(sentence: &[Placed<'_>]) -> bool {
-    let Some(so) = sentence
-        .iter()
-        .position(|(token, _)| token.is_among(&THEREFORE))
-    else {
+    // "All of them must add up to one, which gives"
+    let gives = |at: usize| {
+        sentence
+            .get(at + 1)
+            .is_some_and(|(token, _)| draws_on(*token))
+    };
+    let concludes = |at: &usize| {
+        let token = sentence[*at].0;
+        token.is_among(&THEREFORE) || token.is_among(&["which"]) && gives(*at)
+    };
+    let Some(so) = (0..sentence.len()).find(concludes) else {
         return false;
     };
-    let works = |(token, _): &Placed<'_>| {
-        draws_on(*token) || token.is_among(&WORKED) || token.is_among(&OF_ALGEBRA)
-    };
     let reason = &sentence[..so];
+    // "It must be equal to one" is said of what is displayed.
+    let back = |(token, _): &Placed<'_>| token.is_among(&["it", "this", "that", "they"]);
+    let of_it = reason.iter().any(back);
+    let is_work = |token: Token<'_>| {
+        token.is_among(&WORKED) && (of_it || !token.is_among(&["must", "always"]))
+    };
+    let works = |(token, _): &Placed<'_>| {
+        draws_on(*token) || is_work(*token) || token.is_among(&OF_ALGEBRA)
+    };
     let ends = matches!(
         reason.last(),
         Some((Token::Mark(',' | ';') | Token::Dash, _))

@@ -168,6 +168,7 @@ pub(super) static OF_ALGEBRA: Words = Words::of(&[
     "coefficients",
     "discriminant",
     "exponents",
+    "constants",
 ]);
 
 /// What physics brings along, and no equation before need have said.

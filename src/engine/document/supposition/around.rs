@@ -91,3 +91,14 @@ pub(super) fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
         _ => false,
     }
 }
+
+/// Whether the relation that tokens begin with is said to come from a display: "Substituting $w = u - v$ from (2) into (1)". That supposes
+/// nothing, and the step that goes on from it follows from the display.
+pub(super) fn is_taken_from(tokens: &[Placed<'_>]) -> bool {
+    let [_, (Token::Word("from"), _), on @ ..] = tokens else {
+        return false;
+    };
+    let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
+    let cited = on.iter().take(MOST_DESCRIBING).find(|own| !words(own));
+    matches!(cited, Some((Token::Tag(_) | Token::Keys(_), _)))
+}

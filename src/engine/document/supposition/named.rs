@@ -7,7 +7,7 @@ use super::super::conclusion;
 use super::super::prose::{Placed, Token, begins_with, ends_sentence};
 use super::super::words::Words;
 use super::super::{Named, Span};
-use super::around::follows;
+use super::around::{follows, is_taken_from};
 use super::cases::COMPARED;
 use super::mathematics::{is_number, relates};
 use super::words::{BESIDE, DISPUTING, KNOWN, NAMED_BEFORE, RETRACTING};
@@ -144,7 +144,8 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
                 let is_then = !elsewhen || is_taken_up(at, sentence);
                 // "But $a = b$" goes on, "all but $a = b$" leaves out.
                 let is_beside = at > 1 && follows(at, sentence, &BESIDE);
-                if relates(text(body)) && !is_place && !is_beside && is_then {
+                let is_taken = is_taken_from(&sentence[at..]);
+                if relates(text(body)) && !is_place && !is_beside && is_then && !is_taken {
                     named.push(Named { body, is_drawn });
                 }
             }
