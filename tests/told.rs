@@ -1119,6 +1119,7 @@ fn numbers_that_the_text_tells_are_not_overlooked() {
     for words in [
         "If $g = 7$ and $h = 5$, a carrier would pay",
         "For $g = 7$ and $h = 5$ one could ask",
+        "Suppose $g = 7$. The rate is $h = 5$. Hence",
     ] {
         assert_eq!(page(words, "11"), "holds", "{words}");
         assert_eq!(page(words, "12"), "fails", "{words}");
@@ -1126,7 +1127,6 @@ fn numbers_that_the_text_tells_are_not_overlooked() {
     // Only told: nothing is refuted as if it were not.
     for words in [
         "Our ferry has $g = 7$ and $h = 5$. By (1) the toll is therefore",
-        "Suppose $g = 7$. The rate is $h = 5$. Hence",
         "The data are $g = 7$ and $h = 5$. From (1),",
         "The ferry goes at $h = 5$ in a harbour with $g = 7$. (1) tells us that",
     ] {
@@ -1134,6 +1134,55 @@ fn numbers_that_the_text_tells_are_not_overlooked() {
         assert_eq!(page(words, "12"), "fails", "{words}");
     }
     assert_eq!(page("From (1) it is plain that", "11"), "fails");
+}
+
+/// What a sentence of its own says to vanish is so in the next one; so is what goes on from it at once.
+#[test]
+fn what_is_said_to_vanish_is_put_in() {
+    let page = |words: &str, momentum: &str| {
+        last(&format!(
+            "Momentum is conserved:\n\n$$ m v + n w = p \\tag{{1}} $$\n\n{words}\n\n$$ p = {momentum} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "The target is at rest, $w = 0$. Then",
+        "Consider first a target at rest, $w = 0$. Then",
+        "Special case 1: $w = 0$. From (1),",
+        "The target stands still ($w = 0$). From (1),",
+        "The target does not move ($w = 0$). From (1),",
+        "We have $w = 0$ before the collision, and (1) gives",
+    ] {
+        assert_eq!(page(words, "m v"), "holds", "{words}");
+        assert_eq!(page(words, "2 m v"), "fails", "{words}");
+    }
+    for words in [
+        "The target does not rest with $w = 0$. From (1),",
+        "The target stands still only if $w = 0$. In general, from (1),",
+    ] {
+        assert_eq!(page(words, "m v"), "fails", "{words}");
+    }
+}
+
+/// A name that words give to a term stands for it.
+#[test]
+fn a_term_is_given_a_name_in_words() {
+    let page = |words: &str, value: &str| {
+        last(&format!(
+            "The potential is\n\n$$ V = \\frac{{k z}}{{z^2 + a^2}} \\tag{{1}} $$\n\n{words}\n\n$$ V = {value} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "The ratio $z/a$ is called $u$. In terms of $u$, (1) becomes",
+        "We abbreviate $z/a$ as $u$. Then (1) becomes",
+        "We denote the ratio $z/a$ by $u$, and (1) becomes",
+        "Writing $u$ for $z/a$, we get from (1)",
+        "Writing $u$ for the ratio $z/a$, we get from (1)",
+    ] {
+        assert_eq!(page(words, r"\frac{k u}{a (1 + u^2)}"), "holds", "{words}");
+        assert_eq!(page(words, r"\frac{k u}{1 + u^2}"), "fails", "{words}");
+    }
 }
 
 #[test]

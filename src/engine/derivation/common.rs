@@ -2,6 +2,7 @@
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::document::Span;
+use crate::notation::read_expr;
 
 use super::formulas;
 use super::qualities::named;
@@ -31,6 +32,25 @@ impl Reader<'_> {
         if self.spoken_of.speaks_of(name) && !names_elements() {
             return;
         }
+        self.tell_meaning(said, body);
+    }
+
+    /// Takes up a new name for a term that words give it: "The ratio $z/a$ is called $u$".
+    pub(super) fn name_term(&mut self, body: Span, term: Span) {
+        self.spoken_of.learn(&self.equations, &self.page.locals);
+        let source = &self.page.document.source;
+        let names = named(source, body);
+        let ([name], Ok(term)) = (&names[..], read_expr(source, term)) else {
+            return;
+        };
+        if !self.spoken_of.speaks_of(name) && !term.mentions(name) {
+            let said = Formula::equal(Expr::Symbol(name.clone()), term);
+            self.tell_meaning(vec![said], body);
+        }
+    }
+
+    /// Tells in passing what a new name means.
+    fn tell_meaning(&mut self, said: Vec<Formula>, body: Span) {
         let local = self.page.suppose_meant(said, body);
         let own = &mut self.page.locals[local];
         (own.lasts, own.level) = (false, self.level);

@@ -284,6 +284,8 @@ pub enum SuppositionKind {
     Anew,
     /// "Call their common value $u$": a name for what the display before says is equal.
     Common,
+    /// "The ratio $z/a$ is called $u$": a name for the term that stands there.
+    Abbreviation(Span),
     /// "In general": all special cases are left. It supposes nothing.
     General,
     /// "Later", "In between": the cases that were gone through and the moments are left, but not what was let.

@@ -6,6 +6,7 @@
 //! alternative ("or"), not a condition ("if") but one of what the sentence goes on to display, not a negation, not a question, not a proof by contradiction. A value that is
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
+mod abbreviation;
 mod around;
 mod cases;
 mod common;
@@ -75,6 +76,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(vanishing::read(source, &tokens[..end]));
     found.extend(common::read(source, &tokens[..end]));
+    found.extend(abbreviation::read(source, &tokens[..end]));
     found.extend(introduced.into_iter().map(|body| Supposition {
         kind: SuppositionKind::Anew,
         body,

@@ -92,10 +92,14 @@ impl Reader<'_> {
     ) -> Vec<usize> {
         let mut named = Vec::new();
         for &Named { body, is_drawn } in relations {
-            let mut own = self.page.locals[before..].iter();
             let within =
                 |local: &Local| body.start <= local.span.start && local.span.end <= body.end;
-            if !own.any(within) && (!is_drawn || self.is_value(body) || !self.is_said(body)) {
+            // What was told in a sentence of its own is not told any more.
+            let is_kept = |at: &usize| self.active.contains(at) || self.told.contains(at);
+            let mut own = (before..self.page.locals.len()).filter(is_kept);
+            if !own.any(|at| within(&self.page.locals[at]))
+                && (!is_drawn || self.is_value(body) || !self.is_said(body))
+            {
                 let kind = SuppositionKind::Known;
                 let known = named.len();
                 self.page.suppose(body, kind, self.level, &mut named, false);

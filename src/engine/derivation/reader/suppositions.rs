@@ -68,6 +68,7 @@ impl Reader<'_> {
             }
             SuppositionKind::Anew => self.introduce_anew(body),
             SuppositionKind::Common => self.name_what_is_common(body),
+            SuppositionKind::Abbreviation(term) => self.name_term(body, term),
             SuppositionKind::OfKind(kind) => self.kinds.push((kind, body)),
             SuppositionKind::Known => page.suppose(body, kind, self.level, &mut self.told, false),
             SuppositionKind::Vanishes(what) | SuppositionKind::StandsStill(what) => {

@@ -9,7 +9,7 @@ use super::super::words::Words;
 use super::super::{Named, Span};
 use super::around::{follows, is_taken_from};
 use super::cases::COMPARED;
-use super::mathematics::{is_number, relates};
+use super::mathematics::{is_number, is_zero, relates};
 use super::words::{BESIDE, DISPUTING, KNOWN, NAMED_BEFORE, RETRACTING};
 
 /// In a sentence with one of these, what is named is not so, or one of several.
@@ -42,7 +42,7 @@ static ELSEWHERE: Words = Words::of(&[
     "whereas",
     "while",
 ]);
-/// What comes after one of these is so at another time, unless the sentence goes on from it: "The block rises until $m g h = K$, which
+/// A relation after one of these is so at another time, unless the sentence goes on from it: "The block rises until $m g h = K$, which
 /// gives".
 static AT_ANOTHER_TIME: Words = Words::of(&["until", "before", "after"]);
 /// A sentence that begins with one of these goes on with the one before.
@@ -88,12 +88,15 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Name
     let leaves = |(token, _): &Placed<'_>| token.is_among(&LEAVING);
     let (mut named, mut runs_on, mut is_lost) = (Vec::new(), true, false);
     let (mut all, mut said) = (Vec::new(), 0);
+    // "The second body is at rest, $v = 0$. From (1)": that it is 0 is said of the next sentence, too.
+    let is_zero = |own: &Named| source.get(own.body.range()).is_some_and(is_zero);
     for (back, sentence) in tokens.rsplit(ends).take(MOST_SENTENCES).enumerate() {
         let own = of_sentence(source, sentence);
         all.extend_from_slice(&own);
         // A number is said in its sentence, and in the one that goes on from there.
         let is_case = |own: &Named| {
-            said == 1 && !is_lost && (is_under(own.body, sentence) || sets_scene(sentence))
+            let is_set = || is_under(own.body, sentence) || sets_scene(sentence) || is_zero(own);
+            said == 1 && !is_lost && is_set()
         };
         let own = own.into_iter();
         named.extend(own.filter(|own| runs_on || !is_value(own) || is_case(own)));
@@ -124,19 +127,26 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
     let has = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
     let disputes =
         |(token, _): &Placed<'_>| token.is_among(&DISPUTING) && !token.is_among(&NEAR_THE_TRUTH);
-    if [&COMPARED, &RETRACTING, &KNOWN, &ELSEWHERE]
-        .into_iter()
-        .any(has)
+    // "The second body does not move ($v = 0$)" says in parentheses what it means.
+    let set_off = |(token, _): &Placed<'_>| token.is_among(&COMPARED) && !token.is_among(&["not"]);
+    let compares = match in_parentheses(sentence) {
+        true => sentence.iter().any(set_off),
+        false => has(&COMPARED),
+    };
+    if compares
+        || [&RETRACTING, &KNOWN, &ELSEWHERE].into_iter().any(has)
         || sentence.iter().any(disputes)
     {
         return Vec::new();
     }
-    let elsewhen = has(&AT_ANOTHER_TIME);
     let mut named = Vec::new();
-    let mut is_drawn = false;
+    let (mut is_drawn, mut elsewhen) = (false, false);
     for (at, (token, _)) in sentence.iter().enumerate() {
         match *token {
-            Token::Word(_) => is_drawn |= conclusion::draws_on(*token),
+            Token::Word(_) => {
+                is_drawn |= conclusion::draws_on(*token);
+                elsewhen |= token.is_among(&AT_ANOTHER_TIME);
+            }
             Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..) => is_drawn = true,
             Token::Math(body) => {
                 // "The derivative at $t = 0$" is of that moment alone.
@@ -153,6 +163,16 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
         }
     }
     named
+}
+
+/// Whether all mathematics of a sentence stands in parentheses of its own.
+fn in_parentheses(sentence: &[Placed<'_>]) -> bool {
+    let mut math = (0..sentence.len()).filter(|&at| matches!(sentence[at].0, Token::Math(_)));
+    let is_mark = |at: Option<usize>, mark| {
+        let own = at.and_then(|at| sentence.get(at));
+        own.is_some_and(|(token, _)| token.is_mark(mark))
+    };
+    math.all(|at| is_mark(at.checked_sub(1), '(') && is_mark(Some(at + 1), ')'))
 }
 
 /// Whether the sentence goes on from the mathematics at `index`: "…, which with (2) gives".
