@@ -1164,6 +1164,66 @@ fn what_is_said_to_vanish_is_put_in() {
     }
 }
 
+/// What is substituted "from (1)" is what (1) says, and no supposition of its own.
+#[test]
+fn what_is_read_off_a_display_wrongly_supposes_nothing() {
+    let page = |read_off: &str, energy: &str| {
+        last(&format!(
+            "The speed is\n\n$$ v = \\sqrt{{2 g h}} \\tag{{1}} $$\n\nand the energy\n\n$$ K = \\frac12 m v^2 . \\tag{{2}} $$\n\n\
+             Using $v^2 = {read_off}$ from (1), we find\n\n$$ K = {energy} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("2 g h", "m g h"), "holds");
+    assert_eq!(page("2 g h", r"\frac12 m g h"), "fails");
+    assert_eq!(page("g h", r"\frac12 m g h"), "fails");
+}
+
+/// Of a term that is given without something nobody takes the slope with that held.
+#[test]
+fn what_is_eliminated_is_not_held() {
+    let page = |slope: &str| {
+        last(&format!(
+            "A tin has\n\n$$ W = \\pi s^2 h , \\qquad B = 2 \\pi s^2 + 2 \\pi s h . \\tag{{1}} $$\n\n\
+             Eliminating $h$ from (1) we get, for $s > 0$,\n\n$$ B = 2 \\pi s^2 + \\frac{{2 W}}{{s}} . \\tag{{2}} $$\n\n\
+             Hence\n\n$$ \\frac{{dB}}{{ds}} = {slope} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page(r"4 \pi s - \frac{2 W}{s^2}"), "holds");
+    assert_eq!(page(r"4 \pi s + \frac{2 W}{s^2}"), "undecided");
+}
+
+/// "where $A \neq 0$" after an equation is a condition, and "where $A = b$" says what something means.
+#[test]
+fn where_something_lies_is_a_condition() {
+    let page = |end: &str| {
+        last(&format!(
+            "The flow is\n\n$$ Q = A v \\tag{{1}} $$\n\nand\n\n$$ Q = B w . \\tag{{2}} $$\n\nFrom (1) and (2)\n\n$$ {end} $$\n"
+        ))
+        .0
+    };
+    for condition in [r"where } A \neq 0", r"with } A > 0", r"if } A \neq 0"] {
+        let end = format!(r"v = \frac{{B}}{{A}} w \quad\text{{{condition}");
+        assert_eq!(page(&end), "holds", "{condition}");
+        let end = format!(r"v = \frac{{A}}{{B}} w \quad\text{{{condition}");
+        assert_eq!(page(&end), "fails", "{condition}");
+    }
+}
+
+/// What a page begins with and calls an identity is claimed for all values.
+#[test]
+fn an_identity_that_a_page_begins_with_is_checked() {
+    let page = |right: &str| {
+        last(&format!(
+            "For all $a$ and $b$ we have the identity\n\n$$ (a + b)^2 = {right} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("a^2 + 2 a b + b^2"), "holds");
+    assert_eq!(page("a^2 + b^2"), "fails");
+}
+
 /// A name that words give to a term stands for it.
 #[test]
 fn a_term_is_given_a_name_in_words() {

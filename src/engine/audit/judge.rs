@@ -128,6 +128,14 @@ impl Judge<'_> {
             return own;
         }
         if found.judged.outcome.is_proven()
+            && let Some(held) = self.held_though_gone(goal, &found)
+        {
+            found.instead.clear();
+            found.leave_open(format!(
+                "it follows only if `{held}` does not change, and what is differentiated is given without that"
+            ));
+        }
+        if found.judged.outcome.is_proven()
             && let Some(own) = self.alone_after_all(goal, steps, premises, &found)
         {
             return own;

@@ -1,7 +1,7 @@
 //! What a page says of what changes with what: something of which it says so is not taken as constant, cited or not.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Derivation, Equation, Goal, dotted, formulas};
+use crate::derivation::{Assumed, Derivation, Equation, Goal, Source, dotted, formulas};
 use crate::kernel::{Standing, definition};
 use crate::search::{self, Effort, are_tied};
 
@@ -197,6 +197,41 @@ impl Judge<'_> {
         own.judged.outcome = Outcome::Refuted(refuted.into());
         self.instead(goal, &all, premises, &mut own);
         Some(own)
+    }
+
+    /// What a slope takes as constant, where the nearest premise that says by a term what is differentiated does not speak of it: the slope of
+    /// that term is meant, and nobody can have meant it to be held.
+    pub(super) fn held_though_gone(&self, goal: &Goal, found: &Found) -> Option<Symbol> {
+        let (Expr::Derivative { body, variable }, slope) = goal.formula.as_equation()? else {
+            return None;
+        };
+        let of_slope = stated::quantities(slope);
+        let gives = |own: &Assumed| match (own.source, own.formula.as_equation()?) {
+            (Source::Equation(at), (left, value))
+                if *left == **body && value.mentions(variable) =>
+            {
+                Some((at, value.free_symbols()))
+            }
+            _ => None,
+        };
+        let given = self.usable.assumed.iter().filter_map(gives);
+        let (_, named) = given.max_by_key(|(at, _)| *at)?;
+        if !of_slope.is_subset(&named) {
+            return None;
+        }
+        let still = found
+            .conditions
+            .iter()
+            .filter(|own| stated::stands_still(own));
+        let still = still.filter_map(|own| match own.as_equation()? {
+            (Expr::Derivative { body, .. }, _) => match &**body {
+                Expr::Symbol(held) => Some(held),
+                _ => None,
+            },
+            _ => None,
+        });
+        let mut held = found.constant.iter().chain(still);
+        held.find(|held| !named.contains(*held)).cloned()
     }
 
     /// Premises without those that others say already, but for what `gives` something.

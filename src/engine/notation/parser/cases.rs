@@ -7,6 +7,7 @@
 use super::both::refuse_signs;
 use super::statement::Place;
 use super::{Case, Kind, Parser, Read, refuse, refuse_with};
+use crate::algebra::Relation;
 use crate::document::Span;
 use crate::notation::{Clause, Link, Side, Statement};
 
@@ -22,6 +23,8 @@ const TRAILING: &[&str] = &[
     "provided that",
     "as long as",
 ];
+/// After these a relation that is no equation is a condition: "where $A \neq 0$". An equation says what something means.
+const BESIDE: &[&str] = &["where", "with"];
 /// Nobody states more conditions of one statement; each is a hypothesis, with which all others are tried.
 const MOST_CONDITIONS: usize = 64;
 /// Words for where none of the other cases holds.
@@ -160,6 +163,7 @@ impl Parser<'_> {
         match self.peek() {
             _ if quantifies => {}
             Kind::Text(words) if TRAILING.contains(&plain(words)) => {}
+            Kind::Text(words) if BESIDE.contains(&plain(words)) && self.bounds_next() => {}
             _ => {
                 self.at = end;
                 return Ok(under);
@@ -193,6 +197,32 @@ impl Parser<'_> {
             );
         }
         Ok(under)
+    }
+
+    /// Whether what comes after a word says where something lies, and what nothing is equal to.
+    fn bounds_next(&self) -> bool {
+        let ends = |kind: &Kind<'_>| {
+            matches!(
+                kind,
+                Kind::End | Kind::Wide | Kind::Row | Kind::Finish(_) | Kind::Text(_)
+            )
+        };
+        let mut relations = (self.at + 1..)
+            .map(|at| self.kind(at))
+            .take_while(|kind| !ends(kind))
+            .filter_map(|kind| match kind {
+                Kind::Relation(relation, _) => Some(relation),
+                _ => None,
+            })
+            .peekable();
+        let bounds = |relation| {
+            use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
+            matches!(
+                relation,
+                Greater | GreaterOrEqual | Less | LessOrEqual | NotEqual
+            )
+        };
+        relations.peek().is_some() && relations.all(bounds)
     }
 
     /// `\text{if } x > 0`, `\text{for } n = 1, 2, \dots`
