@@ -141,6 +141,13 @@ impl Judge<'_> {
         let said = source
             .get(before.span.end..equation.span.start)
             .unwrap_or_default();
+        // "and (3) becomes"
+        let mut letters = said
+            .chars()
+            .skip_while(|c| !c.is_alphanumeric() && *c != '(');
+        if letters.next().is_some_and(char::is_lowercase) {
+            return true;
+        }
         let words = said
             .split(|c: char| !c.is_alphabetic())
             .map(str::to_lowercase);

@@ -13,10 +13,11 @@ pub(super) fn is_number(math: &str) -> bool {
     !value.contains(char::is_alphabetic)
 }
 
-/// Whether inline math says that something vanishes: `x = 0`.
+/// Whether inline math says that a symbol is zero: `x = 0`.
 pub(super) fn is_zero(math: &str) -> bool {
-    let value = math.rsplit_once('=').map(|(_, value)| value.trim());
-    matches!(value, Some("0" | "0.0"))
+    let sides = math.split_once('=');
+    sides
+        .is_some_and(|(name, value)| is_letters(name.trim()) && matches!(value.trim(), "0" | "0.0"))
 }
 
 /// Whether inline math says that something is a number, be it in a unit or with a power of ten: `r = 0.5\ \Omega`, `n = 8.5 \times 10^{28}`.
