@@ -37,12 +37,10 @@ impl Auditor<'_> {
     /// text tells may come of what is cited: "With (2), $v_2 = a v_1$, so".
     pub(super) fn goes_on(&self, at: usize, premises: &[usize], used: &Set<Source>) -> bool {
         let equations = &self.derivation.equations;
-        let first = at - equations[at].row.min(at);
-        let before = match first.checked_sub(1) {
-            Some(last) if equations[last].page == equations[at].page => {
-                last - equations[last].row.min(last)..first
-            }
-            _ => first..first,
+        let first = self.derivation.display_start(at);
+        let before = match self.derivation.before_display(at) {
+            Some(last) => self.derivation.display_start(last)..first,
+            None => first..first,
         };
         let own = &equations[at];
         let is_near = |source: &Source| match *source {

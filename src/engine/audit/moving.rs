@@ -219,15 +219,13 @@ impl Judge<'_> {
         if !of_slope.is_subset(&named) {
             return None;
         }
-        let still = found
-            .conditions
-            .iter()
-            .filter(|own| stated::stands_still(own));
+        let still = found.conditions.iter();
         let still = still.filter_map(|own| match own.as_equation()? {
-            (Expr::Derivative { body, .. }, _) => match &**body {
-                Expr::Symbol(held) => Some(held),
-                _ => None,
-            },
+            (Expr::Derivative { body, .. }, Expr::Number(_))
+                if let Expr::Symbol(held) = &**body =>
+            {
+                Some(held)
+            }
             _ => None,
         });
         let mut held = found.constant.iter().chain(still);

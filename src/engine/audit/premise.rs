@@ -219,19 +219,15 @@ pub fn usable<'a>(
     let in_effect = own.locals.iter().chain(&own.told).chain(&own.named);
     let in_effect: Set<(usize, usize)> = in_effect.map(|&local| (page, local)).collect();
     // A value that the text has given to another symbol's place since is no longer meant.
-    let replaced = |own: &Local| {
-        let mut others = in_effect
+    let others = || {
+        in_effect
             .iter()
-            .map(|&(page, at)| derivation.local(page, at));
-        // That $k > 0$ is not taken back by $k = m \omega^2$.
-        own.is_equation() && others.any(|other| own.is_replaced_by(other))
+            .map(|&(page, at)| derivation.local(page, at))
     };
-    let is_left_for_other = |own: &Local| {
-        let mut others = in_effect
-            .iter()
-            .map(|&(page, at)| derivation.local(page, at));
-        others.any(|other| own.is_left_for(other))
-    };
+    // That $k > 0$ is not taken back by $k = m \omega^2$.
+    let replaced =
+        |own: &Local| own.is_equation() && others().any(|other| own.is_replaced_by(other));
+    let is_left_for_other = |own: &Local| others().any(|other| own.is_left_for(other));
     usable.assumed.retain(|own| match own.source {
         Source::Local(page, at) => !is_left_for_other(derivation.local(page, at)),
         _ => true,

@@ -163,11 +163,9 @@ impl Derivation {
             return Vec::new();
         }
         // What leads on to a display does to each of its rows.
-        let first = at - equation.row.min(at);
-        let begin = self.equations[first].span.start;
-        let before = first.checked_sub(1).map(|before| &self.equations[before]);
-        let from = before.filter(|own| own.page == equation.page);
-        let from = from.map_or(0, |own| own.span.end);
+        let begin = self.equations[self.display_start(at)].span.start;
+        let before = self.before_display(at);
+        let from = before.map_or(0, |before| self.equations[before].span.end);
         let after = self.equations.get(at + 1);
         let after = after.filter(|own| own.page == equation.page);
         let until = after.map_or(page.document.source.len(), |own| own.span.start);

@@ -25,8 +25,10 @@ impl Derivation {
         let equation = &self.equations[at];
         let page = &self.pages[number];
         let local = &page.locals[local];
-        let first = at - equation.row.min(at);
-        let Some(before) = first.checked_sub(1).map(|before| &self.equations[before]) else {
+        let Some(before) = self
+            .before_display(at)
+            .map(|before| &self.equations[before])
+        else {
             return false;
         };
         let is_said = local.is_told || local.is_special;
@@ -34,7 +36,6 @@ impl Derivation {
             || local.means
             || local.is_momentary()
             || !local.is_equation()
-            || before.page != number
             || equation.page != number
             || local.span.start >= before.span.start
             || !(local.is_case() || is_conditional(&page.document.source, local.span))

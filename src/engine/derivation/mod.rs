@@ -197,4 +197,15 @@ impl Derivation {
     pub fn equations_of(&self, page: usize) -> Range<usize> {
         equation::of_page(page, &self.equations)
     }
+
+    /// The first equation of the display that an equation is of.
+    pub fn display_start(&self, at: usize) -> usize {
+        at - self.equations[at].row.min(at)
+    }
+
+    /// The last equation of the display before that, on the same page.
+    pub fn before_display(&self, at: usize) -> Option<usize> {
+        let before = self.display_start(at).checked_sub(1)?;
+        (self.equations[before].page == self.equations[at].page).then_some(before)
+    }
 }

@@ -126,10 +126,16 @@ impl Local {
 
     /// Whether it is left for another case of the same quantities: "For $m_1 = m_2$, …" and then "If $m_2 = 3 m_1$, …".
     pub fn is_left_for(&self, other: &Local) -> bool {
-        let names = self.names();
-        let both_give = !self.values().is_empty() && !other.values().is_empty();
-        let is_other = self.formulas != other.formulas && self.span.start < other.span.start;
-        self.of_case && both_give && is_other && names.len() > 1 && names == other.names()
+        self.of_case
+            && self.span.start < other.span.start
+            && self.formulas != other.formulas
+            && self.gives_as(&other.names(), &other.values())
+    }
+
+    /// Whether it says how the same quantities go together as another one, which speaks of `names` and gives the `values` of some.
+    fn gives_as(&self, names: &Set<Symbol>, values: &Set<Symbol>) -> bool {
+        let both_give = !values.is_empty() && !self.values().is_empty();
+        both_give && names.len() > 1 && self.names() == *names
     }
 
     /// The symbols and sequences that it speaks of.
@@ -184,10 +190,7 @@ impl Page {
                 let old = &locals[at];
                 let before = old.values();
                 // "For $m_1 = m_2$, … For $m_2 = 3 m_1$, …" goes from one case to the next.
-                let other_case = || {
-                    let gives_values = !values.is_empty() && !before.is_empty();
-                    gives_values && own.len() > 1 && old.names() == own
-                };
+                let other_case = || old.gives_as(&own, &values);
                 match old.is_let && is_let {
                     true => before.is_disjoint(&values) && !other_case(),
                     // "The height is $x = h$, so … The width is $x = w$, so".

@@ -86,9 +86,10 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
     }
     // "The time of the fall follows from": what is displayed is what it follows from.
     let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_) | Token::Math(_));
-    let ends = sentence.iter().rev().find(words);
-    let is_source =
-        ends.is_some_and(|(token, _)| token.is_among(&["from", "by", "through", "via"]));
+    let is_source = || {
+        let ends = sentence.iter().rev().find(words);
+        ends.is_some_and(|(token, _)| token.is_among(&["from", "by", "through", "via"]))
+    };
     let otherwise = |at: usize| {
         let (token, next) = (sentence[at].0, sentence.get(at + 1));
         // "From then on mechanical energy is conserved" tells when.
@@ -101,7 +102,7 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
         );
         // "Momentum is conserved, and so is the energy"
         let adds = |(next, _): &Placed<'_>| next.is_among(&["is", "are", "does", "do"]);
-        let source_follows = is_source && before.is_some() && token.is_among(&FOLLOWING);
+        let source_follows = before.is_some() && token.is_among(&FOLLOWING) && is_source();
         source_follows
             || token.is_among(&["then"]) && tells_when
             || token.is_among(&["so"]) && next.is_some_and(adds)

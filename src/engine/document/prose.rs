@@ -257,8 +257,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
 /// What is said before the last sentence.
 fn before<'t, 'a>(tokens: &'t [Placed<'a>], last: &[Placed<'_>]) -> &'t [Placed<'a>] {
     let start = last.first().map(|(_, span)| span.start);
-    let is_before = |(_, span): &&Placed<'_>| Some(span.start) < start;
-    &tokens[..tokens.iter().take_while(is_before).count()]
+    &tokens[..tokens.partition_point(|(_, span)| Some(span.start) < start)]
 }
 
 /// Without the ends of paragraphs around them.

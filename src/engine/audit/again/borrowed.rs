@@ -206,7 +206,7 @@ impl Judge<'_> {
         let first = self.derivation.equations_of(own.page).start;
         own.page == other.page
             && other.circumstances.is_some()
-            && own.circumstances == Some(self.at - own.row.min(self.at) - first)
+            && own.circumstances == Some(self.derivation.display_start(self.at) - first)
     }
 
     /// Whether all that an earlier equation was shown under is supposed here too: what is not cited brings no special case with it.

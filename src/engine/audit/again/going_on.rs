@@ -67,8 +67,8 @@ impl Judge<'_> {
     pub(super) fn goes_on_from(&self, other: usize) -> bool {
         let equations = &self.derivation.equations;
         let own = &equations[self.at];
-        let last = (self.at - own.row.min(self.at)).checked_sub(1);
-        let before = last.map(|last| last - equations[last].row.min(last)..last + 1);
+        let last = self.derivation.before_display(self.at);
+        let before = last.map(|last| self.derivation.display_start(last)..last + 1);
         let is_before = before.is_some_and(|before| before.contains(&other));
         let starts = self.derivation.equations_of(own.page).start + own.section_start;
         own.drawn && is_before && other >= starts

@@ -85,10 +85,8 @@ impl Judge<'_> {
             return false;
         };
         let local = self.derivation.local(page, local);
-        let first = self.at - self.derivation.equations[self.at].row.min(self.at);
-        let before = first
-            .checked_sub(1)
-            .map(|before| &self.derivation.equations[before]);
+        let before = self.derivation.before_display(self.at);
+        let before = before.map(|before| &self.derivation.equations[before]);
         let before = before.filter(|own| own.page == page);
         *own.formula == goal.formula
             && local.is_momentary()
@@ -102,23 +100,20 @@ impl Judge<'_> {
             return false;
         }
         // What comes to a number is calculated from the numbers of an example.
-        let is_number = |term: &Expr| matches!(term, Expr::Number(own) if !own.is_zero());
-        let sides = |own: &Formula| {
-            own.as_equation()
-                .map(|(left, right)| (left.clone(), right.clone()))
+        let is_number = |own: &Formula| {
+            let sides = own.as_equation();
+            sides.is_some_and(|(_, value)| quantities(value).is_empty())
         };
-        let comes_to_number =
-            sides(&goal.formula).is_some_and(|(_, own)| quantities(&own).is_empty());
-        let sets_number = |own| sides(own).is_some_and(|(_, value)| is_number(&value));
-        if comes_to_number && local.formulas.iter().any(|own| sets_number(own)) {
+        let sets_number = |own: &Formula| {
+            let sides = own.as_equation();
+            sides.is_some_and(|(_, value)| matches!(value, Expr::Number(own) if !own.is_zero()))
+        };
+        if is_number(&goal.formula) && local.formulas.iter().any(|own| sets_number(own)) {
             return false;
         }
-        let first = self.at - equation.row.min(self.at);
-        let before = first
-            .checked_sub(1)
-            .map(|before| &self.derivation.equations[before]);
-        let Some(before) = before.filter(|own| own.page == equation.page && place.0 == own.page)
-        else {
+        let before = self.derivation.before_display(self.at);
+        let before = before.map(|before| &self.derivation.equations[before]);
+        let Some(before) = before.filter(|own| own.page == place.0) else {
             return false;
         };
         let is_of_case = |premise: &usize| {

@@ -272,16 +272,10 @@ fn is_outside(words: &[Placed<'_>]) -> bool {
     (1..=MOST_NAMED).contains(&count) && !words.iter().any(points_back)
 }
 
-/// Where the first verb is by which something is said to come from what is before it.
-fn giving(sentence: &[Placed<'_>]) -> Option<usize> {
-    sentence
-        .iter()
-        .position(|(token, _)| token.is_among(&GIVING))
-}
-
 /// "Normalisation gives", "Similar triangles then yield".
 fn is_subject(sentence: &[Placed<'_>]) -> bool {
-    let Some(verb) = giving(sentence) else {
+    let gives = |(token, _): &Placed<'_>| token.is_among(&GIVING);
+    let Some(verb) = sentence.iter().position(gives) else {
         return false;
     };
     let mut subject = &sentence[..verb];
@@ -330,11 +324,10 @@ fn is_source(sentence: &[Placed<'_>]) -> bool {
 
 /// "Neglecting friction we get", "Requiring that all of them add up to one,".
 fn is_circumstance(sentence: &[Placed<'_>]) -> bool {
-    let Some(((Token::Word(first), _), _)) = sentence.split_first() else {
+    let Some((first @ Token::Word(word), _)) = sentence.first() else {
         return false;
     };
-    let first_token = sentence[0].0;
-    first.ends_with("ing") && !is_done(first_token) && is_outside(&sentence[..opening(sentence)])
+    word.ends_with("ing") && !is_done(*first) && is_outside(&sentence[..opening(sentence)])
 }
 
 /// Whether a participle says what is done with displays.

@@ -60,12 +60,14 @@ pub(in crate::document) fn reasons_in_words(
     let since = last.iter().position(among(&BECAUSE));
     let reason = since.map(|since| &last[since + 1..]);
     let is_said = |words: &[Placed<'_>]| !words.is_empty() && !words.iter().any(is_equation);
-    let gives_one = names_a_law(last)
-        || puts_circumstances(last)
-        || concludes_from_words(last)
-        || outside::is_named(last)
-        || outside::is_stated_before(before, last) && !before.iter().any(is_equation);
-    reason.is_some_and(is_said) || is_said(last) && gives_one
+    let gives_one = || {
+        names_a_law(last)
+            || puts_circumstances(last)
+            || concludes_from_words(last)
+            || outside::is_named(last)
+            || outside::is_stated_before(before, last) && !before.iter().any(is_equation)
+    };
+    reason.is_some_and(is_said) || is_said(last) && gives_one()
 }
 
 /// Whether it is an equation, or cites one.

@@ -95,10 +95,16 @@ pub(super) fn is_named(index: usize, tokens: &[Placed<'_>]) -> bool {
 /// Whether the relation that tokens begin with is said to come from a display: "Substituting $w = u - v$ from (2) into (1)". That supposes
 /// nothing, and the step that goes on from it follows from the display.
 pub(super) fn is_taken_from(tokens: &[Placed<'_>]) -> bool {
-    let [_, (Token::Word("from"), _), on @ ..] = tokens else {
+    leads_to_citation(tokens, &["from"])
+}
+
+/// Whether an equation is cited after the mathematics that tokens begin with, and one of these words: "$m = 0$ in (1)", "$x = 1$ into
+/// equation (2)".
+pub(super) fn leads_to_citation(tokens: &[Placed<'_>], by: &[&str]) -> bool {
+    let [_, (Token::Word(word), _), on @ ..] = tokens else {
         return false;
     };
     let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
     let cited = on.iter().take(MOST_DESCRIBING).find(|own| !words(own));
-    matches!(cited, Some((Token::Tag(_) | Token::Keys(_), _)))
+    by.contains(word) && matches!(cited, Some((Token::Tag(_) | Token::Keys(_), _)))
 }

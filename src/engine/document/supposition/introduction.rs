@@ -4,7 +4,7 @@ use super::super::conclusion;
 use super::super::prose::{Placed, Token};
 use super::super::words::Words;
 use super::super::{Span, SuppositionKind};
-use super::around::{follows, is_at_a_place};
+use super::around::{follows, is_at_a_place, leads_to_citation};
 use super::mathematics::{differs, is_bound, is_value, relates};
 use super::reach::Reach;
 use super::words::{COMPARING, CONCLUDING, DEFINING, NEGATING};
@@ -174,7 +174,11 @@ pub(super) fn introduced(
             Some((SuppositionKind::Let, Reach::List { left: listed() }))
         }
         // "we put $m = 0$ in (1)"
-        word if DEFINING.has(word) && by_us() && value() && is_put_into(rest) => {
+        word if DEFINING.has(word)
+            && by_us()
+            && value()
+            && leads_to_citation(rest, &["in", "into"]) =>
+        {
             Some((case, joined(true)))
         }
         word if DEFINING.has(word) && by_us() && value() => {
@@ -248,16 +252,6 @@ fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
         token => token.is_stop(),
     };
     !rest.iter().any(says)
-}
-
-/// Whether the value after a word is put into an equation that is cited: "$m = 0$ in (1)", "$x = 1$ into equation (2)".
-fn is_put_into(rest: &[Placed<'_>]) -> bool {
-    let [_, (Token::Word("in" | "into"), _), on @ ..] = rest else {
-        return false;
-    };
-    let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
-    let cited = on.iter().take(MOST_DESCRIBING).find(|own| !words(own));
-    matches!(cited, Some((Token::Tag(_) | Token::Keys(_), _)))
 }
 
 /// Whether a comma comes after the formulas that a sentence begins with.
