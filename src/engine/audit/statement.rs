@@ -149,7 +149,10 @@ impl Auditor<'_> {
         if let Some(found) = how.defines.then(instance).flatten() {
             return Some(found);
         }
-        match judge.as_value_there(goal, how.premises, how.defines) {
+        let there = judge.as_value_there(goal, how.premises, how.defines);
+        let solved = || judge.as_solved(goal, how.premises);
+        match there.or_else(|| how.defines.then(solved).flatten()) {
+            Some(There::Solved(found)) => Some(*found),
             Some(There::Refuted(found)) => {
                 links.contradicted = true;
                 Some(*found)

@@ -205,7 +205,7 @@ fn value_of(problem: &Problem, own: Var, kept: &Set<Var>) -> Option<Fraction> {
     // That what is divided by does not vanish is left to the proof.
     let solvable = |element: &&Tracked| {
         let polynomial = &element.polynomial;
-        polynomial.degree_in(own) == 1 && polynomial.len() <= MOST_TERMS
+        polynomial.len() <= MOST_TERMS && in_two_powers(polynomial, own).is_some()
     };
     let simplest = |elements: &[Tracked]| {
         let all = elements.iter().filter(solvable);
@@ -217,9 +217,17 @@ fn value_of(problem: &Problem, own: Var, kept: &Set<Var>) -> Option<Fraction> {
         true => first,
         false => simplest(&ideal.basis(&knowledge)).or(first),
     }?;
-    let parts = element.polynomial.in_powers_of(own);
-    let (rest, slope) = (parts[0].negated(), Fraction::from(parts[1].clone()));
-    cancelled(&Fraction::from(rest).times(&slope.recip().ok()??).ok()?)
+    let (rest, slope) = in_two_powers(&element.polynomial, own)?;
+    let slope = Fraction::from(slope).recip().ok()??;
+    cancelled(&Fraction::from(rest.negated()).times(&slope).ok()?)
+}
+
+/// The last two coefficients in the powers of an unknown, where there are no others: that the unknown itself, `t` in `v t - g t^2 = 0`, does not
+/// vanish is left to the proof as well.
+fn in_two_powers(polynomial: &Polynomial, own: Var) -> Option<(Polynomial, Polynomial)> {
+    let mut parts = polynomial.in_powers_of(own);
+    let (slope, rest) = (parts.pop()?, parts.pop()?);
+    parts.iter().all(Polynomial::is_zero).then_some((rest, slope))
 }
 
 /// The same value with the sum in the numerator divided out of the denominator, where it divides a factor of it.

@@ -18,6 +18,7 @@ mod named;
 mod overlooked;
 mod rescue;
 mod solution;
+mod solved;
 pub(super) mod there;
 pub(super) mod throughout;
 mod unitless;

@@ -26,6 +26,8 @@ const EXTREMES: [&str; 6] = ["\\max", "\\min", "max", "min", "\\text{max}", "\\t
 pub(in crate::audit) enum There {
     /// It is what the quantity is there.
     Shown,
+    /// It is what the words solve for.
+    Solved(Box<Found>),
     /// It is not.
     Refuted(Box<Found>),
 }
@@ -59,26 +61,42 @@ impl Judge<'_> {
         let by_itself = defines.then(by_itself).flatten();
         let at_a_place = || self.said_of_the_whole(&asked, cited, words, premises);
         let (assumed, may_fail) = by_itself.or_else(at_a_place)?;
-        let found = self.judged_there(goal, assumed.clone(), premises, &asked, may_fail);
+        self.judged_there(goal, assumed, premises, &asked, may_fail)
+    }
+
+    /// A new symbol judged as what it is said to name, from such premises; also where all is positive.
+    pub(super) fn judged_there(
+        &self,
+        goal: &Goal,
+        assumed: Vec<Assumed>,
+        premises: &[usize],
+        asked: &Asked,
+        may_fail: MayFail,
+    ) -> Option<There> {
+        let found = self.judged_anywhere(goal, assumed.clone(), premises, asked, may_fail);
         found.or_else(|| {
             // That something may be 0 or less can be all that keeps the symbol from being anything at all. Where all is positive, too, there
             // is a counterexample or nothing is said.
             let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
             let free = unbounded(&claim).into_iter();
-            let free = free.filter(|symbol| symbol.name() != "\\pi");
+            let is_set = |symbol: &Symbol| {
+                let mut all = assumed.iter();
+                all.any(|own| own.formula.set_to_number() == Some(symbol))
+            };
+            let free = free.filter(|symbol| symbol.name() != "\\pi" && !is_set(symbol));
             let positive = free.map(|symbol| step(&Formula::positive(Expr::Symbol(symbol))));
-            let before = assumed.len();
-            let assumed: Vec<Assumed> = assumed.into_iter().chain(positive).collect();
-            if may_fail == MayFail::Never || assumed.len() == before {
+            let positive: Vec<Assumed> = positive.collect();
+            if may_fail == MayFail::Never || positive.is_empty() {
                 return None;
             }
-            let found = self.judged_there(goal, assumed, premises, &asked, may_fail);
+            let assumed = assumed.into_iter().chain(positive).collect();
+            let found = self.judged_anywhere(goal, assumed, premises, asked, may_fail);
             found.filter(|own| matches!(own, There::Refuted(_)))
         })
     }
 
     /// The same from just these premises.
-    fn judged_there(
+    fn judged_anywhere(
         &self,
         goal: &Goal,
         assumed: Vec<Assumed>,
@@ -237,7 +255,7 @@ impl Judge<'_> {
     }
 
     /// What the words before a step tell, name or mention: "At the free end, $x = L$".
-    fn said_of_the_place(&self) -> Vec<Assumed> {
+    pub(super) fn said_of_the_place(&self) -> Vec<Assumed> {
         let mut words = self.derivation.told(self.at);
         words.extend(self.derivation.named(self.at));
         let mentioned = self.derivation.mentioned(self.at).into_iter();
@@ -273,17 +291,17 @@ impl Judge<'_> {
 }
 
 /// What is asked of a new symbol.
-struct Asked<'a> {
-    new: &'a Symbol,
+pub(super) struct Asked<'a> {
+    pub new: &'a Symbol,
     /// What its value is said to be made of.
-    named: &'a Set<Symbol>,
+    pub named: &'a Set<Symbol>,
     /// What it may name a special value of.
-    quantity: Option<&'a Symbol>,
+    pub quantity: Option<&'a Symbol>,
 }
 
 /// When what would define a symbol is told to be wrong.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum MayFail {
+pub(super) enum MayFail {
     Never,
     /// Where something else follows that is made of the same symbols.
     InTheSameSymbols,
