@@ -95,6 +95,10 @@ impl Problem {
         raises: bool,
         knowledge: &Knowledge,
     ) -> Result<Option<Polynomial>, Reject> {
+        // What both sides have as a factor is divided by where it is not 0.
+        let (factor, rest) = equation.without_content();
+        let divided = knowledge.monomial_is_nonzero(&factor);
+        let equation = if divided { &*rest } else { equation };
         let terms: Vec<Polynomial> = equation
             .terms()
             .map(|(monomial, number)| Polynomial::term(monomial.clone(), number.clone()))

@@ -4,7 +4,7 @@
 use crate::algebra::{
     Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var, sign_of_fraction,
 };
-use crate::kernel::{Assignment, Claim, Fact, Problem, Sign};
+use crate::kernel::{Assignment, Claim, Fact, Origin, Problem, Sign};
 use crate::sorted::{self, Map};
 
 /// How deep the tree of fractions is descended.
@@ -100,7 +100,10 @@ pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
     let mut facts = Vec::new();
     let mut need = |polynomial, sign| facts.push(Fact { polynomial, sign });
     let mut kinds = Map::new();
-    let mut calls: Vec<(Var, &Atom)> = problem.atoms.iter().collect();
+    let calls = problem.atoms.iter();
+    let mut calls: Vec<(Var, &Atom)> = calls
+        .filter(|(var, _)| !is_of_logarithms_alone(problem, *var))
+        .collect();
     let last = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Exp, _)));
     sorted::sort_by_key(&mut calls, |(_, atom)| last(atom));
     for (var, atom) in calls {
@@ -201,13 +204,36 @@ fn kind_of(function: Function) -> Function {
     }
 }
 
+/// The facts, but those that only say the same with logarithms.
+fn told(problem: &Problem) -> impl Iterator<Item = &Fact> {
+    let facts = problem.facts.iter().zip(&problem.origins);
+    let told = facts.filter(|(_, origin)| !matches!(origin, Origin::Logarithms(_)));
+    told.map(|(fact, _)| fact)
+}
+
+/// Whether an unknown was brought in where logarithms were taken, and is spoken of nowhere else.
+fn is_of_logarithms_alone(problem: &Problem, var: Var) -> bool {
+    let speaks = |fact: &Fact| fact.polynomial.degree_in(var) > 0;
+    let Atom::Opaque(call @ Expr::Call(Function::Ln, _)) = problem.atoms.atom(var) else {
+        return false;
+    };
+    let stands_in = |atom: &Atom| match atom {
+        Atom::Opaque(term) => term != call && term.any(&|part| part == call),
+        _ => false,
+    };
+    problem.facts.iter().any(speaks)
+        && !told(problem).chain([&problem.goal]).any(speaks)
+        && !problem.atoms.iter().any(|(_, atom)| stands_in(atom))
+}
+
 /// Whether facts speak of a symbol only to bound it.
 fn is_open(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
     let Some(var) = problem.atoms.find(&Atom::Symbol(symbol.clone())) else {
         return false;
     };
     let pi = problem.pi_is_the_number() && symbol.name() == "\\pi";
-    let bounded = problem.facts.iter().all(|fact| match fact.sign {
+    // What logarithms say of it is so wherever the exponentials have the values that they need.
+    let bounded = told(problem).all(|fact| match fact.sign {
         Sign::Zero => fact.polynomial.degree_in(var) == 0,
         // Of a product of powers it is enough that it is positive.
         _ => {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Function, Symbol};
 use crate::kernel::{Claim, Domain, Standing, applied_definition, definition, pi_is_the_number};
 use crate::sorted::Set;
 
@@ -28,6 +28,12 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
         for formula in &formulas {
             if let Formula::AllEqual { to, .. } = &**formula {
                 found.counts.extend(to.free_symbols());
+            }
+            if let Some((symbol, term)) = definition(formula)
+                && term.any(&is_exponential)
+                && !formulas[goal].names().contains(&symbol)
+            {
+                found.decaying.insert(symbol);
             }
         }
         let next = (0..goal).find_map(|at| {
@@ -56,6 +62,7 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
                 false if found.counts.contains(&symbol) => true,
                 false if found.called.contains(&symbol) => true,
                 false if found.rooted.contains(&symbol) && !positive() => true,
+                false if found.decaying.contains(&symbol) && !term.any(&is_exponential) => true,
                 // Beside the number π a value need not be rational: what nothing else speaks of needs none. Of what is constant and made of
                 // what moves it says how that moves: `V = \pi r^2 h`.
                 false => {
@@ -78,6 +85,10 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             *formula = formula.map_terms(put_in).into();
         }
     }
+}
+
+fn is_exponential(part: &Expr) -> bool {
+    matches!(part, Expr::Call(Function::Exp, _))
 }
 
 /// Whether a formula speaks of the function that is applied, for whichever argument.
@@ -133,6 +144,9 @@ struct Operands {
     rooted: Set<Symbol>,
     /// In the argument of a function: equal arguments must look alike.
     called: Set<Symbol>,
+    /// Equal to what has an exponential in it, `N = N_0 e^{-k t}`, and not spoken of in the goal: where another value is put in, `N = N_0/2`, the
+    /// exponential has one.
+    decaying: Set<Symbol>,
     /// What is differentiated by, goes to a limit or is integrated over.
     variables: Set<Symbol>,
     /// What is differentiated partially by itself.

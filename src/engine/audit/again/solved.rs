@@ -39,6 +39,7 @@ impl Judge<'_> {
         }
         let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
         set.extend(fresh.filter_map(value_said));
+        eprintln!("DBG {new} set {set:?} assumed {:?}", assumed.iter().map(|a| format!("{:?} {:?}", a.source, a.formula)).collect::<Vec<_>>());
         if set.is_empty() {
             return None;
         }
