@@ -92,7 +92,7 @@ fn law_that_stands_nowhere_is_given() {
 /// Only the first link can come from what is cited, and it defines something.
 #[test]
 fn beginning_of_a_chain_is_told() {
-    let text = "The ball falls according to\n\n$$ m g h = \\frac12 m v^2. \\tag{1} $$\n\nWith $h = 4 R$ the speed is, by (1),\n\n$$ u = \\sqrt{g h} = 2 \\sqrt{g R}. $$\n";
+    let text = "The ball falls according to\n\n$$ m g h = E. \\tag{1} $$\n\nWith $h = 4 R$ the speed is, by (1),\n\n$$ u = \\sqrt{g h} = 2 \\sqrt{g R}. $$\n";
     let (verdict, notes) = last(text);
     assert_eq!(verdict, "holds");
     assert!(notes.contains(&"taken-as-given"), "{notes:?}");

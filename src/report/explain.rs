@@ -163,9 +163,8 @@ impl Report<'_> {
         text += "    From\n";
         for assumed in &judged.assumed {
             let formula = plain_formula(&assumed.formula);
-            let origin = match assumed.takes_index_off() {
-                true => "taken so: the quantity there".into(),
-                false if assumed.tells_value_there() => "told: its value there".into(),
+            let origin = match assumed.tells_value_there() {
+                true => "told: its value there".into(),
                 false => self.origin(assumed.source),
             };
             text += &format!("      {formula}   {}\n", paint(DIM, &origin));
@@ -241,6 +240,7 @@ impl Report<'_> {
                 format!("{how}, {}", self.place_of(page, local.span))
             }
             Source::Step => "shown or supposed in the same statement".into(),
+            Source::Taken => "taken so: as it is there".into(),
         }
     }
 }

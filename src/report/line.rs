@@ -161,7 +161,7 @@ impl Report<'_> {
             .judged
             .iter()
             .flat_map(|j| j.assumed.iter().map(|a| a.source))
-            .filter(|s| *s != Source::Step)
+            .filter(|s| !s.is_of_statement())
             .collect();
         sorted::sort_by_key(&mut used, |s| !matches!(s, Source::Equation(_)));
         used.dedup();
@@ -222,7 +222,7 @@ impl Report<'_> {
                 let put = self.equation(at);
                 !put.moments.is_empty() && !put.moments.clone().any(|at| own.is_under(put.page, at))
             }
-            Source::Step => false,
+            Source::Step | Source::Taken => false,
         };
         let premises = entry
             .premises

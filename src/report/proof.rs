@@ -142,6 +142,7 @@ impl Report<'_> {
             Some(Source::Equation(at)) => format!("premise {}", self.name(at)),
             Some(source @ Source::Local(..)) => format!("supposed: {}", self.source(&source)),
             Some(Source::Step) => "the step before".into(),
+            Some(Source::Taken) => "taken so".into(),
             None => "a hypothesis".into(),
         }
     }

@@ -82,6 +82,7 @@ impl<'a> Report<'a> {
                 format!("`{}` ({})", said.join(", "), self.line_of(page, local.span))
             }
             Source::Step => "the step before".into(),
+            Source::Taken => "taken so".into(),
         }
     }
 

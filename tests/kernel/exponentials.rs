@@ -89,3 +89,12 @@ fn e_stands_beside_no_other_number_of_its_kind() {
     let verdict = refuted(&claim(&[], r"\exp x = \exp y"), open);
     assert_eq!(verdict, Err(Reject::NoValue));
 }
+
+#[test]
+fn no_other_function_is_taken_of_a_power_of_e() {
+    // The sine of `e` is not that of π.
+    for forged in [r"\sin(\exp x) \neq 0", r"\cos(\exp x) > 0"] {
+        let verdict = refuted(&claim(&[], forged), at(&[("x", (1, 1))]));
+        assert!(verdict.is_err(), "{forged}: {verdict:?}");
+    }
+}

@@ -192,3 +192,83 @@ fn premise_that_something_is_positive_takes_powers_apart() {
     let bound = claim(&["x > 0"], r"\int_{-1}^{1} (x^2)^{1/2} \, dx = 0");
     assert!(Proving::new(bound).trivially().is_err());
 }
+
+/// What is divided by before logarithms are taken must not vanish.
+#[test]
+fn common_factor_is_divided_by_where_it_does_not_vanish() {
+    let halved = |premises: &[&str]| {
+        let all: Vec<&str> = premises
+            .iter()
+            .copied()
+            .chain([r"c \exp(k t) = 2 c"])
+            .collect();
+        taken(&Proving::new(claim(&all, r"k t = \ln 2"))).is_some()
+    };
+    assert!(halved(&[r"c \neq 0"]));
+    assert!(!halved(&[]));
+}
+
+/// Both bounds of each logarithm, and none of what is no prime number or too great.
+#[test]
+fn logarithms_of_numbers_lie_between_bounds() {
+    let false_at = |goal: &str| refuted(&claim(&[], goal), point(&[]));
+    for (prime, below, above) in [
+        ("2", "693147180", "693147181"),
+        ("3", "1098612288", "1098612289"),
+        ("7", "1945910149", "1945910150"),
+        ("999983", "13815493557", "13815493559"),
+    ] {
+        let part = format!(r"1000000000 \ln {prime}");
+        for (goal, verdict) in [
+            (format!("{part} < {below}"), Ok(())),
+            (format!("{part} > {below}"), Err(Reject::GoalNotFalse)),
+            (format!("{part} > {above}"), Ok(())),
+            (format!("{part} < {above}"), Err(Reject::GoalNotFalse)),
+        ] {
+            assert_eq!(false_at(&goal), verdict, "{goal}");
+        }
+        let p = Proving::new(claim(&[], &format!(r"\ln {prime} > 0")));
+        let bounds = p.problem.facts.iter();
+        let bounds =
+            bounds.filter(|fact| fact.sign == Sign::Positive && fact.polynomial.len() == 2);
+        assert_eq!(bounds.count(), 2, "{prime}");
+    }
+    // 1000003 is prime, too.
+    assert_eq!(false_at(r"\ln 1000003 < 13"), Err(Reject::NoValue));
+    let great = Proving::new(claim(&[], r"\ln 1000003 > 0"));
+    assert!(great.problem.facts.is_empty());
+}
+
+/// The logarithm of a prime number is transcendental: an equation is told by its coefficients.
+#[test]
+fn equation_in_one_logarithm_is_told_by_its_coefficients() {
+    let at_two = |goal: &str| refuted(&claim(&[], goal), point(&[("x", 2)]));
+    assert_eq!(at_two(r"x \ln 2 = 3 \ln 2"), Ok(()));
+    assert_eq!(at_two(r"(\ln 2)^2 = x \ln 2"), Ok(()));
+    assert_eq!(at_two(r"\ln 4 = x \ln 2"), Err(Reject::GoalNotFalse));
+    let premise = claim(&[r"1000 \ln 2 = 693 + x"], "x = 3");
+    assert_eq!(
+        refuted(&premise, point(&[("x", 2)])),
+        Err(Reject::PremiseFalse(0))
+    );
+}
+
+/// Nobody knows how two such numbers belong together.
+#[test]
+fn logarithm_of_a_number_stands_beside_no_other_number_of_its_kind() {
+    let at_one = |goal: &str| refuted(&claim(&[], goal), point(&[("x", 1)]));
+    for goal in [
+        r"\ln 2 = \ln 3",
+        r"\ln 2 = \pi",
+        r"\ln 2 = \exp x",
+        r"\exp x = \ln 2",
+        r"\sin(\ln 2) = 0",
+        r"\sin(\ln 2) \neq 0",
+    ] {
+        let verdict = at_one(goal);
+        assert!(
+            matches!(verdict, Err(Reject::NoValue)),
+            "{goal}: {verdict:?}"
+        );
+    }
+}

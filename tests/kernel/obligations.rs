@@ -94,3 +94,44 @@ fn a_counterexample_at_which_more_is_positive_is_one() {
         assert_eq!(verdict, Err(Reject::OfAnotherClaim), "{premises:?}");
     }
 }
+
+/// An equation is refuted by its opposite where the hypotheses are true at a point, and by nothing else.
+#[test]
+fn equation_is_refuted_by_its_opposite() {
+    use cradle_verify::search::{Effort, prove_unconditionally};
+
+    let opposite = |premises: &[&str], goal: &str| {
+        let derived = prove_unconditionally(claim(premises, goal), Effort::Full);
+        derived.expect("it follows").proven
+    };
+    let posed = |premises: &[&str], goal: &str| {
+        Obligation::new(claim(premises, goal), Vec::new()).expect("a claim")
+    };
+    let one = || point(&[("x", 1)]);
+    let proven = opposite(&["x > 0"], r"x + \ln 2 \neq 0");
+    let own = posed(&["x > 0"], r"x + \ln 2 = 0");
+    let refuted = own
+        .refuted_by_opposite(&proven, one())
+        .expect("it is false");
+    assert_eq!(refuted.claim(), own.claim());
+    assert_eq!(refuted.witness(), &one());
+    // Where no point is, anything follows.
+    let nowhere = own.refuted_by_opposite(&proven, point(&[("x", -1)]));
+    assert_eq!(nowhere.err(), Some(Reject::PremiseFalse(0)));
+    assert_eq!(
+        own.refuted_by_opposite(&proven, point(&[])).err(),
+        Some(Reject::NoValue)
+    );
+    // The opposite of another equation, or from more, says nothing of this one.
+    let other = posed(&["x > 0"], r"x + \ln 3 = 0");
+    let more = posed(&[], r"x + \ln 2 = 0");
+    for claim in [other, more] {
+        let verdict = claim.refuted_by_opposite(&proven, one());
+        assert_eq!(verdict.err(), Some(Reject::OfAnotherClaim));
+    }
+    // What is no equation has no such opposite.
+    let same = opposite(&["x > 0"], r"x + \ln 2 > 0");
+    let inequality = posed(&["x > 0"], r"x + \ln 2 > 0");
+    let verdict = inequality.refuted_by_opposite(&same, one());
+    assert_eq!(verdict.err(), Some(Reject::UnsupportedRelation));
+}

@@ -271,6 +271,14 @@ pub(super) fn step(formula: &Formula) -> Assumed {
     }
 }
 
+/// A hypothesis that nobody says, and that is meant where something stands for a value of something else.
+pub(super) fn taken(formula: &Formula) -> Assumed {
+    Assumed {
+        source: Source::Taken,
+        ..step(formula)
+    }
+}
+
 /// A condition under which a step is tried: that something does not change is meant throughout.
 pub(super) fn condition(formula: &Formula) -> Assumed {
     let standing = match stated::stands_still(formula) {
@@ -288,7 +296,7 @@ pub(super) fn sources(assumed: &[Assumed]) -> Vec<Source> {
     let mut all: Vec<Source> = assumed
         .iter()
         .map(|a| a.source)
-        .filter(|s| *s != Source::Step)
+        .filter(|s| !s.is_of_statement())
         .collect();
     sorted::sort(&mut all);
     all.dedup();

@@ -114,7 +114,7 @@ fn weigh_rounded(
         let page = match assumed.source {
             Source::Equation(premise) => derivation.equations[premise].page,
             Source::Local(page, _) => page,
-            Source::Step => own,
+            Source::Step | Source::Taken => own,
         };
         if !pages.contains(&page) {
             pages.push(page);
@@ -412,7 +412,7 @@ impl Known<'_> {
                 let goal = equation.statements().iter().flat_map(goals).find(is_own)?;
                 Some((equation.page, equation.body, goal))
             }
-            Source::Step => None,
+            Source::Step | Source::Taken => None,
         }
     }
 

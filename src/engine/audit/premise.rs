@@ -133,7 +133,7 @@ impl Offer {
                             let inherited = offers(premise);
                             offer.under.extend(inherited.iter().flat_map(|o| &o.under));
                         }
-                        Source::Step => {}
+                        Source::Step | Source::Taken => {}
                     }
                 }
             }
@@ -163,7 +163,9 @@ fn throughout<'a>(
     }
     let fine = |running: &&Running| {
         let said = |assumed: &Assumed| match assumed.source {
-            Source::Step => !running.ties(&assumed.formula) || entry.judged.len() > 1,
+            Source::Step | Source::Taken => {
+                !running.ties(&assumed.formula) || entry.judged.len() > 1
+            }
             Source::Local(..) => !running.ties(&assumed.formula),
             Source::Equation(premise) => {
                 let offer = offers(premise);

@@ -130,7 +130,7 @@ impl Judge<'_> {
         // What is put has that value at that moment alone: that it is near what follows in general is no slip.
         let (told, usable) = (self.derivation.told(self.at), self.usable);
         let is_new = |symbol: &Symbol| {
-            let own = |a: &&Assumed| a.source != Source::Step;
+            let own = |a: &&Assumed| !a.source.is_of_statement();
             let before = usable.assumed.iter().filter(own);
             let mut before = told.iter().chain(before);
             equation.introduces.contains(symbol)
@@ -381,7 +381,7 @@ pub(super) fn constants(judged: &Judged, conditions: &[Formula]) -> Option<Vec<S
     let mut moving = variables;
     moving.extend(Formula::differentiated_in(said.iter().copied()));
     // At one moment something may have a value and move all the same.
-    let at_moment = |a: &Assumed| a.standing == Standing::AtPoint && a.source != Source::Step;
+    let at_moment = |a: &Assumed| a.standing == Standing::AtPoint && !a.source.is_of_statement();
     let is_law = |formula: &&&Formula| {
         **formula != &judged.goal.formula || !judged.assumed.iter().any(at_moment)
     };

@@ -28,16 +28,6 @@ impl Assumed {
         let sides = self.formula.as_equation();
         self.source == Source::Step && matches!(sides, Some((Expr::Limit { .. }, _)))
     }
-
-    /// Whether it was not said, but taken so: that `P_{\max}` is `P` at the place in question.
-    pub fn takes_index_off(&self) -> bool {
-        let sides = self.formula.as_equation();
-        matches!(
-            sides,
-            Some((Expr::Symbol(new), Expr::Symbol(known)))
-                if self.source == Source::Step && new.without_subscript().as_ref() == Some(known)
-        )
-    }
 }
 
 /// Where a hypothesis comes from.
@@ -49,6 +39,15 @@ pub enum Source {
     Equation(usize),
     /// An earlier step of the same statement, or the other side of an `\iff`.
     Step,
+    /// Taken so, where it is not said: that `P_{\max}` is `P` at the place in question.
+    Taken,
+}
+
+impl Source {
+    /// Whether it comes from nowhere else in the text.
+    pub fn is_of_statement(self) -> bool {
+        matches!(self, Source::Step | Source::Taken)
+    }
 }
 
 impl Derivation {

@@ -66,7 +66,7 @@ impl Derivation {
         let others = assumed.iter().filter_map(|a| match a.source {
             Source::Equation(premise) => Some(self.equations[premise].page),
             Source::Local(page, _) => Some(page),
-            Source::Step => None,
+            Source::Step | Source::Taken => None,
         });
         let mut pages: Vec<usize> = vec![own];
         pages.extend(others);

@@ -387,6 +387,11 @@ impl Expr {
             if matches!(&**exponent, Expr::Number(exponent) if !exponent.is_integer()))
     }
 
+    /// Whether it is the logarithm of a number: `\ln 2`.
+    pub fn is_logarithm_of_number(&self) -> bool {
+        matches!(self, Expr::Call(Function::Ln, of) if matches!(**of, Expr::Number(_)))
+    }
+
     /// The symbols that have a value of their own in this term: not indices, not the variables of
     /// limits and integrals. The variable of a derivative has one: the point at which it is taken.
     pub fn free_symbols(&self) -> Set<Symbol> {

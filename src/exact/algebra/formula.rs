@@ -81,6 +81,11 @@ impl Formula {
         }
     }
 
+    /// `one = other`, of two symbols.
+    pub fn same(one: &Symbol, other: &Symbol) -> Formula {
+        Formula::equal(Expr::Symbol(one.clone()), Expr::Symbol(other.clone()))
+    }
+
     /// `term \neq 0`.
     pub fn nonzero(term: Expr) -> Formula {
         Formula::Relation {

@@ -10,18 +10,27 @@ use num_integer::Integer;
 use super::Reject;
 use super::in_pi::InPi;
 use super::witness::Point;
-use crate::algebra::{Atom, BigRational, Expr, Function, Rational};
+use crate::algebra::{Atom, BigInt, BigRational, Expr, Function, Rational};
 
 /// Greater exponents are left alone.
 const GREATEST: u32 = 16;
 /// So many terms of the series of the exponential tell it to some ten digits up to that.
 const TERMS: u32 = 64;
 
-/// The exponent of which all others are multiples, and bounds of its exponential.
+/// The number in which those values are polynomials that are not rational, where it is not π, and its bounds.
 #[derive(Clone, Debug)]
 pub(super) struct Unit {
-    exponent: Rational,
+    pub number: Transcendental,
     pub bounds: (Rational, Rational),
+}
+
+/// A number that is no root of any polynomial with rational coefficients.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Transcendental {
+    /// `e^u`, where all exponents are multiples of `u`.
+    Exponential(Rational),
+    /// `\ln p`
+    Logarithm(BigInt),
 }
 
 impl Point<'_> {
@@ -34,8 +43,9 @@ impl Point<'_> {
             return Err(Reject::NoValue);
         }
         let value = self.exponent(argument)?;
-        let unit = match &self.unit {
-            Some(unit) => unit.exponent.clone(),
+        let unit = match self.unit.as_ref().map(|own| &own.number) {
+            Some(Transcendental::Exponential(unit)) => unit.clone(),
+            Some(Transcendental::Logarithm(_)) => return Err(Reject::NoValue),
             None => self.choose_unit(value.clone())?,
         };
         let times = value / unit;
@@ -71,7 +81,7 @@ impl Point<'_> {
         }
         let bounds = bounds(&unit).ok_or(Reject::NoValue)?;
         self.unit = Some(Unit {
-            exponent: unit.clone(),
+            number: Transcendental::Exponential(unit.clone()),
             bounds,
         });
         Ok(unit)

@@ -59,7 +59,9 @@ impl Problem {
     pub(super) fn add_facts_about_functions(&mut self) -> Result<(), Reject> {
         let called = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(..)));
         if !self.atoms.iter().any(|(_, atom)| called(atom)) {
-            return self.take_logarithms();
+            self.take_logarithms()?;
+            self.add_facts_about_logarithms_of_numbers();
+            return Ok(());
         }
         let knowledge = Knowledge::new(&self.facts);
         self.add_facts_about_logarithms(&knowledge)?;
@@ -106,7 +108,9 @@ impl Problem {
         for related in exponents.into_values() {
             self.relate_exponentials(related)?;
         }
-        self.take_logarithms()
+        self.take_logarithms()?;
+        self.add_facts_about_logarithms_of_numbers();
+        Ok(())
     }
 
     fn learn(&mut self, polynomial: Polynomial, sign: Sign) {

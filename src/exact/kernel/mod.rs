@@ -37,6 +37,7 @@ mod in_pi;
 mod induction;
 mod knowledge;
 mod logarithms;
+mod logarithms_of_numbers;
 mod obligation;
 mod powers;
 mod private;

@@ -3,7 +3,7 @@ use super::{
     Assignment, Candidate, Checked, Claim, Hypothesis, Model, Problem, Proven, Refuted, Reject,
     replay, witness,
 };
-use crate::algebra::{Expr, Formula};
+use crate::algebra::{Expr, Formula, Relation};
 
 /// A claim together with the problem that the kernel makes of it, so that several candidates can be checked
 /// without reading the claim anew for each.
@@ -141,5 +141,32 @@ impl Obligation {
             true => Ok(()),
             false => Err(Reject::OfAnotherClaim),
         }
+    }
+
+    /// Refutes an equation by its opposite: from the hypotheses follows that the sides differ, and at the point all of these are true. Where
+    /// the values are `\ln 2` and the like, no side has one that could be compared.
+    ///
+    /// # Errors
+    /// What is proved is not the opposite, or a hypothesis is not known to be true at the point.
+    pub fn refuted_by_opposite(
+        &self,
+        opposite: &Proven,
+        point: Assignment,
+    ) -> Result<Refuted, Reject> {
+        let mut own = self.claim.clone();
+        match &mut own.goal {
+            Formula::Relation { relation, .. } if *relation == Relation::Equal => {
+                *relation = Relation::NotEqual;
+            }
+            _ => return Err(Reject::UnsupportedRelation),
+        }
+        if own != opposite.claim {
+            return Err(Reject::OfAnotherClaim);
+        }
+        let model = self.model(point)?;
+        Ok(Refuted {
+            claim: self.claim.clone(),
+            witness: model.point,
+        })
     }
 }

@@ -255,6 +255,10 @@ impl Point<'_> {
             Some(_) => InPi::default(),
             None => self.number(argument.numerator())?,
         };
+        // The sine of a multiple of π may be known; that of one of `e` or of a logarithm is not.
+        if self.unit.is_some() && value.as_rational().is_none() {
+            return Err(Reject::NoValue);
+        }
         let value = value.scaled(&below.ok_or(Reject::NoValue)?.recip());
         let terms = value.coefficients().iter().enumerate().map(|(k, c)| {
             let power = Expr::Power(Expr::symbol("\\pi").into(), Expr::integer(k).into());

@@ -22,7 +22,7 @@ pub(super) struct Point<'a> {
     values: Vec<Option<Rational>>,
     /// Those that are no rational numbers.
     in_pi: Map<usize, InPi>,
-    /// Where these are polynomials in an exponential, and not in π: of what.
+    /// Where these are polynomials in another number, and not in π: in which.
     pub(super) unit: Option<Unit>,
     /// Whether what is evaluated is an exponent.
     pub(super) in_exponent: bool,
@@ -191,6 +191,10 @@ impl<'a> Point<'a> {
             Err(Reject::NoValue) => match self.atoms.atom(var).clone() {
                 Atom::Opaque(Expr::Call(Function::Exp, argument)) => {
                     let value = self.exponential(&argument)?;
+                    self.in_pi.insert(position, value);
+                }
+                Atom::Opaque(term @ Expr::Call(Function::Ln, _)) => {
+                    let value = self.logarithm_of_number(&term)?;
                     self.in_pi.insert(position, value);
                 }
                 _ => return Err(Reject::NoValue),

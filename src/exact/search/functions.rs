@@ -107,9 +107,13 @@ pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
     let last = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Exp, _)));
     sorted::sort_by_key(&mut calls, |(_, atom)| last(atom));
     for (var, atom) in calls {
-        let Atom::Opaque(Expr::Call(function, argument)) = atom else {
+        let Atom::Opaque(call @ Expr::Call(function, argument)) = atom else {
             continue;
         };
+        // The logarithm of a number is no rational number, and every point gives it.
+        if call.is_logarithm_of_number() {
+            continue;
+        }
         if !matches!(
             function,
             Function::Sin | Function::Cos | Function::Exp | Function::Ln

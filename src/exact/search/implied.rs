@@ -227,7 +227,10 @@ fn value_of(problem: &Problem, own: Var, kept: &Set<Var>) -> Option<Fraction> {
 fn in_two_powers(polynomial: &Polynomial, own: Var) -> Option<(Polynomial, Polynomial)> {
     let mut parts = polynomial.in_powers_of(own);
     let (slope, rest) = (parts.pop()?, parts.pop()?);
-    parts.iter().all(Polynomial::is_zero).then_some((rest, slope))
+    parts
+        .iter()
+        .all(Polynomial::is_zero)
+        .then_some((rest, slope))
 }
 
 /// The same value with the sum in the numerator divided out of the denominator, where it divides a factor of it.

@@ -18,6 +18,7 @@ mod induction;
 mod mend;
 mod missing;
 mod nought;
+mod opposite;
 mod point;
 mod positivity;
 mod prove;
@@ -172,6 +173,7 @@ pub fn decide_within(
         .or_else(|| still::decide(obligation))
         .or_else(|| refuted_where_positive(obligation, quick).map(Decision::Refuted))
         .or_else(|| unknown::decide(obligation))
+        .or_else(|| opposite::decide(obligation, hints))
         .unwrap_or(Decision::Open(stop))
 }
 

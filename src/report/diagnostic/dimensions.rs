@@ -201,6 +201,7 @@ impl Report<'_> {
                 self.place_of(page, self.derivation.local(page, at).span)
             ),
             Source::Step => "the step before".into(),
+            Source::Taken => "taken so".into(),
         }
     }
 

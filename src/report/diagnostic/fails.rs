@@ -126,8 +126,8 @@ impl Report<'_> {
             let from = match assumed.source {
                 Source::Equation(at) => self.name(at),
                 Source::Local(..) => "supposed".into(),
-                Source::Step if assumed.takes_index_off() => "taken so".into(),
                 Source::Step => "the step before".into(),
+                Source::Taken => "taken so".into(),
             };
             lines.push(format!("{from}: {}", plain_formula(&assumed.formula)));
         }

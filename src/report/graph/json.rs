@@ -87,6 +87,7 @@ impl Graph {
                 report.place_of(page, report.derivation.local(page, at).span)
             }
             Source::Step => "the step before".into(),
+            Source::Taken => "taken so".into(),
         };
         NodeView {
             id: node.id.clone(),

@@ -147,8 +147,8 @@ impl Page<'_> {
                     let how = if local.is_let { "let" } else { "assumed" };
                     format!("{how}, {}", escape(&self.report.place_of(page, local.span)))
                 }
-                Source::Step if assumed.takes_index_off() => "taken so".into(),
                 Source::Step => "the same statement".into(),
+                Source::Taken => "taken so".into(),
             };
             let formula = words::formula(&assumed.formula);
             items.push(format!(

@@ -144,7 +144,7 @@ impl Judge<'_> {
                 conditions,
             } if conditions.is_empty() => {
                 let (kept, least) = self.least(assumed, &goal, &posed, derived);
-                let is_cited = |own: &Assumed| own.source != Source::Step;
+                let is_cited = |own: &Assumed| !own.source.is_of_statement();
                 if kept.iter().any(is_cited) && self.contradicts_itself(&posed) {
                     return found;
                 }

@@ -3,13 +3,13 @@
 //!
 //! A new symbol alone on the left would be defined by what stands for it. Where the words just before set what a law speaks of to a value, and
 //! what is printed is made of what else the law speaks of, the new symbol is the value there of what is gone. It is told to be wrong only where
-//! one symbol alone is gone, and something else follows for it in the same symbols.
+//! something else follows in the same symbols for one of the symbols that are gone, and for no other.
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::sorted::Set;
 
-use super::super::judge::{Judge, step};
+use super::super::judge::{Judge, taken};
 use super::super::stated::quantities;
 use super::there::{Asked, MayFail, There};
 
@@ -39,7 +39,6 @@ impl Judge<'_> {
         }
         let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
         set.extend(fresh.filter_map(value_said));
-        eprintln!("DBG {new} set {set:?} assumed {:?}", assumed.iter().map(|a| format!("{:?} {:?}", a.source, a.formula)).collect::<Vec<_>>());
         if set.is_empty() {
             return None;
         }
@@ -51,35 +50,51 @@ impl Judge<'_> {
             let nearest = self.others(premises)[0].iter();
             assumed.extend(nearest.filter(|own| Some(own.source) == first).cloned());
         }
-        let spoken: Set<Symbol> = assumed.iter().flat_map(|own| own.formula.names()).collect();
-        let is_gone =
-            |own: &Symbol| own != new && !named.contains(own) && !set.contains(own) && !own.is_unit();
-        let gone: Vec<Symbol> = spoken.into_iter().filter(is_gone).collect();
+        let gone = tied_to(&set, &named, new, &assumed);
         if gone.len() > MOST_UNKNOWNS {
             return None;
         }
-        let is_value_of = |unknown: &Symbol| {
-            Formula::equal(Expr::Symbol(new.clone()), Expr::Symbol(unknown.clone()))
-        };
-        for unknown in &gone {
-            let same = [(goal.clause, is_value_of(unknown))];
-            let found = effort::within(MOST_WORK, || self.goal(goal, &same, premises));
-            let is_elsewhere = |own: &Assumed| self.is_of_case_before(own);
-            if found.judged.outcome.is_proven() && !found.judged.assumed.iter().any(is_elsewhere) {
-                return Some(There::Solved(found.into()));
-            }
+        let mut unknowns = gone.iter();
+        if let Some(solved) = unknowns.find_map(|own| self.solved_for(goal, own, premises)) {
+            return Some(solved);
         }
-        let [unknown] = &gone[..] else {
+        let mut refuted = gone.iter().filter_map(|unknown| {
+            let asked = Asked {
+                new,
+                named: &named,
+                quantity: Some(unknown),
+            };
+            let mut assumed = assumed.clone();
+            assumed.push(taken(&Formula::same(new, unknown)));
+            self.judged_there(goal, assumed, premises, &asked, MayFail::InTheSameSymbols)
+        });
+        // Where two could be meant nothing is told.
+        let first = refuted.next()?;
+        (refuted.next().is_none() && matches!(first, There::Refuted(_))).then_some(first)
+    }
+
+    /// What defines a new symbol, if it follows where that is what another one is there.
+    pub(super) fn solved_for(
+        &self,
+        goal: &Goal,
+        unknown: &Symbol,
+        premises: &[usize],
+    ) -> Option<There> {
+        let (Expr::Symbol(new), _) = goal.formula.as_equation()? else {
             return None;
         };
-        let asked = Asked {
-            new,
-            named: &named,
-            quantity: Some(unknown),
-        };
-        assumed.push(step(&is_value_of(unknown)));
-        let found = self.judged_there(goal, assumed, premises, &asked, MayFail::InTheSameSymbols);
-        found.filter(|own| matches!(own, There::Refuted(_)))
+        let same = Formula::same(new, unknown);
+        let steps = [(goal.clause, same.clone())];
+        let mut found = effort::within(MOST_WORK, || self.goal(goal, &steps, premises));
+        for own in &mut found.judged.assumed {
+            if own.source == Source::Step && *own.formula == same {
+                own.source = Source::Taken;
+            }
+        }
+        let mut assumed = found.judged.assumed.iter();
+        let is_elsewhere = assumed.any(|own| self.is_of_case_before(own));
+        let is_shown = found.judged.outcome.is_proven() && !is_elsewhere;
+        is_shown.then(|| There::Solved(found.into()))
     }
 
     /// Whether a hypothesis is of a case that was set before the display before.
@@ -100,6 +115,27 @@ impl Judge<'_> {
         let before = before.map(|before| self.derivation.equations[before].span.end);
         before.is_none_or(|before| before <= said)
     }
+}
+
+/// The symbols that laws tie to some that are `set`, directly or by one another, and that are not `named` in what is printed.
+fn tied_to(
+    set: &Set<Symbol>,
+    named: &Set<Symbol>,
+    new: &Symbol,
+    assumed: &[Assumed],
+) -> Vec<Symbol> {
+    let may_tie = |own: &Symbol| own != new && !named.contains(own) && !own.is_unit();
+    let laws = assumed.iter().filter(|own| is_displayed(own));
+    let mut laws: Vec<Set<Symbol>> = laws.map(|own| own.formula.names()).collect();
+    let mut tied = set.clone();
+    // Each law is gone through once: what it ties may be what ties another.
+    while let Some(at) = laws.iter().position(|law| !law.is_disjoint(&tied)) {
+        let law = laws.swap_remove(at);
+        tied.extend(law.into_iter().filter(|own| may_tie(own)));
+    }
+    let gone = tied.into_iter();
+    gone.filter(|own| may_tie(own) && !set.contains(own))
+        .collect()
 }
 
 fn is_displayed(own: &Assumed) -> bool {

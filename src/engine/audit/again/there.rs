@@ -12,7 +12,7 @@ use crate::search::{Decision, Effort};
 use crate::sorted::Set;
 
 use super::super::instances::index;
-use super::super::judge::{Found, Judge, step};
+use super::super::judge::{Found, Judge, step, taken};
 use super::super::stated::quantities;
 use super::super::{Judged, Outcome};
 use super::conditions::{any_part, unbounded};
@@ -84,7 +84,7 @@ impl Judge<'_> {
                 all.any(|own| own.formula.set_to_number() == Some(symbol))
             };
             let free = free.filter(|symbol| symbol.name() != "\\pi" && !is_set(symbol));
-            let positive = free.map(|symbol| step(&Formula::positive(Expr::Symbol(symbol))));
+            let positive = free.map(|symbol| taken(&Formula::positive(Expr::Symbol(symbol))));
             let positive: Vec<Assumed> = positive.collect();
             if may_fail == MayFail::Never || positive.is_empty() {
                 return None;
@@ -105,7 +105,12 @@ impl Judge<'_> {
         may_fail: MayFail,
     ) -> Option<There> {
         match self.decide_from(&assumed, &goal.formula)? {
-            Decision::Proven { .. } => Some(There::Shown),
+            Decision::Proven { .. } => {
+                let solved = asked
+                    .quantity
+                    .and_then(|own| self.solved_for(goal, own, premises));
+                Some(solved.unwrap_or(There::Shown))
+            }
             Decision::Refuted(refuted) if may_fail != MayFail::Never => {
                 let mut found = Found::open(Judged {
                     goal: goal.clone(),
@@ -181,11 +186,7 @@ impl Judge<'_> {
         {
             return None;
         }
-        let same = Formula::equal(
-            Expr::Symbol(asked.new.clone()),
-            Expr::Symbol(quantity.clone()),
-        );
-        assumed.push(step(&same));
+        assumed.push(taken(&Formula::same(asked.new, quantity)));
         Some((assumed, may_fail))
     }
 

@@ -71,7 +71,8 @@ impl Judge<'_> {
 
 /// Whether a goal takes the slope of something that is given by a term at one point alone: what its slope is there, that does not say.
 pub(super) fn takes_slope_at_a_point(judged: &Judged) -> bool {
-    let at_point = |own: &&Assumed| own.standing == Standing::AtPoint && own.source != Source::Step;
+    let at_point =
+        |own: &&Assumed| own.standing == Standing::AtPoint && !own.source.is_of_statement();
     let at_point = judged.assumed.iter().filter(at_point);
     let mut given = at_point.filter_map(|own| own.formula.as_equation());
     let takes = |left: &Expr, right: &Expr| {
