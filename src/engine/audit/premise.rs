@@ -117,6 +117,11 @@ impl Offer {
                         offer.cases.push((conditions(statement), own));
                     }
                 }
+                // What a new symbol names is so wherever that is spoken of: `P_m` is what `P` was there.
+                let mut assumed = judged.assumed.iter();
+                if assumed.any(|own| own.source == Source::Taken) {
+                    continue;
+                }
                 for assumed in &judged.assumed {
                     match assumed.source {
                         Source::Local(page, local) => {

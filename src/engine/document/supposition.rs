@@ -25,7 +25,7 @@ mod words;
 
 use crate::sorted::{self, Set};
 
-use self::around::{follows, follows_comma, is_at_a_value, is_origin, is_taken_from};
+use self::around::{follows, follows_comma, is_at_a_value, is_origin, is_taken_from, says_where};
 use self::general::generalizes;
 use self::introduction::{introduced, is_condition};
 use self::mathematics::{equals_a_name, is_letters, is_number};
@@ -327,6 +327,10 @@ impl Reader<'_> {
             if own.active.is_none() && is_told && !says_number && !is_place {
                 let kind = SuppositionKind::Meaning;
                 self.found.push(Supposition { kind, body });
+            }
+            // "The time of flight follows from $y = 0$:"
+            if own.active.is_none() && says_where(index, self.tokens) {
+                self.mentions.push(body);
             }
             // "For $N = 3$ the values are $a = b$."
             self.sentence.concluded = true;

@@ -23,7 +23,8 @@ impl Problem {
     /// Between which numbers the logarithms of numbers lie that are spoken of, where something is to be shown: that premises contradict one
     /// another is not looked for by their digits.
     pub(super) fn add_facts_about_logarithms_of_numbers(&mut self) {
-        if self.goal.polynomial.as_constant().is_some() {
+        let is_trivial = self.goal.polynomial.as_constant().is_some();
+        if is_trivial && self.conditions.divisors().next().is_none() {
             return;
         }
         let found = self.atoms.iter().filter_map(|(var, atom)| match atom {

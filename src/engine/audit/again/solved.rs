@@ -9,7 +9,7 @@ use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::sorted::Set;
 
-use super::super::judge::{Judge, taken};
+use super::super::judge::{Found, Judge, taken};
 use super::super::stated::quantities;
 use super::there::{Asked, MayFail, There};
 
@@ -58,7 +58,13 @@ impl Judge<'_> {
         if let Some(solved) = unknowns.find_map(|own| self.solved_for(goal, own, premises)) {
             return Some(solved);
         }
-        let mut refuted = gone.iter().filter_map(|unknown| {
+        let mut unknowns = gone.iter();
+        if let Some(solved) =
+            unknowns.find_map(|own| self.solved_from(goal, own, &assumed, premises))
+        {
+            return Some(solved);
+        }
+        let mut told = gone.iter().filter_map(|unknown| {
             let asked = Asked {
                 new,
                 named: &named,
@@ -69,8 +75,8 @@ impl Judge<'_> {
             self.judged_there(goal, assumed, premises, &asked, MayFail::InTheSameSymbols)
         });
         // Where two could be meant nothing is told.
-        let first = refuted.next()?;
-        (refuted.next().is_none() && matches!(first, There::Refuted(_))).then_some(first)
+        let first = told.next()?;
+        told.next().is_none().then_some(first)
     }
 
     /// What defines a new symbol, if it follows where that is what another one is there.
@@ -91,6 +97,28 @@ impl Judge<'_> {
                 own.source = Source::Taken;
             }
         }
+        self.shown(found)
+    }
+
+    /// The same from what is cited and what the words name.
+    fn solved_from(
+        &self,
+        goal: &Goal,
+        unknown: &Symbol,
+        assumed: &[Assumed],
+        premises: &[usize],
+    ) -> Option<There> {
+        let (Expr::Symbol(new), _) = goal.formula.as_equation()? else {
+            return None;
+        };
+        let mut assumed = assumed.to_vec();
+        assumed.push(taken(&Formula::same(new, unknown)));
+        let found = effort::within(MOST_WORK, || self.judged(goal, assumed, premises));
+        self.shown(found)
+    }
+
+    /// What was found, where it is shown from no case that was set before.
+    fn shown(&self, found: Found) -> Option<There> {
         let mut assumed = found.judged.assumed.iter();
         let is_elsewhere = assumed.any(|own| self.is_of_case_before(own));
         let is_shown = found.judged.outcome.is_proven() && !is_elsewhere;

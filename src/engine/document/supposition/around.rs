@@ -8,6 +8,22 @@ use super::mathematics::{equals_a_name, is_bound, is_number, is_value};
 use super::reach::Reach;
 use super::words::{KNOWN, NAMED_AFTER, NAMED_BEFORE};
 
+/// What something is that comes "from" something.
+const FOUND: [&str; 12] = [
+    "follows",
+    "follow",
+    "results",
+    "result",
+    "found",
+    "obtained",
+    "derived",
+    "determined",
+    "calculated",
+    "computed",
+    "deduced",
+    "known",
+];
+
 /// Whether one of these words, in lower case, stands before what is at `index`.
 pub(super) fn follows(index: usize, tokens: &[Placed<'_>], words: &(impl Listed + ?Sized)) -> bool {
     let before = index.checked_sub(1).and_then(|before| tokens.get(before));
@@ -17,6 +33,18 @@ pub(super) fn follows(index: usize, tokens: &[Placed<'_>], words: &(impl Listed 
 pub(super) fn follows_comma(index: usize, tokens: &[Placed<'_>]) -> bool {
     let before = index.checked_sub(1).map(|before| tokens[before].0);
     before == Some(Token::Mark(','))
+}
+
+/// Whether the words before the mathematics at `index` say that something is found from it: "follows from $y = 0$", "the time after which
+/// $y = 0$", "flies until $y = 0$".
+pub(super) fn says_where(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let is_before = |by: usize, words: &[&str]| {
+        let before = index.checked_sub(by).and_then(|before| tokens.get(before));
+        before.is_some_and(|(token, _)| token.is_among(words))
+    };
+    is_before(1, &["until", "till"])
+        || is_before(1, &["which"]) && is_before(2, &["at", "after", "for"])
+        || is_before(1, &["from"]) && is_before(2, &FOUND)
 }
 
 /// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".
