@@ -63,6 +63,8 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
                 false if found.called.contains(&symbol) => true,
                 false if found.rooted.contains(&symbol) && !positive() => true,
                 false if found.decaying.contains(&symbol) && !term.any(&is_exponential) => true,
+                // Another name for what stands in a function, and so may have no rational value.
+                false if matches!(&term, Expr::Symbol(own) if found.called.contains(own)) => true,
                 // What is made of logarithms of numbers has no rational value: `T = \frac{\ln 2}{k}`.
                 false if term.any(&Expr::is_logarithm_of_number) => true,
                 // Beside the number π a value need not be rational: what nothing else speaks of needs none. Of what is constant and made of

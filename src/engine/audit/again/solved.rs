@@ -58,10 +58,12 @@ impl Judge<'_> {
         if let Some(solved) = unknowns.find_map(|own| self.solved_for(goal, own, premises)) {
             return Some(solved);
         }
+        let with = |unknown: &Symbol| {
+            let same = taken(&Formula::same(new, unknown));
+            assumed.iter().cloned().chain([same]).collect::<Vec<_>>()
+        };
         let mut unknowns = gone.iter();
-        if let Some(solved) =
-            unknowns.find_map(|own| self.solved_from(goal, own, &assumed, premises))
-        {
+        if let Some(solved) = unknowns.find_map(|own| self.solved_from(goal, with(own), premises)) {
             return Some(solved);
         }
         let mut told = gone.iter().filter_map(|unknown| {
@@ -70,9 +72,8 @@ impl Judge<'_> {
                 named: &named,
                 quantity: Some(unknown),
             };
-            let mut assumed = assumed.clone();
-            assumed.push(taken(&Formula::same(new, unknown)));
-            self.judged_there(goal, assumed, premises, &asked, MayFail::InTheSameSymbols)
+            let may_fail = MayFail::InTheSameSymbols;
+            self.judged_there(goal, with(unknown), premises, &asked, may_fail)
         });
         // Where two could be meant nothing is told.
         let first = told.next()?;
@@ -100,19 +101,13 @@ impl Judge<'_> {
         self.shown(found)
     }
 
-    /// The same from what is cited and what the words name.
-    fn solved_from(
+    /// What defines a new symbol, if it follows from what is cited and what the words name.
+    pub(super) fn solved_from(
         &self,
         goal: &Goal,
-        unknown: &Symbol,
-        assumed: &[Assumed],
+        assumed: Vec<Assumed>,
         premises: &[usize],
     ) -> Option<There> {
-        let (Expr::Symbol(new), _) = goal.formula.as_equation()? else {
-            return None;
-        };
-        let mut assumed = assumed.to_vec();
-        assumed.push(taken(&Formula::same(new, unknown)));
         let found = effort::within(MOST_WORK, || self.judged(goal, assumed, premises));
         self.shown(found)
     }

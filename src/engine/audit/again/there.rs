@@ -91,7 +91,7 @@ impl Judge<'_> {
             }
             let assumed = assumed.into_iter().chain(positive).collect();
             let found = self.judged_anywhere(goal, assumed, premises, asked, may_fail);
-            found.filter(|own| matches!(own, There::Refuted(_)))
+            found.filter(|own| !matches!(own, There::Shown))
         })
     }
 
@@ -106,9 +106,10 @@ impl Judge<'_> {
     ) -> Option<There> {
         match self.decide_from(&assumed, &goal.formula)? {
             Decision::Proven { .. } => {
-                let solved = asked
-                    .quantity
-                    .and_then(|own| self.solved_for(goal, own, premises));
+                let solved = asked.quantity.and_then(|own| {
+                    let solved = self.solved_for(goal, own, premises);
+                    solved.or_else(|| self.solved_from(goal, assumed, premises))
+                });
                 Some(solved.unwrap_or(There::Shown))
             }
             Decision::Refuted(refuted) if may_fail != MayFail::Never => {
