@@ -336,14 +336,14 @@ fn naive(expr: &Expr, at: &Point) -> Option<BigRational> {
         }
         Expr::Sum(terms) => {
             let mut sum = BigRational::zero();
-            for term in terms {
+            for term in terms.iter() {
                 sum += naive(term, at)?;
             }
             sum
         }
         Expr::Product(factors) => {
             let mut product = BigRational::one();
-            for factor in factors {
+            for factor in factors.iter() {
                 product *= naive(factor, at)?;
             }
             product
@@ -398,8 +398,8 @@ fn expr() -> impl Strategy<Value = Expr> {
     leaf.prop_recursive(4, 24, 3, |inner| {
         let several = prop::collection::vec(inner.clone(), 2..4);
         prop_oneof![
-            several.clone().prop_map(Expr::Sum),
-            several.prop_map(Expr::Product),
+            several.clone().prop_map(|all| Expr::Sum(all.into())),
+            several.prop_map(|all| Expr::Product(all.into())),
             inner.clone().prop_map(|e| Expr::Negate(e.into())),
             (inner.clone(), inner.clone()).prop_map(|(a, b)| Expr::Quotient(a.into(), b.into())),
             (inner.clone(), -2i32..4)

@@ -1,5 +1,7 @@
 //! The LaTeX-math reader, seen from outside: the report's equations, the refusals, and the law of the printer.
 
+use std::sync::Arc;
+
 use cradle_verify::algebra::{BigRational, Expr, Function, LimitPoint, Symbol};
 use cradle_verify::document::Span;
 use cradle_verify::notation::{
@@ -1621,7 +1623,7 @@ fn term() -> impl Strategy<Value = Expr> {
             .prop_map(|(f, all)| Expr::Apply(f, all.into_iter().map(Expr::Symbol).collect())),
     ];
     leaf.prop_recursive(5, 40, 4, |inner| {
-        let boxed = || inner.clone().prop_map(Box::new);
+        let shared = || inner.clone().prop_map(Arc::new);
         let function = prop::sample::select(vec![
             Function::Sin, Function::Cos, Function::Tan, Function::Exp, Function::Ln, Function::Abs,
             Function::Ceiling, Function::Floor,
@@ -1629,26 +1631,26 @@ fn term() -> impl Strategy<Value = Expr> {
         let point = prop_oneof![
             Just(LimitPoint::PlusInfinity),
             Just(LimitPoint::MinusInfinity),
-            boxed().prop_map(LimitPoint::Finite),
+            shared().prop_map(LimitPoint::Finite),
         ];
-        let element = || Box::new(Expr::Element { sequence: Symbol::new("u'"), index: Symbol::new("j") });
+        let element = || Expr::Element { sequence: Symbol::new("u'"), index: Symbol::new("j") };
         prop_oneof![
-            3 => prop::collection::vec(inner.clone(), 2..5).prop_map(Expr::Sum),
-            3 => prop::collection::vec(inner.clone(), 2..5).prop_map(Expr::Product),
-            2 => boxed().prop_map(Expr::Negate),
-            2 => (boxed(), boxed()).prop_map(|(a, b)| Expr::Quotient(a, b)),
-            2 => (boxed(), boxed()).prop_map(|(a, b)| Expr::Power(a, b)),
-            1 => (boxed(), 2i64..5).prop_map(|(a, n)| Expr::Power(a, Box::new(number(1, n)))),
-            1 => (function, boxed()).prop_map(|(f, a)| Expr::Call(f, a)),
-            1 => (boxed(), boxed(), inner.clone()).prop_map(move |(from, to, body)| Expr::Series {
-                index: Symbol::new("j"), from, to, body: Box::new(Expr::Product(vec![*element(), body])),
+            3 => prop::collection::vec(inner.clone(), 2..5).prop_map(|all| Expr::Sum(all.into())),
+            3 => prop::collection::vec(inner.clone(), 2..5).prop_map(|all| Expr::Product(all.into())),
+            2 => shared().prop_map(Expr::Negate),
+            2 => (shared(), shared()).prop_map(|(a, b)| Expr::Quotient(a, b)),
+            2 => (shared(), shared()).prop_map(|(a, b)| Expr::Power(a, b)),
+            1 => (shared(), 2i64..5).prop_map(|(a, n)| Expr::Power(a, number(1, n).into())),
+            1 => (function, shared()).prop_map(|(f, a)| Expr::Call(f, a)),
+            1 => (shared(), shared(), inner.clone()).prop_map(move |(from, to, body)| Expr::Series {
+                index: Symbol::new("j"), from, to, body: Expr::Product([element(), body].into()).into(),
             }),
-            1 => (boxed(), boxed(), boxed()).prop_map(|(from, to, body)| Expr::Series {
+            1 => (shared(), shared(), shared()).prop_map(|(from, to, body)| Expr::Series {
                 index: Symbol::new("j"), from, to, body,
             }),
-            1 => (boxed(), variable()).prop_map(|(body, variable)| Expr::Derivative { body, variable }),
-            1 => (boxed(), variable(), point).prop_map(|(body, variable, point)| Expr::Limit { body, variable, point }),
-            1 => (boxed(), variable(), boxed(), boxed())
+            1 => (shared(), variable()).prop_map(|(body, variable)| Expr::Derivative { body, variable }),
+            1 => (shared(), variable(), point).prop_map(|(body, variable, point)| Expr::Limit { body, variable, point }),
+            1 => (shared(), variable(), shared(), shared())
                 .prop_map(|(body, variable, from, to)| Expr::Integral { body, variable, from, to }),
         ]
     })

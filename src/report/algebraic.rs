@@ -266,16 +266,15 @@ impl Surd {
         // What is positive comes first.
         if self.free.is_negative() && self.times.is_positive() {
             let less = Expr::Negate(whole(&self.free.abs()).into());
-            return Exact::Closed(over(Expr::Sum(vec![size, less])));
+            return Exact::Closed(over(Expr::Sum([size, less].into())));
         }
         Exact::Closed(match (self.free.is_zero(), self.times.is_negative()) {
             (true, true) => Expr::Negate(over(size).into()),
             (true, false) => over(size),
-            (false, true) => over(Expr::Sum(vec![
-                whole(&self.free),
-                Expr::Negate(size.into()),
-            ])),
-            (false, false) => over(Expr::Sum(vec![whole(&self.free), size])),
+            (false, true) => over(Expr::Sum(
+                [whole(&self.free), Expr::Negate(size.into())].into(),
+            )),
+            (false, false) => over(Expr::Sum([whole(&self.free), size].into())),
         })
     }
 
@@ -344,7 +343,7 @@ fn in_powers_of(polynomial: &Univariate, unknown: &Expr) -> Expr {
         .collect();
     match terms.len() {
         1 => terms.remove(0),
-        _ => Expr::Sum(terms),
+        _ => Expr::Sum(terms.into()),
     }
 }
 
@@ -376,14 +375,14 @@ impl There<'_> {
             }
             Expr::Sum(terms) => {
                 let mut sum = Univariate::default();
-                for term in terms {
+                for term in terms.iter() {
                     sum = sum.plus(&value(term)?);
                 }
                 Some(sum)
             }
             Expr::Product(factors) => {
                 let mut product = Univariate::constant(Rational::one());
-                for factor in factors {
+                for factor in factors.iter() {
                     product = field.times(&product, &value(factor)?).ok()?;
                 }
                 Some(product)

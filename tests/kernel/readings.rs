@@ -494,7 +494,7 @@ fn what_is_divided_by_in_an_integrand_must_not_vanish_between_the_limits() {
     for integrand in [r"\frac{s}{s}", r"\frac{2 s}{s + s}"] {
         let bare = claim(&[], &format!(r"\int_a^b {integrand} \, ds = b - a"));
         let p = Proving::new(bare.clone());
-        let product = Expr::Product(vec![term("a"), term("b")]);
+        let product = Expr::Product([term("a"), term("b")].into());
         assert_eq!(
             p.checked(p.combination(&[], 1, &[])),
             Err(Reject::MayBeNegative(product))

@@ -20,14 +20,14 @@ fn value(expr: &Expr, at: &[BigRational; 3]) -> Option<BigRational> {
         }
         Expr::Sum(terms) => {
             let mut sum = BigRational::zero();
-            for term in terms {
+            for term in terms.iter() {
                 sum += value(term, at)?;
             }
             sum
         }
         Expr::Product(factors) => {
             let mut product = BigRational::one();
-            for factor in factors {
+            for factor in factors.iter() {
                 product *= value(factor, at)?;
             }
             product

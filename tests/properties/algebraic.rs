@@ -15,7 +15,7 @@ fn power(name: &str, exponent: usize) -> Expr {
 /// `Σ c_k x^k`, the constant coefficient first.
 fn polynomial(coefficients: &[i64]) -> Expr {
     let terms = coefficients.iter().enumerate();
-    let terms = terms.map(|(k, &c)| Expr::Product(vec![Expr::integer(c), power("x", k)]));
+    let terms = terms.map(|(k, &c)| Expr::Product([Expr::integer(c), power("x", k)].into()));
     Expr::Sum(terms.collect())
 }
 
@@ -155,7 +155,7 @@ proptest! {
     /// `x² + y² = n`, where n is no sum of two rational squares: any point has an irrational value.
     #[test]
     fn circle_without_rational_points(n in prop::sample::select(vec![3_i64, 6, 7, 11, 12, 14, 15, 19])) {
-        let circle = Formula::equal(Expr::Sum(vec![power("x", 2), power("y", 2)]), Expr::integer(n));
+        let circle = Formula::equal(Expr::Sum([power("x", 2), power("y", 2)].into()), Expr::integer(n));
         let goal = Formula::equal(Expr::symbol("x"), Expr::symbol("y"));
         let decided = decide(claim(vec![circle], goal, None), &[]);
         let Decision::Refuted(refuted) = decided else {

@@ -32,8 +32,8 @@ impl Term {
         match self {
             Number(value) => Expr::integer(*value),
             Symbol(at) => Expr::symbol(NAMES[*at]),
-            Sum(a, b) => Expr::Sum(vec![a.written(), b.written()]),
-            Product(a, b) => Expr::Product(vec![a.written(), b.written()]),
+            Sum(a, b) => Expr::Sum([a.written(), b.written()].into()),
+            Product(a, b) => Expr::Product([a.written(), b.written()].into()),
             Quotient(a, b) => Expr::Quotient(a.written().into(), b.written().into()),
             Power(base, over, under) => {
                 let exponent = BigRational::new((*over).into(), (*under).into());

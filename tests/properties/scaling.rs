@@ -29,7 +29,7 @@ fn relation(row: &Row, relation: Relation, number: i64) -> Formula {
             }
         }
         factors.push(Expr::integer(1));
-        Expr::Product(factors)
+        Expr::Product(factors.into())
     };
     Formula::Relation {
         left: side(1),

@@ -69,7 +69,7 @@ fn without(term: &Expr, root: &Expr) -> Option<Expr> {
             match others.len() {
                 0 => None,
                 1 => others.pop(),
-                _ => Some(Expr::Sum(others)),
+                _ => Some(Expr::Sum(others.into())),
             }
         }
         Expr::Quotient(above, below) if !has_root(below) => {

@@ -136,10 +136,13 @@ impl Judge<'_> {
         let claim = self.derivation.claim(self.at, &[], &there);
         search::prove_unconditionally(claim, Effort::Light)?;
         let constant = Symbol::new(OF_INTEGRATION);
-        let what = Expr::Sum(vec![
-            Expr::Symbol(given.clone()),
-            Expr::Negate(right.clone().into()),
-        ]);
+        let what = Expr::Sum(
+            [
+                Expr::Symbol(given.clone()),
+                Expr::Negate(right.clone().into()),
+            ]
+            .into(),
+        );
         self.where_constant(goal, (what, &constant), assumed, premises)
     }
 
@@ -310,7 +313,7 @@ fn isolated(
     let others = others.into_iter().cloned().collect();
     let left = left.clone();
     let what = match right {
-        Expr::Sum(_) => Expr::Sum(vec![left, Expr::Negate(Expr::Sum(others).into())]),
+        Expr::Sum(_) => Expr::Sum([left, Expr::Negate(Expr::Sum(others).into())].into()),
         _ => Expr::Quotient(left.into(), Expr::Product(others).into()),
     };
     Some((constant.clone(), what))

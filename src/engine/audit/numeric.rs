@@ -451,7 +451,7 @@ impl Known<'_> {
                 self.isolate(&factors[at], value, symbol)
             }
             Expr::Quotient(above, below) if above.mentions(symbol) => {
-                let value = Expr::Product(vec![value, (**below).clone()]);
+                let value = Expr::Product([value, (**below).clone()].into());
                 self.isolate(above, value, symbol)
             }
             Expr::Quotient(above, below) => {

@@ -162,7 +162,7 @@ fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
         let (argument, left_out) = functions.get(name)?;
         let body = match left_out {
             true => Expr::Symbol(name.clone()),
-            false => Expr::Apply(name.clone(), vec![Expr::Symbol(argument.clone())]),
+            false => Expr::Apply(name.clone(), [Expr::Symbol(argument.clone())].into()),
         };
         Some((body, argument.clone()))
     };

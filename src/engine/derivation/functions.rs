@@ -56,7 +56,7 @@ impl Derivation {
         places.truncate(MOST_VALUES);
         let at = |place: Expr| {
             let own = value.substitute(&argument, &place);
-            Formula::equal(Expr::Apply(function.clone(), vec![place]), own)
+            Formula::equal(Expr::Apply(function.clone(), [place].into()), own)
         };
         places.into_iter().map(at).collect()
     }

@@ -162,7 +162,7 @@ fn below(name: &Symbol) -> Vec<Symbol> {
 fn contractions(term: &Expr, found: &mut Set<Symbol>) {
     if let Expr::Product(factors) = term {
         let mut lower = Set::new();
-        for factor in factors {
+        for factor in factors.iter() {
             if let Expr::Symbol(name) = factor {
                 lower.extend(below(name));
             }

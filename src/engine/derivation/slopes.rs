@@ -96,7 +96,7 @@ impl Given {
                 self.defined.push((name.clone(), value.free_symbols()));
             }
             if let Expr::Apply(_, arguments) = left
-                && let [Expr::Symbol(argument)] = arguments.as_slice()
+                && let [Expr::Symbol(argument)] = &arguments[..]
                 && value.mentions(argument)
             {
                 let known = self.functions.entry(name.clone());
@@ -199,7 +199,7 @@ impl Slope {
     /// With what is written in parentheses.
     fn at(&self, arguments: &[Expr]) -> Option<Expr> {
         let by = Expr::Symbol(self.by.clone());
-        let slope = || self.of(Expr::Apply(self.name.clone(), vec![by.clone()]));
+        let slope = || self.of(Expr::Apply(self.name.clone(), [by.clone()].into()));
         match arguments {
             [argument] if *argument == by => Some(slope()),
             // Of a dotted name the value at a number is read later.

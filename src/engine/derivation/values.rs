@@ -265,7 +265,7 @@ fn figure(statement: &Statement) -> Option<Goal> {
 fn value(formula: &Formula, value: &Expr) -> Option<ValueSaid> {
     match formula.as_equation()? {
         (Expr::Apply(name, arguments), own) if own == value => {
-            let [place @ Expr::Number(_)] = arguments.as_slice() else {
+            let [place @ Expr::Number(_)] = &arguments[..] else {
                 return None;
             };
             Some(ValueSaid {

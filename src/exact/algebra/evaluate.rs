@@ -233,7 +233,7 @@ impl Values {
             Expr::Symbol(symbol) => self.symbol(symbol, along),
             Expr::Sum(terms) => {
                 let mut sum = along.constant(BigRational::zero());
-                for term in terms {
+                for term in terms.iter() {
                     add(&mut sum, &self.series(term, along)?);
                 }
                 Ok(sum)

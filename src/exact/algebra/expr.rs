@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use num_traits::One;
 
 use super::{BigInt, BigRational, Symbol};
@@ -34,6 +36,8 @@ impl<'a> Iterator for Children<'a> {
 }
 
 /// A mathematical term, as its author structured it. There is no floating point in it: decimals are rationals.
+///
+/// What stands below a term is shared: terms are copied far more often than they are changed.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Expr {
     /// An exact number.
@@ -48,41 +52,41 @@ pub enum Expr {
         index: Symbol,
     },
     /// A sum of two or more terms.
-    Sum(Vec<Expr>),
+    Sum(Arc<[Expr]>),
     /// A product of two or more factors.
-    Product(Vec<Expr>),
+    Product(Arc<[Expr]>),
     /// `-a`.
-    Negate(Box<Expr>),
+    Negate(Arc<Expr>),
     /// `a / b` or `\frac{a}{b}`.
-    Quotient(Box<Expr>, Box<Expr>),
+    Quotient(Arc<Expr>, Arc<Expr>),
     /// `a^b`; a root is a power with a fractional exponent.
-    Power(Box<Expr>, Box<Expr>),
+    Power(Arc<Expr>, Arc<Expr>),
     /// A known function of one argument.
-    Call(Function, Box<Expr>),
+    Call(Function, Arc<Expr>),
     /// An unknown function applied to bare symbols: `P(t)`, `F(\delta, \dot\delta)`.
-    Apply(Symbol, Vec<Expr>),
+    Apply(Symbol, Arc<[Expr]>),
     /// `\sum_{index=from}^{to} body`.
     Series {
         /// The bound index.
         index: Symbol,
         /// The first value of the index.
-        from: Box<Expr>,
+        from: Arc<Expr>,
         /// The last value of the index.
-        to: Box<Expr>,
+        to: Arc<Expr>,
         /// The summand.
-        body: Box<Expr>,
+        body: Arc<Expr>,
     },
     /// `\frac{d}{dx} body`, a total derivative.
     Derivative {
         /// What is differentiated.
-        body: Box<Expr>,
+        body: Arc<Expr>,
         /// The variable.
         variable: Symbol,
     },
     /// `\frac{\partial}{\partial x} body`, a partial derivative.
     Partial {
         /// What is differentiated.
-        body: Box<Expr>,
+        body: Arc<Expr>,
         /// The variable.
         variable: Symbol,
         /// What is held fixed besides, where that is told: `\left(\frac{\partial U}{\partial V}\right)_T`. Elsewhere it is all else
@@ -92,7 +96,7 @@ pub enum Expr {
     /// `\lim_{x \to point} body`.
     Limit {
         /// What the limit is taken of.
-        body: Box<Expr>,
+        body: Arc<Expr>,
         /// The variable that moves.
         variable: Symbol,
         /// Where it goes.
@@ -101,13 +105,13 @@ pub enum Expr {
     /// `\int_{from}^{to} body \, d variable`.
     Integral {
         /// The integrand.
-        body: Box<Expr>,
+        body: Arc<Expr>,
         /// The variable of integration.
         variable: Symbol,
         /// The lower limit.
-        from: Box<Expr>,
+        from: Arc<Expr>,
         /// The upper limit.
-        to: Box<Expr>,
+        to: Arc<Expr>,
     },
 }
 
@@ -115,7 +119,7 @@ pub enum Expr {
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum LimitPoint {
     /// A finite point.
-    Finite(Box<Expr>),
+    Finite(Arc<Expr>),
     /// `+\infty` or `\infty`.
     PlusInfinity,
     /// `-\infty`.
@@ -247,7 +251,7 @@ impl Expr {
 
     /// The same, compiled once for all changes.
     fn map_each_child(&self, change: &mut dyn FnMut(&Expr) -> Expr) -> Expr {
-        let mut boxed = |inner: &Expr| Box::new(change(inner));
+        let mut shared = |inner: &Expr| Arc::new(change(inner));
         match self {
             Expr::Number(_) | Expr::Symbol(_) | Expr::Element { .. } => self.clone(),
             Expr::Sum(items) => Expr::Sum(items.iter().map(change).collect()),
@@ -255,10 +259,10 @@ impl Expr {
             Expr::Apply(name, items) => {
                 Expr::Apply(name.clone(), items.iter().map(change).collect())
             }
-            Expr::Negate(inner) => Expr::Negate(boxed(inner)),
-            Expr::Call(function, inner) => Expr::Call(*function, boxed(inner)),
-            Expr::Quotient(a, b) => Expr::Quotient(boxed(a), boxed(b)),
-            Expr::Power(a, b) => Expr::Power(boxed(a), boxed(b)),
+            Expr::Negate(inner) => Expr::Negate(shared(inner)),
+            Expr::Call(function, inner) => Expr::Call(*function, shared(inner)),
+            Expr::Quotient(a, b) => Expr::Quotient(shared(a), shared(b)),
+            Expr::Power(a, b) => Expr::Power(shared(a), shared(b)),
             Expr::Series {
                 index,
                 from,
@@ -266,9 +270,9 @@ impl Expr {
                 body,
             } => Expr::Series {
                 index: index.clone(),
-                from: boxed(from),
-                to: boxed(to),
-                body: boxed(body),
+                from: shared(from),
+                to: shared(to),
+                body: shared(body),
             },
             Expr::Integral {
                 variable,
@@ -277,12 +281,12 @@ impl Expr {
                 body,
             } => Expr::Integral {
                 variable: variable.clone(),
-                from: boxed(from),
-                to: boxed(to),
-                body: boxed(body),
+                from: shared(from),
+                to: shared(to),
+                body: shared(body),
             },
             Expr::Derivative { body, variable } => Expr::Derivative {
-                body: boxed(body),
+                body: shared(body),
                 variable: variable.clone(),
             },
             Expr::Partial {
@@ -290,7 +294,7 @@ impl Expr {
                 variable,
                 held,
             } => Expr::Partial {
-                body: boxed(body),
+                body: shared(body),
                 variable: variable.clone(),
                 held: held.clone(),
             },
@@ -299,10 +303,10 @@ impl Expr {
                 variable,
                 point,
             } => Expr::Limit {
-                body: boxed(body),
+                body: shared(body),
                 variable: variable.clone(),
                 point: match point {
-                    LimitPoint::Finite(point) => LimitPoint::Finite(boxed(point)),
+                    LimitPoint::Finite(point) => LimitPoint::Finite(shared(point)),
                     other => other.clone(),
                 },
             },

@@ -1,5 +1,7 @@
 //! Names and terms with a running index: `E_n`, `E_{n+1}`, `E_0`, and what becomes of them where the index is moved.
 
+use std::slice;
+
 use num_traits::{One, Zero};
 
 use super::symbol::split_subscript;
@@ -164,10 +166,9 @@ fn index_at(index: &Symbol, more: u32, to: Moved) -> Expr {
     match to {
         Moved::To(number) => Expr::integer(number + more),
         Moved::By(0) if more == 0 => Expr::Symbol(index.clone()),
-        Moved::By(number) => Expr::Sum(vec![
-            Expr::Symbol(index.clone()),
-            Expr::integer(number + more),
-        ]),
+        Moved::By(number) => {
+            Expr::Sum([Expr::Symbol(index.clone()), Expr::integer(number + more)].into())
+        }
     }
 }
 
@@ -188,19 +189,15 @@ fn tidied(term: Expr) -> Expr {
         Expr::Sum(terms) => {
             let mut number = BigRational::zero();
             let mut rest = Vec::new();
-            let flat = terms.into_iter().flat_map(|term| match term {
+            let flat = terms.iter().flat_map(|term| match term {
                 Expr::Sum(inner) => inner,
-                other => vec![other],
+                other => slice::from_ref(other),
             });
             for term in flat {
                 match term {
                     Expr::Number(value) => number += value,
-                    Expr::Negate(inner) if matches!(*inner, Expr::Number(_)) => {
-                        if let Expr::Number(value) = *inner {
-                            number -= value;
-                        }
-                    }
-                    other => rest.push(other),
+                    Expr::Negate(inner) if let Expr::Number(value) = &**inner => number -= value,
+                    other => rest.push(other.clone()),
                 }
             }
             if !number.is_zero() || rest.is_empty() {
@@ -208,7 +205,7 @@ fn tidied(term: Expr) -> Expr {
             }
             match rest.len() {
                 1 => rest.remove(0),
-                _ => Expr::Sum(rest),
+                _ => Expr::Sum(rest.into()),
             }
         }
         Expr::Product(factors) => {
@@ -221,19 +218,19 @@ fn tidied(term: Expr) -> Expr {
                 None => Expr::Product(factors),
             }
         }
-        Expr::Negate(inner) => match *inner {
+        Expr::Negate(inner) => match &*inner {
             Expr::Number(value) => Expr::Number(-value),
-            other => Expr::Negate(other.into()),
+            _ => Expr::Negate(inner),
         },
-        Expr::Quotient(above, below) => match (*above, *below) {
+        Expr::Quotient(above, below) => match (&*above, &*below) {
             (Expr::Number(above), Expr::Number(below)) if !below.is_zero() => {
                 Expr::Number(above / below)
             }
-            (above, below) => Expr::Quotient(above.into(), below.into()),
+            _ => Expr::Quotient(above, below),
         },
-        Expr::Power(base, exponent) => match *exponent {
-            Expr::Number(value) if value.is_one() => *base,
-            other => Expr::Power(base, other.into()),
+        Expr::Power(base, exponent) => match &*exponent {
+            Expr::Number(value) if value.is_one() => (*base).clone(),
+            _ => Expr::Power(base, exponent),
         },
         other => other,
     }

@@ -242,7 +242,7 @@ impl Lowering<'_> {
         match divisor {
             Expr::Product(factors) if factors.iter().any(may_part) => {
                 let mut whole = Fraction::from(Rational::one());
-                for factor in factors {
+                for factor in factors.iter() {
                     whole = whole.times(&self.inverse(factor)?)?;
                 }
                 Ok(whole)

@@ -44,13 +44,13 @@ impl Held {
                 held,
             } if first < *variable && are_of_one_set((&first, &held), (variable, &self.0)) => {
                 Expr::Partial {
-                    body: self.slope_of(*inner, variable).into(),
+                    body: self.slope_of((*inner).clone(), variable).into(),
                     variable: first,
                     held,
                 }
             }
             // What is a function of the variable alone does not depend on anything else.
-            Expr::Apply(_, ref arguments) if matches!(arguments.as_slice(), [Expr::Symbol(own)] if own == variable) => {
+            Expr::Apply(_, ref arguments) if matches!(&arguments[..], [Expr::Symbol(own)] if own == variable) => {
                 body.differentiated_by(variable)
             }
             body => Expr::Partial {

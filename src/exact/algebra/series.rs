@@ -196,7 +196,7 @@ impl Lowering<'_> {
         for ahead in run.more.min(0) + 1..=run.more.max(0) {
             let position = match ahead {
                 0 => run.last.clone(),
-                _ => Expr::Sum(vec![run.last.clone(), Expr::integer(ahead)]),
+                _ => Expr::Sum([run.last.clone(), Expr::integer(ahead)].into()),
             };
             let term = self.lower(&body.substitute(run.index, &position))?;
             sum = match run.more > 0 {

@@ -38,7 +38,7 @@ pub fn expr_of(polynomial: &Polynomial, atoms: &Atoms) -> Expr {
     match written.len() {
         0 => Expr::integer(0),
         1 => written.remove(0),
-        _ => Expr::Sum(written),
+        _ => Expr::Sum(written.into()),
     }
 }
 
@@ -126,6 +126,6 @@ pub fn product_of(mut factors: Vec<Expr>) -> Expr {
     match factors.len() {
         0 => Expr::integer(1),
         1 => factors.remove(0),
-        _ => Expr::Product(factors),
+        _ => Expr::Product(factors.into()),
     }
 }

@@ -183,7 +183,7 @@ impl Figures {
             Expr::Symbol(_) | Expr::Call(Function::Abs, _) => Ok(single(term, Rational::one())),
             Expr::Sum(parts) => {
                 let mut sum = Terms::new();
-                for part in parts {
+                for part in parts.iter() {
                     for (powers, coefficient) in deeper(part)? {
                         add(&mut sum, powers, coefficient);
                     }
@@ -199,7 +199,7 @@ impl Figures {
             }
             Expr::Product(factors) => {
                 let mut product = constant(Rational::one());
-                for factor in factors {
+                for factor in factors.iter() {
                     product = times(product, whole(deeper(factor)?, factor));
                 }
                 Ok(product)

@@ -70,7 +70,7 @@ impl Point<'_> {
             _ => None,
         };
         let all = self.atoms.iter();
-        let all: Vec<Box<Expr>> = all.filter_map(|(_, atom)| exponent_of(atom)).collect();
+        let all: Vec<_> = all.filter_map(|(_, atom)| exponent_of(atom)).collect();
         let mut unit = first;
         for argument in all {
             if let Ok(value) = self.exponent(&argument) {

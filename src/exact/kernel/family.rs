@@ -348,7 +348,7 @@ impl Family {
     /// that the elements of groups that have any are equal.
     fn all_equal(&self, sequence: &Symbol, value: Option<Expr>) -> Formula {
         let square = |a: Expr, b: Expr| {
-            let difference = Expr::Sum(vec![a, Expr::Negate(b.into())]);
+            let difference = Expr::Sum([a, Expr::Negate(b.into())].into());
             Expr::Power(difference.into(), Expr::integer(2).into())
         };
         let element = |group: &Group| group.elements.get(sequence).cloned();
@@ -418,7 +418,7 @@ impl Family {
 fn times(size: &Expr, term: Expr) -> Expr {
     match size.is_one() {
         true => term,
-        false => Expr::Product(vec![size.clone(), term]),
+        false => Expr::Product([size.clone(), term].into()),
     }
 }
 
@@ -426,6 +426,6 @@ fn sum_of(mut terms: Vec<Expr>) -> Expr {
     match terms.len() {
         0 => Expr::integer(0),
         1 => terms.remove(0),
-        _ => Expr::Sum(terms),
+        _ => Expr::Sum(terms.into()),
     }
 }

@@ -85,7 +85,7 @@ impl Problem {
                     let (size, unit) = self.split(&value)?;
                     let known = angles.entry(unit).or_default();
                     if known.iter().all(|(_, other)| *other != *argument) {
-                        known.push((size, *argument.clone()));
+                        known.push((size, (*argument).clone()));
                         self.add_circle(&argument)?;
                     }
                 }

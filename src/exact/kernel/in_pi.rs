@@ -178,6 +178,6 @@ pub fn in_powers_of_pi(coefficients: &[BigRational]) -> Expr {
     match terms.len() {
         0 => Expr::integer(0),
         1 => terms.remove(0),
-        _ => Expr::Sum(terms),
+        _ => Expr::Sum(terms.into()),
     }
 }

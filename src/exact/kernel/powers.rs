@@ -242,7 +242,7 @@ impl Problem {
         let mut lowering = self.lowering_over(atoms);
         let value = lowering.lower(&base).ok()?;
         let conditions = lowering.conditions;
-        let exponent = *exponent;
+        let exponent = (*exponent).clone();
         let plain = conditions.zero.is_empty() && conditions.away.is_empty();
         (plain && conditions.doubtful.is_empty()).then_some(Base { value, exponent })
     }

@@ -262,7 +262,7 @@ impl Point<'_> {
         let value = value.scaled(&below.ok_or(Reject::NoValue)?.recip());
         let terms = value.coefficients().iter().enumerate().map(|(k, c)| {
             let power = Expr::Power(Expr::symbol("\\pi").into(), Expr::integer(k).into());
-            Expr::Product(vec![Expr::Number(c.to_big()), power])
+            Expr::Product([Expr::Number(c.to_big()), power].into())
         });
         let call = Expr::Call(function, Expr::Sum(terms.collect()).into());
         self.lowered(&call)?.as_constant().ok_or(Reject::NoValue)

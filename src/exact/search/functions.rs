@@ -34,7 +34,7 @@ pub fn leave_open(
         let own = (
             size.unwrap_or_else(Rational::zero),
             *function,
-            *argument.clone(),
+            (**argument).clone(),
         );
         families.entry(symbol).or_default().push(own);
     }

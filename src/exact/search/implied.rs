@@ -139,16 +139,16 @@ fn turned(term: &Expr) -> Option<Expr> {
         Expr::Sum(items) => match &items[..] {
             [first, Expr::Negate(second)] if !matches!(first, Expr::Negate(_)) => {
                 let first = Expr::Negate(first.clone().into());
-                Some(Expr::Sum(vec![(**second).clone(), first]))
+                Some(Expr::Sum([(**second).clone(), first].into()))
             }
             _ => None,
         },
         Expr::Product(factors) => {
-            let mut factors = factors.clone();
+            let mut factors = factors.to_vec();
             let (at, other) = (factors.iter().enumerate())
                 .find_map(|(at, factor)| Some((at, turned(factor)?)))?;
             factors[at] = other;
-            Some(Expr::Product(factors))
+            Some(Expr::Product(factors.into()))
         }
         Expr::Quotient(above, below) => {
             let above = turned(above)?;
@@ -321,7 +321,7 @@ pub(super) fn scaled(term: &Expr, factor: &Rational) -> Expr {
             }
         }
         Expr::Product(factors) => {
-            let mut factors = factors.clone();
+            let mut factors = factors.to_vec();
             // With the number that stands there already, if it is the only one, or in the fraction.
             let numbers = factors.iter().filter(|f| own_number(f).is_some()).count();
             let own = factors.iter().position(|f| own_number(f).is_some());
@@ -345,11 +345,11 @@ pub(super) fn scaled(term: &Expr, factor: &Rational) -> Expr {
             }
             match factors.len() {
                 1 => factors.remove(0),
-                _ => Expr::Product(factors),
+                _ => Expr::Product(factors.into()),
             }
         }
         _ if factor.is_one() => term.clone(),
-        _ => Expr::Product(vec![number(factor), term.clone()]),
+        _ => Expr::Product([number(factor), term.clone()].into()),
     }
 }
 
@@ -406,17 +406,18 @@ fn tidy(value: &Fraction, atoms: &Atoms) -> Expr {
 
 /// A sum that does not begin with a minus, if it can.
 fn positive_first(sum: Expr) -> Expr {
-    let Expr::Sum(mut items) = sum else {
+    let Expr::Sum(items) = &sum else {
         return sum;
     };
     let is_negative = |item: &Expr| matches!(item, Expr::Negate(_));
     if is_negative(&items[0])
         && let Some(at) = items.iter().position(|item| !is_negative(item))
     {
-        let first = items.remove(at);
-        items.insert(0, first);
+        let mut items = items.to_vec();
+        items[..=at].rotate_right(1);
+        return Expr::Sum(items.into());
     }
-    Expr::Sum(items)
+    sum
 }
 
 /// A sum as a number times a sum with whole coefficients that have no divisor in common, the lowest positive.

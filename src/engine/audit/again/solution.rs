@@ -52,7 +52,7 @@ impl Judge<'_> {
         if laws.is_empty() {
             return None;
         }
-        let difference = Expr::Sum(vec![left.clone(), Expr::Negate(right.clone().into())]);
+        let difference = Expr::Sum([left.clone(), Expr::Negate(right.clone().into())].into());
         let kept = possibly_kept(difference, goal, &laws, &variable);
         let mut fixed: Vec<Assumed> = others.iter().copied().cloned().collect();
         fixed.retain(|own| self.is_fixed(own, &conditions, &variable));
@@ -161,7 +161,7 @@ fn possibly_kept(difference: Expr, goal: &Goal, laws: &[&Assumed], variable: &Sy
     exponents.truncate(MOST_EXPONENTS);
     let times = |exponent: Expr| {
         let power = Expr::Call(Function::Exp, exponent.into());
-        Expr::Product(vec![difference.clone(), power])
+        Expr::Product([difference.clone(), power].into())
     };
     let both = exponents.iter().flat_map(|own| {
         let negative = Expr::Negate(own.clone().into());
@@ -203,7 +203,7 @@ fn there(formula: &Formula, said: &ConditionSaid, variable: &Symbol) -> Option<F
 fn put_in(term: &Expr, (said, variable): (&ConditionSaid, &Symbol), speaks: &mut bool) -> Expr {
     let is_applied = match (term, &said.of) {
         (Expr::Apply(name, arguments), Expr::Symbol(own)) => {
-            name == own && arguments.as_slice() == [Expr::Symbol(variable.clone())]
+            name == own && arguments[..] == [Expr::Symbol(variable.clone())]
         }
         _ => false,
     };

@@ -1,5 +1,7 @@
 //! `y(x, t)` and `y`: one quantity where one of them is differentiated partially, and written in one way.
 
+use std::sync::Arc;
+
 use crate::algebra::{Expr, Symbol};
 use crate::sorted::Map;
 
@@ -12,7 +14,7 @@ use super::{name_of, sides_of};
 #[derive(Default)]
 struct Applied {
     /// What it is applied to; `None` where that is not the same everywhere.
-    to: Option<Vec<Expr>>,
+    to: Option<Arc<[Expr]>>,
     is_applied: bool,
     /// It stands without arguments, and not only below a partial derivative.
     alone: bool,

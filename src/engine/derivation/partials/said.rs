@@ -116,7 +116,7 @@ fn summands(term: &Expr) -> Set<Symbol> {
         return Set::new();
     };
     let (mut found, mut elsewhere) = (Set::new(), Set::new());
-    for own in terms {
+    for own in terms.iter() {
         match own {
             Expr::Symbol(name) => {
                 found.insert(name.clone());

@@ -296,10 +296,7 @@ impl<'s> Parser<'s> {
             }
         };
         refuse_vector(&under, self.since(start), "nothing is divided by a vector")?;
-        Ok((
-            Expr::Quotient(Box::new(over), Box::new(under)),
-            Shape::Tight,
-        ))
+        Ok((Expr::Quotient(over.into(), under.into()), Shape::Tight))
     }
 
     fn root(&mut self) -> Read<Expr> {
@@ -330,7 +327,7 @@ impl<'s> Parser<'s> {
                 }
                 index => {
                     let one = Expr::Number(BigRational::from_integer(1.into()));
-                    Expr::Quotient(Box::new(one), Box::new(index))
+                    Expr::Quotient(one.into(), index.into())
                 }
             };
         }

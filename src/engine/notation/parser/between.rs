@@ -52,7 +52,7 @@ impl Limits {
             LimitPoint::Finite(at) => Ok(at),
             far_away if taken.is_none() => {
                 taken = Some(far_away);
-                Ok(Box::new(Expr::Symbol(far.clone())))
+                Ok(Expr::Symbol(far.clone()).into())
             }
             _ => refuse(
                 sign,
@@ -62,13 +62,13 @@ impl Limits {
         let integral = Expr::Integral {
             from: end(self.from.at)?,
             to: end(self.to.at)?,
-            body: Box::new(body),
+            body: body.into(),
             variable,
         };
         Ok(match taken {
             None => integral,
             Some(point) => Expr::Limit {
-                body: Box::new(integral),
+                body: integral.into(),
                 variable: far,
                 point,
             },
@@ -139,7 +139,7 @@ impl Parser<'_> {
                 at.expr
             }
         };
-        let at = LimitPoint::Finite(Box::new(at));
+        let at = LimitPoint::Finite(at.into());
         Ok(Limit { of, at })
     }
 
@@ -301,7 +301,7 @@ impl Parser<'_> {
         let at = |limit: LimitPoint| match limit {
             LimitPoint::Finite(value) if !hidden => term.substitute(&variable, &value),
             point => Expr::Limit {
-                body: Box::new(term.clone()),
+                body: term.clone().into(),
                 variable: variable.clone(),
                 point,
             },
@@ -309,7 +309,7 @@ impl Parser<'_> {
         let upper = at(upper.at);
         let expr = match lower {
             None => upper,
-            Some(lower) => Expr::Sum(vec![upper, Expr::Negate(Box::new(at(lower.at)))]),
+            Some(lower) => Expr::Sum([upper, Expr::Negate(at(lower.at).into())].into()),
         };
         let factor = Factor {
             expr,

@@ -106,8 +106,8 @@ pub(super) fn either(mut places: Vec<Place>, links: &[Link]) -> Read<Vec<Place>>
         return Ok(Vec::new());
     };
     let less = |other: Expr| {
-        let other = Expr::Negate(Box::new(other));
-        Expr::Sum(vec![one.expr.clone(), other])
+        let other = Expr::Negate(other.into());
+        Expr::Sum([one.expr.clone(), other].into())
     };
     let side = |expr: Expr, span: Span| {
         Place::Side(Side {
@@ -117,7 +117,7 @@ pub(super) fn either(mut places: Vec<Place>, links: &[Link]) -> Read<Vec<Place>>
             rounding: None,
         })
     };
-    let product = Expr::Product(vec![less(upper.expr), less(lower.expr)]);
+    let product = Expr::Product([less(upper.expr), less(lower.expr)].into());
     Ok(vec![
         side(product, one.span.to(upper.span)),
         side(Expr::integer(0), upper.span),

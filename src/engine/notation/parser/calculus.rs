@@ -348,7 +348,7 @@ impl Parser<'_> {
                 LimitPoint::PlusInfinity
             }
         } else {
-            LimitPoint::Finite(Box::new(self.inside(false, Self::sum)?.expr))
+            LimitPoint::Finite(self.inside(false, Self::sum)?.expr.into())
         };
         self.close(open)?;
         if matches!(self.peek(), Kind::Command(name) if commands::is_dots(name)) {
@@ -356,7 +356,7 @@ impl Parser<'_> {
         }
         let body = self.term()?.expr;
         Ok(Expr::Limit {
-            body: Box::new(body),
+            body: body.into(),
             variable,
             point,
         })

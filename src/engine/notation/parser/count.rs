@@ -57,17 +57,14 @@ impl Parser<'_> {
 fn written_out(above: &Expr, below: u32) -> Expr {
     let factor = |less: u32| match less {
         0 => above.clone(),
-        less => Expr::Sum(vec![
-            above.clone(),
-            Expr::Negate(Box::new(Expr::integer(less))),
-        ]),
+        less => Expr::Sum([above.clone(), Expr::Negate(Expr::integer(less).into())].into()),
     };
     match below {
         0 => Expr::integer(1),
         1 => above.clone(),
         _ => Expr::Quotient(
-            Box::new(Expr::Product((0..below).map(factor).collect())),
-            Box::new(Expr::integer(factorial(below))),
+            Expr::Product((0..below).map(factor).collect()).into(),
+            Expr::integer(factorial(below)).into(),
         ),
     }
 }

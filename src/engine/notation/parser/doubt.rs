@@ -53,7 +53,7 @@ impl Parser<'_> {
 /// The letters that an exponent consists of, side by side.
 fn letters(exponent: &Expr) -> Option<Vec<Symbol>> {
     let parts = match exponent {
-        Expr::Product(factors) => factors.as_slice(),
+        Expr::Product(factors) => &factors[..],
         single => std::slice::from_ref(single),
     };
     let letter = |part: &Expr| match part {

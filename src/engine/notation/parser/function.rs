@@ -71,7 +71,12 @@ impl Parser<'_> {
                         help,
                     );
                 }
-                self.scripts(start, Expr::Apply(symbol, arguments), Shape::Tight, false)
+                self.scripts(
+                    start,
+                    Expr::Apply(symbol, arguments.into()),
+                    Shape::Tight,
+                    false,
+                )
             }
             (true, _) => refuse_with(
                 self.since(start),
@@ -86,7 +91,7 @@ impl Parser<'_> {
                         span: self.since(start),
                         kind: BeforeKind::Value,
                     });
-                    let value = Expr::Apply(name.clone(), arguments);
+                    let value = Expr::Apply(name.clone(), arguments.into());
                     return self.scripts(start, value, Shape::Tight, false);
                 }
                 self.before
@@ -262,7 +267,7 @@ impl Parser<'_> {
                     self.choices.push((Choice::OfValue, self.since(start)));
                     if self.choice == Some(Choice::OfValue) {
                         let value = called(name, of.as_ref(), (**base).clone());
-                        return Ok(Expr::Power(Box::new(value), exponent.clone()));
+                        return Ok(Expr::Power(value.into(), exponent.clone()));
                     }
                 }
                 argument
@@ -272,7 +277,7 @@ impl Parser<'_> {
         refuse_vector(&argument, self.since(start), message)?;
         let call = called(name, of.as_ref(), argument);
         Ok(match power {
-            Some(power) => Expr::Power(Box::new(call), Box::new(power)),
+            Some(power) => Expr::Power(call.into(), power.into()),
             None => call,
         })
     }
@@ -318,9 +323,9 @@ impl Parser<'_> {
             span: self.since(start),
             kind: BeforeKind::Degrees,
         });
-        let over = Expr::Product(vec![number, Expr::Symbol(pi)]);
+        let over = Expr::Product([number, Expr::Symbol(pi)].into());
         Factor {
-            expr: Expr::Quotient(Box::new(over), Box::new(Expr::integer(180))),
+            expr: Expr::Quotient(over.into(), Expr::integer(180).into()),
             shape: Shape::Tight,
             span: self.since(start),
             braces: false,
@@ -470,7 +475,7 @@ impl Parser<'_> {
 fn product_of(mut factors: Vec<Expr>) -> Expr {
     match factors.len() {
         1 => factors.remove(0),
-        _ => Expr::Product(factors),
+        _ => Expr::Product(factors.into()),
     }
 }
 
@@ -487,9 +492,9 @@ pub(crate) fn angle_of(term: &Expr) -> Option<&Symbol> {
 
 /// The value of a function, a logarithm perhaps to a base. Hyperbolic functions are what they are in exponentials.
 fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
-    let call = |function, argument: Expr| Expr::Call(function, Box::new(argument));
-    let over = |over: Expr, under: Expr| Expr::Quotient(Box::new(over), Box::new(under));
-    let negative = |term: Expr| Expr::Negate(Box::new(term));
+    let call = |function, argument: Expr| Expr::Call(function, argument.into());
+    let over = |over: Expr, under: Expr| Expr::Quotient(over.into(), under.into());
+    let negative = |term: Expr| Expr::Negate(term.into());
     if let Some(base) = base {
         return over(
             call(Function::Ln, argument),
@@ -501,8 +506,8 @@ fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
     }
     let up = call(Function::Exp, argument.clone());
     let down = call(Function::Exp, negative(argument.clone()));
-    let difference = Expr::Sum(vec![up.clone(), negative(down.clone())]);
-    let sum = Expr::Sum(vec![up, down]);
+    let difference = Expr::Sum([up.clone(), negative(down.clone())].into());
+    let sum = Expr::Sum([up, down].into());
     match name {
         "sinh" => over(difference, Expr::integer(2)),
         "cosh" => over(sum, Expr::integer(2)),

@@ -158,7 +158,7 @@ impl Parser<'_> {
         };
         let message = "magnitudes of vectors are not read";
         refuse_vector(&content.expr, content.span, message)?;
-        Ok(Expr::Call(function, Box::new(content.expr)))
+        Ok(Expr::Call(function, content.expr.into()))
     }
 
     pub(super) fn end_group(&mut self, delimiter: &Delimiter, open: Span) -> Read<()> {

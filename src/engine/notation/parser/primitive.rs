@@ -6,6 +6,8 @@
 //! integral must be written in that, or be a name for such a side: `W = \int F \, dx` and `m = \int \rho \, dV = \rho V_0` leave their limits to
 //! the reader.
 
+use std::sync::Arc;
+
 use super::{Parser, Read, refuse_with};
 use crate::algebra::{Expr, Relation, Symbol};
 use crate::document::Span;
@@ -136,13 +138,15 @@ fn leave_out_constants(sides: &mut [Side], all: &[Primitive]) {
         _ => false,
     };
     for side in sides {
-        if let Expr::Sum(terms) = &mut side.expr
+        if let Expr::Sum(terms) = &side.expr
             && !terms.iter().all(is_constant)
         {
-            terms.retain(|term| !is_constant(term));
-            if let [alone] = terms.as_slice() {
-                side.expr = alone.clone();
-            }
+            let terms = terms.iter().filter(|term| !is_constant(term));
+            let mut terms: Vec<Expr> = terms.cloned().collect();
+            side.expr = match terms.len() {
+                1 => terms.remove(0),
+                _ => Expr::Sum(terms.into()),
+            };
         }
     }
 }
@@ -174,7 +178,7 @@ fn slope(term: &Expr, all: &[Primitive], variable: &Symbol) -> Option<Expr> {
     if !all.iter().any(|own| term.mentions(&own.name)) {
         return Some(term.clone().differentiated_by(variable));
     }
-    let of_part = |part: &Expr| slope(part, all, variable).map(Box::new);
+    let of_part = |part: &Expr| slope(part, all, variable).map(Arc::new);
     match term {
         Expr::Symbol(name) => known(name).map(|own| own.integrand.clone()),
         Expr::Negate(part) => Some(Expr::Negate(of_part(part)?)),
@@ -184,11 +188,11 @@ fn slope(term: &Expr, all: &[Primitive], variable: &Symbol) -> Option<Expr> {
         Expr::Product(factors) => {
             let (last, numbers) = factors.split_last()?;
             let mut factors = numbers.to_vec();
-            factors.push(*of_part(last)?);
+            factors.push(slope(last, all, variable)?);
             numbers
                 .iter()
                 .all(is_number)
-                .then_some(Expr::Product(factors))
+                .then_some(Expr::Product(factors.into()))
         }
         Expr::Sum(terms) => {
             let slopes = terms.iter().map(|part| slope(part, all, variable));

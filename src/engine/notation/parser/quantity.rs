@@ -64,15 +64,15 @@ pub(super) fn product(value: Option<&BigRational>, unit: &Unit) -> Expr {
         let base = Expr::Symbol(base);
         factors.push(match power {
             1 => base,
-            power => Expr::Power(Box::new(base), Box::new(Expr::integer(power))),
+            power => Expr::Power(base.into(), Expr::integer(power).into()),
         });
     }
     let expr = match factors.len() {
         1 => factors.remove(0),
-        _ => Expr::Product(factors),
+        _ => Expr::Product(factors.into()),
     };
     match number.is_negative() {
-        true => Expr::Negate(Box::new(expr)),
+        true => Expr::Negate(expr.into()),
         false => expr,
     }
 }

@@ -134,9 +134,9 @@ fn apart(upper: &Expr) -> Option<(Expr, BigRational)> {
         Expr::Product(factors) => {
             let at = factors.iter().position(|own| matches!(own, Expr::Sum(_)))?;
             let (value, share) = apart(&factors[at])?;
-            let mut factors = factors.clone();
+            let mut factors = factors.to_vec();
             factors[at] = value;
-            Some((Expr::Product(factors), share))
+            Some((Expr::Product(factors.into()), share))
         }
         _ => None,
     }

@@ -4,6 +4,8 @@
 //! For a sum with dots, the term before the dots and the one after them must be the same but for a subscript; the
 //! terms before them must run up from 1 in the same pattern. What does not match is refused, never guessed at.
 
+use std::sync::Arc;
+
 use super::name::with_subscript;
 use super::{Kind, Parser, Read, Term, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
@@ -54,9 +56,9 @@ impl Parser<'_> {
         self.bound.pop();
         Ok(Expr::Series {
             index,
-            from: Box::new(from),
-            to: Box::new(to),
-            body: Box::new(body?.expr),
+            from: from.into(),
+            to: to.into(),
+            body: body?.expr.into(),
         })
     }
 
@@ -122,12 +124,12 @@ impl Parser<'_> {
             }
             span = span.to(term.span);
         }
-        let from = Box::new(Expr::Number(BigRational::from_integer(1.into())));
+        let from = Expr::Number(BigRational::from_integer(1.into())).into();
         let expr = Expr::Series {
             index,
             from,
-            to: Box::new(to),
-            body: Box::new(body),
+            to: to.into(),
+            body: body.into(),
         };
         Ok(Term { expr, span, ..last })
     }
@@ -161,7 +163,7 @@ impl Parser<'_> {
         }
         let body = match &value.expr {
             zero if *zero == Expr::integer(0) => body,
-            value => Expr::Sum(vec![body, Expr::Negate(value.clone().into())]),
+            value => Expr::Sum([body, Expr::Negate(value.clone().into())].into()),
         };
         let span = firsts[0].span.to(last.span);
         let sum = Expr::Series {
@@ -246,7 +248,7 @@ fn merge(
             differ(x, y)
         };
     }
-    let mut both = |a: &Expr, b: &Expr| merge(a, b, differ).map(Box::new);
+    let mut both = |a: &Expr, b: &Expr| merge(a, b, differ).map(Arc::new);
     Some(match (a, b) {
         (Expr::Negate(a), Expr::Negate(b)) => Expr::Negate(both(a, b)?),
         (Expr::Quotient(a, c), Expr::Quotient(b, d)) => Expr::Quotient(both(a, b)?, both(c, d)?),
@@ -265,7 +267,7 @@ fn merge_all(
     a: &[Expr],
     b: &[Expr],
     differ: &mut dyn FnMut(&Symbol, &Symbol) -> Option<Expr>,
-) -> Option<Vec<Expr>> {
+) -> Option<Arc<[Expr]>> {
     if a.len() != b.len() {
         return None;
     }

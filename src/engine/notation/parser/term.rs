@@ -101,7 +101,7 @@ impl Parser<'_> {
         if terms.is_empty() {
             return Ok(match last.negative {
                 true => {
-                    let expr = Expr::Negate(Box::new(last.expr));
+                    let expr = Expr::Negate(last.expr.into());
                     Term {
                         expr,
                         shape: Shape::Loose,
@@ -116,7 +116,7 @@ impl Parser<'_> {
         terms.push(last);
         self.summands = terms.iter().map(|term| term.span).collect();
         let sum = terms.into_iter().map(|term| match term.negative {
-            true => Expr::Negate(Box::new(term.expr)),
+            true => Expr::Negate(term.expr.into()),
             false => term.expr,
         });
         Ok(Term {
@@ -371,7 +371,7 @@ impl Product {
         let Some(over) = self.value() else {
             return refuse(by.span, "a numerator is missing");
         };
-        let expr = Expr::Quotient(Box::new(over), Box::new(by.expr));
+        let expr = Expr::Quotient(over.into(), by.expr.into());
         self.factors = vec![Factor {
             expr,
             shape: Shape::Loose,

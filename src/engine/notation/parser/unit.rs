@@ -114,7 +114,7 @@ impl<'s> Parser<'s> {
         if self.peek() == Kind::Char('^') && !written.closed {
             let span = self.span();
             match self.superscript()?.power {
-                Some(power) => expr = Expr::Power(Box::new(expr), Box::new(power)),
+                Some(power) => expr = Expr::Power(expr.into(), power.into()),
                 None => return refuse(span, "a mark on a unit is not read"),
             }
         }

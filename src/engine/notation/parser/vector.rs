@@ -100,6 +100,6 @@ impl Parser<'_> {
         for part in [&base, &exponent] {
             refuse_vector(part, self.since(start), message)?;
         }
-        Ok(Expr::Power(Box::new(base), Box::new(exponent)))
+        Ok(Expr::Power(base.into(), exponent.into()))
     }
 }

@@ -171,7 +171,7 @@ impl<'a> Walk<'a> {
             Expr::Sum(items) => self.sum(items),
             Expr::Product(items) => {
                 let factors: Vec<Found> = (0..)
-                    .zip(items)
+                    .zip(items.iter())
                     .map(|(at, item)| self.below(at, item))
                     .collect();
                 let whole = Found::Form(Form::default());

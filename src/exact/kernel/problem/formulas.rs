@@ -35,7 +35,7 @@ impl Problem {
         let (fact, conditions) = match sides(formula) {
             // At one point a relation between two says no more than that neither side is 0.
             Some((left, right)) => {
-                let both = Expr::Product(vec![left.clone(), right.clone()]);
+                let both = Expr::Product([left.clone(), right.clone()].into());
                 self.read(&Formula::nonzero(both))?
             }
             None => self.read(formula)?,

@@ -78,11 +78,11 @@ impl Both<'_> {
                 return Err(Reject::OutsideDomain);
             }
         }
-        let applied: Vec<(&Symbol, &Vec<Expr>, &(Size, Size))> = self
+        let applied: Vec<(&Symbol, &[Expr], &(Size, Size))> = self
             .values
             .iter()
             .filter_map(|(quantity, sizes)| match quantity {
-                Expr::Apply(name, arguments) => Some((name, arguments, sizes)),
+                Expr::Apply(name, arguments) => Some((name, &**arguments, sizes)),
                 _ => None,
             })
             .collect();

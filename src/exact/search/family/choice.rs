@@ -38,11 +38,11 @@ impl Count {
         match self {
             Count::More(more) if *more == less => running,
             Count::More(more) if *more > less => {
-                Expr::Sum(vec![running, Expr::integer(more - less)])
+                Expr::Sum([running, Expr::integer(more - less)].into())
             }
             Count::More(more) => {
                 let less = Expr::Negate(Expr::integer(less - more).into());
-                Expr::Sum(vec![running, less])
+                Expr::Sum([running, less].into())
             }
             Count::Number(number) => Expr::Number(number - BigRational::from_integer(less.into())),
         }

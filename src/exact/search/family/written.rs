@@ -18,11 +18,13 @@ pub(super) fn term(value: &Fraction, parameter: Var, atoms: &Atoms) -> Expr {
 
 /// `1 - k` rather than `-k + 1`.
 fn sum(polynomial: &Polynomial, atoms: &Atoms) -> Expr {
-    let mut sum = expr_of(polynomial, atoms);
-    if let Expr::Sum(terms) = &mut sum
+    let sum = expr_of(polynomial, atoms);
+    if let Expr::Sum(terms) = &sum
         && let Some(at) = terms.iter().position(|t| !matches!(t, Expr::Negate(_)))
     {
+        let mut terms = terms.to_vec();
         terms[..=at].rotate_right(1);
+        return Expr::Sum(terms.into());
     }
     sum
 }
@@ -32,7 +34,7 @@ fn split(above: &Polynomial, below: &Polynomial, parameter: Var, atoms: &Atoms) 
     let behind = Polynomial::term(behind, Rational::one());
     let above = above.divided_by(&behind).unwrap_or_default();
     let (sign, above) = match sum(&above, atoms) {
-        Expr::Negate(above) => (true, *above),
+        Expr::Negate(above) => (true, (*above).clone()),
         above => (false, above),
     };
     let quotient = match below.as_constant() {
@@ -55,7 +57,7 @@ fn split(above: &Polynomial, below: &Polynomial, parameter: Var, atoms: &Atoms) 
 
 fn joined(first: Expr, behind: Expr) -> Expr {
     let parts = |term: Expr| match term {
-        Expr::Product(factors) => factors,
+        Expr::Product(factors) => factors.to_vec(),
         term => vec![term],
     };
     match first.is_one() {

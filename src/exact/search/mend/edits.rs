@@ -314,7 +314,7 @@ impl Editor<'_> {
         };
         let one = || Expr::integer(1);
         for item in [negative, term.clone()] {
-            let sum = Expr::Sum(vec![one(), item]);
+            let sum = Expr::Sum([one(), item].into());
             self.found.push((Change::Summand, 5, sum));
         }
     }
@@ -322,7 +322,7 @@ impl Editor<'_> {
     /// What may be missing before or after a product, a symbol or a quotient.
     fn missing_factor(&mut self, term: &Expr) {
         let factors = match term {
-            Expr::Product(factors) => factors.clone(),
+            Expr::Product(factors) => factors.to_vec(),
             Expr::Symbol(_) | Expr::Power(..) | Expr::Sum(_) => vec![term.clone()],
             Expr::Number(value) if *value == BigRational::from_integer(1.into()) => Vec::new(),
             Expr::Number(_) => vec![term.clone()],
@@ -357,7 +357,8 @@ impl Editor<'_> {
                 self.found.push((Change::Exponent, 3, squared));
                 if self.names.shares.contains(symbol) {
                     let rest = vec![Expr::integer(1), Expr::Negate(term.clone().into())];
-                    self.found.push((Change::Summand, 4, Expr::Sum(rest)));
+                    self.found
+                        .push((Change::Summand, 4, Expr::Sum(rest.into())));
                 }
             }
             Expr::Power(base, exponent) => {
@@ -391,26 +392,27 @@ impl Editor<'_> {
             }
             Expr::Sum(items) => {
                 for at in 0..items.len() {
-                    let mut others = items.clone();
+                    let mut others = items.to_vec();
                     others.remove(at);
                     if let [only] = others.as_slice() {
                         others = match only {
-                            Expr::Sum(items) => items.clone(),
+                            Expr::Sum(items) => items.to_vec(),
                             only => vec![only.clone()],
                         };
                     }
                     let rest = match others.len() {
                         1 => others.remove(0),
-                        _ => Expr::Sum(others),
+                        _ => Expr::Sum(others.into()),
                     };
                     self.found.push((Change::Summand, 4, rest));
                     let nought = |item: &Expr| own_number(item).is_some_and(|own| own.is_zero());
                     if own_number(&items[at]).is_some_and(|own| own.is_one())
                         && items.iter().any(nought)
                     {
-                        let mut others = items.clone();
+                        let mut others = items.to_vec();
                         others[at] = Expr::integer(0);
-                        self.found.push((Change::Coefficient, 1, Expr::Sum(others)));
+                        self.found
+                            .push((Change::Coefficient, 1, Expr::Sum(others.into())));
                     }
                     self.inside(term, at, |editor, item| {
                         editor.whole(item);

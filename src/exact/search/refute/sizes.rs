@@ -186,7 +186,7 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
             let squares = goals.into_iter().map(|g| match g {
                 Formula::Relation { left, right, .. } => {
                     let minus = Expr::Negate(right.into());
-                    let difference = Expr::Sum(vec![left, minus]);
+                    let difference = Expr::Sum([left, minus].into());
                     Expr::Power(difference.into(), Expr::integer(2).into())
                 }
                 Formula::AllEqual { .. } => Expr::integer(0),
@@ -240,7 +240,7 @@ fn without_series(expr: &Expr, left: &Cell<usize>) -> Expr {
         return match terms.len() {
             0 => Expr::integer(0),
             1 => terms.remove(0),
-            _ => Expr::Sum(terms),
+            _ => Expr::Sum(terms.into()),
         };
     }
     expr.map_children(|child| without_series(child, left))

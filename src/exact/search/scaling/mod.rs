@@ -364,7 +364,7 @@ fn written(exponents: &Exponents, order: &[Expr]) -> Expr {
     let product = |mut factors: Vec<Expr>| match factors.len() {
         0 => Expr::integer(1),
         1 => factors.remove(0),
-        _ => Expr::Product(factors),
+        _ => Expr::Product(factors.into()),
     };
     match below.is_empty() {
         true => product(above),
