@@ -102,11 +102,12 @@ impl Judge<'_> {
         let keeps = |said: &ValueSaid| {
             let there = right.substitute(&variable, &said.place);
             let formula = Formula::equal(there, Expr::Symbol(constant.clone()));
-            let claim = self.derivation.claim(self.at, &[], &formula);
             // What the step divides by anywhere is not 0 there either.
             let is_so = || {
-                search::prove_unconditionally(claim.clone(), Effort::Light).is_some()
-                    || search::missing_conditions(&claim, None, Effort::Light, &[]).is_some()
+                self.pose(&[], &formula).is_ok_and(|posed| {
+                    search::prove_posed(&posed, Effort::Light).is_some()
+                        || search::missing_conditions(&posed, None, Effort::Light, &[]).is_some()
+                })
             };
             said.of == *given
                 && said.variable.as_ref().is_none_or(|own| *own == variable)

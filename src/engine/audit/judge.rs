@@ -5,11 +5,12 @@ mod instead;
 mod together;
 mod unclear;
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Goal, Source};
-use crate::kernel::{Obligation, Refuted, Standing};
+use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
 use crate::search::{self, Decision, Effort, Implied, Mended};
 use crate::sorted;
 
@@ -30,6 +31,9 @@ pub(super) const COMPLEX: &str =
 pub(super) const CONTRADICTORY: &str =
     "the premises contradict one another, so anything would follow";
 
+/// So many claims that were read are kept: what is asked of a step one thing after another is asked of these.
+const MOST_READ: usize = 16;
+
 /// Judges the goals of one statement.
 pub(super) struct Judge<'a> {
     pub derivation: &'a Derivation,
@@ -40,6 +44,8 @@ pub(super) struct Judge<'a> {
     pub before: OnceCell<Before>,
     /// What the text tells and what of this is sound offers; and the same with what rests on no more than what is cited does.
     pub others: OnceCell<[Vec<Assumed>; 2]>,
+    /// The claims that were read last, the latest first.
+    pub read: RefCell<Vec<Rc<Obligation>>>,
 }
 
 impl<'a> Judge<'a> {
@@ -52,6 +58,7 @@ impl<'a> Judge<'a> {
             auditor,
             before: OnceCell::new(),
             others: OnceCell::new(),
+            read: RefCell::default(),
         }
     }
 }
@@ -230,6 +237,29 @@ impl Judge<'_> {
         }
     }
 
+    /// A goal from hypotheses as the kernel reads it.
+    pub(super) fn pose(
+        &self,
+        assumed: &[Assumed],
+        goal: &Formula,
+    ) -> Result<Rc<Obligation>, Reject> {
+        self.pose_claim(self.derivation.claim(self.at, assumed, goal))
+    }
+
+    /// The same for a claim that is put together otherwise. What was read before is not read again.
+    pub(super) fn pose_claim(&self, claim: Claim) -> Result<Rc<Obligation>, Reject> {
+        // Claims about one step differ in what they follow from.
+        let is_same = |own: &Claim| own.hypotheses == claim.hypotheses && *own == claim;
+        let mut read = self.read.borrow_mut();
+        let posed = match read.iter().position(|own| is_same(own.claim())) {
+            Some(at) => read.remove(at),
+            None => Rc::new(search::pose(claim)?),
+        };
+        read.insert(0, Rc::clone(&posed));
+        read.truncate(MOST_READ);
+        Ok(posed)
+    }
+
     /// What is decided of a claim that was read, within what the author allows.
     pub(super) fn decide(&self, posed: &Obligation) -> Decision {
         search::decide_within(posed, &self.auditor.hints(), self.points())
@@ -237,8 +267,7 @@ impl Judge<'_> {
 
     /// What is decided of a goal under hypotheses; nothing where the kernel cannot read that.
     pub(super) fn decide_from(&self, assumed: &[Assumed], goal: &Formula) -> Option<Decision> {
-        let claim = self.derivation.claim(self.at, assumed, goal);
-        Some(self.decide(&search::pose(claim).ok()?))
+        Some(self.decide(&*self.pose(assumed, goal).ok()?))
     }
 
     /// A counterexample to a goal under hypotheses; nothing where it follows or is left open.

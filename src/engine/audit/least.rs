@@ -1,5 +1,7 @@
 //! What a proof does without: hypotheses that are not needed are not told of.
 
+use std::rc::Rc;
+
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::kernel::{Obligation, Proven};
 use crate::search::{self, Derived, Effort};
@@ -105,9 +107,7 @@ impl Judge<'_> {
         posed: &Obligation,
         derived: Derived,
     ) -> (Vec<Assumed>, Proven) {
-        let pose = |assumed: &[Assumed]| {
-            search::pose(self.derivation.claim(self.at, assumed, &goal.formula)).ok()
-        };
+        let pose = |assumed: &[Assumed]| self.pose(assumed, &goal.formula).ok();
         // What the certificate combines nearly always suffices; what only keeps something from vanishing is not in it.
         let Derived {
             mut proven,
@@ -118,7 +118,7 @@ impl Judge<'_> {
             .filter(|(position, _)| combined.contains(position))
             .map(|(_, own)| own.clone())
             .collect();
-        let mut shorter: Option<Obligation> = None;
+        let mut shorter: Option<Rc<Obligation>> = None;
         if few.len() < assumed.len()
             && let Some(posed) = pose(&few)
             && let Some(derived) = search::prove_posed(&posed, Effort::Light)
@@ -133,7 +133,7 @@ impl Judge<'_> {
             let Some(position) = assumed.iter().rposition(|own| *own == needless) else {
                 continue;
             };
-            if !search::may_do_without(shorter.as_ref().unwrap_or(posed), position) {
+            if !search::may_do_without(shorter.as_deref().unwrap_or(posed), position) {
                 continue;
             }
             let mut fewer = assumed.clone();

@@ -169,8 +169,8 @@ impl Judge<'_> {
                 with.push(own.clone());
             }
         }
-        let bare = self.derivation.claim(self.at, &all, &goal.formula);
-        let mut others = search::still_in(bare);
+        let bare = self.pose(&all, &goal.formula);
+        let mut others = bare.map_or_else(|_| Vec::new(), |bare| search::still_in(&bare));
         others.retain(|own| {
             let own = std::slice::from_ref(own);
             !self.auditor.says_otherwise(self.at, own)
@@ -185,10 +185,9 @@ impl Judge<'_> {
             standing: Standing::AtPoint,
             ..own.clone()
         }));
-        let claim = self.derivation.claim(self.at, &cited, &goal.formula);
-        let larger = self.derivation.claim(self.at, &with, &goal.formula);
         let mut own = Found::open(found.judged.clone());
-        let Some(refuted) = search::refute_in_context(&claim, larger) else {
+        let larger = self.derivation.claim(self.at, &with, &goal.formula);
+        let Some(refuted) = self.refuted_in_context(goal, &cited, larger) else {
             let all = self.derivation.claim(self.at, &all, &goal.formula);
             own.leave_open(MOVES);
             return (!search::is_possible(&all, &still)).then_some(own);

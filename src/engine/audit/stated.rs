@@ -240,8 +240,8 @@ impl Judge<'_> {
         let [before @ .., _] = all else {
             return false;
         };
-        let claim = self.derivation.claim(self.at, before, &goal.formula);
-        let implied = search::implied(&claim);
+        let posed = self.pose(before, &goal.formula).ok();
+        let implied = posed.as_deref().and_then(search::implied);
         let implied = implied
             .as_ref()
             .and_then(|own| own.proven.claim().goal.as_equation());
@@ -251,8 +251,8 @@ impl Judge<'_> {
     /// Whether a law of which words draw the step leaves hardly anything of what stands before: `w = m v/(m + 2 M)` beside
     /// `m v = (m + M) w`, which both are so where nothing moves.
     fn leaves_nothing(&self, all: &[Assumed], goal: &Goal) -> bool {
-        let claim = self.derivation.claim(self.at, all, &goal.formula);
-        goal.formula.as_equation().is_some() && search::makes_goal_vanish(claim)
+        goal.formula.as_equation().is_some()
+            && (self.pose(all, &goal.formula)).is_ok_and(|posed| search::makes_goal_vanish(&posed))
     }
 }
 

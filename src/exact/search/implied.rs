@@ -9,7 +9,7 @@ use crate::algebra::{
     Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Polynomial, Rational, Symbol, Var,
     expr_of, expr_of_atom, expr_of_fraction, factors, product_of, raised,
 };
-use crate::kernel::{Claim, Fact, Knowledge, Problem, Proven, Sign};
+use crate::kernel::{Claim, Fact, Knowledge, Obligation, Problem, Proven, Sign};
 use crate::sorted::{self, Set};
 
 /// More terms than this tell a reader nothing.
@@ -55,10 +55,9 @@ impl Implied {
 
 /// What the premises of a failing `symbol = term` give for the symbol, in what the term speaks of if that can
 /// be had.
-pub fn implied(claim: &Claim) -> Option<Implied> {
+pub fn implied(obligation: &Obligation) -> Option<Implied> {
+    let (claim, problem) = (obligation.claim(), obligation.problem());
     let (symbol, printed) = solved(&claim.goal)?;
-    let obligation = pose(claim.clone()).ok()?;
-    let problem = obligation.problem();
     let own = problem.atoms.find(&Atom::Symbol(symbol.clone()))?;
     let mut atoms = problem.atoms.clone();
     let printed_value = problem.lowering_over(&mut atoms).lower(printed).ok()?;

@@ -38,9 +38,7 @@ mod unless;
 mod values;
 
 use crate::algebra::{Atom, Expr, Formula, Function, Symbol};
-use crate::kernel::{
-    Assignment, Candidate, Checked, Claim, Domain, Obligation, Refuted, Reject, check,
-};
+use crate::kernel::{Assignment, Candidate, Checked, Claim, Domain, Obligation, Refuted, Reject};
 use crate::sorted::Set;
 pub use algebraic::without_rational_points;
 use attempt::{Attempt, attempt_with, derived, prove};
@@ -273,10 +271,10 @@ fn refuted(obligation: &Obligation, point: Assignment) -> Option<Refuted> {
     }
 }
 
-/// A counterexample to `claim` at which the hypotheses of `larger` hold as well.
-pub fn refute_in_context(claim: &Claim, larger: Claim) -> Option<Refuted> {
-    let larger = pose(larger).ok()?;
-    let mut points = refute::Points::new(&larger);
+/// A counterexample to a claim at which the hypotheses of a `larger` one hold as well.
+pub fn refute_in_context(obligation: &Obligation, larger: &Obligation) -> Option<Refuted> {
+    let claim = obligation.claim();
+    let mut points = refute::Points::new(larger);
     // The larger claim numbers its hypotheses differently; what is put in there is put in here, too, if need be.
     let position = |own: &usize| {
         let formula = &larger.claim().hypotheses.get(*own)?.formula;
@@ -295,10 +293,7 @@ pub fn refute_in_context(claim: &Claim, larger: Claim) -> Option<Refuted> {
         }
         unfolds.iter().find_map(|unfold| {
             point.unfold.clone_from(unfold);
-            match check(claim.clone(), Candidate::Counterexample(point.clone())) {
-                Ok(Checked::Refuted(refuted)) => Some(refuted),
-                _ => None,
-            }
+            refuted(obligation, point.clone())
         })
     })
 }

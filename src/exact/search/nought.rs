@@ -2,14 +2,15 @@
 
 use num_traits::Zero;
 
-use super::{assuming, refute_in_context};
+use super::{assuming, pose, refute_in_context};
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::kernel::{Claim, Refuted};
+use crate::kernel::{Obligation, Refuted};
 use crate::sorted::Set;
 
 /// A counterexample at which nothing that is raised to a power that depends on something is 0, where the one that was found has
 /// such a thing.
-pub fn without_powers_of_nought(claim: &Claim, refuted: &Refuted) -> Option<Refuted> {
+pub fn without_powers_of_nought(obligation: &Obligation, refuted: &Refuted) -> Option<Refuted> {
+    let claim = obligation.claim();
     let mut raised = Set::new();
     for term in claim.formulas().flat_map(Formula::terms) {
         collect_raised(term, &mut raised);
@@ -25,7 +26,8 @@ pub fn without_powers_of_nought(claim: &Claim, refuted: &Refuted) -> Option<Refu
         right: Expr::integer(0),
     };
     let conditions: Vec<Formula> = raised.into_iter().map(nonzero).collect();
-    refute_in_context(claim, assuming(claim, &conditions))
+    let larger = pose(assuming(claim, &conditions)).ok()?;
+    refute_in_context(obligation, &larger)
 }
 
 /// The symbols in what is raised to a power with a symbol in the exponent.

@@ -99,23 +99,22 @@ pub fn is_possible(claim: &Claim, still: &[Formula]) -> bool {
     let unfold = definitions_to_unfold(&held);
     let premises = Obligation::of_premises(held.clone(), unfold);
     let named = nowhere_put(&held);
-    premises.is_ok_and(|own| contradiction(&own).is_none()) && !makes_vanish(held, named)
+    premises.is_ok_and(|own| contradiction(&own).is_none())
+        && !pose(held).is_ok_and(|posed| makes_vanish(&posed, named))
 }
 
 /// Whether it follows from the premises of a claim that something of which its goal speaks is 0, and none of them says so.
-pub fn makes_goal_vanish(claim: Claim) -> bool {
-    let mut named = nowhere_put(&claim);
+pub fn makes_goal_vanish(obligation: &Obligation) -> bool {
+    let claim = obligation.claim();
+    let mut named = nowhere_put(claim);
     let goal = claim.goal.free_symbols();
     named.retain(|symbol| goal.contains(symbol));
-    !named.is_empty() && makes_vanish(claim, named)
+    !named.is_empty() && makes_vanish(obligation, named)
 }
 
 /// Whether it follows from the premises of a claim, and from how they change, that one of these is 0.
-fn makes_vanish(claim: Claim, named: Vec<Symbol>) -> bool {
-    let Ok(posed) = pose(claim) else {
-        return false;
-    };
-    let with_rates = rates::with_rates_of_variables(&posed).or_else(|| rates::with_rates(&posed));
+fn makes_vanish(posed: &Obligation, named: Vec<Symbol>) -> bool {
+    let with_rates = rates::with_rates_of_variables(posed).or_else(|| rates::with_rates(posed));
     let with_rates = with_rates.map(|found| found.0);
     let problem = with_rates.as_ref().unwrap_or(posed.problem());
     let square = |symbol| {
@@ -390,10 +389,8 @@ pub(super) fn fewest(
 }
 
 /// What might change in a claim, of which the author does not say so, held still.
-pub fn still_in(claim: Claim) -> Vec<Formula> {
-    let posed = pose(claim);
-    let still = posed.map(|posed| held_still(&posed, posed.problem()));
-    let mut still = still.unwrap_or_default();
+pub fn still_in(obligation: &Obligation) -> Vec<Formula> {
+    let mut still = held_still(obligation, obligation.problem());
     still.truncate(MOST_STILL);
     still
 }

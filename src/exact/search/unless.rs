@@ -3,7 +3,7 @@
 use super::prove::Prover;
 use super::{Consistency, Effort, assuming, attempt, consistency, nowhere_put, pose, refute};
 use crate::algebra::{Atom, Expr, Formula, expr_of, factors};
-use crate::kernel::{Assignment, Claim, Fact, Problem, Sign};
+use crate::kernel::{Assignment, Fact, Obligation, Problem, Sign};
 use crate::sorted;
 
 /// So many divisors that might vanish are tried.
@@ -28,13 +28,12 @@ impl Unless {
 /// What would have to be different from 0 for a claim to follow; with it the proof goes through. Of a claim that was refuted, only
 /// what vanishes at the witness is of interest.
 pub fn missing_conditions(
-    claim: &Claim,
+    obligation: &Obligation,
     witness: Option<&Assignment>,
     effort: Effort,
     hints: &[Assignment],
 ) -> Option<Unless> {
-    let obligation = pose(claim.clone()).ok()?;
-    let problem = obligation.problem();
+    let (claim, problem) = (obligation.claim(), obligation.problem());
     let prover = Prover::new(problem).ok()?;
     let Divisors {
         mut candidates,

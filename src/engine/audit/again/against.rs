@@ -2,6 +2,7 @@
 
 use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Source, values_at};
+use crate::kernel::{Claim, Refuted};
 use crate::search::{self, InChain};
 use crate::sorted::Set;
 
@@ -33,12 +34,22 @@ impl Judge<'_> {
             return false;
         }
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
-        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        if let Some(refuted) = search::refute_in_context(&claim, larger) {
+        if let Some(refuted) = self.refuted_in_context(goal, assumed, larger) {
             found.judged.outcome = Outcome::Refuted(refuted.into());
             return true;
         }
         false
+    }
+
+    /// A counterexample to what is cited for a goal at which the hypotheses of a larger claim hold as well.
+    pub(in crate::audit) fn refuted_in_context(
+        &self,
+        goal: &Goal,
+        cited: &[Assumed],
+        larger: Claim,
+    ) -> Option<Refuted> {
+        let larger = self.pose_claim(larger).ok()?;
+        search::refute_in_context(&*self.pose(cited, &goal.formula).ok()?, &larger)
     }
 
     /// What gives as an integral a symbol of a goal on which what is cited is silent, or a function that this applies: a counterexample that
@@ -106,8 +117,7 @@ impl Judge<'_> {
         let sound = sound.iter().chain(&open).cloned();
         let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
-        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        match search::refute_in_context(&claim, larger) {
+        match self.refuted_in_context(goal, assumed, larger) {
             Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
             None => {
                 found.leave_open("it may follow from what stands before and is left open itself");

@@ -2,7 +2,7 @@
 
 use crate::algebra::{Expr, Formula, Function, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
-use crate::kernel::{Assignment, Claim};
+use crate::kernel::{Assignment, Claim, Obligation};
 use crate::search::{self, Effort};
 use crate::sorted::Set;
 
@@ -24,11 +24,15 @@ impl Judge<'_> {
         if unbounded.is_empty() {
             return false;
         }
-        let nonzero = self.nonzero(&claim, &unbounded, witness, effort, found);
+        let posed = self.pose_claim(claim).ok();
+        let nonzero = self.nonzero(posed.as_deref(), &unbounded, witness, effort, found);
         if nonzero.is_some_and(|own| self.holds_under(goal, set.clone(), &own, effort, found)) {
             return true;
         }
-        if still && self.holds_still(goal, &set, claim, found) {
+        if still
+            && let Some(posed) = &posed
+            && self.holds_still(goal, &set, posed, found)
+        {
             return true;
         }
         if effort == Effort::Full && self.follows_divided(goal, &set, &unbounded, found) {
@@ -75,12 +79,18 @@ impl Judge<'_> {
     }
 
     /// Whether the step follows where what is differentiated nowhere does not change, and something is left that does.
-    fn holds_still(&self, goal: &Goal, set: &[Assumed], claim: Claim, found: &mut Found) -> bool {
-        let still = search::still_in(claim.clone());
+    fn holds_still(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        posed: &Obligation,
+        found: &mut Found,
+    ) -> bool {
+        let still = search::still_in(posed);
         let mut own = Found::open(found.judged.clone());
         let holds = !still.is_empty()
             && self.holds_under(goal, set.to_vec(), &still, Effort::Full, &mut own)
-            && search::is_possible(&claim, &own.conditions)
+            && search::is_possible(posed.claim(), &own.conditions)
             && stated::constants(&own.judged, &own.conditions).is_some();
         if holds {
             *found = own;
@@ -92,15 +102,16 @@ impl Judge<'_> {
     /// `x (a - b) = c` for `x` means `a ≠ b`, and who draws `x = 1` from `x^2 = 1` does not mean `x ≠ -1`.
     fn nonzero(
         &self,
-        claim: &Claim,
+        posed: Option<&Obligation>,
         unbounded: &[Symbol],
         witness: Option<&Assignment>,
         effort: Effort,
         found: &mut Found,
     ) -> Option<Vec<Formula>> {
-        let unless = search::missing_conditions(claim, witness, effort, &self.auditor.hints());
         found.has_conditions |= witness.is_some();
-        let unless = unless?;
+        let posed = posed?;
+        let unless = search::missing_conditions(posed, witness, effort, &self.auditor.hints())?;
+        let claim = posed.claim();
         let may_be_meant = |condition: &Formula| {
             let names = condition.free_symbols();
             let solved = || (claim.goal.as_equation()).map(|(left, _)| left.free_symbols());
@@ -180,7 +191,7 @@ impl Judge<'_> {
             let all: Vec<Assumed> = all.collect();
             self.derivation.claim(self.at, &all, &goal.formula)
         };
-        let posed = search::pose(under(&conditions)).ok()?;
+        let posed = self.pose_claim(under(&conditions)).ok()?;
         conditions.extend(search::divided_beside_roots(posed.problem()));
         let claim = under(&conditions);
         let possible = search::consistency(&claim, &self.auditor.hints());
@@ -201,10 +212,7 @@ impl Judge<'_> {
             set.iter().cloned().chain(conditions).collect()
         };
         let proved = |conditions: &[Formula]| {
-            let claim = self
-                .derivation
-                .claim(self.at, &with(conditions), &goal.formula);
-            let posed = search::pose(claim).ok()?;
+            let posed = self.pose(&with(conditions), &goal.formula).ok()?;
             let derived = search::prove_posed(&posed, effort)?;
             Some((posed, derived))
         };

@@ -38,7 +38,8 @@ impl Judge<'_> {
         }
         let claim = self.derivation.claim(self.at, joined, &goal.formula);
         let constants = found.constant.iter().cloned();
-        if !search::makes_goal_vanish(search::with_constants(claim, constants)) {
+        let posed = self.pose_claim(search::with_constants(claim, constants));
+        if !posed.is_ok_and(|posed| search::makes_goal_vanish(&posed)) {
             return None;
         }
         let assumed = self.cited(goal, steps);

@@ -1,6 +1,7 @@
 //! A step tried again with what stands before, the nearest first.
 
 use std::cell::OnceCell;
+use std::rc::Rc;
 
 use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::{Assignment, Obligation};
@@ -22,7 +23,7 @@ pub(in crate::audit) struct Attempt {
 
 /// The goal from all that a step may be tried with.
 enum Whole {
-    Posed(Box<Obligation>),
+    Posed(Rc<Obligation>),
     /// The kernel cannot read it.
     Unread,
     /// All of it is true somewhere where the goal is not, so that no part of it will do.
@@ -84,14 +85,13 @@ impl Judge<'_> {
         attempt.whole.get_or_init(|| {
             let Attempt { cited, others, .. } = attempt;
             let all: Vec<Assumed> = cited.iter().chain(others).cloned().collect();
-            let claim = self.derivation.claim(self.at, &all, &goal.formula);
-            let Ok(posed) = search::pose(claim) else {
+            let Ok(posed) = self.pose(&all, &goal.formula) else {
                 return Whole::Unread;
             };
             let known = self.auditor.hints();
             match search::is_doomed(&posed, attempt.witness.iter().chain(&*known)) {
                 true => Whole::Doomed,
-                false => Whole::Posed(posed.into()),
+                false => Whole::Posed(posed),
             }
         })
     }
@@ -121,23 +121,21 @@ impl Judge<'_> {
                 }
                 let near = others.iter().take(most);
                 let all: Vec<Assumed> = cited.iter().chain(near).cloned().collect();
-                let fewer = (most < others.len())
-                    .then(|| search::pose(self.derivation.claim(self.at, &all, &goal.formula)));
-                let posed = match &fewer {
-                    Some(fewer) => fewer.as_ref().ok(),
-                    None => match self.whole(goal, attempt) {
-                        Whole::Posed(posed) => Some(&**posed),
+                let posed = match most < others.len() {
+                    true => self.pose(&all, &goal.formula).ok(),
+                    false => match self.whole(goal, attempt) {
+                        Whole::Posed(posed) => Some(Rc::clone(posed)),
                         _ => None,
                     },
                 };
                 let Some(posed) = posed else {
                     continue;
                 };
-                let Some(derived) = search::prove_posed(posed, effort) else {
+                let Some(derived) = search::prove_posed(&posed, effort) else {
                     continue;
                 };
                 let cited = cited.len();
-                let (kept, least) = self.least_borrowed(all, cited, goal, posed, derived);
+                let (kept, least) = self.least_borrowed(all, cited, goal, &posed, derived);
                 if self.is_contradictory(&kept, goal) {
                     continue;
                 }

@@ -61,8 +61,9 @@ impl Judge<'_> {
             let claim = self.derivation.claim(self.at, &fixed, there);
             // What the step divides by anywhere is not 0 there either.
             let divided = || {
-                let bare = self.derivation.claim(self.at, &[], there);
-                search::missing_conditions(&bare, None, Effort::Light, &[]).is_some()
+                self.pose(&[], there).is_ok_and(|bare| {
+                    search::missing_conditions(&bare, None, Effort::Light, &[]).is_some()
+                })
             };
             if search::prove_unconditionally(claim.clone(), Effort::Light).is_some() || divided() {
                 let mut kept = kept.iter();

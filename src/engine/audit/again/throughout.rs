@@ -115,7 +115,6 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) {
-        let cited = self.derivation.claim(self.at, assumed, &goal.formula);
         let near = match self.names_its_premises() {
             true => None,
             false => self.with_others(assumed, premises),
@@ -143,7 +142,7 @@ impl Judge<'_> {
         let all: Vec<Assumed> = said.chain(more.map(|own| step(&own))).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         let larger = search::with_constants(larger, held);
-        match search::refute_in_context(&cited, larger) {
+        match self.refuted_in_context(goal, assumed, larger) {
             Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
             None => found.leave_open(format!(
                 "it fails at single values of {variable}, and may follow from what is so at all of them"

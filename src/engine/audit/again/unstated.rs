@@ -168,9 +168,10 @@ impl Judge<'_> {
         if by_exponents {
             let with = conditions.iter().map(step);
             let with: Vec<Assumed> = assumed.iter().cloned().chain(with).collect();
-            let claim = self.derivation.claim(self.at, &with, &goal.formula);
             let (witness, hints) = (witness.as_ref(), self.auditor.hints());
-            let unless = search::missing_conditions(&claim, witness, Effort::Full, &hints);
+            let unless = self.pose(&with, &goal.formula).ok().and_then(|posed| {
+                search::missing_conditions(&posed, witness, Effort::Full, &hints)
+            });
             conditions.extend(unless.map(search::Unless::conditions).unwrap_or_default());
         }
         // An inequality that says no more than the conditions do, `x > -3`, is no step.
@@ -251,7 +252,6 @@ impl Judge<'_> {
         if !self.names_its_premises() {
             sets.extend(self.with_others(assumed, premises));
         }
-        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
         for set in sets {
             let bare = self.derivation.claim(self.at, &set, &goal.formula);
             let nonzero = |symbol: &Symbol| Formula::nonzero(Expr::Symbol(symbol.clone()));
@@ -268,7 +268,7 @@ impl Judge<'_> {
                 self.derivation.claim(self.at, &all, formula)
             };
             let larger = with(&conditions, &goal.formula);
-            let Some(refuted) = search::refute_in_context(&claim, larger.clone()) else {
+            let Some(refuted) = self.refuted_in_context(goal, assumed, larger.clone()) else {
                 continue;
             };
             let hints = self.auditor.hints();

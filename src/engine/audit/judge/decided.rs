@@ -1,6 +1,7 @@
 //! A goal decided from premises, and what is tried where it does not follow from them.
 
 use std::cell::OnceCell;
+use std::rc::Rc;
 
 use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Kind};
@@ -53,8 +54,7 @@ impl Judge<'_> {
             found.judged.outcome = Outcome::Proven(derived.proven.into());
             return found;
         }
-        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-        let obligation = search::pose(claim);
+        let obligation = self.pose(&assumed, &goal.formula);
         let decision = match &obligation {
             Ok(posed) => self.decide(posed),
             Err(reject) => search::hopeless(reject.clone()),
@@ -139,7 +139,7 @@ impl Judge<'_> {
             return;
         }
         // What follows under a condition alone rests on nothing else.
-        let posed = search::pose(self.derivation.claim(self.at, &all, &goal.formula));
+        let posed = self.pose(&all, &goal.formula);
         let again = posed
             .ok()
             .and_then(|posed| Some((search::prove_posed(&posed, Effort::Light)?, posed)));
@@ -161,8 +161,8 @@ impl Judge<'_> {
             premises,
             ..
         } = own;
-        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        let better = search::without_powers_of_nought(&claim, &refuted);
+        let posed = self.pose(assumed, &goal.formula).ok();
+        let better = posed.and_then(|posed| search::without_powers_of_nought(&posed, &refuted));
         let refuted = better.unwrap_or(refuted);
         let witness = refuted.witness().clone();
         found.judged.outcome = Outcome::Refuted(refuted.into());
@@ -238,7 +238,7 @@ impl Judge<'_> {
         &self,
         own: &Posed,
         stop: Stop,
-        obligation: Option<Obligation>,
+        obligation: Option<Rc<Obligation>>,
         found: &mut Found,
     ) {
         let &Posed {

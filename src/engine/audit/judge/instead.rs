@@ -34,13 +34,14 @@ impl Judge<'_> {
                 return;
             }
         }
+        let posed = self.pose_claim(claim.clone()).ok();
         let begins = matches!(goal.formula.as_equation(), Some((Expr::Symbol(_), _)));
         let settled = match begins {
             true => chain.right_settled,
             false => chain.left_settled,
         };
         if !settled {
-            let implied = search::implied(&claim);
+            let implied = posed.as_deref().and_then(search::implied);
             // To be told what a premise says helps nobody who cites it.
             let helps = |i: &Implied| !i.restates() || i.ratio.is_some();
             found.implied = implied.filter(helps).map(Box::new);
@@ -53,8 +54,9 @@ impl Judge<'_> {
             found.mended = mended.map(Box::new);
         }
         if !found.has_conditions
+            && let Some(posed) = &posed
             && let Some(unless) = search::missing_conditions(
-                &claim,
+                posed,
                 Some(refuted.witness()),
                 Effort::Light,
                 &self.auditor.hints(),

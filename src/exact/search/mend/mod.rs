@@ -5,12 +5,14 @@
 
 mod edits;
 
+use std::cell::OnceCell;
+
 use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
 
-use super::{Effort, defines_afresh, prove_unconditionally, refute, unfold};
+use super::{Effort, defines_afresh, pose, prove_posed, prove_unconditionally, refute, unfold};
 use crate::sorted::Set;
 pub use edits::Change;
 use edits::{Edit, Names, edits};
@@ -215,9 +217,14 @@ impl Candidates {
             false if !weighed => UNWEIGHED_IN_EARNEST,
             _ => IN_EARNEST,
         };
+        // What is not seen at first sight is read already when it is tried in earnest.
+        let read = self.left.iter().map(|edit| (edit, OnceCell::new()));
+        let read: Vec<(&Edit, OnceCell<_>)> = read.take(at_sight.max(in_earnest)).collect();
         for (effort, most) in [(Effort::Light, at_sight), (Effort::Full, in_earnest)] {
-            for edit in self.left.iter().take(most) {
-                let Some(derived) = prove_unconditionally(with(&edit.formula), effort) else {
+            for (edit, posed) in read.iter().take(most) {
+                let posed = posed.get_or_init(|| pose(with(&edit.formula)).ok());
+                let derived = posed.as_ref().and_then(|posed| prove_posed(posed, effort));
+                let Some(derived) = derived else {
                     continue;
                 };
                 if is_vacuous(claim, &edit.change, &edit.formula) || is_slack(claim, edit) {
@@ -455,7 +462,7 @@ fn generic(claim: &Claim, shift: usize) -> Option<(Claim, Assignment)> {
     if symbols.is_empty() {
         symbols = left.free_symbols();
     }
-    let mut pinned = claim.clone();
+    let (mut pinned, mut last) = (claim.clone(), None);
     for (at, symbol) in symbols.into_iter().enumerate().take(MOST_PINNED) {
         let value = chosen(claim, &symbol, at * (shift + 1) + shift);
         let Some(value) = value else { continue };
@@ -464,11 +471,12 @@ fn generic(claim: &Claim, shift: usize) -> Option<(Claim, Assignment)> {
             standing: Standing::AtPoint,
         });
         // What the premises tie together cannot be chosen freely.
-        if model(&pinned).is_none() {
-            pinned.hypotheses.pop();
+        match model(&pinned) {
+            None => drop(pinned.hypotheses.pop()),
+            found => last = found,
         }
     }
-    let mut point = model(&pinned)?;
+    let mut point = last.or_else(|| model(&pinned))?;
     // Of what no premise speaks a model says nothing.
     for (at, symbol) in claim.goal.free_symbols().into_iter().enumerate() {
         let value = chosen(claim, &symbol, at + shift);
