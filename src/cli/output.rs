@@ -87,11 +87,10 @@ pub fn data(text: &str, color: Color) -> Result<bool, Failure> {
         ColorChoice::Auto => AutoStream::choice(&std::io::stdout()),
         choice => choice,
     };
-    // Colours are taken out piece by piece; in the buffer, so that not every piece is a call to the system.
-    let mut buffer = AutoStream::new(Vec::with_capacity(text.len()), color);
-    // A buffer takes all that there is room for.
-    let _ = buffer.write_all(text.as_bytes());
-    written(&buffer.into_inner())
+    match color {
+        ColorChoice::Never => written(uncoloured(text).as_bytes()),
+        _ => written(text.as_bytes()),
+    }
 }
 
 /// Writes to standard output; whether anybody reads on.

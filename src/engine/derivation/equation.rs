@@ -401,6 +401,18 @@ impl Equation {
         names
     }
 
+    /// Whether it says of a symbol that stands alone what that is.
+    pub(super) fn is_solved(&self) -> bool {
+        let mut clauses = self.statements().iter().flat_map(|own| &own.clauses);
+        clauses.any(|clause| match clause {
+            Clause::Chain { sides, .. } => sides.split_last().is_some_and(|(_, all)| {
+                let mut all = all.iter();
+                all.any(|side| matches!(side.expr, Expr::Symbol(_)))
+            }),
+            Clause::AllEqual { .. } => false,
+        })
+    }
+
     /// Every relation of the equation: its two sides and what is said of them.
     pub fn relations(&self) -> Vec<(Expr, Relation, Expr)> {
         let goals = self.statements().iter().flat_map(goals);

@@ -48,7 +48,7 @@ use std::sync::Arc;
 use crate::algebra::Symbol;
 use crate::document::Document;
 use crate::parallel::in_order;
-use crate::sorted::Tree;
+use crate::sorted::{Set, Tree};
 
 use citations::{name_key, tag_key};
 
@@ -76,6 +76,8 @@ pub struct Derivation {
     labels: Tree<String, Vec<usize>>,
     /// Numbers and keys that several equations share: those of `subequations`.
     groups: Tree<String, Vec<usize>>,
+    /// By equation, the symbols, sequences and functions that it speaks of.
+    spoken_of: Vec<Set<Symbol>>,
     /// By page, the equations in which a symbol occurs.
     mentions: Vec<Tree<Symbol, Vec<usize>>>,
     /// The pages in which a symbol occurs.
@@ -109,6 +111,7 @@ impl Derivation {
             equations: Vec::new(),
             labels: Tree::new(),
             groups: Tree::new(),
+            spoken_of: Vec::new(),
             mentions: Vec::new(),
             pages_of: Tree::new(),
             neighbours: Vec::new(),
@@ -158,12 +161,12 @@ impl Derivation {
             let mut neighbours = BTreeSet::from([page]);
             for at in derivation.equations_of(page) {
                 let equation = &derivation.equations[at];
-                for symbol in equation.symbols().into_iter().chain(equation.functions()) {
-                    let own = mentions.entry(symbol).or_default();
-                    if own.last() != Some(&at) {
-                        own.push(at);
-                    }
+                let mut spoken_of = equation.symbols();
+                spoken_of.extend(equation.functions());
+                for symbol in &spoken_of {
+                    mentions.entry(symbol.clone()).or_default().push(at);
                 }
+                derivation.spoken_of.push(spoken_of);
                 let cited = derivation.premises(at).0.into_iter();
                 neighbours.extend(cited.map(|premise| derivation.equations[premise].page));
             }

@@ -23,9 +23,9 @@ impl Derivation {
     /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a
     /// symbol, then the rest, each the nearest first.
     pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {
-        let speaking = |wanted: Set<Symbol>| {
+        let speaking = |wanted: &Set<Symbol>| {
             let mut fresh: BTreeSet<usize> = BTreeSet::new();
-            for symbol in &wanted {
+            for symbol in wanted {
                 for page in self.speaking_of(symbol, at) {
                     let all = &self.mentions[page][symbol];
                     let before = &all[..all.partition_point(|&other| other < at)];
@@ -35,20 +35,13 @@ impl Derivation {
             fresh
         };
         // What defines the symbols, and what defines those of the definitions.
-        let spoken_of = |at: usize| {
-            let own = &self.equations[at];
-            own.symbols().into_iter().chain(own.functions())
-        };
-        let mut wanted: Set<Symbol> = spoken_of(at).collect();
+        let mut wanted = self.spoken_of[at].clone();
         wanted.extend(self.told_of(at));
-        let mut found = speaking(wanted);
-        let symbols = found.iter().flat_map(|&other| spoken_of(other));
-        found.extend(speaking(symbols.collect()));
+        let mut found = speaking(&wanted);
+        let symbols = found.iter().flat_map(|&other| &self.spoken_of[other]);
+        found.extend(speaking(&symbols.cloned().collect()));
         let mut order: Vec<usize> = found.into_iter().rev().take(most).collect();
-        let solved = |at: &usize| {
-            let mut relations = self.equations[*at].relations().into_iter();
-            relations.any(|(left, ..)| matches!(left, crate::algebra::Expr::Symbol(_)))
-        };
+        let solved = |at: &usize| self.equations[*at].is_solved();
         let rest = order.split_off(order.len().min(2));
         let (first, last): (Vec<usize>, Vec<usize>) = rest.into_iter().partition(solved);
         order.into_iter().chain(first).chain(last).collect()

@@ -19,6 +19,9 @@ pub(super) use token::{Kind, Lexed, Token};
 /// The most characters of words between two braces; it keeps a run of unclosed ones from costing a scan each.
 const LONGEST_ARGUMENT: usize = 1000;
 
+/// Room is made for a token of each so many characters.
+const LEAST_LENGTH: usize = 2;
+
 /// Reads `source[body]` into tokens.
 pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
     let mut lexer = Lexer {
@@ -37,6 +40,8 @@ pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
         );
         return lexer.out;
     }
+    let length = body.end - body.start;
+    lexer.out.tokens.reserve(length / LEAST_LENGTH);
     while lexer.step() {}
     lexer.out
 }

@@ -411,10 +411,14 @@ impl Expr {
         free: &mut Vec<&'a Symbol>,
     ) {
         let mut add = |symbol: &'a Symbol, bound: &[&Symbol]| {
-            if !bound.contains(&symbol)
-                && let Err(at) = free.binary_search(&symbol)
-            {
-                free.insert(at, symbol);
+            if bound.contains(&symbol) {
+                return;
+            }
+            // Few claims speak of so many that the place is found sooner than from one end to the other.
+            let at = free.iter().position(|own| *own >= symbol);
+            match at {
+                Some(at) if free[at] == symbol => {}
+                at => free.insert(at.unwrap_or(free.len()), symbol),
             }
         };
         match self {

@@ -182,11 +182,17 @@ impl Fraction {
 pub fn product<'a>(
     powers: impl Iterator<Item = (&'a Polynomial, u32)>,
 ) -> Result<Polynomial, TooLarge> {
-    let mut product = Cow::Owned(Polynomial::one());
-    for (factor, exponent) in powers {
-        product = times_power(product, factor, exponent)?;
-    }
-    Ok(product.into_owned())
+    Ok(times_all(Cow::Owned(Polynomial::one()), powers)?.into_owned())
+}
+
+/// The same with something else; that is not copied where there are no powers.
+pub fn times_all<'a>(
+    first: Cow<'a, Polynomial>,
+    mut powers: impl Iterator<Item = (&'a Polynomial, u32)>,
+) -> Result<Cow<'a, Polynomial>, TooLarge> {
+    powers.try_fold(first, |product, (factor, exponent)| {
+        times_power(product, factor, exponent)
+    })
 }
 
 /// A product with a power; nothing is copied where either is 1.

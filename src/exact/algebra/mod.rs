@@ -37,7 +37,7 @@ pub use dimension::{Base, Dimension};
 pub use evaluate::{EvaluateError, Sides, Values};
 pub use expr::{Children, Expr, Function, LimitPoint};
 pub use formula::{Formula, Relation};
-pub use fraction::{Fraction, factors, product};
+pub use fraction::{Fraction, factors, product, times_all};
 pub use function::{Functions, SineCosine, multiplied};
 pub use indexed::{Moved, Place, element_at, element_parts, element_symbol, running_symbol};
 pub use lower::{LowerError, Lowering, sign_of_fraction};

@@ -335,7 +335,9 @@ fn kept(columns: &[Column], goal: &Polynomial) -> Vec<bool> {
         .flat_map(|(at, p)| p.terms().map(move |term| (term, at)));
     let mut sorted: Vec<((&Monomial, &Rational), usize)> = of_all.collect();
     sorted.sort_unstable_by(|a, b| a.0.0.cmp(b.0.0));
-    let mut terms: Vec<Vec<(usize, (bool, bool))>> = vec![Vec::new(); columns.len() + 1];
+    let room = columns.iter().map(|column| column.value.len());
+    let room = room.chain([goal.len()]).map(Vec::with_capacity);
+    let mut terms: Vec<Vec<(usize, (bool, bool))>> = room.collect();
     let (mut places, mut last) = (0, None);
     for ((monomial, coefficient), at) in sorted {
         if last.replace(monomial).is_some_and(|last| last != monomial) {

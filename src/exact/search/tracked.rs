@@ -1,6 +1,8 @@
 //! Polynomials that remember how they were made from the equations.
 
-use crate::algebra::{Monomial, Polynomial, Rational, TooLarge, Var, product};
+use std::borrow::Cow;
+
+use crate::algebra::{Monomial, Polynomial, Rational, TooLarge, Var, product, times_all};
 use crate::kernel::{Cofactors, Factors, Knowledge};
 use crate::sorted::Map;
 
@@ -26,6 +28,15 @@ pub struct Reduced {
 
 pub fn expand(factors: &Nonzero) -> Result<Polynomial, TooLarge> {
     product(factors.iter().map(|(f, e)| (f, *e)))
+}
+
+/// A polynomial times such a product.
+fn times<'a>(
+    polynomial: &'a Polynomial,
+    factors: &'a Nonzero,
+) -> Result<Cow<'a, Polynomial>, TooLarge> {
+    let factors = factors.iter().map(|(f, e)| (f, *e));
+    times_all(Cow::Borrowed(polynomial), factors)
 }
 
 pub fn listed(factors: &Nonzero) -> Factors {
@@ -131,17 +142,15 @@ impl Tracked {
             let slot = multiplier.entry(factor.clone()).or_insert(0);
             *slot = (*slot).max(*exponent);
         }
-        let missing = |own: &Nonzero| {
+        let missing = |own: &Nonzero, times| {
             let exponent = |f: &Polynomial| own.get(f).copied().unwrap_or(0);
-            product(multiplier.iter().map(|(f, e)| (f, e - exponent(f))))
+            let missing = multiplier.iter().map(|(f, e)| (f, e - exponent(f)));
+            times_all(Cow::Borrowed(times), missing)
         };
         let mut cofactors = Map::new();
-        accumulate(
-            &mut cofactors,
-            &self.cofactors,
-            &missing(&self.multiplier)?.times(p)?,
-        )?;
-        let minus = missing(&other.multiplier)?.times(q)?.negated();
+        let plus = missing(&self.multiplier, p)?;
+        accumulate(&mut cofactors, &self.cofactors, &plus)?;
+        let minus = missing(&other.multiplier, q)?.negated();
         accumulate(&mut cofactors, &other.cofactors, &minus)?;
         Ok(Tracked {
             polynomial: self.polynomial.times(p)?.minus(&other.polynomial.times(q)?),
@@ -205,12 +214,14 @@ impl Reduced {
         quotient: &Polynomial,
         element: &Tracked,
     ) -> Result<(), TooLarge> {
-        let (scale_by, inner) = (expand(weight)?, expand(&element.multiplier)?);
-        let polynomial = self.polynomial.times(&scale_by)?;
+        let polynomial = times(&self.polynomial, weight)?;
         let polynomial = polynomial.minus(&quotient.times(&element.polynomial)?);
         // M w Mₑ goal = S Mₑ (w G − q e) + S q Σ cof_e h + w Mₑ Σ C h
-        scale(&mut self.cofactors, &scale_by.times(&inner)?)?;
-        let outer = expand(&self.outer)?.times(quotient)?;
+        scale(
+            &mut self.cofactors,
+            &*times(&expand(weight)?, &element.multiplier)?,
+        )?;
+        let outer = times(quotient, &self.outer)?;
         accumulate(&mut self.cofactors, &element.cofactors, &outer)?;
         include(&mut self.multiplier, weight);
         include(&mut self.multiplier, &element.multiplier);

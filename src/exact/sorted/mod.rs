@@ -17,6 +17,9 @@ use std::{iter, mem, slice, vec};
 
 use serde::{Serialize, Serializer};
 
+/// Room for so many is asked for at first.
+const FEW: usize = 4;
+
 /// A map, its entries in the order of their keys.
 #[derive(PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Map<K, V>(Vec<(K, V)>);
@@ -39,6 +42,15 @@ pub struct Entry<'a, K, V> {
     key: K,
     /// Where it is, or where it would be.
     place: Result<usize, usize>,
+}
+
+/// Most of what is put in is the first: then room for a few is asked for, and nothing is there that would have to be moved.
+#[inline]
+fn put<T>(items: &mut Vec<T>, at: usize, item: T) {
+    if items.capacity() == 0 {
+        *items = Vec::with_capacity(FEW);
+    }
+    items.insert(at, item);
 }
 
 /// Sorts; of items that are equal the last one remains.
@@ -197,7 +209,7 @@ impl<K: Ord, V> Map<K, V> {
         match self.place(&key) {
             Ok(at) => Some(mem::replace(&mut self.0[at].1, value)),
             Err(at) => {
-                self.0.insert(at, (key, value));
+                put(&mut self.0, at, (key, value));
                 None
             }
         }
@@ -240,7 +252,7 @@ impl<'a, K, V> Entry<'a, K, V> {
     /// The value there, put there first where there is none.
     pub fn or_insert_with(self, value: impl FnOnce() -> V) -> &'a mut V {
         let at = self.place.unwrap_or_else(|at| {
-            self.entries.insert(at, (self.key, value()));
+            put(self.entries, at, (self.key, value()));
             at
         });
         &mut self.entries[at].1
@@ -336,7 +348,7 @@ impl<T: Ord> Set<T> {
     pub fn insert(&mut self, element: T) -> bool {
         let place = self.place(&element);
         if let Err(at) = place {
-            self.0.insert(at, element);
+            put(&mut self.0, at, element);
         }
         place.is_err()
     }

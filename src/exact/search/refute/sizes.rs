@@ -145,7 +145,10 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
     let number = |expr: &Expr| {
         let sizes = counts.iter().zip(sizes);
         let at = sizes.fold(Cow::Borrowed(expr), |e, (count, &n)| {
-            Cow::Owned(e.substitute(count, &Expr::Number(value_of(n))))
+            match e.mentions(count) {
+                true => Cow::Owned(e.substitute(count, &Expr::Number(value_of(n)))),
+                false => e,
+            }
         });
         match at.any(&|part| matches!(part, Expr::Series { .. })) {
             true => without_series(&at, &left),
