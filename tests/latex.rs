@@ -66,10 +66,10 @@ fn premises(derivation: &Derivation, number: &str) -> Vec<String> {
         .position(|e| e.tag.as_deref() == Some(number));
     let (found, _, unknown) = derivation.premises(at.expect("there is such an equation"));
     let known = found
-        .into_iter()
-        .map(|p| derivation.equations[p].tag.clone().unwrap_or_default());
+        .iter()
+        .map(|&p| derivation.equations[p].tag.clone().unwrap_or_default());
     known
-        .chain(unknown.into_iter().map(|u| format!("unknown {}", u.label)))
+        .chain(unknown.iter().map(|u| format!("unknown {}", u.label)))
         .collect()
 }
 

@@ -31,7 +31,8 @@ fn equations(derivation: &Derivation) -> Vec<String> {
 /// What the last equation is said to follow from, by position, and what is cited and not there.
 fn premises_of_last(derivation: &Derivation) -> (Vec<usize>, Vec<String>) {
     let (found, _, unknown) = derivation.premises(derivation.equations.len() - 1);
-    (found, unknown.into_iter().map(|u| u.label).collect())
+    let unknown = unknown.iter().map(|u| u.label.clone());
+    (found.to_vec(), unknown.collect())
 }
 
 #[test]

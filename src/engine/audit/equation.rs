@@ -31,7 +31,8 @@ impl Auditor<'_> {
             return self.given(at, statements);
         }
         let parts = statements.len();
-        let (mut premises, says_so, unknown) = self.derivation.premises(at);
+        let (premises, says_so, unknown) = self.derivation.premises(at);
+        let mut premises = premises.to_vec();
         if !says_so {
             self.leave_moments(at, &mut premises);
         }

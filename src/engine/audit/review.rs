@@ -128,8 +128,8 @@ impl<'a> Review<'a> {
             return Some(used.into_iter().collect());
         }
         let statement = derivation.equations[at].statements().get(entry.part)?;
-        let (mut cited, ..) = derivation.premises(at);
-        cited.extend(&entry.premises);
+        let (cited, ..) = derivation.premises(at);
+        let mut cited: Vec<usize> = cited.iter().chain(&entry.premises).copied().collect();
         cited.retain(is_sound);
         cited.dedup();
         let mut others = derivation.relatives(at, MOST_RELATIVES);

@@ -38,7 +38,7 @@ impl Schedule {
     /// Wanted are some equations, and all that these cite.
     pub fn new(derivation: &Derivation, is_wanted: impl Fn(usize) -> bool) -> Self {
         let all = 0..derivation.equations.len();
-        let cites: Vec<Vec<usize>> = all.clone().map(|at| derivation.premises(at).0).collect();
+        let cites: Vec<&[usize]> = all.clone().map(|at| derivation.premises(at).0).collect();
         let mut wanted: Vec<bool> = all.clone().map(is_wanted).collect();
         for at in all.rev() {
             if wanted[at] {
@@ -56,7 +56,7 @@ impl Schedule {
                 let end = most.clone().find(|&at| wanted[at] != wanted[start]);
                 let equations = start..end.unwrap_or(most.end);
                 start = equations.end;
-                let cited = cites[equations.clone()].iter().flatten().copied();
+                let cited = cites[equations.clone()].iter().copied().flatten().copied();
                 parts.push(Part {
                     cites: cited.filter(|&premise| premise < equations.start).collect(),
                     wanted: wanted[equations.start],

@@ -124,7 +124,13 @@ impl Derivation {
     /// A directive names them; without one the prose does; where that cites none it is the equation just
     /// before. What goes on with the equations before it in its display follows from them too, and whoever cites it
     /// cites them.
-    pub fn premises(&self, at: usize) -> (Vec<usize>, bool, Vec<Unknown>) {
+    pub fn premises(&self, at: usize) -> (&[usize], bool, &[Unknown]) {
+        let (premises, says_so, unknown) = &self.cites[at];
+        (premises, *says_so, unknown)
+    }
+
+    /// The same, found where the equations of all pages are known.
+    pub(super) fn find_premises(&self, at: usize) -> (Vec<usize>, bool, Vec<Unknown>) {
         let equation = &self.equations[at];
         let (mut found, mut unknown) = (Vec::new(), Vec::new());
         let mut cite = |premises: Vec<usize>, shown: String, span: Span, required: bool| {

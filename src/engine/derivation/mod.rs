@@ -76,6 +76,8 @@ pub struct Derivation {
     labels: Tree<String, Vec<usize>>,
     /// Numbers and keys that several equations share: those of `subequations`.
     groups: Tree<String, Vec<usize>>,
+    /// By equation, what it is said to follow from: [`Derivation::premises`].
+    cites: Vec<(Vec<usize>, bool, Vec<Unknown>)>,
     /// By equation, the symbols, sequences and functions that it speaks of.
     spoken_of: Vec<Set<Symbol>>,
     /// By page, the equations in which a symbol occurs.
@@ -111,6 +113,7 @@ impl Derivation {
             equations: Vec::new(),
             labels: Tree::new(),
             groups: Tree::new(),
+            cites: Vec::new(),
             spoken_of: Vec::new(),
             mentions: Vec::new(),
             pages_of: Tree::new(),
@@ -156,6 +159,8 @@ impl Derivation {
                 derivation.groups.entry(label.clone()).or_default().push(at);
             }
         }
+        let all = 0..derivation.equations.len();
+        derivation.cites = all.map(|at| derivation.find_premises(at)).collect();
         for page in 0..derivation.pages.len() {
             let mut mentions: Tree<Symbol, Vec<usize>> = Tree::new();
             let mut neighbours = BTreeSet::from([page]);
@@ -167,8 +172,8 @@ impl Derivation {
                     mentions.entry(symbol.clone()).or_default().push(at);
                 }
                 derivation.spoken_of.push(spoken_of);
-                let cited = derivation.premises(at).0.into_iter();
-                neighbours.extend(cited.map(|premise| derivation.equations[premise].page));
+                let cited = derivation.cites[at].0.iter();
+                neighbours.extend(cited.map(|&premise| derivation.equations[premise].page));
             }
             for symbol in mentions.keys() {
                 derivation

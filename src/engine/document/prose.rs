@@ -278,13 +278,17 @@ fn whole(sentence: &[Placed<'_>]) -> Option<Span> {
     Some(sentence.first()?.1.to(sentence.last()?.1))
 }
 
+/// Room is made for a word of each so many characters, with the space after it.
+const WORD_LENGTH: usize = 6;
+
 pub(super) fn tokens<'a>(
     source: &'a str,
     span: Span,
     inline: &[Inline],
     hidden: &[Span],
 ) -> Vec<Placed<'a>> {
-    let mut tokens: Vec<Placed<'a>> = Vec::new();
+    let length = span.end - span.start;
+    let mut tokens: Vec<Placed<'a>> = Vec::with_capacity(length / WORD_LENGTH);
     let mut inline = inline.iter().peekable();
     let mut hidden = hidden.iter().peekable();
     let mut at = span.start;

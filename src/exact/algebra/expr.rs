@@ -5,6 +5,9 @@ use num_traits::One;
 use super::{BigInt, BigRational, Symbol};
 use crate::sorted::Set;
 
+/// Few terms speak of more symbols: so many are listed without asking for more room.
+const FEW_SYMBOLS: usize = 4;
+
 /// The terms directly below a term, in the order of reading.
 #[derive(Clone, Debug)]
 pub struct Children<'a> {
@@ -399,7 +402,7 @@ impl Expr {
     /// The symbols that have a value of their own in this term: not indices, not the variables of
     /// limits and integrals. The variable of a derivative has one: the point at which it is taken.
     pub fn free_symbols(&self) -> Set<Symbol> {
-        let mut free = Vec::new();
+        let mut free = Vec::with_capacity(FEW_SYMBOLS);
         self.collect_free(&mut Vec::new(), &mut free);
         free.into_iter().cloned().collect()
     }

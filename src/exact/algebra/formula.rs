@@ -241,7 +241,7 @@ impl Formula {
 
     /// The same for terms.
     pub fn names_in<'a>(terms: impl Iterator<Item = &'a Expr>) -> Set<Symbol> {
-        let (mut free, mut sequences) = (Vec::new(), Set::new());
+        let (mut free, mut sequences) = (Vec::with_capacity(FEW_SYMBOLS), Set::new());
         for term in terms {
             term.collect_free(&mut Vec::new(), &mut free);
             collect_sequences(term, &mut sequences);

@@ -322,7 +322,7 @@ impl Lowering<'_> {
                     self.conditions.nonnegative.insert(sign_of_fraction(base)?);
                 }
                 let written = expr_of_fraction(base, self.atoms);
-                let unit = BigRational::new(1.into(), exponent.denom());
+                let unit = BigRational::new_raw(1.into(), exponent.denom());
                 self.atom(Atom::Opaque(Expr::Power(
                     written.into(),
                     Expr::Number(unit).into(),

@@ -121,7 +121,7 @@ impl Lowering<'_> {
         }
         // n/d = n d^(q−1) / d^q
         let whole = above * below.pow(q - 1);
-        let mut value = Fraction::from(Rational::from(BigRational::new(BigInt::one(), below)));
+        let mut value = Fraction::from(Rational::from(below).recip());
         for (prime, exponent) in prime_factors(&whole, q) {
             let prime = Rational::from(BigRational::from_integer(prime));
             value = value.times(&Fraction::from(prime.clone()).pow(exponent / q)?)?;
@@ -313,7 +313,7 @@ impl Lowering<'_> {
 }
 
 fn root_atom(base: Expr, order: u32) -> Atom {
-    let unit = BigRational::new(BigInt::one(), order.into());
+    let unit = BigRational::new_raw(BigInt::one(), order.into());
     Atom::Opaque(Expr::Power(base.into(), Expr::Number(unit).into()))
 }
 

@@ -13,21 +13,21 @@ impl Lowering<'_> {
         let terms = terms.iter().map(|term| self.lower(term));
         let terms: Vec<Fraction> = terms.collect::<Result<_, _>>()?;
         let is_polynomial = |term: &Fraction| term.as_polynomial().is_some();
-        if terms.len() <= MANY && !terms.iter().all(is_polynomial) {
+        let put_together = |polynomials: Vec<Fraction>| {
+            let polynomials = polynomials.into_iter().map(|term| term.into_parts().0);
+            Fraction::from(Polynomial::sum(polynomials))
+        };
+        if terms.iter().all(is_polynomial) {
+            return Ok(put_together(terms));
+        }
+        if terms.len() <= MANY {
             let mut terms = terms.into_iter();
             let first = terms.next().unwrap_or_default();
             return Ok(terms.try_fold(first, |sum, term| sum.plus(&term))?);
         }
         let (polynomials, divided): (Vec<_>, Vec<_>) = terms.into_iter().partition(is_polynomial);
-        let polynomials = polynomials.into_iter().map(|term| term.into_parts().0);
-        let whole = Fraction::from(Polynomial::sum(polynomials));
-        match divided.is_empty() {
-            true => Ok(whole),
-            false => {
-                let mut divided = divided.into_iter();
-                let rest = divided.try_fold(Fraction::default(), |sum, term| sum.plus(&term))?;
-                Ok(rest.plus(&whole)?)
-            }
-        }
+        let mut divided = divided.into_iter();
+        let rest = divided.try_fold(Fraction::default(), |sum, term| sum.plus(&term))?;
+        Ok(rest.plus(&put_together(polynomials))?)
     }
 }

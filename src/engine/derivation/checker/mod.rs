@@ -200,11 +200,11 @@ impl Checker {
             return Vec::new();
         }
         // What a case says counts under its condition only, so it is not put to the test from here.
-        let by_cases = |premise: usize| {
+        let by_cases = |&premise: &usize| {
             let mut statements = derivation.equations[premise].statements().iter();
             statements.any(|statement| !statement.under.is_empty())
         };
-        if derivation.premises(at).0.into_iter().any(by_cases) {
+        if derivation.premises(at).0.iter().any(by_cases) {
             return Vec::new();
         }
         let cited = self.cited(at);
@@ -239,7 +239,7 @@ impl Checker {
         let equation = &derivation.equations[at];
         let in_effect: Set<(usize, usize)> = locals(equation).collect();
         let mut assumed = derivation.locals(at);
-        for premise in derivation.premises(at).0 {
+        for &premise in derivation.premises(at).0 {
             let other = &derivation.equations[premise];
             let derived = other.kind != Kind::Given;
             let own = other.moments.clone().map(|local| (other.page, local));

@@ -12,7 +12,7 @@ const MOST_PARTS: usize = 80;
 /// No more formulas than this are made of one.
 const MOST_EDITS: usize = 400;
 /// What a coefficient may be off by, the likeliest first.
-const FACTORS: [(i64, i64); 20] = [
+const FACTORS: [(i32, i32); 20] = [
     (1, 2),
     (2, 1),
     (1, 4),
@@ -268,7 +268,7 @@ impl Editor<'_> {
             return;
         }
         for (at, (above, below)) in FACTORS.into_iter().enumerate() {
-            let factor = Rational::from(&BigRational::new(above.into(), below.into()));
+            let factor = Rational::ratio(above, below);
             // Who writes whole numbers means a whole number.
             let broken = printed
                 .as_ref()
