@@ -71,29 +71,27 @@ impl Derivation {
         let mut pages: Vec<usize> = vec![own];
         pages.extend(others);
         pages.dedup();
-        let mut domains = Map::new();
         let said = self.said(at, assumed);
-        for symbol in claim.free_symbols() {
+        let domain = |symbol: &Symbol| {
             let mut declared = pages
                 .iter()
                 .filter_map(|&p| self.pages[p].domains.get(symbol));
-            if let Some(domain) = declared.next() {
-                domains.insert(symbol.clone(), domain.clone());
-            } else if measured(symbol).is_some() {
-                // A unit is a positive quantity that never changes.
-                let domain = Domain {
-                    lower: Some((BigRational::from_integer(0.into()), true)),
-                    constant: true,
-                    ..Domain::default()
-                };
-                domains.insert(symbol.clone(), domain);
+            // A unit is a positive quantity that never changes.
+            let of_unit = || Domain {
+                lower: Some((BigRational::from_integer(0.into()), true)),
+                constant: true,
+                ..Domain::default()
+            };
+            let declared = declared.next().cloned();
+            let own = declared.or_else(|| measured(symbol).map(|_| of_unit()));
+            match said.get(symbol) {
+                Some((_, said)) => Some(said.narrowed(own)),
+                None => own,
             }
-            if let Some((_, said)) = said.get(symbol) {
-                let narrowed = said.narrowed(domains.get(symbol).cloned());
-                domains.insert(symbol.clone(), narrowed);
-            }
-        }
-        claim.domains = domains;
+        };
+        let named = claim.free_symbols().into_iter();
+        let domains = named.filter_map(|symbol| Some((symbol.clone(), domain(symbol)?)));
+        claim.domains = domains.collect();
         for sequence in Formula::sequences_of(claim.formulas()) {
             let mut declared = pages
                 .iter()

@@ -29,12 +29,12 @@ pub(super) fn is_in_any_case(word: &str, own: &str) -> bool {
 pub(super) struct Words {
     all: &'static [&'static str],
     /// A bit for each length that words with like first and last letters have.
-    lengths: [u32; 32],
+    lengths: [u32; 64],
 }
 
 impl Words {
     pub(super) const fn of(all: &'static [&'static str]) -> Words {
-        let mut lengths = [0; 32];
+        let mut lengths = [0; 64];
         let mut at = 0;
         while at < all.len() {
             let (letters, length) = Words::look(all[at]);
@@ -55,25 +55,36 @@ impl Words {
             [only] => *only as usize,
             [] => 0,
         };
-        (letters & 31, length)
+        (letters & 63, length)
     }
 
-    #[inline]
+    /// Always put in where it is asked, so that a word that is held against several lists is looked at once.
+    #[inline(always)]
     fn may_have(&self, word: &str) -> bool {
         let (letters, length) = Words::look(word);
         self.lengths[letters] & length != 0
     }
 
     /// Whether a word is on the list as it is written.
-    #[inline]
+    #[inline(always)]
     pub(super) fn has(&self, word: &str) -> bool {
-        self.may_have(word) && self.all.contains(&word)
+        self.may_have(word) && self.lists(word)
+    }
+
+    #[inline(never)]
+    fn lists(&self, word: &str) -> bool {
+        self.all.contains(&word)
+    }
+
+    #[inline(never)]
+    fn lists_in_any_case(&self, word: &str) -> bool {
+        self.all.has_in_any_case(word)
     }
 }
 
 impl Listed for Words {
-    #[inline]
+    #[inline(always)]
     fn has_in_any_case(&self, word: &str) -> bool {
-        self.may_have(word) && self.all.has_in_any_case(word)
+        self.may_have(word) && self.lists_in_any_case(word)
     }
 }

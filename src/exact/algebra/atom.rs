@@ -62,6 +62,13 @@ impl Atoms {
 
     /// The same for a symbol, which is copied only where it has not been met.
     pub fn var_of_symbol(&mut self, symbol: &Symbol) -> Var {
+        // Most have been met, and among few are found sooner one after another.
+        let is_it = |atom: &Atom| matches!(atom, Atom::Symbol(own) if own == symbol);
+        if self.list.len() <= 2 * FEW
+            && let Some(at) = self.list.iter().position(is_it)
+        {
+            return Var(at as u32);
+        }
         // Symbols come before all other atoms.
         let place = (self.sorted).binary_search_by(|var| match &self.list[var.position()] {
             Atom::Symbol(own) => own.cmp(symbol),

@@ -189,12 +189,16 @@ impl Monomial {
         if other.is_one() {
             return Some(self.clone());
         }
-        let mut own = self.powers().iter();
-        let divides = other.powers().iter().all(|&(v, e)| {
-            let at_least = own.find(|p| p.0 >= v);
+        other.divides(self).then(|| self.merge(other, |a, b| a - b))
+    }
+
+    /// Whether it divides another.
+    pub fn divides(&self, other: &Self) -> bool {
+        let mut others = other.powers().iter();
+        self.powers().iter().all(|&(v, e)| {
+            let at_least = others.find(|p| p.0 >= v);
             at_least.is_some_and(|p| p.0 == v && p.1 >= e)
-        });
-        divides.then(|| self.merge(other, |a, b| a - b))
+        })
     }
 
     /// The monomial with one unknown left out.

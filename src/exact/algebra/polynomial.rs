@@ -237,9 +237,11 @@ impl Polynomial {
 
     /// The sum of many: put together at once, not one after another.
     pub(super) fn sum(all: impl Iterator<Item = Polynomial>) -> Self {
-        let terms: Terms = all.flat_map(|own| own.terms).collect();
+        // Most of them are a single term.
+        let mut terms = Vec::with_capacity(all.size_hint().0);
+        all.for_each(|own| terms.extend(own.terms));
         spend(terms.len());
-        Polynomial::collect(terms)
+        Polynomial::collect(terms.into())
     }
 
     /// The sum.
@@ -354,9 +356,10 @@ impl Polynomial {
             return Some(Polynomial { terms });
         }
         // The lowest terms must divide too: most divisions that fail, fail here.
-        if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first()) {
-            low.divided_by(own)?;
-            self.leading()?.0.divided_by(lead)?;
+        if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first())
+            && !(own.divides(low) && lead.divides(self.leading()?.0))
+        {
+            return None;
         }
         let (mut rest, mut quotient) = (self.clone(), Terms::new());
         while let Some((m, c)) = rest.leading() {

@@ -62,7 +62,14 @@ struct State {
     /// Shared between states: a choice changes few of them.
     equations: Vec<Rc<Open>>,
     conditions: Vec<Rc<Open>>,
-    solved: Vec<(Var, Rc<Polynomial>)>,
+    solved: Option<Rc<Solved>>,
+}
+
+/// What an unknown is, with what was solved before; that is shared, too.
+struct Solved {
+    var: Var,
+    value: Polynomial,
+    before: Option<Rc<Solved>>,
 }
 
 /// A state with the choices made from it. It is kept, for every choice up to a cost is made again at the next one.
@@ -377,11 +384,8 @@ impl Search<'_> {
             return self.finish(state).map_or(Ok(Node::Dead(1)), Err);
         };
         // What speaks of this unknown alone is asked before anything is put in.
-        let (conditions, rest): (Vec<Rc<Open>>, Vec<Rc<Open>>) =
-            std::mem::take(&mut state.conditions)
-                .into_iter()
-                .partition(|f| f.has(var) && f.single() == Some(var));
-        state.conditions = rest;
+        let alone = |f: &mut Rc<Open>| f.has(var) && f.single() == Some(var);
+        let conditions = state.conditions.extract_if(.., alone).collect();
         Ok(Node::Numbers(Box::new(Numbers {
             state,
             var,
@@ -509,15 +513,17 @@ impl Search<'_> {
             return None;
         }
         let mut point: Map<Var, Rational> = Map::new();
+        // What was solved last comes first.
+        let solved = || std::iter::successors(state.solved.as_deref(), |own| own.before.as_deref());
         // Unknowns that are free still are 1.
-        let settled: Set<Var> = state.solved.iter().map(|own| own.0).collect();
-        for free in state.solved.iter().flat_map(|(_, value)| value.vars()) {
+        let settled: Set<Var> = solved().map(|own| own.var).collect();
+        for free in solved().flat_map(|own| own.value.vars()) {
             if !settled.contains(&free) {
                 point.insert(free, Rational::one());
             }
         }
         // What was solved first may depend on what was solved later.
-        for (var, value) in state.solved.iter().rev() {
+        for Solved { var, value, .. } in solved() {
             let known = |v: Var| Some(point.get(&v).cloned().unwrap_or_else(Rational::one));
             let value = value.evaluate(known).ok()??;
             if self.integers.contains(var) && !value.is_integer() {
@@ -559,13 +565,12 @@ impl State {
             Some(changed)
         };
         let (equations, conditions) = (put(&self.equations)?, put(&self.conditions)?);
-        let mut solved = Vec::with_capacity(self.solved.len() + 1);
-        solved.extend_from_slice(&self.solved);
-        solved.push((var, value.into()));
+        let before = self.solved.clone();
+        let solved = Solved { var, value, before };
         Some(State {
             equations,
             conditions,
-            solved,
+            solved: Some(solved.into()),
         })
     }
 }

@@ -326,20 +326,28 @@ fn prune(columns: &mut Vec<Column>, goal: &Polynomial) {
     columns.retain(|_| kept.next().unwrap_or(false));
 }
 
+/// What tells most monomials apart: the degree and the first two powers.
+fn glance(monomial: &Monomial) -> u64 {
+    let powers = monomial.powers().iter().take(2);
+    powers.fold(monomial.degree().into(), |seen, &(var, exponent)| {
+        (seen << 24) ^ ((var.position() as u64) << 8) ^ u64::from(exponent)
+    })
+}
+
 /// Which columns have no monomial that nothing else can cancel.
 fn kept(columns: &[Column], goal: &Polynomial) -> Vec<bool> {
     // Each term as the place of its monomial among all, and whether it can add to that, and take from it.
     let all = columns.iter().map(|column| &column.value).chain([goal]);
     let of_all = all
         .enumerate()
-        .flat_map(|(at, p)| p.terms().map(move |term| (term, at)));
-    let mut sorted: Vec<((&Monomial, &Rational), usize)> = of_all.collect();
-    sorted.sort_unstable_by(|a, b| a.0.0.cmp(b.0.0));
+        .flat_map(|(at, p)| p.terms().map(move |(m, c)| (glance(m), m, c, at)));
+    let mut sorted: Vec<(u64, &Monomial, &Rational, usize)> = of_all.collect();
+    sorted.sort_unstable_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)));
     let room = columns.iter().map(|column| column.value.len());
     let room = room.chain([goal.len()]).map(Vec::with_capacity);
     let mut terms: Vec<Vec<(usize, (bool, bool))>> = room.collect();
     let (mut places, mut last) = (0, None);
-    for ((monomial, coefficient), at) in sorted {
+    for (_, monomial, coefficient, at) in sorted {
         if last.replace(monomial).is_some_and(|last| last != monomial) {
             places += 1;
         }

@@ -1,5 +1,6 @@
 //! Which definitions must be put in before anything can be computed.
 
+use std::cell::LazyCell;
 use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Function, Symbol};
@@ -14,7 +15,7 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
     if !claim.formulas().any(has_operands) {
         return Vec::new();
     }
-    let pi = pi_is_the_number(claim);
+    let pi = LazyCell::new(|| pi_is_the_number(claim));
     let hypotheses = claim.hypotheses.iter().map(|own| own.formula.clone());
     let mut formulas: Vec<Arc<Formula>> = hypotheses.collect();
     formulas.push(claim.goal.clone().into());
@@ -70,10 +71,10 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
                 // Beside the number π a value need not be rational: what nothing else speaks of needs none. Of what is constant and made of
                 // what moves it says how that moves: `V = \pi r^2 h`.
                 false => {
-                    pi && is_alone(&symbol, at, &formulas) && !(constant && found.moves(&term))
+                    is_alone(&symbol, at, &formulas) && *pi && !(constant && found.moves(&term))
                 }
             };
-            let number = symbol.name() == "\\pi" && pi;
+            let number = symbol.name() == "\\pi" && *pi;
             let fits = fits && !number && !found.variables.contains(&symbol);
             fits.then_some((at, Expr::Symbol(symbol), term))
         });

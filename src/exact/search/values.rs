@@ -46,11 +46,14 @@ fn listed() -> Vec<(u32, Rational)> {
 
 /// The rational roots of a polynomial in one unknown; `None` where they were not all looked for.
 pub fn rational_roots(polynomial: &Polynomial, var: Var) -> Option<Vec<Rational>> {
-    let mut coefficients: Vec<Rational> = polynomial
-        .in_powers_of(var)
-        .iter()
-        .map(|c| c.as_constant())
-        .collect::<Option<_>>()?;
+    let mut coefficients = vec![Rational::zero(); polynomial.degree_in(var) as usize + 1];
+    for (monomial, coefficient) in polynomial.terms() {
+        let exponent = monomial.exponent(var);
+        if exponent != monomial.degree() {
+            return None;
+        }
+        coefficients[exponent as usize] = coefficient.clone();
+    }
     let mut roots = Vec::new();
     if coefficients.first().is_some_and(|c| c.is_zero()) {
         roots.push(Rational::zero());

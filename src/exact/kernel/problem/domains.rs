@@ -26,7 +26,8 @@ impl Problem {
         sorted::sort(&mut every);
         every.dedup();
         for symbol in every {
-            if !claim.domains.contains_key(symbol) && !counts.contains(symbol) {
+            let (declared, counted) = (claim.domains.get(symbol), counts.contains(symbol));
+            if declared.is_none() && !counted {
                 continue;
             }
             let own = Expr::Symbol(symbol.clone());
@@ -35,11 +36,8 @@ impl Problem {
                 .find(|v| v.0 == *symbol)
                 .map_or(&own, |v| &v.1);
             // A sum up to something that is not a natural number is no sum.
-            let counted = counts.contains(symbol).then_some((&natural, Origin::Sums));
-            let declared = claim
-                .domains
-                .get(symbol)
-                .map(|d| (d, Origin::Domain(symbol.clone())));
+            let counted = counted.then_some((&natural, Origin::Sums));
+            let declared = declared.map(|d| (d, Origin::Domain(symbol.clone())));
             for (domain, origin) in declared.into_iter().chain(counted) {
                 self.confine(term, domain, &origin)?;
                 if domain.integer {
