@@ -2,7 +2,9 @@ use std::ops::Range;
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use crate::document::{Citation, Extent, Span};
-use crate::notation::{Clause, Connective, Precision, Rounding, Side, Statement, SyntaxError};
+use crate::notation::{
+    Clause, Connective, Link, Precision, Rounding, Side, Statement, SyntaxError,
+};
 
 use super::Premises;
 use super::page::Page;
@@ -148,29 +150,22 @@ pub struct Goal {
 
 /// The goals of a statement, in the order in which they are to be judged.
 pub fn goals(statement: &Statement) -> Vec<Goal> {
-    let clauses: Vec<Vec<Goal>> = statement
-        .clauses
-        .iter()
-        .enumerate()
-        .map(|(at, clause)| clause_goals(clause, at))
-        .collect();
     let equivalent = |at: usize| {
         statement
             .connectives
             .get(at)
             .is_some_and(|c| c.value == Connective::Equivalent)
     };
-    let formulas =
-        |goals: &[Goal]| -> Vec<Formula> { goals.iter().map(|g| g.formula.clone()).collect() };
     let under = conditions(statement);
     let mut all = Vec::new();
-    for (at, goals) in clauses.iter().enumerate() {
+    for (at, clause) in statement.clauses.iter().enumerate() {
+        let goals = clause_goals(clause, at);
         let before = at > 0 && equivalent(at - 1);
         let after = equivalent(at);
         if !before && !after {
-            all.extend(goals.iter().map(|goal| Goal {
+            all.extend(goals.into_iter().map(|goal| Goal {
                 suppositions: under.clone(),
-                ..goal.clone()
+                ..goal
             }));
             continue;
         }
@@ -179,7 +174,7 @@ pub fn goals(statement: &Statement) -> Vec<Goal> {
             .into_iter()
             .flatten()
         {
-            let mut suppositions = formulas(&clauses[neighbour]);
+            let mut suppositions = stated(&statement.clauses[neighbour]);
             suppositions.extend(under.iter().cloned());
             all.extend(goals.iter().map(|goal| Goal {
                 suppositions: suppositions.clone(),
@@ -190,17 +185,37 @@ pub fn goals(statement: &Statement) -> Vec<Goal> {
     all
 }
 
-fn clause_goals(clause: &Clause, at: usize) -> Vec<Goal> {
+/// What a clause states.
+fn stated(clause: &Clause) -> Vec<Formula> {
     match clause {
-        Clause::Chain { sides, links } => links
-            .iter()
-            .zip(sides.windows(2))
-            .map(|(link, pair)| Goal {
-                formula: Formula::Relation {
-                    left: pair[0].expr.clone(),
-                    relation: link.relation,
-                    right: pair[1].expr.clone(),
-                },
+        Clause::Chain { sides, links } => {
+            let relation = |(link, pair): (&Link, &[Side])| Formula::Relation {
+                left: pair[0].expr.clone(),
+                relation: link.relation,
+                right: pair[1].expr.clone(),
+            };
+            links.iter().zip(sides.windows(2)).map(relation).collect()
+        }
+        Clause::AllEqual {
+            sequence,
+            to,
+            value,
+            ..
+        } => vec![Formula::AllEqual {
+            sequence: sequence.clone(),
+            to: to.clone(),
+            value: value.as_ref().map(|side| side.expr.clone()),
+        }],
+    }
+}
+
+fn clause_goals(clause: &Clause, at: usize) -> Vec<Goal> {
+    let formulas = stated(clause).into_iter();
+    match clause {
+        Clause::Chain { sides, links } => formulas
+            .zip(links.iter().zip(sides.windows(2)))
+            .map(|(formula, (link, pair))| Goal {
+                formula,
                 span: link.span,
                 sides: (pair[0].span, pair[1].span),
                 rounding: rounding(link.relation, &pair[1]),
@@ -209,24 +224,17 @@ fn clause_goals(clause: &Clause, at: usize) -> Vec<Goal> {
                 clause: at,
             })
             .collect(),
-        Clause::AllEqual {
-            sequence,
-            to,
-            value,
-            span,
-        } => vec![Goal {
-            formula: Formula::AllEqual {
-                sequence: sequence.clone(),
-                to: to.clone(),
-                value: value.as_ref().map(|side| side.expr.clone()),
-            },
-            span: *span,
-            sides: (*span, *span),
-            rounding: None,
-            questioned: false,
-            suppositions: Vec::new(),
-            clause: at,
-        }],
+        Clause::AllEqual { span, .. } => formulas
+            .map(|formula| Goal {
+                formula,
+                span: *span,
+                sides: (*span, *span),
+                rounding: None,
+                questioned: false,
+                suppositions: Vec::new(),
+                clause: at,
+            })
+            .collect(),
     }
 }
 
@@ -327,15 +335,15 @@ fn terms_of_clause(clause: &Clause) -> impl Iterator<Item = &Expr> {
 
 /// The formulas of a statement that says one thing: no implication, no question.
 pub fn formulas(statement: &Statement) -> Vec<Formula> {
-    let clauses = statement.clauses.iter().enumerate();
-    let goals = clauses.flat_map(|(at, clause)| clause_goals(clause, at));
-    goals.map(|goal| goal.formula).collect()
+    match &statement.clauses[..] {
+        [one] => stated(one),
+        several => several.iter().flat_map(stated).collect(),
+    }
 }
 
 /// What a statement supposes: the conditions under which it is said.
 pub fn conditions(statement: &Statement) -> Vec<Formula> {
-    let goals = statement.under.iter().flat_map(|c| clause_goals(c, 0));
-    goals.map(|goal| goal.formula).collect()
+    statement.under.iter().flat_map(stated).collect()
 }
 
 /// The formulas of a statement that is said without conditions.
