@@ -11,7 +11,7 @@ use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
 use super::super::stated::quantities;
-use super::there::{Asked, MayFail, There};
+use super::there::{Asked, MayFail, There, join};
 
 /// So many symbols may be what is solved for.
 const MOST_UNKNOWNS: usize = 3;
@@ -30,27 +30,27 @@ impl Judge<'_> {
             return None;
         }
         let mut assumed = self.cited(goal, &[]);
-        let mut set = Set::new();
-        for own in self.said_of_the_place() {
-            set.extend(value_said(&own));
-            if !assumed.contains(&own) {
-                assumed.push(own);
-            }
-        }
+        let words = self.said_of_the_place();
         let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
-        set.extend(fresh.filter_map(value_said));
+        let set: Vec<Place> = words.iter().chain(fresh).filter_map(place).collect();
         if set.is_empty() {
             return None;
         }
+        join(words.into_iter(), &mut assumed);
         // Who cites nothing means what stands just before.
         if !assumed.iter().any(is_displayed) {
-            let nearest = self.others(premises)[0].iter();
-            let mut speaking = nearest.filter(|own| is_displayed(own));
-            let first = speaking.next().map(|own| own.source);
-            let nearest = self.others(premises)[0].iter();
-            assumed.extend(nearest.filter(|own| Some(own.source) == first).cloned());
+            let displayed = || {
+                self.others(premises)[0]
+                    .iter()
+                    .filter(|own| is_displayed(own))
+            };
+            let nearest = displayed().next().map(|own| own.source);
+            let nearest = displayed().filter(|own| Some(own.source) == nearest);
+            assumed.extend(nearest.cloned());
         }
-        let gone = tied_to(&set, &named, new, &assumed);
+        // Two cases at once say nothing.
+        assumed.retain(|own| !self.is_of_case_before(own));
+        let gone = gone(set, &named, new, &assumed);
         if gone.len() > MOST_UNKNOWNS {
             return None;
         }
@@ -73,7 +73,9 @@ impl Judge<'_> {
                 quantity: Some(unknown),
             };
             let may_fail = MayFail::InTheSameSymbols;
-            self.judged_there(goal, with(unknown), premises, &asked, may_fail)
+            effort::within(MOST_WORK, || {
+                self.judged_there(goal, with(unknown), premises, &asked, may_fail)
+            })
         });
         // Where two could be meant nothing is told.
         let first = told.next()?;
@@ -113,7 +115,9 @@ impl Judge<'_> {
     }
 
     /// What was found, where it is shown from no case that was set before.
-    fn shown(&self, found: Found) -> Option<There> {
+    fn shown(&self, mut found: Found) -> Option<There> {
+        // What the words name may say more than what is cited.
+        found.may_follow = true;
         let mut assumed = found.judged.assumed.iter();
         let is_elsewhere = assumed.any(|own| self.is_of_case_before(own));
         let is_shown = found.judged.outcome.is_proven() && !is_elsewhere;
@@ -140,24 +144,33 @@ impl Judge<'_> {
     }
 }
 
-/// The symbols that laws tie to some that are `set`, directly or by one another, and that are not `named` in what is printed.
-fn tied_to(
-    set: &Set<Symbol>,
-    named: &Set<Symbol>,
-    new: &Symbol,
-    assumed: &[Assumed],
-) -> Vec<Symbol> {
-    let may_tie = |own: &Symbol| own != new && !named.contains(own) && !own.is_unit();
+/// The symbols that laws tie to what is set, directly or by one another, and that are neither set nor `named` in what is printed.
+fn gone(set: Vec<Place>, named: &Set<Symbol>, new: &Symbol, assumed: &[Assumed]) -> Vec<Symbol> {
+    let may_be_gone = |own: &Symbol| own != new && !named.contains(own) && !own.is_unit();
     let laws = assumed.iter().filter(|own| is_displayed(own));
     let mut laws: Vec<Set<Symbol>> = laws.map(|own| own.formula.names()).collect();
-    let mut tied = set.clone();
+    let mut fixed = Set::new();
+    let mut tied = Set::new();
+    for place in set {
+        match place {
+            // What no law speaks of is a name: "to half of the radius, $R' = R/2$".
+            Place::Value(symbol) if laws.iter().any(|law| law.contains(&symbol)) => {
+                tied.insert(symbol.clone());
+                fixed.insert(symbol);
+            }
+            Place::Value(_) => {}
+            Place::Rest(symbol) => {
+                tied.insert(symbol);
+            }
+        }
+    }
     // Each law is gone through once: what it ties may be what ties another.
     while let Some(at) = laws.iter().position(|law| !law.is_disjoint(&tied)) {
         let law = laws.swap_remove(at);
-        tied.extend(law.into_iter().filter(|own| may_tie(own)));
+        tied.extend(law.into_iter().filter(|own| may_be_gone(own)));
     }
     let gone = tied.into_iter();
-    gone.filter(|own| may_tie(own) && !set.contains(own))
+    gone.filter(|own| may_be_gone(own) && !fixed.contains(own))
         .collect()
 }
 
@@ -165,10 +178,25 @@ fn is_displayed(own: &Assumed) -> bool {
     matches!(own.source, Source::Equation(_))
 }
 
-/// The symbol of which a hypothesis gives the value.
-fn value_said(own: &Assumed) -> Option<Symbol> {
-    match own.formula.as_equation()? {
-        (Expr::Symbol(symbol), _) => Some(symbol.clone()),
+/// What words say of the place that is meant.
+enum Place {
+    /// What a symbol is there.
+    Value(Symbol),
+    /// That a symbol does not move there.
+    Rest(Symbol),
+}
+
+/// What a hypothesis says of the place that is meant. A measured value says nothing of it.
+fn place(own: &Assumed) -> Option<Place> {
+    let (left, _) = own.formula.as_equation()?;
+    match left {
+        Expr::Symbol(symbol) if !own.formula.names().iter().any(Symbol::is_unit) => {
+            Some(Place::Value(symbol.clone()))
+        }
+        Expr::Derivative { body, .. } => match &**body {
+            Expr::Symbol(symbol) => Some(Place::Rest(symbol.clone())),
+            _ => None,
+        },
         _ => None,
     }
 }

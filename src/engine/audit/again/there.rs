@@ -73,26 +73,34 @@ impl Judge<'_> {
         asked: &Asked,
         may_fail: MayFail,
     ) -> Option<There> {
-        let found = self.judged_anywhere(goal, assumed.clone(), premises, asked, may_fail);
-        found.or_else(|| {
-            // That something may be 0 or less can be all that keeps the symbol from being anything at all. Where all is positive, too, there
-            // is a counterexample or nothing is said.
-            let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-            let free = unbounded(&claim).into_iter();
-            let is_set = |symbol: &Symbol| {
-                let mut all = assumed.iter();
-                all.any(|own| own.formula.set_to_number() == Some(symbol))
-            };
-            let free = free.filter(|symbol| symbol.name() != "\\pi" && !is_set(symbol));
-            let positive = free.map(|symbol| taken(&Formula::positive(Expr::Symbol(symbol))));
-            let positive: Vec<Assumed> = positive.collect();
-            if may_fail == MayFail::Never || positive.is_empty() {
-                return None;
+        let solved = || self.solved_for(goal, asked.quantity?, premises);
+        match self.judged_anywhere(goal, assumed.clone(), premises, asked, may_fail) {
+            Some(There::Shown) => {
+                let solved = solved().or_else(|| self.solved_from(goal, assumed, premises));
+                return Some(solved.unwrap_or(There::Shown));
             }
-            let assumed = assumed.into_iter().chain(positive).collect();
-            let found = self.judged_anywhere(goal, assumed, premises, asked, may_fail);
-            found.filter(|own| !matches!(own, There::Shown))
-        })
+            Some(found) => return Some(found),
+            None => {}
+        }
+        // That something may be 0 or less can be all that keeps the symbol from being anything at all. Where all is positive, too, there is a
+        // counterexample or nothing is said.
+        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+        let free = unbounded(&claim).into_iter();
+        let is_set = |symbol: &Symbol| {
+            let mut all = assumed.iter();
+            all.any(|own| own.formula.set_to_number() == Some(symbol))
+        };
+        let free = free.filter(|symbol| symbol.name() != "\\pi" && !is_set(symbol));
+        let positive = free.map(|symbol| taken(&Formula::positive(Expr::Symbol(symbol))));
+        let positive: Vec<Assumed> = positive.collect();
+        if may_fail == MayFail::Never || positive.is_empty() {
+            return None;
+        }
+        let assumed = assumed.into_iter().chain(positive).collect();
+        match self.judged_anywhere(goal, assumed, premises, asked, may_fail)? {
+            There::Shown => solved(),
+            found => Some(found),
+        }
     }
 
     /// The same from just these premises.
@@ -105,13 +113,7 @@ impl Judge<'_> {
         may_fail: MayFail,
     ) -> Option<There> {
         match self.decide_from(&assumed, &goal.formula)? {
-            Decision::Proven { .. } => {
-                let solved = asked.quantity.and_then(|own| {
-                    let solved = self.solved_for(goal, own, premises);
-                    solved.or_else(|| self.solved_from(goal, assumed, premises))
-                });
-                Some(solved.unwrap_or(There::Shown))
-            }
+            Decision::Proven { .. } => Some(There::Shown),
             Decision::Refuted(refuted) if may_fail != MayFail::Never => {
                 let mut found = Found::open(Judged {
                     goal: goal.clone(),
@@ -260,7 +262,9 @@ impl Judge<'_> {
     pub(super) fn said_of_the_place(&self) -> Vec<Assumed> {
         let mut words = self.derivation.told(self.at);
         words.extend(self.derivation.named(self.at));
+        let start = self.derivation.equations[self.at].span.start;
         let mentioned = self.derivation.mentioned(self.at).into_iter();
+        let mentioned = mentioned.filter(|(span, _)| span.start < start);
         words.extend(mentioned.map(|(_, formula)| step(&formula)));
         let page = self.derivation.equations[self.at].page;
         let is_unknown = |part: &Expr| match part {
@@ -336,7 +340,7 @@ fn is_said_in_words(own: &Assumed) -> bool {
 }
 
 /// Adds hypotheses that are not there yet.
-fn join(more: impl Iterator<Item = Assumed>, assumed: &mut Vec<Assumed>) {
+pub(super) fn join(more: impl Iterator<Item = Assumed>, assumed: &mut Vec<Assumed>) {
     for own in more {
         if !assumed.contains(&own) {
             assumed.push(own);

@@ -296,9 +296,15 @@ impl<'a> Scanner<'a> {
 
     /// Ends the prose before an item.
     fn hand_over_prose(&mut self, end: usize) {
-        let span = self.trimmed(Span::new(self.prose_from, end.max(self.prose_from)));
+        let mut span = self.trimmed(Span::new(self.prose_from, end.max(self.prose_from)));
         let inline = std::mem::take(&mut self.inline);
         let mut hidden = std::mem::take(&mut self.hidden);
+        // A comment between a sentence and the display to which it leads on ends no paragraph.
+        while let Some(last) =
+            hidden.pop_if(|last| last.end == span.end && span.start <= last.start)
+        {
+            span = self.trimmed(Span::new(span.start, last.start));
+        }
         if span.start == span.end {
             return;
         }
