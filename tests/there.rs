@@ -15,7 +15,7 @@ fn last(text: &str) -> (&'static str, bool) {
     (last.verdict.word(), unchecked)
 }
 
-const CHECKED: (&str, bool) = ("given", false);
+const CHECKED: (&str, bool) = ("holds", false);
 const FAILS: (&str, bool) = ("fails", false);
 
 #[test]

@@ -129,9 +129,16 @@ fn equation_is_refuted_by_its_opposite() {
         let verdict = claim.refuted_by_opposite(&proven, one());
         assert_eq!(verdict.err(), Some(Reject::OfAnotherClaim));
     }
-    // What is no equation has no such opposite.
+    // What is proved is no proof that it is false.
     let same = opposite(&["x > 0"], r"x + \ln 2 > 0");
-    let inequality = posed(&["x > 0"], r"x + \ln 2 > 0");
-    let verdict = inequality.refuted_by_opposite(&same, one());
-    assert_eq!(verdict.err(), Some(Reject::UnsupportedRelation));
+    let inequality = |relation: &str| posed(&["x > 0"], &format!(r"x + \ln 2 {relation} 0"));
+    let verdict = inequality(">").refuted_by_opposite(&same, one());
+    assert_eq!(verdict.err(), Some(Reject::OfAnotherClaim));
+    let verdict = inequality(r"\leq").refuted_by_opposite(&same, one());
+    assert!(verdict.is_ok(), "{verdict:?}");
+    // Of all elements of a sequence nothing else is the opposite.
+    let all = opposite(&["u_1 = \\dots = u_k"], "u_1 = \\dots = u_k");
+    let elements = posed(&["u_1 = \\dots = u_k"], "u_1 = \\dots = u_k");
+    let verdict = elements.refuted_by_opposite(&all, point(&[("k", 0)]));
+    assert_eq!(verdict.err(), Some(Reject::OfAnotherClaim));
 }

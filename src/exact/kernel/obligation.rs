@@ -3,7 +3,7 @@ use super::{
     Assignment, Candidate, Checked, Claim, Hypothesis, Model, Problem, Proven, Refuted, Reject,
     replay, witness,
 };
-use crate::algebra::{Expr, Formula, Relation};
+use crate::algebra::{Expr, Formula};
 
 /// A claim together with the problem that the kernel makes of it, so that several candidates can be checked
 /// without reading the claim anew for each.
@@ -143,8 +143,8 @@ impl Obligation {
         }
     }
 
-    /// Refutes an equation by its opposite: from the hypotheses follows that the sides differ, and at the point all of these are true. Where
-    /// the values are `\ln 2` and the like, no side has one that could be compared.
+    /// Refutes a relation by its opposite: this follows from the hypotheses, and at the point all of them are true. Where the values are `\ln 2`
+    /// and the like, no side has one that could be compared.
     ///
     /// # Errors
     /// What is proved is not the opposite, or a hypothesis is not known to be true at the point.
@@ -154,13 +154,10 @@ impl Obligation {
         point: Assignment,
     ) -> Result<Refuted, Reject> {
         let mut own = self.claim.clone();
-        match &mut own.goal {
-            Formula::Relation { relation, .. } if *relation == Relation::Equal => {
-                *relation = Relation::NotEqual;
-            }
-            _ => return Err(Reject::UnsupportedRelation),
+        if let Formula::Relation { relation, .. } = &mut own.goal {
+            *relation = relation.denied().ok_or(Reject::UnsupportedRelation)?;
         }
-        if own != opposite.claim {
+        if own != opposite.claim || own == self.claim {
             return Err(Reject::OfAnotherClaim);
         }
         let model = self.model(point)?;

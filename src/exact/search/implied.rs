@@ -65,6 +65,10 @@ pub fn implied(obligation: &Obligation) -> Option<Implied> {
     for (factor, _) in printed_value.denominator() {
         kept.extend(factor.vars());
     }
+    // The logarithm of a number is a number.
+    let is_number = |atom: &Atom| matches!(atom, Atom::Opaque(own) if own.is_logarithm_of_number());
+    let numbers = problem.atoms.iter().filter(|(_, atom)| is_number(atom));
+    kept.extend(numbers.map(|(var, _)| var));
     let value = value_of(problem, own, &kept)?;
     let quotient = match printed_value.is_zero() {
         true => None,

@@ -1,24 +1,22 @@
-//! Equations of logarithms of numbers that are false, though no side has a rational value anywhere: `t = \frac{\ln 3}{k}` where
-//! `e^{k t} = 2`.
+//! Relations between logarithms of numbers that are false, though no side has a rational value anywhere: `t = \frac{\ln 3}{k}` where
+//! `e^{k t} = 2`, or `\ln 3 < \ln 2`.
 
 use super::{Consistency, Decision, Effort, consistency_posed, prove_unconditionally};
-use crate::algebra::{Atom, Expr, Formula, Function, Relation};
+use crate::algebra::{Atom, Expr, Formula, Function};
 use crate::kernel::{Assignment, Obligation};
 
-/// Refutes an equation where logarithms are spoken of: the opposite is proved, and a point is found at which the hypotheses are true.
+/// Refutes a relation where logarithms are spoken of: the opposite is proved, and a point is found at which the hypotheses are true.
 pub(super) fn decide(obligation: &Obligation, hints: &[Assignment]) -> Option<Decision> {
     let is_logarithm = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Ln, _)));
     let atoms = &obligation.problem().atoms;
-    let (left, right) = obligation.claim().goal.as_equation()?;
     if !atoms.iter().any(|(_, atom)| is_logarithm(atom)) {
         return None;
     }
     let mut claim = obligation.claim().clone();
-    claim.goal = Formula::Relation {
-        left: left.clone(),
-        relation: Relation::NotEqual,
-        right: right.clone(),
-    };
+    match &mut claim.goal {
+        Formula::Relation { relation, .. } => *relation = relation.denied()?,
+        Formula::AllEqual { .. } => return None,
+    }
     let opposite = prove_unconditionally(claim.clone(), Effort::Full)?;
     let premises = Obligation::of_premises(claim, obligation.unfold().to_vec()).ok()?;
     let Consistency::Model(model) = consistency_posed(&premises, hints) else {
