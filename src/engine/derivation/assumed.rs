@@ -123,11 +123,15 @@ impl Derivation {
 
     /// Whether words between what is said and an equation leave cases: "For arbitrary masses".
     pub fn is_left_in_words(&self, at: usize, (page, local): (usize, usize)) -> bool {
-        let start = self.local(page, local).span.start;
-        let general = &self.pages[page].general;
-        let left = general.partition_point(|&place| place < start);
+        self.equations[at].page == page && self.is_left(at, self.local(page, local).span)
+    }
+
+    /// The same of what is said on the page of the equation.
+    pub fn is_left(&self, at: usize, said: Span) -> bool {
         let own = &self.equations[at];
-        own.page == page && (general.get(left)).is_some_and(|&place| place < own.span.start)
+        let general = &self.pages[own.page].general;
+        let left = general.partition_point(|&place| place < said.start);
+        (general.get(left)).is_some_and(|&place| place < own.span.start)
     }
 
     /// What the sentence that leads on to an equation names, and does not suppose plainly.

@@ -11,7 +11,7 @@ use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
 use super::super::stated::quantities;
-use super::there::{Asked, MayFail, There, join};
+use super::there::{Asked, MayFail, There, join, whole};
 
 /// So many symbols may be what is solved for.
 const MOST_UNKNOWNS: usize = 3;
@@ -32,25 +32,32 @@ impl Judge<'_> {
         let mut assumed = self.cited(goal, &[]);
         let words = self.said_of_the_place();
         let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
-        let set: Vec<Place> = words.iter().chain(fresh).filter_map(place).collect();
-        if set.is_empty() {
+        let said: Vec<&Assumed> = words.iter().chain(fresh).collect();
+        let set: Vec<Place> = said.iter().copied().filter_map(place).collect();
+        // What is a number there is printed as one: `K = (\gamma - 1) m c^2` is not said of $m = 0$.
+        let mut numbers = said.iter().filter_map(|own| own.formula.set_to_number());
+        if set.is_empty() || numbers.any(|own| named.contains(own)) {
             return None;
         }
         join(words.into_iter(), &mut assumed);
-        // Who cites nothing means what stands just before.
-        if !assumed.iter().any(is_displayed) {
-            let displayed = || {
-                self.others(premises)[0]
-                    .iter()
-                    .filter(|own| is_displayed(own))
-            };
-            let nearest = displayed().next().map(|own| own.source);
-            let nearest = displayed().filter(|own| Some(own.source) == nearest);
-            assumed.extend(nearest.cloned());
+        // Who cites nothing that speaks of it means what stands just before.
+        let speaks = |own: &Assumed| {
+            let names = own.formula.names();
+            let mut places = set.iter();
+            is_displayed(own) && places.any(|place| names.contains(place.of()))
+        };
+        if !assumed.iter().any(speaks) {
+            let spoken = || self.others(premises)[0].iter().filter(|own| speaks(own));
+            let nearest = spoken().next().map(|own| own.source);
+            assumed.extend(spoken().filter(|own| Some(own.source) == nearest).cloned());
         }
         // Two cases at once say nothing.
         assumed.retain(|own| !self.is_of_case_before(own));
-        let gone = gone(set, &named, new, &assumed);
+        let mut gone = gone(set, &named, new, &assumed);
+        // The name may say what it is that is solved for: `\omega_0`.
+        if let Some(own) = whole(new).filter(|own| gone.contains(own)) {
+            gone = vec![own];
+        }
         if gone.len() > MOST_UNKNOWNS {
             return None;
         }
@@ -184,6 +191,14 @@ enum Place {
     Value(Symbol),
     /// That a symbol does not move there.
     Rest(Symbol),
+}
+
+impl Place {
+    fn of(&self) -> &Symbol {
+        match self {
+            Place::Value(symbol) | Place::Rest(symbol) => symbol,
+        }
+    }
 }
 
 /// What a hypothesis says of the place that is meant. A measured value says nothing of it.

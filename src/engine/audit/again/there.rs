@@ -7,6 +7,7 @@
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
+use crate::document::Span;
 use crate::kernel::Standing;
 use crate::search::{Decision, Effort};
 use crate::sorted::Set;
@@ -264,7 +265,9 @@ impl Judge<'_> {
         words.extend(self.derivation.named(self.at));
         let start = self.derivation.equations[self.at].span.start;
         let mentioned = self.derivation.mentioned(self.at).into_iter();
-        let mentioned = mentioned.filter(|(span, _)| span.start < start);
+        // "If $a = b$, then of course $c = 2 a$. In the general case" leaves what it names.
+        let is_meant = |span: Span| span.start < start && !self.derivation.is_left(self.at, span);
+        let mentioned = mentioned.filter(|(span, _)| is_meant(*span));
         words.extend(mentioned.map(|(_, formula)| step(&formula)));
         let page = self.derivation.equations[self.at].page;
         let is_unknown = |part: &Expr| match part {
@@ -364,7 +367,7 @@ fn is_put(assumed: &[Assumed], asked: &Asked) -> bool {
 }
 
 /// What a symbol may name a special value of: `P` of `P_{\max}`, `E` of `E^*`.
-fn whole(symbol: &Symbol) -> Option<Symbol> {
+pub(super) fn whole(symbol: &Symbol) -> Option<Symbol> {
     let starred = symbol.name().strip_suffix("^*");
     (symbol.without_subscript()).or_else(|| starred.map(Symbol::new))
 }
