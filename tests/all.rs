@@ -37,6 +37,7 @@ mod repairs;
 mod report;
 mod robust;
 mod solutions;
+mod solved;
 mod sorted;
 mod there;
 mod told;

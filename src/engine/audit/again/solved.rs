@@ -30,7 +30,8 @@ impl Judge<'_> {
             return None;
         }
         let mut assumed = self.cited(goal, &[]);
-        let words = self.said_of_the_place();
+        let mut words = self.said_of_the_place();
+        words.extend(self.named_before(premises));
         let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
         let said: Vec<&Assumed> = words.iter().chain(fresh).collect();
         let set: Vec<Place> = said.iter().copied().filter_map(place).collect();
@@ -131,6 +132,21 @@ impl Judge<'_> {
         is_shown.then(|| There::Solved(found.into()))
     }
 
+    /// What the new symbols of cited equations were found to be: "Inserting (2) into (3)" goes on at the time `T = t` of which (2) says how
+    /// long it is.
+    fn named_before(&self, premises: &[usize]) -> Vec<Assumed> {
+        let entries = premises
+            .iter()
+            .flat_map(|&own| self.auditor.entries_of(own));
+        let judged = entries.flat_map(|entry| &entry.judged);
+        let assumed = judged.flat_map(|own| &own.assumed);
+        let names = |own: &&Assumed| {
+            let sides = own.formula.as_equation();
+            own.source == Source::Taken && matches!(sides, Some((Expr::Symbol(_), Expr::Symbol(_))))
+        };
+        assumed.filter(names).cloned().collect()
+    }
+
     /// Whether a hypothesis is of a case that was set before the display before.
     fn is_of_case_before(&self, own: &Assumed) -> bool {
         let Source::Local(page, local) = own.source else {
@@ -203,8 +219,14 @@ impl Place {
 
 /// What a hypothesis says of the place that is meant. A measured value says nothing of it.
 fn place(own: &Assumed) -> Option<Place> {
-    let (left, _) = own.formula.as_equation()?;
-    match left {
+    let (left, right) = own.formula.as_equation()?;
+    // A name stands for what is known there.
+    let place = if own.source == Source::Taken {
+        right
+    } else {
+        left
+    };
+    match place {
         Expr::Symbol(symbol) if !own.formula.names().iter().any(Symbol::is_unit) => {
             Some(Place::Value(symbol.clone()))
         }
