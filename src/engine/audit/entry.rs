@@ -252,6 +252,14 @@ impl Entry {
         matches!(self.verdict, Verdict::Fails | Verdict::IllDimensioned)
     }
 
+    /// Whether it says what a new symbol is that names a value, and was shown. It is a definition to those who use it, whatever has to be so for
+    /// the symbol to name that value.
+    pub(super) fn names_a_value(&self) -> bool {
+        let takes = |own: &Assumed| own.source == Source::Taken;
+        let names = |own: &Judged| own.outcome.is_proven() && own.assumed.iter().any(takes);
+        self.judged.first().is_some_and(names)
+    }
+
     /// Notes symbols that a proof takes as constant.
     pub(super) fn takes_as_constant(&mut self, symbols: Vec<Symbol>) {
         let known = self.notes.iter_mut().find_map(|note| match note {

@@ -28,7 +28,7 @@ impl Auditor<'_> {
     pub(super) fn unproved(&self, at: usize, premises: &Set<usize>) -> Vec<usize> {
         let mut open = Set::new();
         for &premise in premises.iter().filter(|&&p| p < at) {
-            for entry in self.entries_of(premise) {
+            for entry in self.entries_of(premise).filter(|own| !own.names_a_value()) {
                 let conditional = entry
                     .notes
                     .iter()

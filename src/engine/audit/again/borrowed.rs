@@ -165,14 +165,15 @@ impl Judge<'_> {
                 continue;
             }
             let conditional = |n: &Note| matches!(n, Note::UnstatedCondition(_));
+            let proved = || entries.iter().filter(|e| !e.names_a_value());
             let is_open =
-                |e: &&Entry| e.verdict == Verdict::Undecided || e.notes.iter().any(conditional);
-            let is_open = entries.iter().any(is_open);
+                |e: &Entry| e.verdict == Verdict::Undecided || e.notes.iter().any(conditional);
+            let is_open = proved().any(|e| is_open(e));
             let on = |n: &Note| match n {
                 Note::RestsOnUnproved(on) => on.clone(),
                 _ => Vec::new(),
             };
-            let notes = entries.iter().flat_map(|e| &e.notes);
+            let notes = proved().flat_map(|e| &e.notes);
             let on: Vec<usize> = notes.flat_map(on).collect();
             let mut rests_on = entries.iter().flat_map(|e| &e.rests_on).peekable();
             if rests_on.peek().is_none() && on.is_empty() && !is_open {
