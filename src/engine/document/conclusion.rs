@@ -112,7 +112,10 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
     };
     let follows = |at: usize| {
         let token = sentence[at].0;
-        (token.is_among(&WORKED) || draws_on(token)) && !otherwise(at)
+        // "from which the quantity is", and not "the height from which it falls".
+        let from_which =
+            || token.is_among(&["which"]) && at == 1 && sentence[0].0.is_among(&["from"]);
+        (token.is_among(&WORKED) || draws_on(token) || from_which()) && !otherwise(at)
     };
     Some((0..sentence.len()).any(follows))
 }

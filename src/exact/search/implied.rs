@@ -212,7 +212,9 @@ fn value_of(problem: &Problem, own: Var, kept: &Set<Var>) -> Option<Fraction> {
     };
     let simplest = |elements: &[Tracked]| {
         let all = elements.iter().filter(solvable);
-        all.min_by_key(|e| (strange(e), e.polynomial.len()))
+        // What says the same without the unknown as a factor says it plainly.
+        let is_multiple = |e: &Tracked| e.polynomial.degree_in(own) > 1;
+        all.min_by_key(|e| (is_multiple(e), strange(e), e.polynomial.len()))
             .cloned()
     };
     let first = simplest(&ideal.rest);

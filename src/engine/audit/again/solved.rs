@@ -11,7 +11,7 @@ use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
 use super::super::stated::quantities;
-use super::there::{Asked, MayFail, There, join, whole};
+use super::there::{Asked, MayFail, Side, There, join, whole};
 
 /// So many symbols may be what is solved for.
 const MOST_UNKNOWNS: usize = 3;
@@ -30,14 +30,14 @@ impl Judge<'_> {
             return None;
         }
         let mut assumed = self.cited(goal, &[]);
-        let mut words = self.said_of_the_place();
+        let mut words = self.said_of_the_place(Side::Before);
         words.extend(self.named_before(premises));
         let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
         let said: Vec<&Assumed> = words.iter().chain(fresh).collect();
         let set: Vec<Place> = said.iter().copied().filter_map(place).collect();
         // What is a number there is printed as one: `K = (\gamma - 1) m c^2` is not said of $m = 0$.
         let mut numbers = said.iter().filter_map(|own| own.formula.set_to_number());
-        if set.is_empty() || numbers.any(|own| named.contains(own)) {
+        if numbers.any(|own| named.contains(own)) {
             return None;
         }
         join(words.into_iter(), &mut assumed);
@@ -47,18 +47,26 @@ impl Judge<'_> {
             let mut places = set.iter();
             is_displayed(own) && places.any(|place| names.contains(place.of()))
         };
-        if !assumed.iter().any(speaks) {
+        if !set.is_empty() && !assumed.iter().any(speaks) {
             let spoken = || self.others(premises)[0].iter().filter(|own| speaks(own));
             let nearest = spoken().next().map(|own| own.source);
             assumed.extend(spoken().filter(|own| Some(own.source) == nearest).cloned());
         }
         // Two cases at once say nothing.
         assumed.retain(|own| !self.is_of_case_before(own));
-        let mut gone = gone(set, &named, new, &assumed);
         // The name may say what it is that is solved for: `\omega_0`.
-        if let Some(own) = whole(new).filter(|own| gone.contains(own)) {
-            gone = vec![own];
-        }
+        let by_name = whole(new);
+        let gone = match set.is_empty() {
+            true => by_name
+                .filter(|own| self.is_drawn_from(own, &assumed))
+                .into_iter()
+                .collect(),
+            false => {
+                let gone = gone(set, &named, new, &assumed);
+                let named_so = by_name.filter(|own| gone.contains(own));
+                named_so.map_or(gone, |own| vec![own])
+            }
+        };
         if gone.len() > MOST_UNKNOWNS {
             return None;
         }
@@ -130,6 +138,18 @@ impl Judge<'_> {
         let is_elsewhere = assumed.any(|own| self.is_of_case_before(own));
         let is_shown = found.judged.outcome.is_proven() && !is_elsewhere;
         is_shown.then(|| There::Solved(found.into()))
+    }
+
+    /// Whether a step is drawn from what says something of a symbol, but not plainly what it is: "$$0 = a - 2 b Q$$, from which $$Q_m = a/(2 b)$$".
+    fn is_drawn_from(&self, symbol: &Symbol, assumed: &[Assumed]) -> bool {
+        let laws = || assumed.iter().filter(|own| is_displayed(own));
+        let plainly = |own: &Assumed| {
+            let sides = own.formula.as_equation();
+            sides.is_some_and(|(left, _)| matches!(left, Expr::Symbol(own) if own == symbol))
+        };
+        self.derivation.equations[self.at].drawn
+            && laws().any(|own| own.formula.names().contains(symbol))
+            && !laws().any(plainly)
     }
 
     /// What the new symbols of cited equations were found to be: "Inserting (2) into (3)" goes on at the time `T = t` of which (2) says how

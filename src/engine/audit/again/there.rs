@@ -51,7 +51,7 @@ impl Judge<'_> {
             return None;
         }
         let cited = self.cited(goal, &[]);
-        let words = self.said_of_the_place();
+        let words = self.said_of_the_place(Side::Both);
         let quantity = whole(new).filter(|own| !named.contains(own));
         let asked = Asked {
             new,
@@ -259,14 +259,17 @@ impl Judge<'_> {
         !said.is_empty() && self.holds_under(goal, all(), &[], Effort::Light, found)
     }
 
-    /// What the words before a step tell, name or mention: "At the free end, $x = L$".
-    pub(super) fn said_of_the_place(&self) -> Vec<Assumed> {
+    /// What the words around a step tell, name or mention: "At the free end, $x = L$".
+    pub(super) fn said_of_the_place(&self, side: Side) -> Vec<Assumed> {
         let mut words = self.derivation.told(self.at);
         words.extend(self.derivation.named(self.at));
         let start = self.derivation.equations[self.at].span.start;
         let mentioned = self.derivation.mentioned(self.at).into_iter();
         // "If $a = b$, then of course $c = 2 a$. In the general case" leaves what it names.
-        let is_meant = |span: Span| span.start < start && !self.derivation.is_left(self.at, span);
+        let is_meant = |span: Span| {
+            let is_there = side == Side::Both || span.start < start;
+            is_there && !self.derivation.is_left(self.at, span)
+        };
         let mentioned = mentioned.filter(|(span, _)| is_meant(*span));
         words.extend(mentioned.map(|(_, formula)| step(&formula)));
         let page = self.derivation.equations[self.at].page;
@@ -306,6 +309,14 @@ pub(super) struct Asked<'a> {
     pub named: &'a Set<Symbol>,
     /// What it may name a special value of.
     pub quantity: Option<&'a Symbol>,
+}
+
+/// Where words stand that are looked at.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Before,
+    /// Also behind the step: "that is, $E = r/2$".
+    Both,
 }
 
 /// When what would define a symbol is told to be wrong.
