@@ -78,6 +78,9 @@ fn what_may_be_something_else_is_given() {
     // "In general" leaves what was named, so that this follows from nothing.
     let currents = "The currents add up:\n\n$$ I = I_1 + I_2. \\tag{1} $$\n\nIf $I_1 = I_2$, then $I = 2 I_1$. In general the voltage $U = R I$ is\n\n$$ U = 2 R I_1 $$\n";
     assert_eq!(last(currents), "fails");
+    // What is said behind a law draws nothing from it.
+    let law = "The path is\n\n$$ x = w t \\tag{1} $$\n\nAt $t = 1$ the body is at $x = w$.\n";
+    assert_eq!(last(law), "given");
     // Where all would have to be positive, and cannot be, nothing follows.
     let divider = "In series\n\n$$ \\begin{aligned} U &= U_1 + U_2, \\\\ U_1 &= R_1 I, \\\\ U_2 &= R_2 I. \\end{aligned} $$\n";
     assert_eq!(last(divider), "given");

@@ -76,6 +76,8 @@ impl Judge<'_> {
     ) -> Option<There> {
         let solved = || self.solved_for(goal, asked.quantity?, premises);
         match self.judged_anywhere(goal, assumed.clone(), premises, asked, may_fail) {
+            // What words around it say of the symbol itself may be drawn from it.
+            Some(There::Shown) if asked.quantity.is_none() => return Some(There::Shown),
             Some(There::Shown) => {
                 let solved = solved().or_else(|| self.solved_from(goal, assumed, premises));
                 return Some(solved.unwrap_or(There::Shown));
