@@ -7,6 +7,7 @@
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source};
+use crate::search::{self, Decision};
 use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
@@ -70,19 +71,30 @@ impl Judge<'_> {
         if gone.len() > MOST_UNKNOWNS {
             return None;
         }
-        let mut unknowns = gone.iter();
-        if let Some(solved) = unknowns.find_map(|own| self.solved_for(goal, own, premises)) {
-            return Some(solved);
-        }
         let with = |unknown: &Symbol| {
             let same = taken(&Formula::same(new, unknown));
             assumed.iter().cloned().chain([same]).collect::<Vec<_>>()
         };
-        let mut unknowns = gone.iter();
-        if let Some(solved) = unknowns.find_map(|own| self.solved_from(goal, with(own), premises)) {
-            return Some(solved);
+        // Where all is positive it is soon seen what follows: only that is looked at in earnest.
+        let follows = |unknown: &&Symbol| {
+            let all = self.where_all_is_positive(goal, with(unknown));
+            let decision = effort::within(MOST_WORK, || self.decide_from(&all, &goal.formula));
+            matches!(decision, Some(Decision::Proven { .. }))
+        };
+        let (likely, others): (Vec<&Symbol>, Vec<&Symbol>) = gone.iter().partition(follows);
+        if let Some(first) = likely.first() {
+            let solved = |own| {
+                let solved = self.solved_for(goal, own, premises);
+                solved.or_else(|| self.solved_from(goal, with(own), premises))
+            };
+            return likely.iter().copied().find_map(solved).or_else(|| {
+                let is_shown = self.decide_from(&with(first), &goal.formula);
+                matches!(is_shown, Some(Decision::Proven { .. })).then_some(There::Shown)
+            });
         }
-        let mut told = gone.iter().filter_map(|unknown| {
+        // What follows for a logarithm is found by mending what is printed, and not before.
+        let of_number = value.any(&Expr::is_logarithm_of_number);
+        let mut told = others.into_iter().filter_map(|unknown| {
             let asked = Asked {
                 new,
                 named: &named,
@@ -90,12 +102,24 @@ impl Judge<'_> {
             };
             let may_fail = MayFail::InTheSameSymbols;
             effort::within(MOST_WORK, || {
-                self.judged_there(goal, with(unknown), premises, &asked, may_fail)
+                let all = self.where_all_is_positive(goal, with(unknown));
+                (of_number || self.implies_in(&all, goal, &named))
+                    .then(|| self.judged_there(goal, with(unknown), premises, &asked, may_fail))?
             })
         });
         // Where two could be meant nothing is told.
         let first = told.next()?;
         told.next().is_none().then_some(first)
+    }
+
+    /// Whether premises give something else for what a goal defines, in just these symbols.
+    fn implies_in(&self, assumed: &[Assumed], goal: &Goal, named: &Set<Symbol>) -> bool {
+        let posed = self.pose(assumed, &goal.formula).ok();
+        let implied = posed.and_then(|posed| search::implied(&posed));
+        let sides = implied
+            .as_ref()
+            .and_then(|own| own.proven.claim().goal.as_equation());
+        sides.is_some_and(|(_, value)| quantities(value) == *named)
     }
 
     /// What defines a new symbol, if it follows where that is what another one is there.

@@ -87,23 +87,33 @@ impl Judge<'_> {
         }
         // That something may be 0 or less can be all that keeps the symbol from being anything at all. Where all is positive, too, there is a
         // counterexample or nothing is said.
-        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
-        let free = unbounded(&claim).into_iter();
-        let is_set = |symbol: &Symbol| {
-            let mut all = assumed.iter();
-            all.any(|own| own.formula.set_to_number() == Some(symbol))
-        };
-        let free = free.filter(|symbol| symbol.name() != "\\pi" && !is_set(symbol));
-        let positive = free.map(|symbol| taken(&Formula::positive(Expr::Symbol(symbol))));
-        let positive: Vec<Assumed> = positive.collect();
-        if may_fail == MayFail::Never || positive.is_empty() {
+        let before = assumed.len();
+        let assumed = self.where_all_is_positive(goal, assumed);
+        if may_fail == MayFail::Never || assumed.len() == before {
             return None;
         }
-        let assumed = assumed.into_iter().chain(positive).collect();
         match self.judged_anywhere(goal, assumed, premises, asked, may_fail)? {
             There::Shown => solved(),
             found => Some(found),
         }
+    }
+
+    /// Premises, and that all symbols are positive of which nothing else is said.
+    pub(super) fn where_all_is_positive(
+        &self,
+        goal: &Goal,
+        mut assumed: Vec<Assumed>,
+    ) -> Vec<Assumed> {
+        let claim = self.derivation.claim(self.at, &assumed, &goal.formula);
+        let is_set = |symbol: &Symbol| {
+            let mut all = assumed.iter();
+            all.any(|own| own.formula.set_to_number() == Some(symbol))
+        };
+        let mut free = unbounded(&claim);
+        free.retain(|symbol| symbol.name() != "\\pi" && !is_set(symbol));
+        let positive = |symbol| taken(&Formula::positive(Expr::Symbol(symbol)));
+        assumed.extend(free.into_iter().map(positive));
+        assumed
     }
 
     /// The same from just these premises.
