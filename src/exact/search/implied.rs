@@ -9,7 +9,7 @@ use crate::algebra::{
     Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Polynomial, Rational, Symbol, Var,
     expr_of, expr_of_atom, expr_of_fraction, factors, product_of, raised,
 };
-use crate::kernel::{Claim, Fact, Knowledge, Obligation, Problem, Proven, Sign};
+use crate::kernel::{Claim, Fact, Knowledge, Obligation, Problem, Proven, Sign, definition};
 use crate::sorted::{self, Set};
 
 /// More terms than this tell a reader nothing.
@@ -58,7 +58,7 @@ impl Implied {
 pub fn implied(obligation: &Obligation) -> Option<Implied> {
     let (claim, problem) = (obligation.claim(), obligation.problem());
     let (symbol, printed) = solved(&claim.goal)?;
-    let own = problem.atoms.find(&Atom::Symbol(symbol.clone()))?;
+    let own = var_of(obligation, symbol)?;
     let mut atoms = problem.atoms.clone();
     let printed_value = problem.lowering_over(&mut atoms).lower(printed).ok()?;
     let mut kept: Set<Var> = printed_value.numerator().vars().into_iter().collect();
@@ -104,6 +104,20 @@ pub fn implied(obligation: &Obligation) -> Option<Implied> {
         .filter(|ratio| is_short(ratio) && !is_tied(problem, ratio))
         .map(|ratio| tidy(&ratio, &atoms));
     Some(Implied { proven, ratio })
+}
+
+/// The unknown of a symbol; where another name was put in for it, that one's.
+fn var_of(obligation: &Obligation, symbol: &Symbol) -> Option<Var> {
+    let atoms = &obligation.problem().atoms;
+    let find = |symbol: &Symbol| atoms.find(&Atom::Symbol(symbol.clone()));
+    find(symbol).or_else(|| {
+        let hypotheses = &obligation.claim().hypotheses;
+        let mut put_in = obligation.unfold().iter();
+        put_in.find_map(|&at| match definition(&hypotheses[at].formula)? {
+            (own, Expr::Symbol(other)) if own == *symbol => find(&other),
+            _ => None,
+        })
+    })
 }
 
 /// Whether a premise ties the unknowns of a ratio: then they may cancel.
