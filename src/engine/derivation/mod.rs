@@ -46,7 +46,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::algebra::Symbol;
-use crate::document::Document;
+use crate::document::{Document, Span};
 use crate::parallel::in_order;
 use crate::sorted::{Set, Tree};
 
@@ -215,5 +215,11 @@ impl Derivation {
     pub fn before_display(&self, at: usize) -> Option<usize> {
         let before = self.display_start(at).checked_sub(1)?;
         (self.equations[before].page == self.equations[at].page).then_some(before)
+    }
+
+    /// Whether what is said at a place of the same page is said after that display.
+    pub fn is_said_since(&self, at: usize, said: Span) -> bool {
+        let before = self.before_display(at);
+        before.is_none_or(|before| self.equations[before].span.end <= said.start)
     }
 }

@@ -85,12 +85,11 @@ impl Judge<'_> {
             return false;
         };
         let local = self.derivation.local(page, local);
-        let before = self.derivation.before_display(self.at);
-        let before = before.map(|before| &self.derivation.equations[before]);
-        let before = before.filter(|own| own.page == page);
         *own.formula == goal.formula
             && local.is_momentary()
-            && before.is_some_and(|before| before.span.end <= local.span.start)
+            && self.derivation.equations[self.at].page == page
+            && self.derivation.before_display(self.at).is_some()
+            && self.derivation.is_said_since(self.at, local.span)
     }
 
     fn may_be_left(&self, place: (usize, usize), goal: &Goal, premises: &[usize]) -> bool {

@@ -22,14 +22,7 @@ const MOST_WORK: u64 = 1_000_000;
 impl Judge<'_> {
     /// What would define a new symbol by its first link, judged as the value of what the words solve for; nothing where they do not.
     pub(in crate::audit) fn as_solved(&self, goal: &Goal, premises: &[usize]) -> Option<There> {
-        let (Expr::Symbol(new), value) = goal.formula.as_equation()? else {
-            return None;
-        };
-        let named = quantities(value);
-        let is_new = self.derivation.equations[self.at].introduces.contains(new);
-        if !is_new || named.is_empty() {
-            return None;
-        }
+        let (new, named) = self.defined_anew(goal)?;
         let mut assumed = self.cited(goal, &[]);
         let mut words = self.said_of_the_place(Side::Before);
         words.extend(self.named_before(premises));
@@ -92,8 +85,6 @@ impl Judge<'_> {
                 matches!(is_shown, Some(Decision::Proven { .. })).then_some(There::Shown)
             });
         }
-        // What follows for a logarithm is found by mending what is printed, and not before.
-        let of_number = value.any(&Expr::is_logarithm_of_number);
         let mut told = others.into_iter().filter_map(|unknown| {
             let asked = Asked {
                 new,
@@ -103,7 +94,7 @@ impl Judge<'_> {
             let may_fail = MayFail::InTheSameSymbols;
             effort::within(MOST_WORK, || {
                 let all = self.where_all_is_positive(goal, with(unknown));
-                (of_number || self.implies_in(&all, goal, &named))
+                self.implies_in(&all, goal, &named)
                     .then(|| self.judged_there(goal, with(unknown), premises, &asked, may_fail))?
             })
         });
@@ -204,10 +195,8 @@ impl Judge<'_> {
         let Source::Local(page, local) = own.source else {
             return false;
         };
-        let said = self.derivation.local(page, local).span.start;
-        let before = self.derivation.before_display(self.at);
-        let before = before.map(|before| self.derivation.equations[before].span.end);
-        before.is_none_or(|before| before <= said)
+        let said = self.derivation.local(page, local).span;
+        self.derivation.is_said_since(self.at, said)
     }
 }
 

@@ -42,14 +42,7 @@ impl Judge<'_> {
         premises: &[usize],
         defines: bool,
     ) -> Option<There> {
-        let (Expr::Symbol(new), value) = goal.formula.as_equation()? else {
-            return None;
-        };
-        let named = quantities(value);
-        let is_new = self.derivation.equations[self.at].introduces.contains(new);
-        if !is_new || named.is_empty() {
-            return None;
-        }
+        let (new, named) = self.defined_anew(goal)?;
         let cited = self.cited(goal, &[]);
         let words = self.said_of_the_place(Side::Both);
         let quantity = whole(new).filter(|own| !named.contains(own));
@@ -63,6 +56,16 @@ impl Judge<'_> {
         let at_a_place = || self.said_of_the_whole(&asked, cited, words, premises);
         let (assumed, may_fail) = by_itself.or_else(at_a_place)?;
         self.judged_there(goal, assumed, premises, &asked, may_fail)
+    }
+
+    /// A new symbol that stands alone on the left, and what its value is made of, unless that is a number.
+    pub(super) fn defined_anew<'g>(&self, goal: &'g Goal) -> Option<(&'g Symbol, Set<Symbol>)> {
+        let (Expr::Symbol(new), value) = goal.formula.as_equation()? else {
+            return None;
+        };
+        let named = quantities(value);
+        let is_new = self.derivation.equations[self.at].introduces.contains(new);
+        (is_new && !named.is_empty()).then_some((new, named))
     }
 
     /// A new symbol judged as what it is said to name, from such premises; also where all is positive.
