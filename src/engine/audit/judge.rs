@@ -46,6 +46,8 @@ pub(super) struct Judge<'a> {
     pub others: OnceCell<[Vec<Assumed>; 2]>,
     /// The claims that were read last, the latest first.
     pub read: RefCell<Vec<Rc<Obligation>>>,
+    /// Whether only proofs are of use to who asks: what holds in the place of what is refuted is not looked for.
+    pub only_proofs: bool,
 }
 
 impl<'a> Judge<'a> {
@@ -59,6 +61,18 @@ impl<'a> Judge<'a> {
             before: OnceCell::new(),
             others: OnceCell::new(),
             read: RefCell::default(),
+            only_proofs: false,
+        }
+    }
+
+    /// The same judge, asked only what follows.
+    pub fn for_proofs(&self) -> Judge<'a> {
+        Judge {
+            before: self.before.clone(),
+            others: self.others.clone(),
+            read: self.read.clone(),
+            only_proofs: true,
+            ..*self
         }
     }
 }

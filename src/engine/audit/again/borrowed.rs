@@ -16,7 +16,7 @@ const MOST_BORROWED: usize = 40;
 const MOST_LATER: usize = 4;
 
 /// The equations that stand before a step and that it does not cite.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(in crate::audit) struct Before {
     /// What rests on nothing false or open.
     pub(in crate::audit) sound: Vec<usize>,

@@ -125,7 +125,8 @@ impl Judge<'_> {
         };
         let same = Formula::same(new, unknown);
         let steps = [(goal.clause, same.clone())];
-        let mut found = effort::within(MOST_WORK, || self.goal(goal, &steps, premises));
+        let mut found =
+            effort::within(MOST_WORK, || self.for_proofs().goal(goal, &steps, premises));
         for own in &mut found.judged.assumed {
             if own.source == Source::Step && *own.formula == same {
                 own.source = Source::Taken;
@@ -141,7 +142,9 @@ impl Judge<'_> {
         assumed: Vec<Assumed>,
         premises: &[usize],
     ) -> Option<There> {
-        let found = effort::within(MOST_WORK, || self.judged(goal, assumed, premises));
+        let found = effort::within(MOST_WORK, || {
+            self.for_proofs().judged(goal, assumed, premises)
+        });
         self.shown(found)
     }
 

@@ -78,7 +78,7 @@ impl Judge<'_> {
         may_fail: MayFail,
     ) -> Option<There> {
         let solved = || self.solved_for(goal, asked.quantity?, premises);
-        match self.judged_anywhere(goal, assumed.clone(), premises, asked, may_fail) {
+        match self.judged_anywhere(goal, assumed.clone(), asked, may_fail) {
             // What words around it say of the symbol itself may be drawn from it.
             Some(There::Shown) if asked.quantity.is_none() => return Some(There::Shown),
             Some(There::Shown) => {
@@ -95,7 +95,7 @@ impl Judge<'_> {
         if may_fail == MayFail::Never || assumed.len() == before {
             return None;
         }
-        match self.judged_anywhere(goal, assumed, premises, asked, may_fail)? {
+        match self.judged_anywhere(goal, assumed, asked, may_fail)? {
             There::Shown => solved(),
             found => Some(found),
         }
@@ -124,7 +124,6 @@ impl Judge<'_> {
         &self,
         goal: &Goal,
         assumed: Vec<Assumed>,
-        premises: &[usize],
         asked: &Asked,
         may_fail: MayFail,
     ) -> Option<There> {
@@ -136,7 +135,7 @@ impl Judge<'_> {
                     assumed: assumed.clone(),
                     outcome: Outcome::Refuted(refuted.into()),
                 });
-                self.instead(goal, &assumed, premises, &mut found);
+                self.instead_from_these(goal, &assumed, &mut found);
                 let gives = found.gives(asked, may_fail);
                 gives.then(|| There::Refuted(found.into()))
             }

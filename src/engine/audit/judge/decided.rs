@@ -170,6 +170,9 @@ impl Judge<'_> {
         let mut strong = false;
         let settled =
             marked && goal.questioned || self.follows_after_all(own, witness, &mut strong, found);
+        if self.only_proofs {
+            return;
+        }
         let told_before = match settled || strong {
             true => Vec::new(),
             false => self.told_before(goal, assumed, premises),

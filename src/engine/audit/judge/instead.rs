@@ -2,6 +2,7 @@
 
 use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, values_at};
+use crate::kernel::Claim;
 use crate::search::{self, Effort, Implied, InChain};
 
 use super::super::Outcome;
@@ -16,13 +17,51 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) {
+        let Some((claim, chain)) = self.instead_from_these(goal, assumed, found) else {
+            return;
+        };
         let Outcome::Refuted(refuted) = &found.judged.outcome else {
             return;
         };
-        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        let Some(chain) = self.in_chain(goal, assumed) else {
-            return;
+        if found.conditions.is_empty()
+            && found.mended.is_none()
+            && found
+                .implied
+                .as_ref()
+                .is_none_or(|i| i.restates() && !i.is_multiple())
+        {
+            let elsewhere = self.later(premises);
+            let hints = self.auditor.hints();
+            let missing = search::missing_suppositions(
+                &claim,
+                refuted.witness(),
+                &elsewhere,
+                &hints,
+                values_at,
+            );
+            if let Some((all, _)) = missing {
+                (found.missing, found.implied) = (all, None);
+            } else {
+                self.mended_from_all(goal, assumed, premises, &chain, found);
+                if found.mended.is_none() {
+                    self.mended_under_conditions(goal, assumed, premises, &chain, found);
+                }
+            }
+        }
+    }
+
+    /// The same from just these premises. Gives what is mended and where it stands, unless nothing more is to be looked for.
+    pub(in crate::audit) fn instead_from_these(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) -> Option<(Claim, InChain)> {
+        let Outcome::Refuted(refuted) = &found.judged.outcome else {
+            return None;
         };
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        let chain = self.in_chain(goal, assumed)?;
         // What the text itself names is likelier meant than that the pen slipped.
         let mentioned = self.derivation.mentioned(self.at);
         if !mentioned.is_empty() {
@@ -31,7 +70,7 @@ impl Judge<'_> {
             let missing = search::missing_among(&claim, witness, mentioned, &hints, values_at);
             if let Some((all, _)) = missing {
                 found.missing = all;
-                return;
+                return None;
             }
         }
         let posed = self.pose_claim(claim.clone()).ok();
@@ -64,31 +103,7 @@ impl Judge<'_> {
         {
             found.conditions = unless.conditions();
         }
-        if found.conditions.is_empty()
-            && found.mended.is_none()
-            && found
-                .implied
-                .as_ref()
-                .is_none_or(|i| i.restates() && !i.is_multiple())
-        {
-            let elsewhere = self.later(premises);
-            let hints = self.auditor.hints();
-            let missing = search::missing_suppositions(
-                &claim,
-                refuted.witness(),
-                &elsewhere,
-                &hints,
-                values_at,
-            );
-            if let Some((all, _)) = missing {
-                (found.missing, found.implied) = (all, None);
-            } else {
-                self.mended_from_all(goal, assumed, premises, &chain, found);
-                if found.mended.is_none() {
-                    self.mended_under_conditions(goal, assumed, premises, &chain, found);
-                }
-            }
-        }
+        Some((claim, chain))
     }
 
     /// Which side of a refuted link may be wrong, as far as its neighbours tell; nothing where it is only the left one,
