@@ -75,6 +75,17 @@ impl<'a> Judge<'a> {
             ..*self
         }
     }
+
+    /// The same where nothing that stands before is tried besides.
+    pub fn for_proofs_from_these(&self) -> Judge<'a> {
+        Judge {
+            before: Before::default().into(),
+            others: <[Vec<Assumed>; 2]>::default().into(),
+            read: self.read.clone(),
+            only_proofs: true,
+            ..*self
+        }
+    }
 }
 
 /// What was found of one goal.

@@ -71,18 +71,28 @@ impl Judge<'_> {
         // Where all is positive it is soon seen what follows: only that is looked at in earnest.
         let follows = |unknown: &&Symbol| {
             let all = self.where_all_is_positive(goal, with(unknown));
-            let decision = effort::within(MOST_WORK, || self.decide_from(&all, &goal.formula));
-            matches!(decision, Some(Decision::Proven { .. }))
+            effort::within(MOST_WORK, || self.is_proven_from(&all, goal))
         };
         let (likely, others): (Vec<&Symbol>, Vec<&Symbol>) = gone.iter().partition(follows);
         if let Some(first) = likely.first() {
-            let solved = |own| {
-                let solved = self.solved_for(goal, own, premises);
-                solved.or_else(|| self.solved_from(goal, with(own), premises))
+            // What only the words name is not found from what is cited, however hard it is tried.
+            let cited = self.cited(goal, &[]);
+            let by_words = assumed.len() > cited.len();
+            let solved = |own: &Symbol| {
+                let from_cited = || {
+                    let same = taken(&Formula::same(new, own));
+                    let all = cited.iter().cloned().chain([same]).collect();
+                    self.is_proven_from(&self.where_all_is_positive(goal, all), goal)
+                };
+                let solved =
+                    (!by_words || from_cited()).then(|| self.solved_for(goal, own, premises));
+                solved
+                    .flatten()
+                    .or_else(|| self.solved_from(goal, with(own), premises))
             };
             return likely.iter().copied().find_map(solved).or_else(|| {
-                let is_shown = self.decide_from(&with(first), &goal.formula);
-                matches!(is_shown, Some(Decision::Proven { .. })).then_some(There::Shown)
+                let is_shown = self.is_proven_from(&with(first), goal);
+                is_shown.then_some(There::Shown)
             });
         }
         let mut told = others.into_iter().filter_map(|unknown| {
@@ -101,6 +111,11 @@ impl Judge<'_> {
         // Where two could be meant nothing is told.
         let first = told.next()?;
         told.next().is_none().then_some(first)
+    }
+
+    fn is_proven_from(&self, assumed: &[Assumed], goal: &Goal) -> bool {
+        let decision = self.decide_from(assumed, &goal.formula);
+        matches!(decision, Some(Decision::Proven { .. }))
     }
 
     /// Whether premises give something else for what a goal defines, in just these symbols.
@@ -143,7 +158,8 @@ impl Judge<'_> {
         premises: &[usize],
     ) -> Option<There> {
         let found = effort::within(MOST_WORK, || {
-            self.for_proofs().judged(goal, assumed, premises)
+            let judge = self.for_proofs_from_these();
+            judge.judged(goal, assumed, premises)
         });
         self.shown(found)
     }
