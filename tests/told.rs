@@ -1273,3 +1273,75 @@ fn of_what_an_unreadable_display_speaks_nothing_else_is_refuted() {
     let other = r"J = \sum_{n=0}^{\infty} n (1 - q) q^n";
     assert_eq!(page(other, r"q = \frac{w}{u}"), "fails");
 }
+
+/// What a sentence says of a moment or a case is over with that sentence, where the next one names something and says what it comes from.
+#[test]
+fn what_is_told_of_a_case_is_no_premise_of_what_is_named_later() {
+    let page = |words: &str, step: &str| {
+        last(&format!(
+            "A body moves by\n\n$$ x = v t. \\tag{{1}} $$\n\n{words} The square $q = x^2$ is, by (1),\n\n$$ {step} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "At $t = 1$ the body is at $x = v$.",
+        "At $t = 1$ we have $x = v$.",
+        "At the end the position is $x = v$.",
+        "When $t = 1$, the position is $x = v$.",
+        "For $t = 1$ the position is $x = v$.",
+        "(For $t = 1$ it has come to $x = v$.)",
+        "If $t = 1$, then $x = v$.",
+        "The position is $x = v$ at $t = 1$.",
+    ] {
+        assert_eq!(page(words, "q = v^2"), "undecided", "{words}");
+        assert_eq!(page(words, "q = v^2 t^2"), "holds", "{words}");
+    }
+    // These set the scene for what comes next.
+    for words in ["Suppose that $t = 1$.", "Take $t = 1$."] {
+        assert_eq!(page(words, "q = v^2"), "holds", "{words}");
+        assert_eq!(page(words, "q = 2 v^2"), "fails", "{words}");
+    }
+}
+
+#[test]
+fn what_is_displayed_of_a_moment_is_no_premise_of_what_is_named_later() {
+    let page = |step: &str| {
+        last(&format!(
+            "A body moves by\n\n$$ x = v t. \\tag{{1}} $$\n\nInitially, at $t = 0$, we have\n\n$$ x = 0. \\tag{{2}} $$\n\nThe square $q = x^2$ is, by (1),\n\n$$ {step} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("q = 0"), "undecided");
+    assert_eq!(page("q = v^2 t^2"), "holds");
+}
+
+#[test]
+fn the_first_of_two_cases_is_over_with_the_second() {
+    for second in [
+        "Suppose next that it accelerates with $a$.",
+        "Next, suppose that it accelerates with $a$.",
+        "Suppose instead that it accelerates with $a$.",
+    ] {
+        let page = |step: &str| {
+            last(&format!(
+                "Suppose first that the lift is at rest, $a = 0$. The floor pushes with\n\n$$ N = m g. \\tag{{1}} $$\n\n{second} Then\n\n\
+                 $$ F = m (g + a). \\tag{{2}} $$\n\nThe ratio $k = F/N$ is, by (1) and (2),\n\n$$ {step} $$\n"
+            ))
+            .0
+        };
+        assert_eq!(page("k = 1"), "fails", "{second}");
+        assert_eq!(page(r"k = 1 + \frac{a}{g}"), "holds", "{second}");
+    }
+}
+
+#[test]
+fn what_is_said_again_otherwise_is_meant_no_more() {
+    let page = |step: &str| {
+        last(&format!(
+            "A cart has the momentum\n\n$$ p = m v. \\tag{{1}} $$\n\nIt starts from rest: $v = 0$ at $t = 0$. Later $v = a t$, and (1) becomes\n\n$$ {step} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("p = 0"), "undecided");
+    assert_eq!(page("p = m a t"), "holds");
+}

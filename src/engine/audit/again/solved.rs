@@ -147,7 +147,7 @@ impl Judge<'_> {
                 own.source = Source::Taken;
             }
         }
-        self.shown(found)
+        self.shown(found, premises)
     }
 
     /// What defines a new symbol, if it follows from what is cited and what the words name.
@@ -161,16 +161,17 @@ impl Judge<'_> {
             let judge = self.for_proofs_from_these();
             judge.judged(goal, assumed, premises)
         });
-        self.shown(found)
+        self.shown(found, premises)
     }
 
     /// What was found, where it is shown from no case that was set before.
-    fn shown(&self, mut found: Found) -> Option<There> {
+    fn shown(&self, mut found: Found, premises: &[usize]) -> Option<There> {
         // What the words name may say more than what is cited.
         found.may_follow = true;
         let mut assumed = found.judged.assumed.iter();
         let is_elsewhere = assumed.any(|own| self.is_of_case_before(own));
         let is_shown = found.judged.outcome.is_proven() && !is_elsewhere;
+        let is_shown = is_shown && self.lingering(&found, premises).is_none();
         is_shown.then(|| There::Solved(found.into()))
     }
 

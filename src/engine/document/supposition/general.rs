@@ -39,9 +39,12 @@ pub(super) fn generalizes(
         // "Now we include friction again", "Restoring the friction", "no longer neglecting friction"
         "again" => is(recalls(index, tokens), General),
         "restoring" | "reinstating" | "reinstate" => is(last.is_empty() || after("we"), General),
+        "suppose" | "assume" if after("next") => is(second.is_empty(), General),
         "neglect" | "neglecting" | "ignore" | "ignoring" | "assume" | "assuming" => {
             is(after("longer") && is_one(second, &["no"]), General)
         }
+        // "Suppose next that", "Next, suppose that", "Now suppose instead": the second of two cases.
+        "next" | "instead" => is(is_one(last, &["suppose", "assume"]), General),
         "cases" => is(after("all") && is_one(second, &["in"]), Elsewhere),
         "all" | "any" | "every" if after("at") => is(second.is_empty(), Elsewhere),
         "arbitrary" | "all" | "any" | "every" => is(after("for"), Elsewhere),

@@ -191,6 +191,8 @@ pub(super) fn introduced(
         "with" | "for" | "since" | "as" | "because" if bounds() && runs_on(rest) => {
             Some((case, joined(true)))
         }
+        // "Suppose first that the lift is at rest, $a = 0$": of two cases.
+        "assume" | "suppose" if is_first(rest) => Some((case, Reach::Sentence)),
         "assume" | "suppose" if !begun => Some((SuppositionKind::Assume, Reach::Sentence)),
         "assume" | "suppose" | "assuming" | "supposing" | "taking" => {
             Some((SuppositionKind::Assume, joined(false)))
@@ -200,6 +202,12 @@ pub(super) fn introduced(
         _ => None,
     };
     introduced.filter(|_| !negated())
+}
+
+/// Whether "first" comes next: "Suppose first that".
+fn is_first(rest: &[Placed<'_>]) -> bool {
+    rest.first()
+        .is_some_and(|(own, _)| own.is_among(&["first"]))
 }
 
 /// Whether the word at `index` puts what the sentence goes on to display under a condition: "If $u = c$, then", "If the load is doubled,
