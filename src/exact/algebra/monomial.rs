@@ -29,13 +29,27 @@ const FEW: usize = 4;
 /// A list of powers; those that are not few go to the heap.
 ///
 /// Nothing else is done as often as copying, comparing and dropping these: where they are few that takes no call.
-#[derive(Clone)]
 enum Powers {
     Few(u8, [Power; FEW]),
     Many(Vec<Power>),
 }
 
+impl Clone for Powers {
+    #[inline]
+    fn clone(&self) -> Self {
+        match self {
+            Powers::Few(length, powers) => Powers::Few(*length, *powers),
+            Powers::Many(powers) => Powers::copied(powers),
+        }
+    }
+}
+
 impl Powers {
+    #[cold]
+    fn copied(powers: &[Power]) -> Self {
+        Powers::Many(powers.to_vec())
+    }
+
     #[inline]
     fn as_slice(&self) -> &[Power] {
         match self {

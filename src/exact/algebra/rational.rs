@@ -13,19 +13,36 @@ use super::{BigInt, BigRational};
 /// Canonical: in lowest terms with a positive denominator, and small whenever it fits, so that equality is
 /// equality of representations. The coefficients of a derivation nearly always fit, and then an operation
 /// allocates nothing.
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq, Hash)]
 pub struct Rational(Form);
 
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq, Hash)]
 enum Form {
     /// Numerator and denominator; the numerator is never `i64::MIN`.
     Small(i64, i64),
     Big(Box<BigRational>),
 }
 
+/// What is small is copied in place: only for the rest is anything called.
+impl Clone for Rational {
+    #[inline]
+    fn clone(&self) -> Self {
+        match &self.0 {
+            Form::Small(n, d) => Rational::small(*n, *d),
+            Form::Big(value) => Rational::copied(value),
+        }
+    }
+}
+
 impl Rational {
+    #[inline]
     fn small(numerator: i64, denominator: i64) -> Self {
         Rational(Form::Small(numerator, denominator))
+    }
+
+    #[cold]
+    fn copied(value: &BigRational) -> Self {
+        Rational(Form::Big(value.clone().into()))
     }
 
     /// From parts that need not be in lowest terms; the denominator is positive.
@@ -221,17 +238,6 @@ fn counted(a: &BigRational, b: &BigRational) {
     spend(usize::try_from(units).unwrap_or(usize::MAX));
 }
 
-/// The product, in lowest terms once each numerator has nothing in common with the other denominator: num-rational looks
-/// for more, which is most of its work.
-fn product(a: &BigRational, b: &BigRational) -> BigRational {
-    if a.is_integer() && b.is_integer() {
-        return BigRational::from_integer(a.numer() * b.numer());
-    }
-    let (first, second) = (a.numer().gcd(b.denom()), b.numer().gcd(a.denom()));
-    let over = (a.numer() / &first) * (b.numer() / &second);
-    BigRational::new_raw(over, (a.denom() / second) * (b.denom() / first))
-}
-
 /// Binary for what fits in a machine word, Euclid's to get there.
 fn gcd(mut a: u128, mut b: u128) -> u128 {
     loop {
@@ -307,62 +313,89 @@ impl PartialOrd for Rational {
 
 impl Add for &Rational {
     type Output = Rational;
+    #[inline]
     fn add(self, other: &Rational) -> Rational {
-        match (&self.0, &other.0) {
-            (Form::Small(a, 1), Form::Small(c, 1)) => match a.checked_add(*c) {
-                Some(sum) if sum != i64::MIN => Rational::small(sum, 1),
-                _ => Rational::whole(i128::from(*a) + i128::from(*c)),
-            },
-            // Nothing to reduce.
-            (Form::Small(0, _), Form::Small(..)) => other.clone(),
-            (Form::Small(..), Form::Small(0, _)) => self.clone(),
-            // Below 2^126 each, so below 2^127 together.
-            (Form::Small(a, b), Form::Small(c, d)) => {
-                let (a, b, c, d) = (
-                    i128::from(*a),
-                    i128::from(*b),
-                    i128::from(*c),
-                    i128::from(*d),
-                );
-                Rational::reduced(a * d + c * b, b * d)
-            }
-            _ => {
-                let (a, b) = (self.to_big(), other.to_big());
-                counted(&a, &b);
-                // What num-rational does for integers is a gcd with 1, which takes a step for every bit.
-                match a.is_integer() && b.is_integer() {
-                    true => Rational::from(a.numer() + b.numer()),
-                    false => Rational::from_big(a + b),
-                }
-            }
+        // Most numbers are integers: their sums take no call.
+        if let (Form::Small(a, 1), Form::Small(c, 1)) = (&self.0, &other.0)
+            && let Some(sum) = a.checked_add(*c).filter(|sum| *sum != i64::MIN)
+        {
+            return Rational::small(sum, 1);
         }
+        sum(self, other)
     }
 }
 
 impl Mul for &Rational {
     type Output = Rational;
+    #[inline]
     fn mul(self, other: &Rational) -> Rational {
-        match (&self.0, &other.0) {
-            (Form::Small(1, 1), _) => other.clone(),
-            (_, Form::Small(1, 1)) => self.clone(),
-            (Form::Small(-1, 1), Form::Small(n, d)) | (Form::Small(n, d), Form::Small(-1, 1)) => {
-                Rational::small(-n, *d)
-            }
-            (Form::Small(a, 1), Form::Small(c, 1)) => match a.checked_mul(*c) {
-                Some(product) if product != i64::MIN => Rational::small(product, 1),
-                _ => Rational::whole(i128::from(*a) * i128::from(*c)),
-            },
-            (Form::Small(a, b), Form::Small(c, d)) => Rational::reduced(
-                i128::from(*a) * i128::from(*c),
-                i128::from(*b) * i128::from(*d),
-            ),
-            _ => {
-                let (a, b) = (self.to_big(), other.to_big());
-                counted(&a, &b);
-                Rational::from_big(product(&a, &b))
-            }
+        if let (Form::Small(a, 1), Form::Small(c, 1)) = (&self.0, &other.0)
+            && let Some(product) = a.checked_mul(*c).filter(|product| *product != i64::MIN)
+        {
+            return Rational::small(product, 1);
         }
+        product(self, other)
     }
+}
+
+/// The sum of any two numbers.
+fn sum(a: &Rational, b: &Rational) -> Rational {
+    match (&a.0, &b.0) {
+        // Nothing to reduce.
+        (Form::Small(0, _), Form::Small(..)) => b.clone(),
+        (Form::Small(..), Form::Small(0, _)) => a.clone(),
+        // Below 2^126 each, so below 2^127 together.
+        (Form::Small(a, b), Form::Small(c, d)) => {
+            let (a, b, c, d) = (
+                i128::from(*a),
+                i128::from(*b),
+                i128::from(*c),
+                i128::from(*d),
+            );
+            Rational::reduced(a * d + c * b, b * d)
+        }
+        _ => sum_of_big(&a.to_big(), &b.to_big()),
+    }
+}
+
+#[cold]
+fn sum_of_big(a: &BigRational, b: &BigRational) -> Rational {
+    counted(a, b);
+    // What num-rational does for integers is a gcd with 1, which takes a step for every bit.
+    match a.is_integer() && b.is_integer() {
+        true => Rational::from(a.numer() + b.numer()),
+        false => Rational::from_big(a + b),
+    }
+}
+
+/// The product of any two numbers.
+fn product(a: &Rational, b: &Rational) -> Rational {
+    match (&a.0, &b.0) {
+        (Form::Small(1, 1), _) => b.clone(),
+        (_, Form::Small(1, 1)) => a.clone(),
+        (Form::Small(-1, 1), Form::Small(n, d)) | (Form::Small(n, d), Form::Small(-1, 1)) => {
+            Rational::small(-n, *d)
+        }
+        (Form::Small(a, b), Form::Small(c, d)) => Rational::reduced(
+            i128::from(*a) * i128::from(*c),
+            i128::from(*b) * i128::from(*d),
+        ),
+        _ => product_of_big(&a.to_big(), &b.to_big()),
+    }
+}
+
+/// In lowest terms once each numerator has nothing in common with the other denominator: num-rational looks for more, which is
+/// most of its work.
+#[cold]
+fn product_of_big(a: &BigRational, b: &BigRational) -> Rational {
+    counted(a, b);
+    if a.is_integer() && b.is_integer() {
+        return Rational::from(a.numer() * b.numer());
+    }
+    let (first, second) = (a.numer().gcd(b.denom()), b.numer().gcd(a.denom()));
+    let over = (a.numer() / &first) * (b.numer() / &second);
+    let under = (a.denom() / second) * (b.denom() / first);
+    Rational::from_big(BigRational::new_raw(over, under))
 }
 
 impl Neg for &Rational {
