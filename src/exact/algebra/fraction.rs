@@ -56,15 +56,34 @@ impl Fraction {
 
     /// The sum.
     pub fn plus(&self, other: &Self) -> Result<Self, TooLarge> {
+        if let (Some(a), Some(b)) = (self.as_polynomial(), other.as_polynomial())
+            && !is_spent()
+        {
+            return Ok(a.plus(b).into());
+        }
+        self.joined(other, Polynomial::plus)
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Self) -> Result<Self, TooLarge> {
+        if let (Some(a), Some(b)) = (self.as_polynomial(), other.as_polynomial()) {
+            return Ok(a.minus(b).into());
+        }
+        self.joined(other, Polynomial::minus)
+    }
+
+    /// The sum or the difference, which is that of the numerators over a common denominator.
+    fn joined(
+        &self,
+        other: &Self,
+        join: fn(&Polynomial, &Polynomial) -> Polynomial,
+    ) -> Result<Self, TooLarge> {
         if is_spent() {
             return Err(TooLarge);
         }
-        if let (Some(a), Some(b)) = (self.as_polynomial(), other.as_polynomial()) {
-            return Ok(a.plus(b).into());
-        }
         if self.denominator == other.denominator {
             let sum = Fraction {
-                numerator: self.numerator.plus(&other.numerator),
+                numerator: join(&self.numerator, &other.numerator),
                 denominator: self.denominator.clone(),
             };
             return Ok(sum.cancelled());
@@ -77,18 +96,10 @@ impl Fraction {
         let left = self.extended_to(&denominator)?;
         let right = other.extended_to(&denominator)?;
         Ok(Fraction {
-            numerator: left.plus(&right),
+            numerator: join(&left, &right),
             denominator,
         }
         .cancelled())
-    }
-
-    /// The difference.
-    pub fn minus(&self, other: &Self) -> Result<Self, TooLarge> {
-        if let (Some(a), Some(b)) = (self.as_polynomial(), other.as_polynomial()) {
-            return Ok(a.minus(b).into());
-        }
-        self.plus(&other.negated())
     }
 
     /// The numerator that this fraction has over a larger denominator.
@@ -134,7 +145,10 @@ impl Fraction {
         let Some((_, lead)) = self.numerator.leading() else {
             return Ok(None);
         };
-        let numerator = self.expanded_denominator()?.scaled(&lead.recip());
+        let numerator = match self.denominator.is_empty() {
+            true => Polynomial::constant(lead.recip()),
+            false => self.expanded_denominator()?.scaled(&lead.recip()),
+        };
         Ok(Some(Fraction {
             numerator,
             denominator: factors(&self.numerator),

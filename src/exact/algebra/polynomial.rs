@@ -205,32 +205,28 @@ impl Polynomial {
         if self.is_zero() {
             return other.scaled(factor);
         }
-        let (a, b) = (self.terms.as_slice(), other.terms.as_slice());
-        spend(a.len() + b.len());
-        let mut terms = Vec::with_capacity(a.len() + b.len());
-        let (mut i, mut j) = (0, 0);
-        while i < a.len() && j < b.len() {
-            match a[i].0.cmp(&b[j].0) {
-                Ordering::Less => {
-                    terms.push(a[i].clone());
-                    i += 1;
+        self.merged_with(other.terms.iter().map(|(m, c)| (m.clone(), factor * c)))
+    }
+
+    /// The sum with terms that come in order, none twice and none 0.
+    fn merged_with(&self, others: impl ExactSizeIterator<Item = (Monomial, Rational)>) -> Self {
+        spend(self.len() + others.len());
+        let mut terms = Vec::with_capacity(self.len() + others.len());
+        let mut own = self.terms.as_slice();
+        for (monomial, mut coefficient) in others {
+            while let [(m, c), after @ ..] = own {
+                match m.cmp(&monomial) {
+                    Ordering::Less => terms.push((m.clone(), c.clone())),
+                    Ordering::Equal => coefficient += c,
+                    Ordering::Greater => break,
                 }
-                Ordering::Greater => {
-                    terms.push((b[j].0.clone(), factor * &b[j].1));
-                    j += 1;
-                }
-                Ordering::Equal => {
-                    let sum = &a[i].1 + factor * &b[j].1;
-                    if !sum.is_zero() {
-                        terms.push((a[i].0.clone(), sum));
-                    }
-                    i += 1;
-                    j += 1;
-                }
+                own = after;
+            }
+            if !coefficient.is_zero() {
+                terms.push((monomial, coefficient));
             }
         }
-        terms.extend_from_slice(&a[i..]);
-        terms.extend(b[j..].iter().map(|(m, c)| (m.clone(), factor * c)));
+        terms.extend_from_slice(own);
         let terms = terms.into();
         Polynomial { terms }
     }
@@ -361,13 +357,15 @@ impl Polynomial {
         {
             return None;
         }
-        let (mut rest, mut quotient) = (self.clone(), Terms::new());
+        let (mut rest, mut quotient) = (Cow::Borrowed(self), Terms::new());
         while let Some((m, c)) = rest.leading() {
             if is_spent() {
                 return None;
             }
             let (m, c) = (m.divided_by(lead)?, c / coefficient);
-            rest = rest.minus(&other.times_term(&m, &c));
+            let taken = -&c;
+            let multiple = other.terms.iter().map(|(n, d)| (n.times(&m), d * &taken));
+            rest = Cow::Owned(rest.merged_with(multiple));
             quotient.push((m, c));
         }
         quotient.reverse();
