@@ -299,6 +299,18 @@ impl Polynomial {
         Ok(Polynomial::collect(terms.into()))
     }
 
+    /// The product, within bounds; without a copy where the weight is 1, but for as much of the work allowed.
+    pub fn weighted(&self, weight: &Self) -> Result<Cow<'_, Self>, TooLarge> {
+        if !weight.is_one() {
+            return self.times(weight).map(Cow::Owned);
+        }
+        spend(self.len());
+        match is_spent() {
+            true => Err(TooLarge),
+            false => Ok(Cow::Borrowed(self)),
+        }
+    }
+
     /// The power, within bounds.
     pub fn pow(&self, exponent: u32) -> Result<Self, TooLarge> {
         if let (1, Some((m, c))) = (self.len(), self.leading()) {

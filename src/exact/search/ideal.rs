@@ -81,8 +81,8 @@ impl Ideal {
         knowledge: &Knowledge,
         power: impl Fn(&[Tracked], Var) -> u32,
     ) -> Result<(), TooLarge> {
-        while let Some((at, pivot)) = best_pivot(&self.rest, knowledge, &power) {
-            self.rest.remove(at);
+        while let Some(best) = best_pivot(&self.rest, knowledge, &power) {
+            let pivot = best.pivot(self.rest.remove(best.at));
             for element in &mut self.rest {
                 if element.polynomial.degree_in(pivot.var) > 0 {
                     *element = element.eliminate(&pivot)?;
@@ -183,21 +183,42 @@ fn divisors(facts: &[Fact]) -> Vec<Polynomial> {
 }
 
 /// The element and unknown that are the cheapest to eliminate with.
+struct Best {
+    rank: (usize, usize, std::cmp::Reverse<usize>),
+    /// Where the element stands.
+    at: usize,
+    var: Var,
+    power: u32,
+    coefficient: Polynomial,
+    positive: bool,
+    negative: bool,
+}
+
+impl Best {
+    /// The element with the unknown to be solved for, its sign turned round where that makes the coefficient positive.
+    fn pivot(&self, mut element: Tracked) -> Pivot {
+        let mut coefficient = self.coefficient.clone();
+        if self.negative {
+            coefficient = coefficient.negated();
+            element.polynomial = element.polynomial.negated();
+            let cofactors = element.cofactors.values_mut();
+            cofactors.for_each(|c| *c = c.negated());
+        }
+        Pivot {
+            var: self.var,
+            power: self.power,
+            coefficient,
+            positive: self.positive || self.negative,
+            element,
+        }
+    }
+}
+
 fn best_pivot(
     pending: &[Tracked],
     knowledge: &Knowledge,
     power: impl Fn(&[Tracked], Var) -> u32,
-) -> Option<(usize, Pivot)> {
-    type Rank = (usize, usize, std::cmp::Reverse<usize>);
-    struct Best {
-        rank: Rank,
-        at: usize,
-        var: Var,
-        power: u32,
-        coefficient: Polynomial,
-        positive: bool,
-        negative: bool,
-    }
+) -> Option<Best> {
     let mut best: Option<Best> = None;
     for (at, element) in pending.iter().enumerate() {
         for var in element.polynomial.vars() {
@@ -230,22 +251,7 @@ fn best_pivot(
             }
         }
     }
-    best.map(|best| {
-        let mut pivot = Pivot {
-            var: best.var,
-            power: best.power,
-            coefficient: best.coefficient,
-            positive: best.positive || best.negative,
-            element: pending[best.at].clone(),
-        };
-        if best.negative {
-            pivot.coefficient = pivot.coefficient.negated();
-            pivot.element.polynomial = pivot.element.polynomial.negated();
-            let cofactors = pivot.element.cofactors.values_mut();
-            cofactors.for_each(|c| *c = c.negated());
-        }
-        (best.at, pivot)
-    })
+    best
 }
 
 /// How long the coefficient of a power of an unknown is, 0 for a constant; `None` where there are other powers.

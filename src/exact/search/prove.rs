@@ -92,11 +92,12 @@ impl Prover {
             for element in &mut self.ideal.rest {
                 element.divide_by_leads(&self.knowledge);
             }
-            for element in self.ideal.rest.clone() {
+            for at in 0..self.ideal.rest.len() {
+                let element = &self.ideal.rest[at];
                 if !of_all && element.cofactors.len() > 1 {
                     continue;
                 }
-                let Some((fact, proof)) = root_of(&element, self)? else {
+                let Some((fact, proof)) = root_of(element, self)? else {
                     continue;
                 };
                 if !self.facts.contains(&fact) {

@@ -153,7 +153,7 @@ impl Tracked {
         let minus = missing(&other.multiplier, q)?.negated();
         accumulate(&mut cofactors, &other.cofactors, &minus)?;
         Ok(Tracked {
-            polynomial: self.polynomial.times(p)?.minus(&other.polynomial.times(q)?),
+            polynomial: (self.polynomial.weighted(p)?).minus(&*other.polynomial.weighted(q)?),
             multiplier,
             cofactors,
         })
@@ -235,6 +235,7 @@ impl Reduced {
         while let Some(mut quotient) = pivot.quotient(&self.polynomial) {
             let mut weight = Nonzero::new();
             match pivot.coefficient.as_constant() {
+                Some(c) if c.is_one() => {}
                 Some(c) => quotient = quotient.scaled(&c.recip()),
                 None if keep_sign && !pivot.positive => {
                     weight.insert(pivot.coefficient.clone(), 2);
