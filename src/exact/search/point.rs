@@ -241,56 +241,45 @@ fn solvable(equation: &Polynomial, vars: &Unknowns, integers: &[Var]) -> Option<
 
 impl Target {
     /// Equations and conditions that must hold; `integers` take integer values only.
-    pub fn new(facts: &[Fact], integers: Vec<Var>, wanted: Wanted) -> Self {
-        let mut target = Target::unordered(facts, integers);
-        target.wanted = wanted;
+    pub fn new(facts: Vec<Fact>, integers: Vec<Var>, wanted: Wanted) -> Self {
+        let order = order(&facts);
         // What cannot vanish makes the better unit.
         let certain = facts
             .iter()
             .filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive));
         let nonzero: Set<Var> = certain.filter_map(|f| f.polynomial.as_var()).collect();
-        let mut preferred = target.order.clone();
+        let mut preferred = order.clone();
         sorted::sort_by_key(&mut preferred, |var| !nonzero.contains(var));
         let all = facts.iter().map(|f| &f.polynomial);
-        target.units = unit_choices(all, &preferred, |var| target.integers.contains(&var));
-        target
-    }
-
-    fn unordered(facts: &[Fact], integers: Vec<Var>) -> Self {
-        let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
-        sorted::sort(&mut order);
-        order.dedup();
-        let mut start = State::default();
-        let possible = facts
-            .iter()
-            .all(|f| start.require(Open::new(f.polynomial.clone(), f.sign, &integers)));
+        let units = unit_choices(all, &preferred, |var| integers.contains(&var));
         Target {
-            start: match possible {
-                true => Node::New(start),
-                false => Node::Dead(0),
-            },
+            start: start(facts, &integers).map_or(Node::Dead(0), Node::New),
             integers,
             order,
-            units: Vec::new(),
-            wanted: Wanted::Simple,
+            units,
+            wanted,
         }
     }
 
     /// The same where some unknowns have a value already. `None` where that cannot be, or is too large to
     /// compute with.
     pub fn near(
-        facts: &[Fact],
+        facts: Vec<Fact>,
         integers: Vec<Var>,
         known: impl Iterator<Item = (Var, Rational)>,
     ) -> Option<Self> {
-        let mut target = Target::unordered(facts, integers);
-        let Node::New(start) = &mut target.start else {
-            return None;
-        };
+        let order = order(&facts);
+        let mut state = start(facts, &integers)?;
         for (var, value) in known {
-            *start = start.with(var, Polynomial::constant(value), &target.integers)?;
+            state = state.with(var, Polynomial::constant(value), &integers)?;
         }
-        Some(target)
+        Some(Target {
+            start: Node::New(state),
+            integers,
+            order,
+            units: Vec::new(),
+            wanted: Wanted::Simple,
+        })
     }
 
     /// Tries all choices up to a total cost, or until the budget is spent. What was tried before is tried, and
@@ -311,6 +300,22 @@ impl Target {
             None => Tried::Exhausted,
         }
     }
+}
+
+/// The unknowns of facts, in order.
+fn order(facts: &[Fact]) -> Vec<Var> {
+    let mut order: Vec<Var> = facts.iter().flat_map(|f| f.polynomial.vars()).collect();
+    sorted::sort(&mut order);
+    order.dedup();
+    order
+}
+
+/// What facts require; `None` where one of them is false.
+fn start(facts: Vec<Fact>, integers: &[Var]) -> Option<State> {
+    let mut state = State::default();
+    let mut facts = facts.into_iter();
+    let possible = facts.all(|f| state.require(Open::new(f.polynomial, f.sign, integers)));
+    possible.then_some(state)
 }
 
 impl Search<'_> {

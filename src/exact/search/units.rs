@@ -24,8 +24,8 @@ pub fn unit_choices<'a>(
     for (_, &at) in place.iter().filter(|(var, _)| fixed(**var)) {
         rows.insert(Row::from([(at, Rational::one())]));
     }
-    // All terms of a polynomial must scale alike.
-    for polynomial in polynomials {
+    // All terms of a polynomial must scale alike; where there is one, that says nothing.
+    for polynomial in polynomials.filter(|polynomial| polynomial.len() > 1) {
         let terms = polynomial.terms().map(|(monomial, _)| -> Row {
             let powers = monomial.powers().iter();
             powers

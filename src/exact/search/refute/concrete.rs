@@ -101,11 +101,11 @@ impl<'a> Concrete<'a> {
             .filter_map(|(s, _)| atoms.find(&Atom::Symbol(s.clone())))
             .collect();
         let target = match hint {
-            None => Target::new(&facts, integers, wanted),
+            None => Target::new(facts, integers, wanted),
             Some(_) => {
                 let vars = atoms.iter().map(|(var, _)| var);
                 let known = vars.filter_map(|var| Some((var, known.get(var.position())?.clone()?)));
-                Target::near(&facts, integers, known)?
+                Target::near(facts, integers, known)?
             }
         };
         Some(Concrete {
