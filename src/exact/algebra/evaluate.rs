@@ -9,8 +9,8 @@ use std::fmt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::{
-    Atoms, BigInt, BigRational, Expr, Formula, Function, Lowering, Polynomial, Relation, Symbol,
-    effort, element_parts, element_symbol, expr_of_atom,
+    Atoms, BigInt, BigRational, Expr, Formula, Function, Lowering, Polynomial, Rational, Relation,
+    Symbol, effort, element_parts, element_symbol, expr_of_atom,
 };
 use crate::sorted::{Map, Set};
 
@@ -535,11 +535,14 @@ fn multiply(a: &Series, b: &Series) -> Series {
     (0..a.len()).map(|n| sum(n).unwrap_or_default()).collect()
 }
 
-/// The product. To bring it to lowest terms is most of the work, and nothing to do where both are whole.
+/// The product. To bring it to lowest terms is most of the work: nothing to do where both are whole, and little in machine words.
 fn times(a: &BigRational, b: &BigRational) -> BigRational {
-    match a.is_integer() && b.is_integer() {
-        true => BigRational::from_integer(a.numer() * b.numer()),
-        false => a * b,
+    if a.is_integer() && b.is_integer() {
+        return BigRational::from_integer(a.numer() * b.numer());
+    }
+    match (Rational::if_small(a), Rational::if_small(b)) {
+        (Some(a), Some(b)) => (a * b).into(),
+        _ => a * b,
     }
 }
 

@@ -81,7 +81,7 @@ impl Rational {
     }
 
     /// The same number where it is small.
-    fn if_small(value: &BigRational) -> Option<Self> {
+    pub(super) fn if_small(value: &BigRational) -> Option<Self> {
         let (n, d) = (
             value.numer().try_into().ok()?,
             value.denom().try_into().ok()?,
