@@ -257,7 +257,11 @@ pub(super) fn element_name(symbol: &Symbol) -> Option<(&str, u32)> {
 /// `u_3`, as a symbol.
 pub fn element_symbol(sequence: &Symbol, position: u32) -> Symbol {
     match position {
-        0..=9 => Symbol::new(format!("{sequence}_{position}")),
+        // Most are one of these, and put together without much ado.
+        0..=9 => {
+            let digit = &"0123456789"[position as usize..][..1];
+            Symbol::new([sequence.name(), "_", digit].concat())
+        }
         _ => Symbol::new(format!("{sequence}_{{{position}}}")),
     }
 }
