@@ -456,12 +456,14 @@ impl Neg for Rational {
 }
 
 impl AddAssign<&Rational> for Rational {
+    #[inline]
     fn add_assign(&mut self, other: &Rational) {
         *self = &*self + other;
     }
 }
 
 impl AddAssign for Rational {
+    #[inline]
     fn add_assign(&mut self, other: Rational) {
         *self += &other;
     }
@@ -480,12 +482,14 @@ impl SubAssign for Rational {
 }
 
 impl MulAssign<&Rational> for Rational {
+    #[inline]
     fn mul_assign(&mut self, other: &Rational) {
         *self = &*self * other;
     }
 }
 
 impl MulAssign for Rational {
+    #[inline]
     fn mul_assign(&mut self, other: Rational) {
         *self *= &other;
     }
