@@ -397,11 +397,12 @@ impl Polynomial {
 
     /// The coefficient of one power of an unknown.
     pub fn coefficient_of_power(&self, var: Var, exponent: u32) -> Polynomial {
-        let own = self
-            .terms
-            .iter()
-            .filter(|(m, _)| m.exponent(var) == exponent);
-        let terms = own.map(|(m, c)| (m.without(var), c.clone())).collect();
+        let mut terms = Terms::new();
+        for (m, c) in &self.terms {
+            if m.exponent(var) == exponent {
+                terms.push((m.without(var), c.clone()));
+            }
+        }
         Polynomial { terms }
     }
 

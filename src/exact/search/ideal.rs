@@ -189,7 +189,6 @@ struct Best {
     at: usize,
     var: Var,
     power: u32,
-    coefficient: Polynomial,
     positive: bool,
     negative: bool,
 }
@@ -197,9 +196,7 @@ struct Best {
 impl Best {
     /// The element with the unknown to be solved for, its sign turned round where that makes the coefficient positive.
     fn pivot(&self, mut element: Tracked) -> Pivot {
-        let mut coefficient = self.coefficient.clone();
         if self.negative {
-            coefficient = coefficient.negated();
             element.polynomial = element.polynomial.negated();
             let cofactors = element.cofactors.values_mut();
             cofactors.for_each(|c| *c = c.negated());
@@ -207,7 +204,7 @@ impl Best {
         Pivot {
             var: self.var,
             power: self.power,
-            coefficient,
+            coefficient: (element.polynomial).coefficient_of_power(self.var, self.power),
             positive: self.positive || self.negative,
             element,
         }
@@ -234,17 +231,23 @@ fn best_pivot(
             if best.as_ref().is_some_and(|b| b.rank <= rank) {
                 continue;
             }
-            let coefficient = element.polynomial.coefficient_of_power(var, power);
-            let constant = coefficient.as_constant().is_some();
-            let positive = constant || knowledge.is_positive(&coefficient);
-            let negative = !positive && knowledge.is_positive(&coefficient.negated());
-            if positive || negative || knowledge.is_nonzero(&coefficient) {
+            // What is constant need not be looked at.
+            let (positive, negative, nonzero) = match cost {
+                0 => (true, false, true),
+                _ => {
+                    let own = element.polynomial.coefficient_of_power(var, power);
+                    let positive = knowledge.is_positive(&own);
+                    let negative = !positive && knowledge.is_positive(&own.negated());
+                    let nonzero = positive || negative || knowledge.is_nonzero(&own);
+                    (positive, negative, nonzero)
+                }
+            };
+            if nonzero {
                 best = Some(Best {
                     rank,
                     at,
                     var,
                     power,
-                    coefficient,
                     positive,
                     negative,
                 });
