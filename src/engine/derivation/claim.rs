@@ -89,9 +89,12 @@ impl Derivation {
                 None => own,
             }
         };
-        let named = claim.free_symbols().into_iter();
-        let domains = named.filter_map(|symbol| Some((symbol.clone(), domain(symbol)?)));
-        claim.domains = domains.collect();
+        let named = claim.free_symbols();
+        // Something is declared of most.
+        let mut domains = Vec::with_capacity(named.len());
+        let declared = |symbol: &Symbol| Some((symbol.clone(), domain(symbol)?));
+        domains.extend(named.into_iter().filter_map(declared));
+        claim.domains = Map::from_iter(domains);
         for sequence in Formula::sequences_of(claim.formulas()) {
             let mut declared = pages
                 .iter()

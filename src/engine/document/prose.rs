@@ -278,8 +278,8 @@ fn whole(sentence: &[Placed<'_>]) -> Option<Span> {
     Some(sentence.first()?.1.to(sentence.last()?.1))
 }
 
-/// Room is made for a word of each so many characters, with the space after it.
-const WORD_LENGTH: usize = 6;
+/// Room is made for a word of each so many characters, with the space and the marks after it.
+const WORD_LENGTH: usize = 4;
 
 pub(super) fn tokens<'a>(
     source: &'a str,
