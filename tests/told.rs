@@ -1345,3 +1345,33 @@ fn what_is_said_again_otherwise_is_meant_no_more() {
     assert_eq!(page("p = 0"), "undecided");
     assert_eq!(page("p = m a t"), "holds");
 }
+
+#[test]
+fn what_is_neglected_is_zero() {
+    let page = |words: &str, mass: &str| {
+        last(&format!(
+            "Two bodies stick together:\n\n$$ m v + M w = (m + M) u \\tag{{1}} $$\n\n{words}\n\n$$ u = \\frac{{{mass} v}}{{m + M}} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "Neglecting $w$, (1) gives",
+        "Neglecting $w$ we get from (1)",
+        "If $w$ is negligible, (1) gives",
+        "If we neglect $w$, (1) gives",
+        "Ignoring $w$ in (1), we get",
+        "As $w$ is negligible, (1) gives",
+        "We neglect $w$. Then (1) gives",
+    ] {
+        assert_eq!(page(words, "m"), "holds", "{words}");
+        assert_eq!(page(words, "M"), "fails", "{words}");
+    }
+    // What is neglected beside something else is not zero, and neither is what is not neglected.
+    for words in [
+        "Neglecting $w$ against $v$, (1) gives",
+        "If $w$ is negligible compared with $v$, (1) gives",
+        "If we do not neglect $w$, (1) gives",
+    ] {
+        assert_ne!(page(words, "m"), "holds", "{words}");
+    }
+}
