@@ -1303,6 +1303,29 @@ fn what_is_told_of_a_case_is_no_premise_of_what_is_named_later() {
     }
 }
 
+/// What is set before is meant for what is named next.
+#[test]
+fn what_is_set_in_a_sentence_of_its_own_is_meant_for_the_next() {
+    let page = |words: &str, number: &str| {
+        last(&format!(
+            "The speeds obey\n\n$$ m u = M w. \\tag{{1}} $$\n\n{words} The ratio $k = u/w$ is, by (1),\n\n$$ k = {number}. $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "Let $m = a$ and $M = 3 a$.",
+        "Let $m = a$ for the first ball and $M = 3 a$ for the second.",
+        "Suppose that $m = a$ and $M = 3 a$.",
+        "Take $m = a$, $M = 3 a$.",
+        "We consider the case $m = a$, $M = 3 a$.",
+        "The masses are $m = a$ and $M = 3 a$.",
+        "The balls have the masses $m = a$, $M = 3 a$.",
+    ] {
+        assert_eq!(page(words, "3"), "holds", "{words}");
+        assert_ne!(page(words, "2"), "holds", "{words}");
+    }
+}
+
 #[test]
 fn what_is_displayed_of_a_moment_is_no_premise_of_what_is_named_later() {
     let page = |step: &str| {

@@ -155,7 +155,7 @@ impl Judge<'_> {
             && own.is_equation()
             && own.span.end <= last.start
             && self.derivation.is_said_since(self.at, own.span)
-            && says_more(source, own.span)
+            && says_where(source, own.span)
             && self.names_what_it_is_of(found)
             && !goes_on(source.get(last.range()).unwrap_or_default())
     }
@@ -254,8 +254,26 @@ fn goes_on(said: &str) -> bool {
     has(&GOING_ON) && !has(&LEAVING)
 }
 
-/// Whether the sentence in which a formula stands states another one besides.
-fn says_more(source: &str, span: Span) -> bool {
+/// Whether the sentence in which a formula stands says what is so where: "At $t = 1$ the body is at $x = v$.", "The place is $x = v$ when $t = 1$."
+/// What is only set, "Let $m = a$ and $M = 3 a$.", is meant for what comes.
+fn says_where(source: &str, span: Span) -> bool {
+    const WHERE: [&str; 4] = ["at", "when", "if", "for"];
+    const SETTING: [&str; 6] = ["let", "suppose", "assume", "take", "consider", "we"];
+    let sentence = sentence_around(source, span);
+    let sets = |word: &str| SETTING.contains(&&*word.to_lowercase());
+    let words: Vec<&str> = sentence.split_whitespace().collect();
+    let is_set = words.first().is_some_and(|own| sets(own));
+    let is_place = |at: usize| {
+        let word = words[at].trim_start_matches('(').to_lowercase();
+        let rest = words[at + 1..].iter().skip_while(|own| **own == "time");
+        let mut rest = rest.map(|own| own.starts_with(['$', '\\']));
+        WHERE.contains(&&*word) && rest.next() == Some(true)
+    };
+    !is_set && (0..words.len()).any(is_place) && sentence.matches('=').count() > 1
+}
+
+/// The sentence in which a formula of the text stands.
+fn sentence_around(source: &str, span: Span) -> &str {
     let ends = |(at, c): (usize, char)| {
         let after = source.get(at + 1..).and_then(|rest| rest.chars().next());
         matches!(c, '.' | '?' | '!') && after.is_none_or(|c| c.is_whitespace() || c == ')')
@@ -269,6 +287,5 @@ fn says_more(source: &str, span: Span) -> bool {
         .char_indices()
         .find(|&(at, c)| ends((span.end + at, c)));
     let end = end.map_or(source.len(), |(at, _)| span.end + at);
-    let others = [source.get(start..span.start), source.get(span.end..end)];
-    others.into_iter().flatten().any(|text| text.contains('='))
+    source.get(start..end).unwrap_or_default()
 }
