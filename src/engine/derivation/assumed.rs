@@ -134,6 +134,15 @@ impl Derivation {
         (general.get(left)).is_some_and(|&place| place < own.span.start)
     }
 
+    /// Whether a whole sentence says what is supposed of a place or a case: "At $t = 1$ the body is at $x = v$."
+    pub fn is_said_of_a_place(&self, (page, local): (usize, usize)) -> bool {
+        let said = self.local(page, local).span;
+        let sentences = &self.pages[page].of_places;
+        let after = sentences.partition_point(|own| own.start <= said.start);
+        let before = after.checked_sub(1).map(|at| sentences[at]);
+        before.is_some_and(|own| said.end <= own.end)
+    }
+
     /// What the sentence that leads on to an equation names, and does not suppose plainly.
     pub fn named(&self, at: usize) -> Vec<Assumed> {
         self.supposed(at, &self.equations[at].named)

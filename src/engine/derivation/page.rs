@@ -53,6 +53,8 @@ pub struct Page {
     pub unclear_slopes: Set<(Symbol, Symbol)>,
     /// Where the text leaves special cases, "In general", in order.
     pub(super) general: Vec<usize>,
+    /// The sentences that say what is so at a place or in a case, in order.
+    pub(super) of_places: Vec<Span>,
     /// Partial derivatives of terms that hold fixed what might depend on the variable: nothing is drawn from what is said with these.
     pub presumed_slopes: Set<Expr>,
     /// Everything supposed on the page, by `let` or `assuming`.
@@ -98,6 +100,7 @@ pub(super) fn read_page(
         dependent: Set::new(),
         unclear_slopes: Set::new(),
         general: Vec::new(),
+        of_places: Vec::new(),
         presumed_slopes: Set::new(),
         locals: Vec::new(),
         problems: document.problems.clone(),

@@ -3,9 +3,9 @@
 //!
 //! The words that begin the sentence tell, and the one that it ends with; in doubt it is said throughout.
 
-use super::Extent;
 use super::conclusion;
-use super::prose::{Placed, Token, ends_sentence, lead};
+use super::prose::{Placed, Token, begins_with, ends_sentence, lead, whole};
+use super::{Extent, Span};
 
 /// These begin a sentence about one moment.
 const MOMENTS: &[&str] = &["initially", "originally", "when", "once"];
@@ -136,6 +136,37 @@ pub(super) fn of_sentence(sentence: &[Placed<'_>]) -> Extent {
         _ if has(EXTREMA) => Extent::Condition,
         _ => begins,
     }
+}
+
+/// The sentences that say what is so at a place or in a case, with a formula for each: "At $t = 1$ the body is at $x = v$.", "The place is
+/// $x = v$ when $t = 1$." What is only set, "Let $m = a$ for the first and $M = 3 a$ for the second", is meant for what comes.
+pub(super) fn said_of_places(source: &str, tokens: &[Placed<'_>]) -> Vec<Span> {
+    const PLACES: &[&str] = &["at", "when", "if", "for"];
+    const SETTING: &[&str] = &["let", "suppose", "assume", "take", "consider", "we"];
+    let equalities = |(token, _): &Placed<'_>| match token {
+        Token::Math(body) => source
+            .get(body.range())
+            .map_or(0, |own| own.matches('=').count()),
+        _ => 0,
+    };
+    let names_place = |sentence: &[Placed<'_>]| {
+        let mut before = None;
+        sentence.iter().any(|(token, _)| {
+            let is_place = before.is_some_and(|own: Token<'_>| own.is_among(PLACES));
+            // "At time $t = 1$"
+            if !token.is_among(&["time"]) {
+                before = Some(*token);
+            }
+            is_place && matches!(token, Token::Math(_))
+        })
+    };
+    let sentences = tokens.split(|(token, _)| token.is_stop());
+    let said = sentences.filter(|sentence| {
+        names_place(sentence)
+            && sentence.iter().map(equalities).sum::<usize>() > 1
+            && !begins_with(sentence, SETTING)
+    });
+    said.filter_map(whole).collect()
 }
 
 /// Whether a word's meaning is a condition: "Break-even means".

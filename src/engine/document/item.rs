@@ -109,6 +109,8 @@ pub struct Prose {
     pub laws_named: Vec<Span>,
     /// Its last sentence, ended or not.
     pub said_last: Option<Span>,
+    /// Its sentences that say what is so at a place or in a case: "At $t = 1$ the body is at $x = v$."
+    pub of_places: Vec<Span>,
     /// The slope that its last sentence takes of what it cites.
     pub slope: Option<Slope>,
     /// What its last sentence puts in elsewhere.

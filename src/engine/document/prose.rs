@@ -251,6 +251,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         goes_on: conclusion::goes_on_with_and(trimmed(&tokens), concludes),
         joins: conclusion::joins(trimmed(&tokens)),
         extent: circumstance::read(source, &tokens),
+        of_places: circumstance::said_of_places(source, &tokens),
     }
 }
 
@@ -274,7 +275,7 @@ fn leading(source: &str, tokens: &[Placed<'_>]) -> Option<Span> {
     whole(tokens.rsplit(|token| ends_sentence(source, token)).next()?)
 }
 
-fn whole(sentence: &[Placed<'_>]) -> Option<Span> {
+pub(super) fn whole(sentence: &[Placed<'_>]) -> Option<Span> {
     Some(sentence.first()?.1.to(sentence.last()?.1))
 }
 

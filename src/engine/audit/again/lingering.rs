@@ -4,9 +4,8 @@
 //! A case is still meant where a step cites what was concluded in it, cites nothing and goes on from the display before, or says "then".
 //! Where it does none of these, what follows in the case alone is left open: it may be said of all.
 
-use crate::algebra::{Expr, Formula};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Equation, Goal, Local, Source};
-use crate::document::Span;
 use crate::notation::plain_formula;
 use num_traits::Zero;
 
@@ -67,15 +66,15 @@ impl Judge<'_> {
             let local = self.derivation.local(place.0, place.1);
             local.is_of_some_case() && self.may_be_left(*place, goal, premises)
         };
+        let turns = self.turns_to_something(found);
         let mut assumed = found.judged.assumed.iter();
         let case = assumed.find_map(|own| match own.source {
             Source::Local(page, local) => {
-                let place = Some((page, local));
-                place.filter(|place| {
-                    is_left(place)
-                        || self.is_told_of_another_case(*place, found)
-                        || self.is_said_otherwise(*place)
-                })
+                let place = (page, local);
+                let is_over = is_left(&place)
+                    || turns && self.is_told_of_another_case(place, goal)
+                    || self.is_said_otherwise(place);
+                is_over.then_some(place)
             }
             Source::Equation(premise) if !premises.contains(&premise) => {
                 let under = self.auditor.offer(self.at, premise)?.under.iter();
@@ -89,7 +88,8 @@ impl Judge<'_> {
                 let said = self.derivation.local(page, local).span;
                 source.get(said.range()).map(str::to_owned)
             }
-            None => self.displayed_of_a_moment(found, premises),
+            None if turns => self.displayed_of_a_moment(found, premises),
+            None => None,
         }
     }
 
@@ -106,15 +106,8 @@ impl Judge<'_> {
         })
     }
 
-    /// What is displayed and not cited, said of one moment, from which a step follows that is of something which a later sentence names:
-    /// "Initially, at $t = 0$, we have $$x = 0$$ The area $A = x^2$ is, by (1),".
+    /// What is displayed and not cited, said of one moment: "Initially, at $t = 0$, we have $$x = 0$$"
     fn displayed_of_a_moment(&self, found: &Found, premises: &[usize]) -> Option<String> {
-        let own = &self.derivation.equations[self.at];
-        let last = own.said_last.filter(|_| self.names_what_it_is_of(found))?;
-        let source = &self.derivation.pages[own.page].document.source;
-        if goes_on(source.get(last.range()).unwrap_or_default()) {
-            return None;
-        }
         let is_of_moment = |own: &&Assumed| match own.source {
             Source::Equation(premise) => {
                 !premises.contains(&premise) && self.derivation.equations[premise].at_moment
@@ -127,37 +120,37 @@ impl Judge<'_> {
             .map(|own| plain_formula(&own.formula))
     }
 
-    /// Whether a step that was proved is of something that the sentence before it says the meaning of.
-    fn names_what_it_is_of(&self, found: &Found) -> bool {
-        let Some(last) = self.derivation.equations[self.at].said_last else {
+    /// Whether a step that was proved is of something that its last sentence says the meaning of, and does not go on from what is said before:
+    /// "The area $A = x^2$ is, by (1),".
+    fn turns_to_something(&self, found: &Found) -> bool {
+        let equation = &self.derivation.equations[self.at];
+        let Some(last) = equation.said_last else {
             return false;
         };
-        found.judged.assumed.iter().any(|own| match own.source {
+        let is_named = |own: &Assumed| match own.source {
             Source::Local(page, local) => {
                 let local = self.derivation.local(page, local);
                 local.is_told && local.span.start >= last.start
             }
             _ => false,
-        })
+        };
+        let source = &self.derivation.pages[equation.page].document.source;
+        found.judged.assumed.iter().any(is_named)
+            && !goes_on(source.get(last.range()).unwrap_or_default())
     }
 
-    /// Whether a hypothesis is part of what a sentence before says of a case, "At $t = 1$ the body is at $x = v$.", and the step is of something
-    /// that a later sentence names: "The area $A = x^2$ is, by (1),".
-    fn is_told_of_another_case(&self, (page, local): (usize, usize), found: &Found) -> bool {
+    /// Whether a hypothesis is part of what a sentence says of a place or a case that stands after the display before and is not the last:
+    /// "At $t = 1$ the body is at $x = v$."
+    fn is_told_of_another_case(&self, place: (usize, usize), goal: &Goal) -> bool {
         let equation = &self.derivation.equations[self.at];
-        let Some(last) = equation.said_last.filter(|_| equation.page == page) else {
-            return false;
-        };
-        let source = &self.derivation.pages[page].document.source;
-        let own = self.derivation.local(page, local);
+        let own = self.derivation.local(place.0, place.1);
         !own.means
-            && !is_of_example(own, &found.judged.goal)
+            && !is_of_example(own, goal)
             && own.is_equation()
-            && own.span.end <= last.start
+            && equation.page == place.0
+            && (equation.said_last).is_some_and(|last| own.span.end <= last.start)
             && self.derivation.is_said_since(self.at, own.span)
-            && says_where(source, own.span)
-            && self.names_what_it_is_of(found)
-            && !goes_on(source.get(last.range()).unwrap_or_default())
+            && self.derivation.is_said_of_a_place(place)
     }
 
     /// Whether a hypothesis is what the words announce that lead on to the display: "At the centre, $z = 0$, it vanishes: $$V = 0$$". That is
@@ -177,10 +170,7 @@ impl Judge<'_> {
     fn may_be_left(&self, place: (usize, usize), goal: &Goal, premises: &[usize]) -> bool {
         let equation = &self.derivation.equations[self.at];
         let local = self.derivation.local(place.0, place.1);
-        if local.means {
-            return false;
-        }
-        if is_of_example(local, goal) {
+        if local.means || is_of_example(local, goal) {
             return false;
         }
         let before = self.derivation.before_display(self.at);
@@ -233,15 +223,10 @@ fn is_of_example(local: &Local, goal: &Goal) -> bool {
         let sides = own.as_equation();
         sides.is_some_and(|(_, value)| match value {
             Expr::Number(own) => !own.is_zero(),
-            value => is_number_with_unit(value),
+            value => value.free_symbols().iter().any(Symbol::is_unit) && is_number(own),
         })
     };
     is_number(&goal.formula) && local.formulas.iter().any(|own| sets_number(own))
-}
-
-fn is_number_with_unit(value: &Expr) -> bool {
-    let mut symbols = value.free_symbols().into_iter().peekable();
-    symbols.peek().is_some() && symbols.all(|own| own.is_unit())
 }
 
 /// Whether a word goes on from what was just said, and none leaves it.
@@ -252,40 +237,4 @@ fn goes_on(said: &str) -> bool {
     let words: Vec<String> = words.collect();
     let has = |all: &[&str]| words.iter().any(|word| all.contains(&&**word));
     has(&GOING_ON) && !has(&LEAVING)
-}
-
-/// Whether the sentence in which a formula stands says what is so where: "At $t = 1$ the body is at $x = v$.", "The place is $x = v$ when $t = 1$."
-/// What is only set, "Let $m = a$ and $M = 3 a$.", is meant for what comes.
-fn says_where(source: &str, span: Span) -> bool {
-    const WHERE: [&str; 4] = ["at", "when", "if", "for"];
-    const SETTING: [&str; 6] = ["let", "suppose", "assume", "take", "consider", "we"];
-    let sentence = sentence_around(source, span);
-    let sets = |word: &str| SETTING.contains(&&*word.to_lowercase());
-    let words: Vec<&str> = sentence.split_whitespace().collect();
-    let is_set = words.first().is_some_and(|own| sets(own));
-    let is_place = |at: usize| {
-        let word = words[at].trim_start_matches('(').to_lowercase();
-        let rest = words[at + 1..].iter().skip_while(|own| **own == "time");
-        let mut rest = rest.map(|own| own.starts_with(['$', '\\']));
-        WHERE.contains(&&*word) && rest.next() == Some(true)
-    };
-    !is_set && (0..words.len()).any(is_place) && sentence.matches('=').count() > 1
-}
-
-/// The sentence in which a formula of the text stands.
-fn sentence_around(source: &str, span: Span) -> &str {
-    let ends = |(at, c): (usize, char)| {
-        let after = source.get(at + 1..).and_then(|rest| rest.chars().next());
-        matches!(c, '.' | '?' | '!') && after.is_none_or(|c| c.is_whitespace() || c == ')')
-            || c == '\n' && after == Some('\n')
-    };
-    let before = source.get(..span.start).unwrap_or_default();
-    let start = before.char_indices().rev().find(|&own| ends(own));
-    let start = start.map_or(0, |(at, _)| at + 1);
-    let rest = source.get(span.end..).unwrap_or_default();
-    let end = rest
-        .char_indices()
-        .find(|&(at, c)| ends((span.end + at, c)));
-    let end = end.map_or(source.len(), |(at, _)| span.end + at);
-    source.get(start..end).unwrap_or_default()
 }

@@ -19,6 +19,7 @@ impl Reader<'_> {
             equation.cite(of_last, prose.says_from);
         }
         self.between.hear(prose, own);
+        self.page.of_places.extend(&prose.of_places);
         self.put_in(&prose.inserted);
         let told_with_last = match prose.joins {
             true => self.told_with_last(),
