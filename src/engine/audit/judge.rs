@@ -70,9 +70,7 @@ impl<'a> Judge<'a> {
         Judge {
             before: self.before.clone(),
             others: self.others.clone(),
-            read: self.read.clone(),
-            only_proofs: true,
-            ..*self
+            ..self.for_proofs_from_these()
         }
     }
 
