@@ -16,6 +16,7 @@ mod initial;
 mod introduction;
 mod mathematics;
 pub(super) mod named;
+mod neglected;
 mod reach;
 mod reason;
 mod retraction;

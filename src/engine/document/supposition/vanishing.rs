@@ -9,7 +9,8 @@ use super::super::prose::{Placed, Token, begins_with, lead};
 use super::super::words::{Listed, Words};
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
 use super::around::follows;
-use super::mathematics::{is_letters, is_value, relates};
+use super::mathematics::{is_value, relates};
+use super::neglected;
 use super::words::{DENYING, DOUBTFUL};
 
 /// In a longer sentence nothing is looked for that stands in its middle.
@@ -107,7 +108,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         let own = equated(source, sentence)
             .or_else(|| asserted(source, sentence, is_first, leads))
             .or_else(|| set(source, sentence))
-            .or_else(|| neglected(source, sentence))
+            .or_else(|| neglected::read(source, sentence))
             .or_else(named);
         match own {
             Some(mut own) => {
@@ -176,45 +177,6 @@ fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
     };
     let kind = SuppositionKind::Vanishes(what);
     Some(Supposition { kind, body })
-}
-
-/// A quantity that is neglected, and not beside another one: "Neglecting $v_2$, (1) gives", "If $v_2$ is negligible,", "If we neglect $v_2$,".
-fn neglected(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
-    const NEGLECTING: &[&str] = &["neglecting", "ignoring", "neglect", "ignore"];
-    const NEGLECTED: &[&str] = &["negligible", "neglected", "ignored"];
-    let is_quantity = |(token, _): &Placed<'_>| match token {
-        Token::Math(body) => is_letters(text(source, *body)),
-        _ => false,
-    };
-    let at = sentence.iter().position(is_quantity)?;
-    let begins = (0..at).all(|at| {
-        let words: &[&str] = &[
-            "if", "we", "as", "since", "because", "when", "now", "let", "us",
-        ];
-        among(sentence, at, words) || among(sentence, at, NEGLECTING)
-    });
-    let after = match at.checked_sub(1) {
-        Some(before) if among(sentence, before, NEGLECTING) => at + 1,
-        _ if among(sentence, at + 1, &["is", "are"]) && among(sentence, at + 2, NEGLECTED) => {
-            at + 3
-        }
-        _ => return None,
-    };
-    // "Neglecting $m$ against $M$" leaves more than where $m = 0$.
-    let goes_on = match sentence.get(after) {
-        None => true,
-        Some((token, _)) => {
-            token.is_mark(',') || among(sentence, after, &["we", "one", "in", "so"])
-        }
-    };
-    let denied = (0..at).any(|at| among(sentence, at, &["not", "longer"]));
-    (begins && goes_on && !denied).then(|| Supposition {
-        kind: SuppositionKind::Vanishes(Vanishing::Term),
-        body: match sentence[at].0 {
-            Token::Math(body) => body,
-            _ => sentence[at].1,
-        },
-    })
 }
 
 /// Where the number stands by which the equation is known that a word before speaks of: "the derivative (1)", "the slope in (1)".
