@@ -98,3 +98,21 @@ fn comment_ends_no_sentence() {
     assert_eq!(page(""), "holds");
     assert_eq!(page("<!-- to be checked -->\n\n"), "holds");
 }
+
+/// What is taken a root of is solved for, too.
+#[test]
+fn time_of_fall() {
+    let page = |words: &str, formula: &str| {
+        last(&format!(
+            "A stone that is let go is at the height\n\n$$ y = H - \\frac{{1}}{{2}} g t^2. \\tag{{1}} $$\n\n{words}\n\n$$ D = {formula} $$\n"
+        ))
+    };
+    for words in [
+        "It lands when $y = 0$. By (1), the fall takes",
+        "Setting $y = 0$ in (1), we find the time",
+    ] {
+        assert_eq!(page(words, r"\sqrt{\frac{2 H}{g}}"), "holds", "{words}");
+        assert_eq!(page(words, r"\sqrt{\frac{H}{g}}"), "fails", "{words}");
+        assert_eq!(page(words, r"\sqrt{\frac{H}{2 g}}"), "fails", "{words}");
+    }
+}

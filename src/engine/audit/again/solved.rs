@@ -12,6 +12,7 @@ use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
 use super::super::stated::quantities;
+use super::conditions::takes_root;
 use super::there::{Asked, MayFail, Side, There, join, whole};
 
 /// So many symbols may be what is solved for.
@@ -104,7 +105,8 @@ impl Judge<'_> {
             let may_fail = MayFail::InTheSameSymbols;
             effort::within(MOST_WORK, || {
                 let all = self.where_all_is_positive(goal, with(unknown));
-                self.implies_in(&all, goal, &named)
+                // What is taken a root of is not read off at once.
+                (takes_root(&goal.formula) || self.implies_in(&all, goal, &named))
                     .then(|| self.judged_there(goal, with(unknown), premises, &asked, may_fail))?
             })
         });
