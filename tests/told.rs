@@ -1398,3 +1398,57 @@ fn what_is_neglected_is_zero() {
         assert_ne!(page(words, "m"), "holds", "{words}");
     }
 }
+
+/// What a clause denies is not what the next one says in other words.
+#[test]
+fn what_is_denied_says_what_is_so_in_other_words() {
+    let page = |words: &str, mass: &str| {
+        last(&format!(
+            "Two bodies have the momentum\n\n$$ p = m v + M w. \\tag{{1}} $$\n\n{words}\n\n$$ p = {mass} v. $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "The second does not move, so $w = 0$. By (1),",
+        "The second does not move ($w = 0$). By (1),",
+        "Since the second does not move, we have $w = 0$, and thus from (1)",
+        "The second is not moving, i.e. $w = 0$. By (1),",
+        "The second has no velocity, $w = 0$. By (1),",
+        "Before the collision the second is at rest, $w = 0$. By (1),",
+        "The second rests before the collision ($w = 0$). By (1),",
+        "Often the second is at rest, so $w = 0$ and (1) becomes",
+    ] {
+        assert_eq!(page(words, "m"), "holds", "{words}");
+        assert_eq!(page(words, "M"), "fails", "{words}");
+    }
+    for words in [
+        "It is not so that $w = 0$. By (1),",
+        "It never comes to $w = 0$. By (1),",
+        "The second does not have $w = 0$. By (1),",
+        "We do not assume that the second is at rest, $w = 0$. By (1),",
+        "The second is not at rest ($w = 0$). By (1),",
+        "The second moves, so it is not the case that $w = 0$. By (1),",
+    ] {
+        assert_eq!(page(words, "m"), "fails", "{words}");
+    }
+}
+
+#[test]
+fn a_case_that_is_looked_at_is_left_again() {
+    for words in [
+        "As a check, consider the limit $M = 0$: then",
+        "Consider $M = 0$: then",
+        "Consider first the limit $M = 0$. Then",
+        "Let us look at the special case $M = 0$, which gives",
+    ] {
+        let page = |step: &str| {
+            last(&format!(
+                "Two bodies have the momentum\n\n$$ p = m v + M w, \\quad m > 0. \\tag{{1}} $$\n\n{words}\n\n$$ p = m v. \\tag{{2}} $$\n\n\
+                 In general, both bodies are heavy. From (1),\n\n$$ {step} $$\n"
+            ))
+            .0
+        };
+        assert_eq!(page("v = p/m"), "fails", "{words}");
+        assert_eq!(page("v = (p - M w)/m"), "holds", "{words}");
+    }
+}

@@ -10,6 +10,7 @@ mod abbreviation;
 mod around;
 mod cases;
 mod common;
+mod denial;
 mod example;
 mod general;
 mod initial;

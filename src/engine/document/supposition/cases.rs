@@ -6,6 +6,7 @@
 use super::super::prose::{Placed, Token, lead};
 use super::super::words::Words;
 use super::super::{Supposition, SuppositionKind};
+use super::denial::DENIALS;
 use super::mathematics::{is_value, relates};
 use super::words::{BESIDE, DISPUTING, KNOWN};
 
@@ -25,8 +26,8 @@ const BEGINNING: &[&str] = &[
 const GOING_ON: &[&str] = &["this", "we", "one", "it", "then", "equation", "the"];
 /// A sentence with one of these speaks of another case than the one that it names.
 pub(super) static COMPARED: Words = Words::of(&[
-    "not", "unlike", "contrast", "contrary", "except", "unless", "only", "whether", "or", "than",
-    "never", "opposed", "figure",
+    "unlike", "contrast", "contrary", "except", "unless", "only", "whether", "or", "than",
+    "opposed", "figure",
 ]);
 /// So many words may say what the case is.
 const MOST_WORDS: usize = 8;
@@ -71,7 +72,9 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {
         _ => false,
     };
     let is_case = first.is_among(BEGINNING) && (1..=MOST_WORDS).contains(&words);
-    let is_sure = ![&COMPARED, &BESIDE, &KNOWN].into_iter().any(among)
+    let is_sure = ![&COMPARED, &BESIDE, &KNOWN, &DENIALS]
+        .into_iter()
+        .any(among)
         && !disputed
         && !rest.iter().any(states);
     let value = source.get(body.range()).is_some_and(is_value);

@@ -36,8 +36,12 @@ static INTRODUCING: Words = Words::of(&[
     "inserting",
     "substituting",
     "using",
+    "limit",
+    "situation",
     "take",
     "pick",
+    "consider",
+    "examine",
     "assume",
     "suppose",
     "assuming",
@@ -45,6 +49,35 @@ static INTRODUCING: Words = Words::of(&[
     "taking",
     "provided",
     "given",
+]);
+
+/// What one does with a case: "Consider the limit $m = 0$", "Let us look at the special case $a = b$".
+static LOOKING_AT: Words = Words::of(&[
+    "consider", "examine", "take", "treat", "study", "discuss", "check", "look", "turn", "inspect",
+    "try", "imagine",
+]);
+/// Between that and the word "case".
+static BEFORE_A_CASE: Words = Words::of(&[
+    "the",
+    "a",
+    "first",
+    "now",
+    "next",
+    "then",
+    "also",
+    "again",
+    "finally",
+    "special",
+    "particular",
+    "limiting",
+    "extreme",
+    "opposite",
+    "simple",
+    "simplest",
+    "symmetric",
+    "important",
+    "second",
+    "third",
 ]);
 
 /// The supposition that the word at `index` introduces.
@@ -157,6 +190,9 @@ pub(super) fn introduced(
         // "The stone lands when $y = 0$, hence"
         "when" if value() && concludes_at_once(index, tokens) => Some((case, joined(true))),
         "for" if !begun && described() => Some((case, joined(true))),
+        "case" | "limit" | "situation" if value() && is_looked_at(&tokens[..index]) => {
+            Some((SuppositionKind::Case { runs_on: true }, joined(true)))
+        }
         "case" if comma && value() && !is_compared(index, tokens) => Some((case, joined(true))),
         // What is put in at one place is said of the next display alone.
         "setting" | "putting" | "substituting" | "inserting" | "using"
@@ -166,7 +202,7 @@ pub(super) fn introduced(
         }
         "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
         // "Take $a = 2$, $b = 3$ and $c = 4$. We get"
-        "take" | "pick" if by_us() && listed() >= 1 => Some((
+        "take" | "pick" | "consider" | "examine" if by_us() && listed() >= 1 => Some((
             SuppositionKind::Case { runs_on: true },
             Reach::List { left: listed() },
         )),
@@ -242,6 +278,19 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
     let states = matches!(on.get(words), Some((Token::Math(body), _))
         if source.get(body.range()).is_some_and(relates));
     begins && states && !on.iter().any(|(token, _)| token.is_stop())
+}
+
+/// Whether these words begin a sentence with the case that is looked at next: "consider the", "Let us now look at the special".
+fn is_looked_at(before: &[Placed<'_>]) -> bool {
+    let of_case = |(token, _): &&Placed<'_>| token.is_among(&BEFORE_A_CASE);
+    let described = before.iter().rev().take_while(of_case).count();
+    let before = &before[..before.len() - described];
+    let verb = match before {
+        [before @ .., (at, _)] if at.is_among(&["at", "to"]) => before,
+        before => before,
+    };
+    verb.last()
+        .is_some_and(|(token, _)| token.is_among(&LOOKING_AT))
 }
 
 /// Whether what is said is compared with the case at `index`: "unlike in the case", "as opposed to the case".

@@ -9,6 +9,7 @@ use super::super::words::Words;
 use super::super::{Named, Span};
 use super::around::{follows, is_taken_from};
 use super::cases::COMPARED;
+use super::denial::Denial;
 use super::mathematics::{is_number, is_zero, relates};
 use super::words::{BESIDE, DISPUTING, KNOWN, NAMED_BEFORE, RETRACTING};
 
@@ -18,10 +19,8 @@ static ELSEWHERE: Words = Words::of(&[
     "neither",
     "nor",
     "otherwise",
-    "no",
-    "cannot",
-    "never",
     "longer",
+    "excluded",
     "excluding",
     "except",
     "trivial",
@@ -72,13 +71,15 @@ static LEAVING: Words = Words::of(&[
 const MOST_NAMED: usize = 4;
 const MOST_SENTENCES: usize = 4;
 
-/// What these say is near the truth is what one goes on with.
+/// What these say is near the truth, or is so at times, is what one goes on with.
 static NEAR_THE_TRUTH: Words = Words::of(&[
     "approximation",
     "approximate",
     "approximately",
     "hypothesis",
     "should",
+    "often",
+    "sometimes",
 ]);
 
 /// The relations that the text before a display names, the nearest sentences first.
@@ -127,25 +128,27 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
     let has = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
     let disputes =
         |(token, _): &Placed<'_>| token.is_among(&DISPUTING) && !token.is_among(&NEAR_THE_TRUTH);
-    // "The second body does not move ($v = 0$)" says in parentheses what it means.
-    let set_off = |(token, _): &Placed<'_>| token.is_among(&COMPARED) && !token.is_among(&["not"]);
-    let compares = match in_parentheses(sentence) {
-        true => sentence.iter().any(set_off),
-        false => has(&COMPARED),
-    };
-    if compares
-        || [&RETRACTING, &KNOWN, &ELSEWHERE].into_iter().any(has)
+    if [&COMPARED, &RETRACTING, &KNOWN, &ELSEWHERE]
+        .into_iter()
+        .any(has)
         || sentence.iter().any(disputes)
     {
         return Vec::new();
     }
     let mut named = Vec::new();
     let (mut is_drawn, mut elsewhen) = (false, false);
+    let mut denial = Denial::None;
     for (at, (token, _)) in sentence.iter().enumerate() {
         match *token {
             Token::Word(_) => {
                 is_drawn |= conclusion::draws_on(*token);
                 elsewhen |= token.is_among(&AT_ANOTHER_TIME);
+                denial = denial.past_word(at, sentence);
+            }
+            mark @ Token::Mark('(' | ',') => {
+                // "Before the collision the second body is at rest, $v = 0$" goes on from there.
+                elsewhen = false;
+                denial = denial.past_mark(mark);
             }
             Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..) => is_drawn = true,
             Token::Math(body) => {
@@ -155,7 +158,13 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
                 // "But $a = b$" goes on, "all but $a = b$" leaves out.
                 let is_beside = at > 1 && follows(at, sentence, &BESIDE);
                 let is_taken = is_taken_from(&sentence[at..]);
-                if relates(text(body)) && !is_place && !is_beside && is_then && !is_taken {
+                let is_so = match denial {
+                    Denial::None => true,
+                    Denial::Before => is_zero(text(body)),
+                    Denial::Here | Denial::Whole => false,
+                };
+                let is_said = !is_place && !is_beside && is_then && !is_taken && is_so;
+                if relates(text(body)) && is_said {
                     named.push(Named { body, is_drawn });
                 }
             }
@@ -163,16 +172,6 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
         }
     }
     named
-}
-
-/// Whether all mathematics of a sentence stands in parentheses of its own.
-fn in_parentheses(sentence: &[Placed<'_>]) -> bool {
-    let mut math = (0..sentence.len()).filter(|&at| matches!(sentence[at].0, Token::Math(_)));
-    let is_mark = |at: Option<usize>, mark| {
-        let own = at.and_then(|at| sentence.get(at));
-        own.is_some_and(|(token, _)| token.is_mark(mark))
-    };
-    math.all(|at| is_mark(at.checked_sub(1), '(') && is_mark(Some(at + 1), ')'))
 }
 
 /// Whether the sentence goes on from the mathematics at `index`: "…, which with (2) gives".
