@@ -1452,3 +1452,181 @@ fn a_case_that_is_looked_at_is_left_again() {
         assert_eq!(page("v = (p - M w)/m"), "holds", "{words}");
     }
 }
+
+/// What cannot be so together is of two cases.
+#[test]
+fn a_case_ends_with_what_rules_it_out() {
+    let page = |first: &str, second: &str, step: &str| {
+        last(&format!(
+            "The quantity of interest is\n\n$$ y = x + c. \\tag{{1}} $$\n\n{first}\n\n$$ y > c. \\tag{{2}} $$\n\n{second}\n\n$$ {step} $$\n"
+        ))
+        .0
+    };
+    for (first, second) in [
+        ("First, let $x > 0$. Then", "Case 2: $x < 0$. Then"),
+        ("Case 1: $x > 0$. Then", "Case 2: $x < 0$. Then"),
+        ("Let $x > 0$. Then", "Otherwise,"),
+        ("Let $x > 0$. Then", "Now let $x = -1$. Then"),
+        ("Let $x > 0$. Then", "If, on the contrary, $x < 0$, we have"),
+    ] {
+        assert_eq!(page(first, second, "|x| = x"), "fails", "{first} {second}");
+    }
+    let (first, second) = (
+        "(i) $x > 0$. In this case",
+        "(ii) $x \\leq 0$. In this case",
+    );
+    assert_ne!(page(first, second, "|x| = x"), "holds");
+    // These leave room for each other.
+    for (first, second) in [
+        ("Let $x > 0$. Then", "Now let $c > 0$. Then"),
+        ("Let $x > 0$. Then", "Now let $x = 5$. Then"),
+        ("Let $x \\geq 0$ and $x \\neq 0$. Then", "Also,"),
+    ] {
+        assert_eq!(page(first, second, "|x| = x"), "holds", "{first} {second}");
+    }
+}
+
+#[test]
+fn what_is_concluded_in_one_case_is_not_so_in_the_other() {
+    let page = |second: &str, sign: &str| {
+        last(&format!(
+            "Let $y = |x|$.\n\nCase 1: $x \\geq 0$. Then\n\n$$ y = x. \\tag{{1}} $$\n\n{second}\n\n$$ y^2 = {sign} x y. $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("Case 2: $x < 0$. From (1) we get", ""), "fails");
+    assert_eq!(page("Case 2: $x < 0$. Here", "-"), "holds");
+}
+
+#[test]
+fn a_supposition_is_left_in_words() {
+    for leaving in [
+        "In the general case we obtain",
+        "In general, however,",
+        "Now drop this assumption. We have",
+        "Without this assumption we have",
+    ] {
+        for supposing in ["Suppose that", "Assume that", "Let"] {
+            let page = |step: &str| {
+                last(&format!(
+                    "The sum is\n\n$$ S = a + b. \\tag{{1}} $$\n\n{supposing} $a = -b$. Then\n\n$$ S = 0. \\tag{{2}} $$\n\n{leaving}\n\n$$ {step} $$\n"
+                ))
+                .0
+            };
+            assert_eq!(
+                page("(a + b)^2 = a^2 - b^2"),
+                "fails",
+                "{supposing} {leaving}"
+            );
+            assert_eq!(page("S^2 = (a + b)^2"), "holds", "{supposing} {leaving}");
+        }
+    }
+}
+
+/// The condition of a sentence that the next one goes on from is that of the display.
+#[test]
+fn a_condition_is_meant_where_the_next_sentence_goes_on() {
+    let page = |words: &str, step: &str| {
+        last(&format!(
+            "The discriminant is, with $k > 0$ and $d > 0$,\n\n$$ D = s^2 - 4 k d. \\tag{{1}} $$\n\n{words}\n\n$$ {step} $$\n"
+        ))
+        .0
+    };
+    for words in [
+        "We distinguish two cases. First, if $D < 0$, there is no common point. Second, if $D = 0$, the line is a tangent. Then (1) gives",
+        "The two points coincide if $D = 0$. Then",
+        "If $D = 0$, the line is a tangent. In this case",
+    ] {
+        assert_eq!(page(words, "s^2 = 4 k d"), "holds", "{words}");
+        assert_eq!(page(words, "s^2 = 2 k d"), "fails", "{words}");
+    }
+}
+
+#[test]
+fn a_sentence_supposes_what_it_displays() {
+    for words in [
+        "Now let",
+        "We require that",
+        "Suppose that",
+        "The constraint is",
+        "It is given that",
+    ] {
+        let page = |step: &str| {
+            last(&format!(
+                "The flow in the first pipe is\n\n$$ q = A u, \\tag{{1}} $$\n\nthat in the second one\n\n$$ r = B v. \\tag{{2}} $$\n\n{words}\n\n\
+                 $$ q = r. \\tag{{3}} $$\n\nHence\n\n$$ {step} $$\n"
+            ))
+            .0
+        };
+        assert_eq!(page("A u = B v"), "holds", "{words}");
+        assert_eq!(page("A v = B u"), "fails", "{words}");
+    }
+}
+
+/// A number of which nothing was known before has no value that a case could give it.
+#[test]
+fn a_name_for_a_factor_is_no_case() {
+    let page = |step: &str| {
+        last(&format!(
+            "The force is\n\n$$ F = \\frac{{I a}}{{R^2}}, \\quad I > 0, m > 0, R > 0, \\tag{{1}} $$\n\nWe write $I = \\beta m R^2$ with a number \
+             $\\beta > 0$ that depends on the shape. The force of friction is, by (1),\n\n$$ {step} $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page(r"F = \beta m a"), "holds");
+    assert_eq!(page(r"F = \frac{m a}{\beta}"), "fails");
+}
+
+#[test]
+fn what_does_not_vanish_is_no_wrong_citation() {
+    let (verdict, notes) = last(
+        "The wavelength is\n\n$$ L = \\frac{c}{h}. \\tag{1} $$\n\nWith $c > 0$ one hears\n\n$$ f = \\frac{c}{c - u} h, \\tag{2} $$\n\nand the change is\n\n\
+         $$ \\frac{f - h}{h} = \\frac{u}{c - u}. \\tag{3} $$\n\nAfterwards one hears\n\n$$ g = \\frac{c}{c + u} h. \\tag{4} $$\n\n\
+         The ratio is, by (2) and (4),\n\n$$ \\frac{f}{g} = \\frac{c + u}{c - u}. $$\n",
+    );
+    assert_eq!(verdict, "holds");
+    assert!(!notes.contains(&"miscited"), "{notes:?}");
+}
+
+#[test]
+fn numbers_that_displays_come_to_are_not_overlooked() {
+    let page = |current: &str| {
+        last(&format!(
+            "At $U = 12$ the current is\n\n$$ I = \\frac{{U}}{{2}} = 6. \\tag{{1}} $$\n\nThe current through the first one is\n\n\
+             $$ J = \\frac{{U}}{{6}} = 2, \\tag{{2}} $$\n\nhence that through the second one is\n\n$$ K = I - J = {current}. $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("4"), "undecided");
+    assert_eq!(page("3"), "fails");
+}
+
+/// Two equations that cite each other: neither waits for the other for ever.
+#[test]
+fn what_is_cited_and_comes_later_is_not_waited_for() {
+    for page in [
+        "By (2)\n\n$$ c = d \\tag{1} $$\n\nby (1)\n\n$$ d = c. \\tag{2} $$\n",
+        "From (2),\n\n$$ v = g t \\tag{1} $$\n\n<!-- check: law -->\n\n$$ s = v t \\tag{3} $$\n\nBy (1) and (3),\n\n$$ s = g t^2. \\tag{2} $$\n",
+    ] {
+        let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", page)]));
+        let first = &audit.entries[0];
+        assert!(first.notes.iter().any(|note| note.code() == "cites-later"));
+    }
+}
+
+/// What is divided by is found beside `\pi`, too.
+#[test]
+fn what_must_not_vanish_is_found_beside_pi() {
+    let page = |speed: &str| {
+        last(&format!(
+            "The weight is\n\n$$ G = \\frac{{4}}{{3}} \\pi R^3 \\rho g, \\tag{{1}} $$\n\nthe buoyancy is\n\n$$ B = \\frac{{4}}{{3}} \\pi R^3 \\sigma g. \\tag{{2}} $$\n\n\
+             At the terminal speed\n\n$$ G = B + 6 \\pi \\eta R u. \\tag{{3}} $$\n\nSubstituting (1) and (2) into (3) we find\n\n$$ u = {speed}. $$\n"
+        ))
+    };
+    let (verdict, notes) = page(r"\frac{2 R^2 g (\rho - \sigma)}{9 \eta}");
+    assert_eq!(
+        (verdict, &notes[..]),
+        ("holds", &["unstated-condition"][..])
+    );
+    assert_eq!(page(r"\frac{4 R^2 g (\rho - \sigma)}{9 \eta}").0, "fails");
+}

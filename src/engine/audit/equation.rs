@@ -146,7 +146,7 @@ impl Auditor<'_> {
                 .unwrap_or_else(|| from(how.usable))
         });
         // What stands just before and is false says nothing of an identity, or of what follows without it.
-        let is_wrong = |&premise: &usize| self.entries_of(premise).any(Entry::is_wrong);
+        let is_wrong = |&premise: &usize| self.entries_of(how.at, premise).any(Entry::is_wrong);
         if how.says_so || entry.verdict != Verdict::Undecided || !how.premises.iter().any(is_wrong)
         {
             return entry;

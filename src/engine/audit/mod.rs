@@ -297,8 +297,9 @@ impl Auditor<'_> {
         (premise < at).then(|| &self.shared.finished(premise).offer)
     }
 
-    /// The entries of an equation before the one that is being judged.
-    fn entries_of(&self, at: usize) -> impl Iterator<Item = &Entry> {
-        self.shared.finished(at).entries.iter()
+    /// The entries of an equation before the one at `at`; none of what is cited and comes only later, which may wait for that one.
+    fn entries_of(&self, at: usize, premise: usize) -> impl Iterator<Item = &Entry> {
+        let before = (premise < at).then(|| self.shared.finished(premise));
+        before.into_iter().flat_map(|own| &own.entries)
     }
 }

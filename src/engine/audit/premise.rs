@@ -273,6 +273,9 @@ pub fn usable<'a>(
                 false => local.is_let || local.is_case() || local.is_told && replaced(local),
             };
             let is_over = !in_effect.contains(place) || is_left_for_other(local);
+            let is_case = is_case
+                || local.is_left_by(true) && derivation.is_left_in_words(at, *place)
+                || others().any(|other| local.is_another_case_than(other));
             is_case && !local.is_momentary() && is_over
                 || !named && derivation.is_beyond(at, *place)
         };

@@ -12,8 +12,8 @@ impl Auditor<'_> {
     /// The failing equations among premises, and those that these rest on.
     pub(super) fn failing(&self, at: usize, premises: &Set<usize>) -> Vec<usize> {
         let mut failing = Set::new();
-        for &premise in premises.iter().filter(|&&p| p < at) {
-            for entry in self.entries_of(premise) {
+        for &premise in premises {
+            for entry in self.entries_of(at, premise) {
                 if entry.is_mistake() {
                     failing.insert(premise);
                 }
@@ -27,8 +27,11 @@ impl Auditor<'_> {
     /// that these rest on.
     pub(super) fn unproved(&self, at: usize, premises: &Set<usize>) -> Vec<usize> {
         let mut open = Set::new();
-        for &premise in premises.iter().filter(|&&p| p < at) {
-            for entry in self.entries_of(premise).filter(|own| !own.names_a_value()) {
+        for &premise in premises {
+            for entry in self
+                .entries_of(at, premise)
+                .filter(|own| !own.names_a_value())
+            {
                 let conditional = entry
                     .notes
                     .iter()

@@ -36,14 +36,14 @@ impl Judge<'_> {
             if at >= self.at || !seen.insert(at) {
                 continue;
             }
-            let proved = self.auditor.entries_of(at).all(|entry| {
+            let proved = self.auditor.entries_of(self.at, at).all(|entry| {
                 let doubtful =
                     |n: &Note| matches!(n, Note::UnstatedCondition(_) | Note::TakenAsConstant(_));
                 entry.verdict == Verdict::Holds && !entry.notes.iter().any(doubtful)
             });
             match proved {
                 true => {
-                    let entries = self.auditor.entries_of(at);
+                    let entries = self.auditor.entries_of(self.at, at);
                     open.extend(entries.flat_map(|entry| entry.premises.iter().copied()));
                 }
                 false => {

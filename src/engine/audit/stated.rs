@@ -133,8 +133,12 @@ impl Judge<'_> {
             let own = |a: &&Assumed| !a.source.is_of_statement();
             let before = usable.assumed.iter().filter(own);
             let mut before = told.iter().chain(before);
-            equation.introduces.contains(symbol)
-                && !before.any(|a| a.formula.terms().iter().any(|term| term.mentions(symbol)))
+            // "where $0 \le t < 1$" says nothing more of it.
+            let speaks = |own: &Formula| {
+                let is_bound = own.as_equation().is_none() && own.names().len() == 1;
+                !is_bound && own.terms().iter().any(|term| term.mentions(symbol))
+            };
+            equation.introduces.contains(symbol) && !before.any(|a| speaks(&a.formula))
         };
         let has_value = momentary && (others.is_empty() || others.iter().any(is_new));
         let put = has_value || is_put(right, equation.extent);

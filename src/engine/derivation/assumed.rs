@@ -134,6 +134,12 @@ impl Derivation {
         (general.get(left)).is_some_and(|&place| place < own.span.start)
     }
 
+    /// Whether a text supposes something, and does not only tell it.
+    pub fn is_supposed(&self, page: usize, body: Span) -> bool {
+        let mut locals = self.pages[page].locals.iter();
+        locals.any(|own| !own.is_told && body.start <= own.span.start && own.span.end <= body.end)
+    }
+
     /// Whether a whole sentence says what is supposed of a place or a case: "At $t = 1$ the body is at $x = v$."
     pub fn is_said_of_a_place(&self, (page, local): (usize, usize)) -> bool {
         let said = self.local(page, local).span;

@@ -17,7 +17,7 @@ use crate::sorted::Set;
 
 impl Local {
     /// Whether all that it says is that symbols are greater or less than numbers, or none.
-    fn bounds(&self) -> bool {
+    pub(super) fn bounds(&self) -> bool {
         self.formulas.iter().all(|own| bounded(own).is_some())
     }
 

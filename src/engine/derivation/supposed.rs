@@ -1,6 +1,7 @@
 //! What is supposed where: values and hypotheses that prose or a directive brings in, and the special cases that are left again.
 
 mod moment;
+mod rivals;
 mod said;
 mod vanishing;
 
@@ -17,6 +18,8 @@ use super::equation::formulas;
 use super::meanings::renamed;
 use super::page::Page;
 use super::rows::Part;
+
+use self::rivals::exclude_each_other;
 
 pub(super) use self::moment::said_of_moment;
 pub use self::moment::{Moment, is_put};
@@ -90,8 +93,21 @@ impl Local {
     }
 
     /// Whether "in general" leaves it; and what leaves cases and moments alone, "later".
-    pub(super) fn is_left_by(&self, in_general: bool) -> bool {
-        self.of_case || in_general && self.is_special
+    pub fn is_left_by(&self, in_general: bool) -> bool {
+        // "Suppose that $a + b = 0$", "Let $n = 3$"
+        let restricts = || {
+            let sets_number = self
+                .formulas
+                .iter()
+                .any(|own| own.set_to_number().is_some());
+            !self.is_told && !self.means && self.is_equation() && (!self.is_let || sets_number)
+        };
+        self.of_case || in_general && (self.is_special || restricts())
+    }
+
+    /// Whether it says under which condition what follows is so, and not what something means.
+    pub(super) fn is_condition(&self) -> bool {
+        !self.means && !self.lasts && !self.is_momentary()
     }
 
     /// Whether it is a special case.
@@ -130,6 +146,25 @@ impl Local {
             && self.span.start < other.span.start
             && self.formulas != other.formulas
             && self.gives_as(&other.names(), &other.values())
+    }
+
+    /// Whether it cannot be so where these are: "First, let $x > 0$. … Now let $x < 0$".
+    pub(super) fn is_ruled_out_by<'a>(
+        &self,
+        formulas: impl IntoIterator<Item = &'a Formula>,
+    ) -> bool {
+        let mut formulas = formulas.into_iter();
+        !self.is_momentary()
+            && formulas.any(|other| {
+                self.formulas
+                    .iter()
+                    .any(|own| exclude_each_other(own, other))
+            })
+    }
+
+    /// Whether it cannot be so where another one is.
+    pub fn is_another_case_than(&self, other: &Local) -> bool {
+        self.is_ruled_out_by(other.formulas.iter().map(|own| &**own))
     }
 
     /// Whether it says how the same quantities go together as another one, which speaks of `names` and gives the `values` of some.
@@ -185,14 +220,19 @@ impl Page {
         for (formulas, span) in said {
             let values: Set<Symbol> = formulas.iter().flat_map(assigned).collect();
             let own: Set<Symbol> = formulas.iter().flat_map(Formula::names).collect();
-            let locals = &self.locals;
+            let (locals, source) = (&self.locals, &self.document.source);
             active.retain(|&at| {
                 let old = &locals[at];
+                let is_parted = || parts_sentences(source, old.span, span);
+                if !is_fact && !strict && is_parted() && old.is_ruled_out_by(&formulas) {
+                    return false;
+                }
                 let before = old.values();
                 // "For $m_1 = m_2$, … For $m_2 = 3 m_1$, …" goes from one case to the next.
                 let other_case = || old.gives_as(&own, &values);
                 match old.is_let && is_let {
-                    true => before.is_disjoint(&values) && !other_case(),
+                    // That $R > 0$ is not taken back by $R = 5$.
+                    true => old.bounds() || before.is_disjoint(&values) && !other_case(),
                     // "The height is $x = h$, so … The width is $x = w$, so".
                     false => {
                         let is_other = old.of_case && other_case();
@@ -232,8 +272,10 @@ impl Page {
             let mut values = local.values().into_iter();
             // A reason is so throughout: "Since $\mu = m_2/m_1$".
             let reason = local.is_told && is_reason(source, local.span);
+            let gives = !explains && !reason && values.any(|symbol| known.speaks_of(&symbol));
+            // "We write $I = \beta m R^2$" says what `\beta` is, and restricts nothing.
             local.is_special =
-                !explains && !reason && values.any(|symbol| known.speaks_of(&symbol));
+                gives && !local.formulas.iter().any(|own| names_a_factor(own, known));
             let is_meaning = |formula: &Arc<Formula>| match formula.as_equation() {
                 Some((Expr::Symbol(_) | Expr::Apply(..), value)) => {
                     is_term(value) || reason && matches!(value, Expr::Symbol(_))
@@ -241,8 +283,8 @@ impl Page {
                 _ => false,
             };
             // "For a uniform disk the density is $\sigma = M/(\pi R^2)$": of a new symbol that is said for good.
-            let of_case = local.is_told && local.of_case && local.is_special;
-            let lasts = local.moment.is_none() && !local.is_special && !of_case;
+            let of_case = local.is_told && local.of_case && gives;
+            let lasts = local.moment.is_none() && !gives && !of_case;
             local.means = lasts && local.formulas.iter().all(is_meaning);
         }
     }
@@ -360,4 +402,23 @@ fn assigned(formula: &Formula) -> Set<Symbol> {
 /// Whether a term says what a symbol means, "Let $u = 1/N$": of a mere name or number it may be told where something begins.
 fn is_term(value: &Expr) -> bool {
     !matches!(value, Expr::Symbol(_)) && !value.free_symbols().is_empty()
+}
+
+/// Whether a sentence or a display ends between two places.
+fn parts_sentences(source: &str, one: Span, other: Span) -> bool {
+    let between = source.get(one.end..other.start).unwrap_or_default();
+    let ends = ["$$", "\\[", "\\end{", "\n\n", ". ", ".\n", ".*", "; "];
+    ends.iter().any(|end| between.contains(end))
+}
+
+/// Whether a formula says no more than what a new symbol is, by a product that it is a factor of: `I = \beta m R^2`.
+fn names_a_factor(formula: &Formula, known: &Known) -> bool {
+    let Some((Expr::Symbol(whole), Expr::Product(factors))) = formula.as_equation() else {
+        return false;
+    };
+    let is_new = |factor: &Expr| match factor {
+        Expr::Symbol(symbol) => !known.speaks_of(symbol) && symbol != whole,
+        _ => false,
+    };
+    factors.iter().any(is_new)
 }

@@ -123,7 +123,7 @@ pub struct Prose {
     pub defines: bool,
     /// Its first sentence is about the display before it: "which by (2) is".
     pub is_relative: bool,
-    /// It is a mere "where" or "with" between two displays.
+    /// It is a mere "where" or "with" between two displays, or supposes what comes next: "Now let", "We require that".
     pub says_what_is_meant: bool,
     /// Its last sentence puts a condition in words: "If the stress is to be the same in all of them, then by (1)".
     pub puts_condition: bool,
@@ -290,6 +290,8 @@ pub enum SuppositionKind {
     Abbreviation(Span),
     /// "In general": all special cases are left. It supposes nothing.
     General,
+    /// "Otherwise": what was supposed last is left, too.
+    Otherwise,
     /// "Later", "In between": the cases that were gone through and the moments are left, but not what was let.
     Elsewhere,
     /// "Assume", "Suppose", "taking", "provided that": a hypothesis.
@@ -330,7 +332,8 @@ impl SuppositionKind {
 
     /// Whether special cases are left behind.
     pub fn leaves_cases(self) -> bool {
-        matches!(self, SuppositionKind::General | SuppositionKind::Elsewhere)
+        use SuppositionKind::{Elsewhere, General, Otherwise};
+        matches!(self, General | Elsewhere | Otherwise)
     }
 }
 

@@ -244,7 +244,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         concludes,
         defines: conclusion::defines(last, concludes),
         is_relative: conclusion::is_relative(&tokens, last),
-        says_what_is_meant: conclusion::says_what_is_meant(&tokens),
+        says_what_is_meant: conclusion::says_what_is_meant(&tokens) || conclusion::supposes(last),
         announces_laws: conclusion::announces_laws(last, concludes),
         puts_condition: conclusion::puts_condition(source, last),
         announces_several: concludes == Some(false) && conclusion::announces_several(last),

@@ -225,7 +225,15 @@ impl Reader<'_> {
         {
             self.found.push(Supposition { kind, body: span });
         }
-        let denies = self.sentence.careful && among(&DENYING);
+        // "At $r = 0$ it would be": that is said of what would be so.
+        let conditional_mood = || {
+            let first = self.tokens[self.sentence.first].0;
+            let goes_on = !self.tokens[index..]
+                .iter()
+                .any(|(token, _)| token.is_stop());
+            word == "would" && first.is_among(&OF_CASES) && goes_on
+        };
+        let denies = self.sentence.careful && among(&DENYING) && !conditional_mood();
         let unsaid = self.sentence.active.is_some() && self.is_silent() && among(&NEGATING);
         // A "non-trivial" solution is none of the trivial ones.
         let compound = || index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
@@ -234,7 +242,10 @@ impl Reader<'_> {
             let says_again = word == "or" && index + 1 == self.tokens.len();
             says_again || is_condition(self.source, index, self.tokens)
         };
-        if denies || unsaid || among(&DOUBTFUL) && !compound() && !conditional() {
+        // "If, on the contrary, $a \neq b$, we have"
+        let first = self.tokens[self.sentence.first].0;
+        let of_contrary = || word == "contrary" && self.sentence.begun && first.is_among(&OF_CASES);
+        if denies || unsaid || among(&DOUBTFUL) && !compound() && !conditional() && !of_contrary() {
             self.withdraw();
             self.sentence.doubtful = true;
         }
@@ -246,6 +257,9 @@ impl Reader<'_> {
         let begins = || !self.sentence.begun || follows_comma(index, self.tokens);
         if matches!(word, "since" | "because" | "as") && begins() {
             self.sentence.reason = Some(false);
+        } else if word == "because" && !follows(index, self.tokens, &NEGATING) {
+            // "which are not zero because $V > b$": what is denied stands before.
+            self.sentence.factual = true;
         }
         if let Some(denied) = &mut self.sentence.reason
             && among(&DENYING)
@@ -293,7 +307,10 @@ impl Reader<'_> {
         let says_number = is_number(text);
         // "At $x = h$" says where.
         let is_place = follows(index, self.tokens, &NAMED_BEFORE) && equals_a_name(text);
-        let active = self.sentence.active;
+        let case = SuppositionKind::Case { runs_on: true };
+        let labelled = states && cases::is_labelled(index, self.tokens);
+        let labelled = labelled.then_some((case, Reach::List { left: 1 }));
+        let active = self.sentence.active.or(labelled);
         if let Some((kind, reach)) = active {
             let may_begin = kind != SuppositionKind::Define || is_zero;
             // "where $I = I_0$ when $t = 0$" means nothing for good.

@@ -288,18 +288,31 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
     // What few equations speak of can be changed with the least harm to the others.
     let spoken_of = |var: Var| all.iter().filter(|p| p.degree_in(var) > 0).count();
     let mut lifted: Map<Var, Polynomial> = Map::new();
-    // What changes in one equation may stand in one before it.
-    while let Some(at) = pending.iter().position(|equation| {
-        let vars = equation.vars();
-        vars.iter().any(|v| *v == pi || lifted.contains_key(v))
-    }) {
+    let is_symbol = |var: Var| matches!(problem.atoms.atom(var), Atom::Symbol(_));
+    loop {
+        // What changes in one equation may stand in one before it.
+        let depends = |equation: &Polynomial| {
+            let mut vars = equation.vars().into_iter();
+            vars.any(|var| var == pi || lifted.contains_key(&var))
+        };
+        // `V = \pi r^2` can be solved for `V` alone, `M = V + \pi u` for either side: the first has no other choice.
+        let choices = |equation: &Polynomial| {
+            let vars = equation.vars().into_iter();
+            let is_choice = |&var: &Var| {
+                is_symbol(var) && !lifted.contains_key(&var) && is_plain(equation, var)
+            };
+            vars.filter(is_choice).count()
+        };
+        let next = (0..pending.len()).filter(|&at| depends(pending[at]));
+        let Some(at) = next.min_by_key(|&at| choices(pending[at]).wrapping_sub(1)) else {
+            break;
+        };
         let equation = pending.remove(at);
         let vars = equation.vars();
         let mut candidates: Vec<Var> = vars.iter().rev().copied().collect();
         sorted::sort_by_key(&mut candidates, |&var| spoken_of(var));
         let solved = candidates.into_iter().find_map(|var| {
-            let free = matches!(problem.atoms.atom(var), Atom::Symbol(_));
-            if var == pi || !free || lifted.contains_key(&var) {
+            if var == pi || !is_symbol(var) || lifted.contains_key(&var) {
                 return None;
             }
             let mut left = equation.clone();
@@ -338,6 +351,14 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
                 }
             }
         }
+    }
+}
+
+/// Whether nothing is multiplied with a symbol where an equation speaks of it.
+fn is_plain(equation: &Polynomial, var: Var) -> bool {
+    match equation.in_powers_of(var).as_slice() {
+        [_, slope] => slope.as_constant().is_some(),
+        _ => false,
     }
 }
 

@@ -80,7 +80,7 @@ impl Judge<'_> {
 
     /// Whether something of an equation before is undecided.
     pub(super) fn is_undecided(&self, other: usize) -> bool {
-        let mut entries = self.auditor.entries_of(other);
+        let mut entries = self.auditor.entries_of(self.at, other);
         entries.any(|entry| entry.verdict == Verdict::Undecided)
     }
 
@@ -99,7 +99,9 @@ impl Judge<'_> {
     /// What was true at a point at which failing equations were found to be false. Where the point tells slopes, also what that was
     /// shown from: what is refuted from a slope is refuted from what that is the slope of.
     pub(super) fn refuted_from(&self, failing: &[usize]) -> Set<Source> {
-        let entries = failing.iter().flat_map(|&at| self.auditor.entries_of(at));
+        let entries = failing
+            .iter()
+            .flat_map(|&at| self.auditor.entries_of(self.at, at));
         let mut found = Set::new();
         for (judged, refuted) in entries.filter_map(|entry| entry.refuted()) {
             let from = sources(&judged.assumed);
@@ -121,7 +123,7 @@ impl Judge<'_> {
         if at >= self.at {
             return Vec::new();
         }
-        let entries = self.auditor.entries_of(at);
+        let entries = self.auditor.entries_of(self.at, at);
         let judged = entries.flat_map(|entry| &entry.judged);
         let proven = judged.filter(|judged| judged.outcome.is_proven());
         proven.flat_map(|judged| sources(&judged.assumed)).collect()
@@ -154,7 +156,7 @@ impl Judge<'_> {
         let (_, _, unknown) = self.derivation.premises(self.at);
         let cites = !premises.is_empty() || !unknown.is_empty();
         for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
-            let entries: Vec<&Entry> = self.auditor.entries_of(other).collect();
+            let entries: Vec<&Entry> = self.auditor.entries_of(self.at, other).collect();
             let is_wrong = entries.iter().any(|e| e.is_wrong());
             let is_given = entries.iter().any(|e| e.verdict == Verdict::Given);
             if is_wrong

@@ -22,7 +22,7 @@ impl Judge<'_> {
             return false;
         }
         let rests = |&other: &usize| {
-            let mut entries = self.auditor.entries_of(other);
+            let mut entries = self.auditor.entries_of(self.at, other);
             entries.any(|own| !own.rests_on.is_empty())
         };
         // From what fails anything may follow, if only hard enough is tried.
@@ -40,7 +40,7 @@ impl Judge<'_> {
         let is_amiss = |entry: &Entry| entry.is_wrong() || entry.verdict == Verdict::Undecided;
         let is_new = |other: &usize| {
             let known = premises.contains(other) || sound.contains(other);
-            !known && !self.auditor.entries_of(*other).any(is_amiss)
+            !known && !self.auditor.entries_of(self.at, *other).any(is_amiss)
         };
         let page = self.derivation.equations[self.at].page;
         let before = (self.derivation.equations_of(page).start..self.at).rev();
@@ -48,7 +48,9 @@ impl Judge<'_> {
             .take_while(|&other| self.goes_on_from(other))
             .filter(|other| is_new(other) && self.may_borrow(*other, true))
             .collect();
-        let entries = all.iter().flat_map(|&other| self.auditor.entries_of(other));
+        let entries = all
+            .iter()
+            .flat_map(|&other| self.auditor.entries_of(self.at, other));
         let judged = entries.flat_map(|entry| &entry.judged);
         let drawn_from: Vec<usize> = judged
             .flat_map(|own| sources(&own.assumed))

@@ -72,6 +72,7 @@ impl Judge<'_> {
             Source::Local(page, local) => {
                 let place = (page, local);
                 let is_over = is_left(&place)
+                    || self.is_carried_by_nothing(place, found, premises)
                     || turns && self.is_told_of_another_case(place, goal)
                     || self.is_said_otherwise(place);
                 is_over.then_some(place)
@@ -91,6 +92,31 @@ impl Judge<'_> {
             None if turns => self.displayed_of_a_moment(found, premises),
             None => None,
         }
+    }
+
+    /// Whether a hypothesis is not in effect where the step stands, and nothing that the step cites or follows from was concluded under it.
+    fn is_carried_by_nothing(
+        &self,
+        place: (usize, usize),
+        found: &Found,
+        premises: &[usize],
+    ) -> bool {
+        let own = &self.derivation.equations[self.at];
+        let in_effect = || own.locals.iter().chain(&own.told).chain(&own.named);
+        let is_here = own.page == place.0 && in_effect().any(|&local| local == place.1);
+        let carries = |premise: &usize| {
+            let offer = self.auditor.offer(self.at, *premise);
+            offer.is_some_and(|own| own.under.contains(&place))
+        };
+        let used = found
+            .judged
+            .assumed
+            .iter()
+            .filter_map(|own| match own.source {
+                Source::Equation(premise) => Some(premise),
+                _ => None,
+            });
+        !is_here && !premises.iter().any(carries) && !used.into_iter().any(|own| carries(&own))
     }
 
     /// Whether the last sentence before the step says something else in the place of a hypothesis: "It starts with $v = 0$. Later $v = a t$, and".

@@ -5,16 +5,22 @@
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, formulas};
-use crate::document::Item;
-use crate::notation::read_formulas;
+use crate::document::{Item, Span};
+use crate::notation::{Statement, read_formulas};
 use crate::search::Decision;
 use crate::sorted::Set;
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, step};
 
+/// So many displays before may come to a value that is meant.
+const MOST_DISPLAYED: usize = 8;
+/// What the text tells is looked for before so many displays.
+const MOST_DISPLAYS: usize = 2;
+
 impl Judge<'_> {
-    /// Refutes what comes to a number with the values that the text since the last display tells, or leaves it open.
+    /// Refutes what comes to a number with the values that the text since the last display tells, or leaves it open; what follows with
+    /// values that stand farther back, too.
     pub(in crate::audit) fn heed_values_told(
         &self,
         goal: &Goal,
@@ -28,70 +34,151 @@ impl Judge<'_> {
         if !found.judged.outcome.is_refuted() || !comes_to_number {
             return;
         }
-        let values = self.values_told(assumed);
-        if values.is_empty() {
+        let with = |values: &[Formula]| -> Vec<Assumed> {
+            assumed
+                .iter()
+                .cloned()
+                .chain(values.iter().map(step))
+                .collect()
+        };
+        let near = self.without_value(self.values_near(), goal, assumed);
+        if !near.is_empty() {
+            let all = with(&near);
+            match self.decide_from(&all, &goal.formula) {
+                // There is a point at which all of them are so.
+                Some(Decision::Refuted(refuted)) => {
+                    found.judged.outcome = Outcome::Refuted(refuted.into());
+                    found.judged.assumed = all;
+                }
+                Some(Decision::Proven { .. }) if !self.is_contradictory(&all, goal) => {
+                    found.leave_open(format!(
+                        "it follows with the numbers that the text names for {}, and does not plainly suppose: write “Let” before them",
+                        names(&near)
+                    ));
+                }
+                _ => found.leave_open(format!(
+                    "it may follow with the numbers that the text names for {}",
+                    names(&near)
+                )),
+            }
+        }
+        if !found.judged.outcome.is_refuted() {
             return;
         }
-        let names = values
-            .iter()
-            .filter_map(|own| Some(own.formula.as_equation()?.0));
-        let told: Vec<String> = names
-            .filter_map(|own| match own {
-                Expr::Symbol(symbol) => Some(format!("`{symbol}`")),
-                _ => None,
-            })
-            .collect();
-        let told = told.join(", ");
-        let all: Vec<Assumed> = assumed.iter().cloned().chain(values).collect();
-        match self.decide_from(&all, &goal.formula) {
-            // There is a point at which all of them are so.
-            Some(Decision::Refuted(refuted)) => {
-                found.judged.outcome = Outcome::Refuted(refuted.into());
-                found.judged.assumed = all;
-            }
-            Some(Decision::Proven { .. }) if !self.is_contradictory(&all, goal) => {
-                found.leave_open(format!(
-                    "it follows with the numbers that the text names for {told}, and does not plainly suppose: write “Let” before them"
-                ));
-            }
-            _ => found.leave_open(format!(
-                "it may follow with the numbers that the text names for {told}"
-            )),
+        let mut far = self.values_before();
+        far.splice(0..0, near);
+        let far = self.without_value(far, goal, assumed);
+        let all = with(&far);
+        if let Some(Decision::Proven { .. }) = self.decide_from(&all, &goal.formula)
+            && !self.is_contradictory(&all, goal)
+        {
+            found.leave_open(format!(
+                "it follows with the numbers that stand before for {}, and nothing says that these are still meant",
+                names(&far)
+            ));
         }
     }
 
-    /// The values that the text since the last display gives symbols of the premises that have none.
-    fn values_told(&self, assumed: &[Assumed]) -> Vec<Assumed> {
-        let own = &self.derivation.equations[self.at];
-        let document = &self.derivation.pages[own.page].document;
-        let spoken: Set<Symbol> = assumed.iter().flat_map(|a| a.formula.names()).collect();
+    /// Of values those of symbols of which hypotheses, or the step, speak and say no value; the first for each.
+    fn without_value(&self, said: Vec<Formula>, goal: &Goal, assumed: &[Assumed]) -> Vec<Formula> {
+        let mut spoken: Set<Symbol> = assumed.iter().flat_map(|a| a.formula.names()).collect();
+        spoken.extend(goal.formula.names());
         let has_value = |symbol: &Symbol| {
             let mut all = assumed.iter().filter_map(|a| a.formula.as_equation());
-            all.any(|(left, right)| {
-                matches!(left, Expr::Symbol(s) if s == symbol) && is_number(right)
-            })
+            let is_left =
+                matches!(goal.formula.as_equation(), Some((Expr::Symbol(own), _)) if own == symbol);
+            is_left
+                || all.any(|(left, right)| {
+                    matches!(left, Expr::Symbol(s) if s == symbol) && is_number(right)
+                })
         };
+        let mut values: Vec<Formula> = Vec::new();
+        for own in said {
+            let Some((symbol, number)) = valued(&own) else {
+                continue;
+            };
+            let is_known = values
+                .iter()
+                .any(|other| valued(other).is_some_and(|(other, _)| other == symbol));
+            if is_number(number) && spoken.contains(symbol) && !has_value(symbol) && !is_known {
+                values.push(own);
+            }
+        }
+        values
+    }
+
+    /// What the text since the last display says.
+    fn values_near(&self) -> Vec<Formula> {
+        let own = &self.derivation.equations[self.at];
+        let bodies = self.bodies_before(0);
+        self.read(own.page, bodies)
+    }
+
+    /// What is told, and not supposed for some case that may be over, in the text of the section a little farther back, and the values to
+    /// which displays come: "At $U = 12$ the current is $$I = U/R = 6$$".
+    fn values_before(&self) -> Vec<Formula> {
+        let equations = &self.derivation.equations;
+        let own = &equations[self.at];
+        let mut bodies = self.bodies_before(MOST_DISPLAYS);
+        bodies.retain(|&body| !self.derivation.is_supposed(own.page, body));
+        let mut said = self.read(own.page, bodies);
+        let page = self.derivation.equations_of(own.page);
+        let near = page.start.max(self.at.saturating_sub(MOST_DISPLAYED))..self.at;
+        let near = near.rev().map(|at| &equations[at]);
+        let here = near.take_while(|other| other.section_start == own.section_start);
+        let value = |statement: &Statement| {
+            let said = formulas(statement);
+            let ((left, _), (_, right)) =
+                (said.first()?.as_equation()?, said.last()?.as_equation()?);
+            Some(Formula::equal(left.clone(), right.clone()))
+        };
+        said.extend(here.flat_map(|other| other.statements()).filter_map(value));
+        said
+    }
+
+    /// The formulas in the text before the step, past so many displays.
+    fn bodies_before(&self, displays: usize) -> Vec<Span> {
+        let own = &self.derivation.equations[self.at];
+        let document = &self.derivation.pages[own.page].document;
         let here = (document.items).partition_point(|item| item.span().start < own.span.start);
+        let mut passed = 0;
         let before = document.items[..here].iter().rev();
-        let since =
-            before.take_while(|item| !matches!(item, Item::Display { .. } | Item::Heading { .. }));
+        let since = before.take_while(|item| {
+            passed += usize::from(matches!(item, Item::Display { .. }));
+            passed <= displays && !matches!(item, Item::Heading { .. })
+        });
         let texts = since.filter_map(|item| match item {
             Item::Prose(prose) => Some(prose),
             _ => None,
         });
         let bodies = texts.flat_map(|prose| prose.math.iter().map(|math| math.body));
-        let read = bodies.filter_map(|body| read_formulas(&document.source, body).ok());
-        let said: Vec<Formula> = read.flatten().flat_map(|s| formulas(&s)).collect();
-        let is_new = |formula: &&Formula| match formula.as_equation() {
-            Some((Expr::Symbol(symbol), right)) => {
-                is_number(right) && spoken.contains(symbol) && !has_value(symbol)
-            }
-            _ => false,
-        };
-        said.iter().filter(is_new).map(step).collect()
+        bodies.collect()
+    }
+
+    fn read(&self, page: usize, bodies: Vec<Span>) -> Vec<Formula> {
+        let source = &self.derivation.pages[page].document.source;
+        let read = bodies
+            .into_iter()
+            .filter_map(|body| read_formulas(source, body).ok());
+        read.flatten().flat_map(|own| formulas(&own)).collect()
     }
 }
 
 fn is_number(term: &Expr) -> bool {
     term.is_arithmetic() && term.free_symbols().iter().all(Symbol::is_unit)
+}
+
+/// The symbol of which an equation says what it is, and that.
+fn valued(formula: &Formula) -> Option<(&Symbol, &Expr)> {
+    match formula.as_equation() {
+        Some((Expr::Symbol(symbol), value)) => Some((symbol, value)),
+        _ => None,
+    }
+}
+
+/// The symbols that values are of, as a message lists them.
+fn names(values: &[Formula]) -> String {
+    let symbols = values.iter().filter_map(valued);
+    let names: Vec<String> = symbols.map(|(symbol, _)| format!("`{symbol}`")).collect();
+    names.join(", ")
 }

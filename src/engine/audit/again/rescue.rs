@@ -3,13 +3,14 @@
 use std::cell::OnceCell;
 use std::rc::Rc;
 
+use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Source};
-use crate::kernel::{Assignment, Obligation};
+use crate::kernel::{Assignment, Obligation, Proven};
 use crate::search::{self, Effort};
 use crate::sorted::Set;
 
 use super::super::Outcome;
-use super::super::judge::{Found, Judge, NEARBY, sources};
+use super::super::judge::{Found, Judge, NEARBY, condition, sources};
 use super::borrowed::speaks_of_all;
 
 /// What a step that does not follow from what it cites may be tried with.
@@ -135,9 +136,13 @@ impl Judge<'_> {
                     continue;
                 };
                 let cited = cited.len();
-                let (kept, least) = self.least_borrowed(all, cited, goal, &posed, derived);
+                let (mut kept, mut least) = self.least_borrowed(all, cited, goal, &posed, derived);
                 if self.is_contradictory(&kept, goal) {
                     continue;
+                }
+                if let Some(own) = self.kept_from_vanishing(goal, &attempt.cited, &kept) {
+                    (kept, least) = own;
+                    found.may_follow = true;
                 }
                 let from = sources(&kept);
                 if let Some(reason) = self.in_other_letters(&from) {
@@ -152,6 +157,42 @@ impl Judge<'_> {
             }
         }
         false
+    }
+
+    /// A step that follows from what it cites as long as something does not vanish by which an equation that it does not cite divides. It
+    /// could be said to follow from that equation in the place of what it cites, but no reader would.
+    fn kept_from_vanishing(
+        &self,
+        goal: &Goal,
+        cited: &[Assumed],
+        kept: &[Assumed],
+    ) -> Option<(Vec<Assumed>, Proven)> {
+        if !self.names_its_premises() {
+            return None;
+        }
+        let is_cited = |own: &&Assumed| cited.iter().any(|other| other.source == own.source);
+        let (_, borrowed): (Vec<&Assumed>, Vec<&Assumed>) = kept.iter().partition(is_cited);
+        let mut divisors = Vec::new();
+        for own in &borrowed {
+            own.formula
+                .terms()
+                .into_iter()
+                .for_each(|term| collect_divisors(term, &mut divisors));
+        }
+        if divisors.is_empty() {
+            return None;
+        }
+        let conditions = divisors
+            .into_iter()
+            .map(|own| condition(&Formula::nonzero(own)));
+        let divided: Vec<Assumed> = cited.iter().cloned().chain(conditions).collect();
+        let posed = self.pose(&divided, &goal.formula).ok()?;
+        search::prove_posed(&posed, Effort::Light)?;
+        let mut all: Vec<Assumed> = cited.to_vec();
+        all.extend(borrowed.into_iter().cloned());
+        let posed = self.pose(&all, &goal.formula).ok()?;
+        let derived = search::prove_posed(&posed, Effort::Light)?;
+        Some((all, derived.proven))
     }
 
     /// An equation of a section above that speaks of a letter which the section of this one introduces anew.
@@ -256,5 +297,18 @@ impl Judge<'_> {
         let near = self.gathered(equations).into_iter().take(NEARBY[1].0);
         let all = assumed.iter().cloned().chain(near).collect();
         self.under_conditions(goal, all, None, (true, Effort::Light), found)
+    }
+}
+
+/// What a term is divided by, factor by factor.
+fn collect_divisors(term: &Expr, divisors: &mut Vec<Expr>) {
+    if let Expr::Quotient(_, below) = term {
+        match &**below {
+            Expr::Product(factors) => divisors.extend(factors.iter().cloned()),
+            below => divisors.push(below.clone()),
+        }
+    }
+    for part in term.children() {
+        collect_divisors(part, divisors);
     }
 }

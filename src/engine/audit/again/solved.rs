@@ -194,7 +194,7 @@ impl Judge<'_> {
     fn named_before(&self, premises: &[usize]) -> Vec<Assumed> {
         let entries = premises
             .iter()
-            .flat_map(|&own| self.auditor.entries_of(own));
+            .flat_map(|&own| self.auditor.entries_of(self.at, own));
         let judged = entries.flat_map(|entry| &entry.judged);
         let assumed = judged.flat_map(|own| &own.assumed);
         let names = |own: &&Assumed| {

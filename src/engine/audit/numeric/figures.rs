@@ -41,10 +41,8 @@ impl Auditor<'_> {
                 Verdict::Undecided => e.numeric.is_some(),
                 _ => false,
             };
-            premise >= at
-                || self
-                    .entries_of(premise)
-                    .all(|e| proved(e) && e.rests_on.is_empty())
+            let mut entries = self.entries_of(at, premise);
+            entries.all(|e| proved(e) && e.rests_on.is_empty())
         };
         let assumed = usable.assumed.iter();
         assumed

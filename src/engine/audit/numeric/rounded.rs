@@ -37,7 +37,7 @@ impl Auditor<'_> {
     /// What the page prints before, but for what is wrong.
     fn printed_before(&self, at: usize) -> Vec<Printed> {
         let wrong = |premise: usize| {
-            let mut entries = self.entries_of(premise);
+            let mut entries = self.entries_of(at, premise);
             entries.any(|entry| match entry.verdict {
                 Verdict::Fails | Verdict::IllDimensioned => true,
                 _ => entry
@@ -212,8 +212,8 @@ impl Auditor<'_> {
     }
 
     /// What an equation says that is supported by figures.
-    fn supported(&self, premise: usize) -> Vec<Assumed> {
-        let entries = self.entries_of(premise);
+    fn supported(&self, at: usize, premise: usize) -> Vec<Assumed> {
+        let entries = self.entries_of(at, premise);
         let weighed = entries.filter_map(|entry| entry.numeric.as_ref());
         let links = weighed
             .filter(|own| own.is_supported())
@@ -232,7 +232,7 @@ impl Auditor<'_> {
         let mut all = self.sound_figures(at, usable);
         all.extend(self.derivation.told(at));
         for &premise in &usable.numeric {
-            all.extend(self.supported(premise));
+            all.extend(self.supported(at, premise));
         }
         all
     }

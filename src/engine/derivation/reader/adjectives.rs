@@ -1,6 +1,8 @@
 //! What the text says of symbols by adjectives.
 
-use crate::algebra::Expr;
+use num_traits::Zero;
+
+use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::document::{Attribute, Prose, Qualities, Vanishing};
 use crate::notation::Spanned;
 
@@ -28,6 +30,31 @@ impl Reader<'_> {
         }
     }
 
+    /// "For negative $x$" leaves "If $x > 0$".
+    fn leave_other_signs(&mut self, symbol: &Symbol, attributes: &[Spanned<Attribute>]) {
+        let bound = |attribute: &Spanned<Attribute>| {
+            let (relation, number) = match &attribute.value {
+                Attribute::Positive => (Relation::Greater, Expr::integer(0)),
+                Attribute::Nonnegative => (Relation::GreaterOrEqual, Expr::integer(0)),
+                Attribute::Nonzero => (Relation::NotEqual, Expr::integer(0)),
+                Attribute::Interval {
+                    lower: None,
+                    upper: Some(upper),
+                } if upper.value.is_zero() => (Relation::Less, Expr::integer(0)),
+                _ => return None,
+            };
+            Some(Formula::Relation {
+                left: Expr::Symbol(symbol.clone()),
+                relation,
+                right: number,
+            })
+        };
+        let bounds: Vec<Formula> = attributes.iter().filter_map(bound).collect();
+        let locals = &self.page.locals;
+        self.active
+            .retain(|&at| !locals[at].is_ruled_out_by(&bounds));
+    }
+
     fn quality(&mut self, quality: &Qualities) {
         self.displayed.learn(&self.equations, &[]);
         let named = match quality.by_name {
@@ -48,6 +75,9 @@ impl Reader<'_> {
             })
             .collect();
         for symbol in &named {
+            if quality.of_case {
+                self.leave_other_signs(symbol, &attributes);
+            }
             for attribute in &attributes {
                 let of_case = quality.of_case;
                 let introduces = !of_case && !self.displayed.speaks_of(symbol);

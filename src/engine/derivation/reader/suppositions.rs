@@ -32,8 +32,11 @@ impl Reader<'_> {
         }
         let (page, active) = (&mut *self.page, &mut self.active);
         match kind {
-            SuppositionKind::General | SuppositionKind::Elsewhere => {
+            SuppositionKind::General | SuppositionKind::Elsewhere | SuppositionKind::Otherwise => {
                 let all = kind == SuppositionKind::General;
+                if kind == SuppositionKind::Otherwise {
+                    active.pop_if(|at| page.locals[*at].is_condition());
+                }
                 active.retain(|&at| !page.locals[at].is_left_by(all));
                 page.general.push(body.start);
                 self.forget_cases();

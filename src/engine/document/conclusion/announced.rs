@@ -69,6 +69,45 @@ pub(in crate::document) fn says_what_is_meant(tokens: &[Placed<'_>]) -> bool {
     }
 }
 
+/// A sentence that ends with one of these supposes what it displays.
+const SUPPOSING: [&str; 10] = [
+    "let",
+    "suppose",
+    "assume",
+    "choose",
+    "require",
+    "demand",
+    "impose",
+    "prescribe",
+    "if",
+    "provided",
+];
+/// A sentence that ends with one of these, and perhaps an "is", says what is displayed of its own accord.
+const IMPOSED: [&str; 4] = ["constraint", "condition", "restriction", "given"];
+
+/// Whether the last sentence supposes what comes after it: "Now let", "We require that", "No current flows if", "The constraint is".
+pub(in crate::document) fn supposes(last: &[Placed<'_>]) -> bool {
+    let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
+    let plain = |(token, _): &&Placed<'_>| token.is_among(&["that", "is", "reads"]);
+    let end = last.iter().rev().take_while(|own| plain(own)).count();
+    let Some((before, [(verb, _)])) = last[..last.len() - end].split_last_chunk::<1>() else {
+        return false;
+    };
+    let denied = before
+        .iter()
+        .any(|(token, _)| token.is_among(&["not", "never", "cannot", "no"]));
+    let draws = before.iter().any(|(token, _)| draws_on(*token));
+    let is_verb = verb.is_among(&SUPPOSING)
+        || verb.is_among(&IMPOSED) && before.iter().all(|own| words(&own));
+    // "No current flows if"
+    let is_condition = verb.is_among(&["if", "provided"]);
+    // "It is zero if" says what is to be solved for.
+    let vanishes = before
+        .iter()
+        .any(|(token, _)| token.is_among(&["zero", "vanishes", "vanish"]));
+    is_verb && !draws && !vanishes && (is_condition || !denied)
+}
+
 /// Whether the last sentence says what is meant by what comes after it.
 pub(in crate::document) fn defines(last: &[Placed<'_>], concludes: Option<bool>) -> bool {
     // "From the definition of restitution it follows that" defines nothing.

@@ -24,6 +24,8 @@ const BEGINNING: &[&str] = &[
 ];
 /// What is said then: "this becomes", "we have", "one gets", "it is", "equation (1) reads".
 const GOING_ON: &[&str] = &["this", "we", "one", "it", "then", "equation", "the"];
+/// Which of several cases comes next.
+const ORDINALS: &[&str] = &["first", "second", "third", "fourth", "last", "other"];
 /// A sentence with one of these speaks of another case than the one that it names.
 pub(super) static COMPARED: Words = Words::of(&[
     "unlike", "contrast", "contrary", "except", "unless", "only", "whether", "or", "than",
@@ -31,6 +33,49 @@ pub(super) static COMPARED: Words = Words::of(&[
 ]);
 /// So many words may say what the case is.
 const MOST_WORDS: usize = 8;
+
+/// Whether the mathematics at `index` says which case comes next: "Case 2: $x < 0$.", "Second case. $x < 0$", "(ii) $x < 0$.".
+pub(super) fn is_labelled(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let mark = |(token, _): &Placed<'_>| matches!(token, Token::Mark(':') | Token::Stop);
+    let marks = |rest: &[Placed<'_>]| rest.iter().rev().take_while(|own| mark(own)).count();
+    let begins = |rest: &[Placed<'_>]| {
+        let before = rest.iter().rev().map(|(token, _)| *token);
+        let mut before = before.skip_while(|token| matches!(token, Token::Mark('*') | Token::Dash));
+        before.next().is_none_or(Token::is_stop)
+    };
+    let short = |token: &Token<'_>| match token {
+        Token::Number(_) => true,
+        Token::Word(label) | Token::Tag(label) => {
+            let is_roman = label
+                .chars()
+                .all(|c| matches!(c, 'i' | 'v' | 'x' | 'I' | 'V' | 'X'));
+            is_roman || label.len() == 1 && label.starts_with(char::is_alphabetic)
+        }
+        _ => false,
+    };
+    let before = &tokens[..index];
+    let unmarked = &before[..before.len() - marks(before)];
+    match unmarked {
+        // "Case 2:", "Special case 1:"
+        [rest @ .., (case, _), (label, _)] if case.is_among(&["case"]) && short(label) => {
+            let described = matches!(rest, [.., (own, _)] if own.is_among(&["special"]));
+            begins(&rest[..rest.len() - usize::from(described)])
+        }
+        // "Second case:"
+        [rest @ .., (which, _), (case, _)] if case.is_among(&["case"]) => {
+            unmarked.len() < before.len() && which.is_among(ORDINALS) && begins(rest)
+        }
+        [rest @ .., (label @ Token::Tag(_), _)] => short(label) && begins(rest),
+        // "(ii)"
+        [
+            rest @ ..,
+            (Token::Mark('('), _),
+            (label, _),
+            (Token::Mark(')'), _),
+        ] => short(label) && begins(rest),
+        _ => false,
+    }
+}
 
 /// The value in the last sentence, where that names a case with it.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {

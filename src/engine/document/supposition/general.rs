@@ -15,7 +15,7 @@ pub(super) fn generalizes(
     index: usize,
     tokens: &[Placed<'_>],
 ) -> Option<SuppositionKind> {
-    use SuppositionKind::{Elsewhere, General};
+    use SuppositionKind::{Elsewhere, General, Otherwise};
     let before = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
         Some((Token::Word(word), _)) => *word,
         _ => "",
@@ -49,9 +49,8 @@ pub(super) fn generalizes(
         "all" | "any" | "every" if after("at") => is(second.is_empty(), Elsewhere),
         "arbitrary" | "all" | "any" | "every" => is(after("for"), Elsewhere),
         "between" => is(after("in"), Elsewhere),
-        "later" | "otherwise" | "else" | "elsewhere" | "meanwhile" => {
-            is(last.is_empty(), Elsewhere)
-        }
+        "otherwise" | "else" => is(last.is_empty(), Otherwise),
+        "later" | "elsewhere" | "meanwhile" => is(last.is_empty(), Elsewhere),
         word if REGIMES.has(word) => is(last.is_empty(), Elsewhere),
         _ => None,
     }

@@ -254,6 +254,8 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
         return false;
     };
     let before = index.checked_sub(1).map(|before| tokens[before].0);
+    // "The roots coincide if $D = 0$. Then"
+    let goes_on = goes_on_then(on);
     // A bullet.
     let after_bullet = matches!(before, Some(Token::Dash))
         && index
@@ -277,7 +279,22 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
     let words = on.iter().take(MOST_DESCRIBED).take_while(describes).count();
     let states = matches!(on.get(words), Some((Token::Math(body), _))
         if source.get(body.range()).is_some_and(relates));
-    begins && states && !on.iter().any(|(token, _)| token.is_stop())
+    states && (begins && !on.iter().any(|(token, _)| token.is_stop()) || goes_on)
+}
+
+/// Whether the next sentence, which is the last one, goes on from what these say: "Then", "In this case".
+fn goes_on_then(rest: &[Placed<'_>]) -> bool {
+    let Some(end) = rest.iter().position(|(token, _)| token.is_stop()) else {
+        return false;
+    };
+    let next = &rest[end + 1..];
+    let goes_on = match next {
+        [(at, _), (this, _), (case, _), ..] if at.is_among(&["in"]) => {
+            this.is_among(&["this", "that"]) && case.is_among(&["case"])
+        }
+        next => next.iter().any(|(token, _)| token.is_among(&["then"])),
+    };
+    goes_on && !next.iter().any(|(token, _)| token.is_stop())
 }
 
 /// Whether these words begin a sentence with the case that is looked at next: "consider the", "Let us now look at the special".
