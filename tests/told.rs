@@ -1630,3 +1630,47 @@ fn what_must_not_vanish_is_found_beside_pi() {
     );
     assert_eq!(page(r"\frac{4 R^2 g (\rho - \sigma)}{9 \eta}").0, "fails");
 }
+
+/// What is said of an element, or put in where a slope is taken, may be meant throughout: that is left open and not refuted.
+#[test]
+fn what_may_be_meant_throughout_is_not_refuted_at_a_point() {
+    let chain = |step: &str| {
+        last(&format!(
+            "With $y = x^2$ the chain rule gives\n\n$$ \\frac{{dy}}{{dt}} = 2 x \\frac{{dx}}{{dt}}. \\tag{{1}} $$\n\nWith $x = t^3$ it becomes\n\n$$ {step} $$\n"
+        ))
+        .0
+    };
+    assert_ne!(chain(r"\frac{dy}{dt} = 6 t^5"), "fails");
+    assert_ne!(chain(r"\frac{dy}{dt} = 5 t^5"), "holds");
+    let (verdict, _) = last(
+        "The total mass is\n\n$$ M = m_1 + m_2 + m_3. \\tag{1} $$\n\nIf all are equal, $m_i = m$, then\n\n$$ M = 3 m. $$\n",
+    );
+    assert_ne!(verdict, "fails");
+}
+
+/// In the special value that words name, one quantity of several that the text knows may be meant.
+#[test]
+fn a_special_value_may_be_of_what_stands_farther_back() {
+    let page = |radius: &str| {
+        last(&format!(
+            "The electron obeys\n\n$$ m v r = n h, \\tag{{1}} $$\n\n$$ m v^2 r = k. \\tag{{2}} $$\n\nBy (1) and (2) the radius is\n\n$$ r = \\frac{{n^2 h^2}}{{m k}}. \\tag{{3}} $$\n\n\
+             The energy is\n\n$$ E = - \\frac{{m k^2}}{{2 n^2 h^2}}. \\tag{{4}} $$\n\nIn the ground state, $n = 1$, the radius is\n\n$$ a_0 = {radius}. $$\n"
+        ))
+        .0
+    };
+    assert_ne!(page(r"\frac{h^2}{m k}"), "fails");
+    assert_ne!(page(r"\frac{2 h^2}{m k}"), "holds");
+}
+
+#[test]
+fn what_is_said_under_circumstances_may_be_meant_under_others() {
+    let page = |step: &str| {
+        last(&format!(
+            "Under random mating the genotypes have the frequencies\n\n$$ P = p^2, \\qquad H = 2 p q, \\tag{{1}} $$\n\nwhere\n\n$$ p + q = 1. \\tag{{2}} $$\n\n\
+             In the next generation the frequency is\n\n$$ u = P + \\frac{{1}}{{2}} H = {step}. $$\n"
+        ))
+        .0
+    };
+    assert_ne!(page("p"), "fails");
+    assert_ne!(page("q"), "holds");
+}

@@ -3,7 +3,7 @@
 use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Source, values_at};
 use crate::kernel::{Claim, Refuted};
-use crate::search::{self, InChain};
+use crate::search::{self, Decision, InChain};
 use crate::sorted::Set;
 
 use super::super::Outcome;
@@ -144,6 +144,34 @@ impl Judge<'_> {
         if !self.refutes_with(goal, assumed, elsewhere, premises, found) {
             found.leave_open(
                 "what stands just before says nothing of some symbol in it, and nothing decides it with what does",
+            );
+        }
+    }
+
+    /// Leaves open a step that cites nothing and follows with what is said under circumstances, where the step is said under some as
+    /// well: they may be the same. "Under random mating …, in the next generation".
+    pub(in crate::audit) fn heed_circumstances(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        if !found.judged.outcome.is_refuted() || !self.cites_loosely() {
+            return;
+        }
+        let under = self.said_under_circumstances(premises);
+        if under.is_empty() {
+            return;
+        }
+        let [sound, _] = self.others(premises);
+        let near = sound.iter().take(NEARBY[1].0).cloned();
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(under).chain(near).collect();
+        if let Some(Decision::Proven { .. }) = self.decide_from(&all, &goal.formula)
+            && !self.is_contradictory(&all, goal)
+        {
+            found.leave_open(
+                "it follows with what is said under circumstances, and nothing says that these are meant here",
             );
         }
     }

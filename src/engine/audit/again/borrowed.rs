@@ -202,6 +202,23 @@ impl Judge<'_> {
         gathered
     }
 
+    /// What is given before under other circumstances than the step is.
+    pub(super) fn said_under_circumstances(&self, premises: &[usize]) -> Vec<Assumed> {
+        let relatives = self.derivation.relatives(self.at, MOST_RELATIVES);
+        let is_given = |&other: &usize| {
+            let mut entries = self.auditor.entries_of(self.at, other);
+            entries.any(|own| own.verdict == Verdict::Given)
+        };
+        let is_other = |other: &usize| {
+            !premises.contains(other) && self.is_of_other_circumstances(*other) && is_given(other)
+        };
+        let others: Vec<usize> = relatives.into_iter().filter(is_other).collect();
+        match others.is_empty() {
+            true => Vec::new(),
+            false => self.gathered(&others),
+        }
+    }
+
     /// Whether the words before a step say that it is of other circumstances than an equation was said under.
     fn is_of_other_circumstances(&self, other: usize) -> bool {
         let equations = &self.derivation.equations;

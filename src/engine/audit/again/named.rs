@@ -5,6 +5,8 @@
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
+use crate::kernel::Standing;
+use crate::notation::plain_formula;
 use crate::search::{self, Decision, Effort};
 
 use super::super::Outcome;
@@ -91,6 +93,45 @@ impl Judge<'_> {
         follows
     }
 
+    /// Leaves open what was refuted as if something were so at one point alone, or for one element, of which the words may say it for all:
+    /// "With $x = t^3$", where a slope of `x` is taken, and "If all are equal, $m_i = m$".
+    pub(in crate::audit) fn heed_what_is_said_of_all(
+        &self,
+        goal: &Goal,
+        all: &[Assumed],
+        found: &mut Found,
+    ) {
+        if !found.judged.outcome.is_refuted() {
+            return;
+        }
+        if speaks_of_elements(all, goal) {
+            found.leave_open("what the text says of an element may be meant of all");
+            return;
+        }
+        let formulas = || all.iter().map(|own| &*own.formula).chain([&goal.formula]);
+        // Of what is put in for `y` the slope of `x` is taken, too.
+        let is_slope = |symbol: &Symbol, value: &Expr| {
+            let takes = |part: &Expr| match part {
+                Expr::Derivative { variable, .. } => variable != symbol && value.mentions(variable),
+                _ => false,
+            };
+            formulas().any(|own| own.terms().into_iter().any(|term| term.any(&takes)))
+        };
+        let mut put = all.iter().filter(|own| {
+            matches!(own.source, Source::Local(..)) && own.standing == Standing::AtPoint
+        });
+        let moving = put.find(|own| match own.formula.as_equation() {
+            Some((Expr::Symbol(symbol), value)) => is_slope(symbol, value),
+            _ => false,
+        });
+        if let Some(own) = moving {
+            found.leave_open(format!(
+                "it may follow where `{}` is so throughout, and nothing says that it is",
+                plain_formula(&own.formula)
+            ));
+        }
+    }
+
     /// Refutes a step where what the words name is so, too, and says from what; returns whether that was found.
     pub(in crate::audit) fn heed_what_is_named(
         &self,
@@ -124,19 +165,32 @@ fn leaves(named: &Formula, names: &Set<Symbol>) -> bool {
 }
 
 /// Whether the text tells something of an element whose index runs, `a_i = a`, and equations speak of the sequence: it is said of all.
-fn speaks_of_elements(all: &[Assumed], goal: &Goal) -> bool {
+pub(in crate::audit) fn speaks_of_elements(all: &[Assumed], goal: &Goal) -> bool {
     let is_local = |own: &&Assumed| matches!(own.source, Source::Local(..));
     let formulas = all.iter().map(|own| &*own.formula);
     let sequences: Set<Symbol> = formulas
         .chain([&goal.formula])
         .flat_map(Formula::sequences)
         .collect();
+    let names: Set<Symbol> = all
+        .iter()
+        .filter(|own| !is_local(own))
+        .flat_map(|own| own.formula.names())
+        .collect();
+    // `m_i` of `m_1`, `m_2` and `m_3`.
+    let is_numbered = |stem: &str| {
+        names.iter().any(|own| {
+            let parts = split_subscript(own.name());
+            parts.is_some_and(|(other, index)| other == stem && index.parse::<u32>().is_ok())
+        })
+    };
     let is_element = |symbol: &Symbol| {
         let parts = split_subscript(symbol.name());
         parts.is_some_and(|(stem, index)| {
-            Symbol::new(index).can_be_index() && sequences.contains(&Symbol::new(stem))
+            Symbol::new(index).can_be_index()
+                && (sequences.contains(&Symbol::new(stem)) || is_numbered(stem))
         })
     };
     let mut told = all.iter().filter(is_local);
-    !sequences.is_empty() && told.any(|own| own.formula.names().iter().any(is_element))
+    told.any(|own| own.formula.names().iter().any(is_element))
 }

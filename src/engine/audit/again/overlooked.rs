@@ -65,6 +65,10 @@ impl Judge<'_> {
         if !found.judged.outcome.is_refuted() {
             return;
         }
+        if let Some(symbol) = self.brings_without_value(goal) {
+            found.leave_open(format!("nothing before says how great `{symbol}` is"));
+            return;
+        }
         let mut far = self.values_before();
         far.splice(0..0, near);
         let far = self.without_value(far, goal, assumed);
@@ -77,6 +81,27 @@ impl Judge<'_> {
                 names(&far)
             ));
         }
+    }
+
+    /// A symbol of which a link that comes to a number is the first to speak, beside what its display defines: "In two hours it uses
+    /// `W = P t = 2.3\,\mathrm{kWh}`".
+    fn brings_without_value(&self, goal: &Goal) -> Option<Symbol> {
+        let own = &self.derivation.equations[self.at];
+        let (left, right) = goal.formula.as_equation()?;
+        let defines = |statement: &Statement| {
+            let first = formulas(statement).into_iter().next()?;
+            let (symbol, value) = valued(&first)?;
+            (value == left).then(|| symbol.clone())
+        };
+        let defined = own.statements().iter().find_map(defines)?;
+        // That something is 0 says no more of what is new.
+        if *right == Expr::integer(0) || goal.formula.speaks_of_slopes() {
+            return None;
+        }
+        let is_new = |symbol: &Symbol| {
+            own.introduces.contains(symbol) && *symbol != defined && !symbol.is_unit()
+        };
+        left.free_symbols().into_iter().find(is_new)
     }
 
     /// Of values those of symbols of which hypotheses, or the step, speak and say no value; the first for each.

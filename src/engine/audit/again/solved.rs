@@ -15,6 +15,8 @@ use super::super::stated::quantities;
 use super::conditions::takes_root;
 use super::there::{Asked, MayFail, Side, There, join, whole};
 
+/// So many laws that stand farther back are looked at.
+const MOST_LAWS: usize = 8;
 /// So many symbols may be what is solved for.
 const MOST_UNKNOWNS: usize = 3;
 /// So much work is done for each of them, as [`effort`] counts it.
@@ -47,6 +49,16 @@ impl Judge<'_> {
             let nearest = spoken().next().map(|own| own.source);
             assumed.extend(spoken().filter(|own| Some(own.source) == nearest).cloned());
         }
+        // Who cites nothing may mean what stands farther back: "In the ground state, $n = 1$, the radius is".
+        let farther: Vec<Assumed> = match set.is_empty() || self.names_its_premises() {
+            true => Vec::new(),
+            false => {
+                let mut others = self.open_before(premises);
+                others.retain(|own| speaks(own) && !assumed.contains(own));
+                others.truncate(MOST_LAWS);
+                others
+            }
+        };
         // Two cases at once say nothing.
         assumed.retain(|own| !self.is_of_case_before(own));
         // The name may say what it is that is solved for: `\omega_0`.
@@ -95,6 +107,22 @@ impl Judge<'_> {
                 let is_shown = self.is_proven_from(&with(first), goal);
                 is_shown.then_some(There::Shown)
             });
+        }
+        let by_law = farther.iter().find_map(|law| {
+            let (Expr::Symbol(unknown), _) = law.formula.as_equation()? else {
+                return None;
+            };
+            if unknown == new || named.contains(unknown) {
+                return None;
+            }
+            let all: Vec<Assumed> = with(unknown).into_iter().chain([law.clone()]).collect();
+            let follows = effort::within(MOST_WORK, || {
+                self.is_proven_from(&self.where_all_is_positive(goal, all.clone()), goal)
+            });
+            follows.then(|| self.solved_from(goal, all, premises))?
+        });
+        if by_law.is_some() {
+            return by_law;
         }
         let mut told = others.into_iter().filter_map(|unknown| {
             let asked = Asked {

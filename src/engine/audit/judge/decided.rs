@@ -193,8 +193,10 @@ impl Judge<'_> {
             }
             if !strong {
                 self.heed_what_is_elsewhere(goal, assumed, premises, found);
+                self.heed_circumstances(goal, assumed, premises, found);
             }
             self.heed_values_told(goal, all, found);
+            self.heed_what_is_said_of_all(goal, all, found);
             self.heed_what_varies(goal, all, premises, found);
             self.heed_what_is_open(goal, all, premises, found);
         }
