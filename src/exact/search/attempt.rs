@@ -63,7 +63,7 @@ pub(super) enum Attempt {
 
 fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
     let problem = obligation.problem();
-    if effort == Effort::Light && has_nothing_to_eliminate(problem) {
+    if effort == Effort::Light && is_beyond_elimination(problem) {
         return Ok(Attempt::Nothing);
     }
     let found = attempt_with(Prover::new(problem)?, obligation, problem, effort);
@@ -73,10 +73,14 @@ fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
     Ok(rates::attempt(obligation).unwrap_or(Attempt::Nothing))
 }
 
-/// Whether an equation is to be shown and none is known: then elimination leaves it as it is.
-fn has_nothing_to_eliminate(problem: &Problem) -> bool {
+/// Whether elimination alone cannot show the goal: it shows no sign, and where no equation is known it leaves one as it is.
+fn is_beyond_elimination(problem: &Problem) -> bool {
     let says = |fact: &Fact| fact.sign == Sign::Zero && !fact.polynomial.is_zero();
-    says(&problem.goal) && !problem.facts.iter().any(says)
+    match problem.goal.sign {
+        Sign::Zero => says(&problem.goal) && !problem.facts.iter().any(says),
+        Sign::NonZero => false,
+        Sign::NonNegative | Sign::Positive => true,
+    }
 }
 
 /// The goal proved from the facts of `problem`: those of the obligation, or more.
@@ -160,10 +164,11 @@ pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
     };
     // What was put in is in every fact.
     obligation.unfold().contains(&hypothesis)
-        || Prover::without(problem, silenced).is_ok_and(|prover| {
-            let attempt = attempt_with(prover, obligation, problem, Effort::Light);
-            matches!(attempt, Attempt::Proof(_))
-        })
+        || !is_beyond_elimination(problem)
+            && Prover::without(problem, silenced).is_ok_and(|prover| {
+                let attempt = attempt_with(prover, obligation, problem, Effort::Light);
+                matches!(attempt, Attempt::Proof(_))
+            })
 }
 
 /// A proof without further conditions, if one is found.

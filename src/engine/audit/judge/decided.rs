@@ -306,12 +306,16 @@ impl Judge<'_> {
     }
 }
 
-/// Whether a statement may be true whatever its symbols stand for: not where one of them is said to be what is calculated from others.
+/// Whether a statement may be seen to be true whatever its symbols stand for: not where one of them is said to be what is calculated from
+/// others, and which of two terms is the greater is not seen at once.
 fn may_be_an_identity(formula: &Formula) -> bool {
     let says_what_it_is = |symbol: &Expr, term: &Expr| match symbol {
         Expr::Symbol(symbol) => !term.mentions(symbol) && !term.any(&|part| !part.is_arithmetic()),
         _ => false,
     };
     let sides = formula.as_equation();
-    !sides.is_some_and(|(left, right)| says_what_it_is(left, right) || says_what_it_is(right, left))
+    !formula.is_inequality()
+        && !sides.is_some_and(|(left, right)| {
+            says_what_it_is(left, right) || says_what_it_is(right, left)
+        })
 }
