@@ -1,5 +1,7 @@
 //! What follows from equations: linear unknowns are eliminated, the rest is left to Buchberger's algorithm.
 
+use std::cmp::Reverse;
+
 use num_integer::Integer;
 
 use super::tracked::{Pivot, Reduced, Tracked};
@@ -184,7 +186,6 @@ fn divisors(facts: &[Fact]) -> Vec<Polynomial> {
 
 /// The element and unknown that are the cheapest to eliminate with.
 struct Best {
-    rank: (usize, usize, std::cmp::Reverse<usize>),
     /// Where the element stands.
     at: usize,
     var: Var,
@@ -216,45 +217,41 @@ fn best_pivot(
     knowledge: &Knowledge,
     power: impl Fn(&[Tracked], Var) -> u32,
 ) -> Option<Best> {
-    let mut best: Option<Best> = None;
+    // The cheapest first: what its coefficient is known to be need not be asked of the others.
+    let mut choices = Vec::new();
     for (at, element) in pending.iter().enumerate() {
         for var in element.polynomial.vars() {
             let power = power(pending, var);
-            let Some(cost) = cost_of(&element.polynomial, var, power) else {
-                continue;
-            };
-            let rank = (
-                cost,
-                element.polynomial.len(),
-                std::cmp::Reverse(var.position()),
-            );
-            if best.as_ref().is_some_and(|b| b.rank <= rank) {
-                continue;
-            }
-            // What is constant need not be looked at.
-            let (positive, negative, nonzero) = match cost {
-                0 => (true, false, true),
-                _ => {
-                    let own = element.polynomial.coefficient_of_power(var, power);
-                    let positive = knowledge.is_positive(&own);
-                    let negative = !positive && knowledge.is_positive(&own.negated());
-                    let nonzero = positive || negative || knowledge.is_nonzero(&own);
-                    (positive, negative, nonzero)
-                }
-            };
-            if nonzero {
-                best = Some(Best {
-                    rank,
-                    at,
-                    var,
-                    power,
-                    positive,
-                    negative,
-                });
+            if let Some(cost) = cost_of(&element.polynomial, var, power) {
+                let rank = (cost, element.polynomial.len(), Reverse(var), at);
+                choices.push((rank, power));
             }
         }
     }
-    best
+    loop {
+        let cheapest = (0..choices.len()).min_by_key(|&own| choices[own].0)?;
+        let ((cost, _, Reverse(var), at), power) = choices.swap_remove(cheapest);
+        // What is constant need not be looked at.
+        let (positive, negative, nonzero) = match cost {
+            0 => (true, false, true),
+            _ => {
+                let own = pending[at].polynomial.coefficient_of_power(var, power);
+                let positive = knowledge.is_positive(&own);
+                let negative = !positive && knowledge.is_positive(&own.negated());
+                let nonzero = positive || negative || knowledge.is_nonzero(&own);
+                (positive, negative, nonzero)
+            }
+        };
+        if nonzero {
+            return Some(Best {
+                at,
+                var,
+                power,
+                positive,
+                negative,
+            });
+        }
+    }
 }
 
 /// How long the coefficient of a power of an unknown is, 0 for a constant; `None` where there are other powers.
