@@ -1,11 +1,18 @@
 //! Conditions: denominators, bases of roots and of powers, limits.
 
+use std::ops::{Deref, DerefMut};
+
 use super::{Expr, Polynomial};
 use crate::sorted::Set;
 
-/// What must be so for a term to have the value that it is given.
+/// What must be so for a term to have the value that it is given. Most terms have one whatever their symbols stand for: then nothing is
+/// kept.
+#[derive(Clone, Debug, Default)]
+pub struct Conditions(Option<Box<Needed>>);
+
+/// What must be so, of each kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Conditions {
+pub struct Needed {
     /// Denominators: they must not vanish.
     pub nonzero: Set<Polynomial>,
     /// Derivatives of what was held constant: they must vanish, and not at one point only.
@@ -23,8 +30,44 @@ pub struct Conditions {
     pub doubtful: Set<Expr>,
 }
 
+static NOTHING: Needed = Needed {
+    nonzero: Set::new(),
+    zero: Set::new(),
+    nonnegative: Set::new(),
+    positive: Set::new(),
+    bases: Set::new(),
+    away: Set::new(),
+    doubtful: Set::new(),
+};
+
+impl Deref for Conditions {
+    type Target = Needed;
+    #[inline]
+    fn deref(&self) -> &Needed {
+        self.0.as_deref().unwrap_or(&NOTHING)
+    }
+}
+
+impl DerefMut for Conditions {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut Needed {
+        self.0.get_or_insert_default()
+    }
+}
+
+impl PartialEq for Conditions {
+    fn eq(&self, other: &Self) -> bool {
+        **self == **other
+    }
+}
+
+impl Eq for Conditions {}
+
 impl Conditions {
     pub(super) fn extend(&mut self, other: Conditions) {
+        let Some(other) = other.0 else {
+            return;
+        };
         self.nonzero.extend(other.nonzero);
         self.zero.extend(other.zero);
         self.nonnegative.extend(other.nonnegative);
@@ -37,17 +80,22 @@ impl Conditions {
     /// The same of other polynomials.
     pub(super) fn map(self, mut change: impl FnMut(&Polynomial) -> Polynomial) -> Conditions {
         let mut all = |own: Set<Polynomial>| own.iter().map(&mut change).collect();
-        Conditions {
-            nonzero: all(self.nonzero),
-            zero: all(self.zero),
-            nonnegative: all(self.nonnegative),
-            positive: all(self.positive),
-            bases: all(self.bases),
-            away: all(self.away),
-            doubtful: self.doubtful,
-        }
+        let changed = self.0.map(|own| {
+            Box::new(Needed {
+                nonzero: all(own.nonzero),
+                zero: all(own.zero),
+                nonnegative: all(own.nonnegative),
+                positive: all(own.positive),
+                bases: all(own.bases),
+                away: all(own.away),
+                doubtful: own.doubtful,
+            })
+        });
+        Conditions(changed)
     }
+}
 
+impl Needed {
     /// What must not vanish.
     pub fn divisors(&self) -> impl Iterator<Item = &Polynomial> {
         self.nonzero.iter().chain(&self.bases).chain(&self.away)

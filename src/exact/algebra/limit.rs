@@ -186,8 +186,10 @@ impl Lowering<'_> {
             && own.bases.is_empty()
             && own.zero.is_empty()
             && own.positive.iter().chain(&own.nonnegative).all(is_positive);
-        let mut away: Vec<Polynomial> = own.nonzero.into_iter().chain(own.away).collect();
-        away.retain(|own| !lasting.contains(&own) && own.as_constant().is_none_or(|c| c.is_zero()));
+        let away = own.nonzero.iter().chain(&own.away);
+        let away = away
+            .filter(|own| !lasting.contains(own) && own.as_constant().is_none_or(|c| c.is_zero()));
+        let away: Vec<Polynomial> = away.cloned().collect();
         if !fits || away.iter().any(Polynomial::is_zero) {
             return Ok(None);
         }

@@ -32,7 +32,7 @@ mod univariate;
 mod written;
 
 pub use atom::{Atom, Atoms};
-pub use conditions::Conditions;
+pub use conditions::{Conditions, Needed};
 pub use dimension::{Base, Dimension};
 pub use evaluate::{EvaluateError, Sides, Values};
 pub use expr::{Children, Expr, Function, LimitPoint};
