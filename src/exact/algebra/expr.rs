@@ -459,6 +459,8 @@ impl Expr {
     pub fn substitute(&self, symbol: &Symbol, value: &Expr) -> Expr {
         match self {
             Expr::Symbol(own) if own == symbol => value.clone(),
+            // What does not speak of it is shared.
+            _ if !self.mentions(symbol) => self.clone(),
             // A derivative is taken at a point that cannot be put in under it.
             Expr::Derivative { variable, .. } if variable == symbol => self.clone(),
             Expr::Partial { variable, .. }

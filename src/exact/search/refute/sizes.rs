@@ -150,10 +150,7 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
                 false => e,
             }
         });
-        match at.any(&|part| matches!(part, Expr::Series { .. })) {
-            true => without_series(&at, &left),
-            false => at.into_owned(),
-        }
+        without_series(&at, &left)
     };
     let mut domains = claim.domains.clone();
     for (sequence, domain) in &claim.sequences {
@@ -221,6 +218,10 @@ fn collect_bases<'a>(expr: &'a Expr, claim: &Claim, counts: &[Symbol], found: &m
 
 /// Sums over a definite number of elements, written out while there are terms left to be written.
 fn without_series(expr: &Expr, left: &Cell<usize>) -> Expr {
+    // What has none in it is shared.
+    if !expr.any(&|part| matches!(part, Expr::Series { .. })) {
+        return expr.clone();
+    }
     if let Expr::Series {
         index,
         from,
