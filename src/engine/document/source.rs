@@ -29,13 +29,20 @@ impl fmt::Display for NotUtf8 {
 
 impl std::error::Error for NotUtf8 {}
 
+/// So many bytes are looked at in one go.
+const MANY: usize = 64;
+
 /// Where the next character stands, from an offset on, by which a text commands who shows it: line ends and tabs do not, nor what sets
 /// colours.
 pub fn next_command(text: &str, mut from: usize) -> Option<usize> {
     // What such a character begins with in UTF-8, and little else.
-    let may_begin = |byte: u8| matches!(byte, 0..=0x1F | 0x7F | 0xC2);
+    let may_begin = |byte: &u8| matches!(byte, 0..=8 | 0xB..=0x1F | 0x7F | 0xC2);
+    // Of many bytes at once it is seen that none of them does.
+    let has_none = |bytes: &&[u8]| !bytes.iter().fold(false, |any, own| any | may_begin(own));
     loop {
-        let at = from + text.get(from..)?.bytes().position(may_begin)?;
+        let rest = text.as_bytes().get(from..)?;
+        from += MANY * rest.chunks(MANY).take_while(has_none).count();
+        let at = from + text.as_bytes().get(from..)?.iter().position(may_begin)?;
         let rest = &text[at..];
         let next = rest.chars().next()?;
         let commands = next.is_control() && !matches!(next, '\n' | '\t');
@@ -127,15 +134,16 @@ fn characters(bytes: &[u8]) -> usize {
     bytes.iter().filter(begins).count()
 }
 
+/// Room is made for a line of each so many bytes.
+const LINE_LENGTH: usize = 32;
+
 /// `\n`, `\r\n` and a lone `\r` each end a line.
 pub(super) fn line_starts(bytes: &[u8]) -> Vec<usize> {
-    let mut starts = vec![0];
-    let mut at = 0;
-    let ends = |byte: &u8| matches!(byte, b'\n' | b'\r');
-    while let Some(length) = bytes[at..].iter().position(ends) {
-        at += length + 1;
-        if bytes[at - 1] == b'\n' || bytes.get(at) != Some(&b'\n') {
-            starts.push(at);
+    let mut starts = Vec::with_capacity(bytes.len() / LINE_LENGTH + 1);
+    starts.push(0);
+    for (at, byte) in bytes.iter().enumerate() {
+        if *byte == b'\n' || *byte == b'\r' && bytes.get(at + 1) != Some(&b'\n') {
+            starts.push(at + 1);
         }
     }
     starts
