@@ -1,7 +1,7 @@
 //! Numbers of elements: which are tried, what a claim is with definite ones, and what a point of that is in the claim's own terms.
 
 use std::borrow::Cow;
-use std::cell::Cell;
+use std::cell::{Cell, LazyCell};
 
 use num_traits::Signed;
 
@@ -19,10 +19,14 @@ const MOST_WRITTEN_OUT: usize = 4_000;
 /// The symbols that say how many elements there are, and those in exponents: with a definite number in its place a power is a polynomial.
 /// What varies below a derivative or an integral stays what it is.
 pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
-    let mut varying = Set::new();
-    for term in claim.formulas().flat_map(Formula::terms) {
-        collect_varying(term, &mut varying);
-    }
+    // Few claims have a symbol in an exponent.
+    let varying = LazyCell::new(|| {
+        let mut varying = Set::new();
+        for term in claim.formulas().flat_map(Formula::terms) {
+            collect_varying(term, &mut varying);
+        }
+        varying
+    });
     let is_definite = |symbol: &Symbol| match claim.domains.get(symbol) {
         Some(d) if d.integer => d.lower.as_ref().is_some_and(|lower| !lower.0.is_negative()),
         _ => !varying.contains(symbol) && symbol.name() != "\\pi",
