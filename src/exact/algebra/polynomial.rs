@@ -169,6 +169,11 @@ impl Polynomial {
         vars
     }
 
+    /// Whether an unknown occurs.
+    pub fn has(&self, var: Var) -> bool {
+        self.terms.iter().any(|(m, _)| m.exponent(var) > 0)
+    }
+
     /// The degree in one unknown.
     pub fn degree_in(&self, var: Var) -> u32 {
         self.terms
@@ -458,7 +463,7 @@ impl Polynomial {
 
     /// Puts a polynomial in the place of an unknown, within bounds.
     pub fn substitute(&self, var: Var, value: &Polynomial) -> Result<Self, TooLarge> {
-        if self.degree_in(var) == 0 {
+        if !self.has(var) {
             return Ok(self.clone());
         }
         if let Some(value) = value.as_constant() {

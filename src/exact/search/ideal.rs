@@ -86,7 +86,7 @@ impl Ideal {
         while let Some(best) = best_pivot(&self.rest, knowledge, &power) {
             let pivot = best.pivot(self.rest.remove(best.at));
             for element in &mut self.rest {
-                if element.polynomial.degree_in(pivot.var) > 0 {
+                if element.polynomial.has(pivot.var) {
                     *element = element.eliminate(&pivot)?;
                     element.strip(knowledge, &self.divisors);
                 }
