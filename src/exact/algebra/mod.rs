@@ -28,6 +28,7 @@ mod rational;
 mod series;
 mod sum;
 mod symbol;
+mod terms;
 mod univariate;
 mod written;
 

@@ -5,6 +5,7 @@ use std::fmt;
 use smallvec::SmallVec;
 
 use super::effort::{is_spent, spend};
+use super::terms::{Made, Term, Terms};
 use super::{Monomial, Rational, Var};
 
 /// Products of polynomials beyond these sizes are refused rather than waited for.
@@ -27,36 +28,32 @@ impl fmt::Display for TooLarge {
 
 /// The unknowns of a polynomial; few have more than eight.
 type Vars = SmallVec<[Var; 8]>;
-/// Most polynomials are a single term, which needs no place of its own.
-type Terms = SmallVec<[(Monomial, Rational); 1]>;
 
 /// A polynomial over the rationals in the unknowns of an [`Atoms`](super::Atoms) table.
 ///
 /// Canonical by construction: the terms are sorted, none occurs twice and no coefficient is zero, so two
 /// polynomials are equal exactly when their lists of terms are.
-#[derive(Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Polynomial {
     terms: Terms,
 }
 
-impl Clone for Polynomial {
-    fn clone(&self) -> Self {
-        self.mapped(|m, c| (m.clone(), c.clone()))
-    }
-}
-
 impl Polynomial {
+    /// From terms in order, none of them 0.
+    fn of(terms: impl Into<Terms>) -> Self {
+        let terms = terms.into();
+        Polynomial { terms }
+    }
+
     /// Each term changed to one that stands in the same place and is not 0.
     #[inline]
     fn mapped(&self, change: impl Fn(&Monomial, &Rational) -> (Monomial, Rational)) -> Self {
-        let terms = match self.terms.as_slice() {
-            [] => Terms::new(),
-            [(m, c)] => Terms::from_buf([change(m, c)]),
-            several => several
-                .iter()
-                .map(|(m, c)| change(m, c))
-                .collect::<Vec<_>>()
-                .into(),
+        let terms = match &self.terms {
+            Terms::None => Terms::None,
+            Terms::One((m, c)) => Terms::One(change(m, c)),
+            Terms::Several(terms) => {
+                Terms::Several(terms.iter().map(|(m, c)| change(m, c)).collect())
+            }
         };
         Polynomial { terms }
     }
@@ -84,8 +81,8 @@ impl Polynomial {
     /// `coefficient · monomial`.
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
         let terms = match coefficient.is_zero() {
-            true => Terms::new(),
-            false => Terms::from_buf([(monomial, coefficient)]),
+            true => Terms::None,
+            false => Terms::One((monomial, coefficient)),
         };
         Polynomial { terms }
     }
@@ -121,12 +118,12 @@ impl Polynomial {
 
     /// Whether this is 1.
     pub fn is_one(&self) -> bool {
-        matches!(self.terms.as_slice(), [(monomial, coefficient)] if monomial.is_one() && coefficient.is_one())
+        matches!(&*self.terms, [(monomial, coefficient)] if monomial.is_one() && coefficient.is_one())
     }
 
     /// The unknown, where this is one and nothing else.
     pub fn as_var(&self) -> Option<Var> {
-        match self.terms.as_slice() {
+        match &*self.terms {
             [(monomial, coefficient)] if coefficient.is_one() => match monomial.powers() {
                 [(var, 1)] => Some(*var),
                 _ => None,
@@ -154,7 +151,7 @@ impl Polynomial {
     /// The unknowns that occur, in order.
     pub fn vars(&self) -> Vars {
         let mut vars = Vars::new();
-        for (monomial, _) in &self.terms {
+        for (monomial, _) in self.terms.iter() {
             for &(var, _) in monomial.powers() {
                 // One that is in all terms is met again and again.
                 if vars.last() != Some(&var) {
@@ -184,7 +181,7 @@ impl Polynomial {
     }
 
     /// From terms in any order, equal monomials added up.
-    fn collect(mut terms: Terms) -> Self {
+    fn collect(mut terms: Vec<Term>) -> Self {
         if !terms.is_sorted_by(|a, b| a.0 < b.0) {
             terms.sort_by(|a, b| a.0.cmp(&b.0));
             terms.dedup_by(|next, kept| {
@@ -198,7 +195,7 @@ impl Polynomial {
         if terms.iter().any(|term| term.1.is_zero()) {
             terms.retain(|term| !term.1.is_zero());
         }
-        Polynomial { terms }
+        Polynomial::of(terms)
     }
 
     /// `self + factor · other`, by merging.
@@ -217,7 +214,7 @@ impl Polynomial {
     fn merged_with(&self, others: impl ExactSizeIterator<Item = (Monomial, Rational)>) -> Self {
         spend(self.len() + others.len());
         let mut terms = Vec::with_capacity(self.len() + others.len());
-        let mut own = self.terms.as_slice();
+        let mut own = &*self.terms;
         for (monomial, mut coefficient) in others {
             while let [(m, c), after @ ..] = own {
                 match m.cmp(&monomial) {
@@ -232,17 +229,20 @@ impl Polynomial {
             }
         }
         terms.extend_from_slice(own);
-        let terms = terms.into();
-        Polynomial { terms }
+        Polynomial::of(terms)
     }
 
     /// The sum of many: put together at once, not one after another.
     pub(super) fn sum(all: impl Iterator<Item = Polynomial>) -> Self {
         // Most of them are a single term.
         let mut terms = Vec::with_capacity(all.size_hint().0);
-        all.for_each(|own| terms.extend(own.terms));
+        all.for_each(|own| match own.terms {
+            Terms::None => {}
+            Terms::One(term) => terms.push(term),
+            Terms::Several(several) => terms.extend_from_slice(&several),
+        });
         spend(terms.len());
-        Polynomial::collect(terms.into())
+        Polynomial::collect(terms)
     }
 
     /// The sum.
@@ -291,17 +291,17 @@ impl Polynomial {
             return Err(TooLarge);
         }
         // Multiplying by one term keeps the order.
-        if let [(m, c)] = other.terms.as_slice() {
+        if let [(m, c)] = &*other.terms {
             return Ok(self.times_term(m, c));
         }
-        if let [(m, c)] = self.terms.as_slice() {
+        if let [(m, c)] = &*self.terms {
             return Ok(other.times_term(m, c));
         }
         let mut terms = Vec::with_capacity(self.len() * other.len());
-        for (m, c) in &self.terms {
+        for (m, c) in self.terms.iter() {
             terms.extend(other.terms.iter().map(|(n, d)| (m.times(n), c * d)));
         }
-        Ok(Polynomial::collect(terms.into()))
+        Ok(Polynomial::collect(terms))
     }
 
     /// The product, within bounds; without a copy where the weight is 1, but for as much of the work allowed.
@@ -356,9 +356,9 @@ impl Polynomial {
     /// `self / other`, where the division leaves no remainder and is done before all work allowed is.
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
         let (lead, coefficient) = other.leading()?;
-        if let [(monomial, coefficient)] = other.terms.as_slice() {
-            let (mut terms, inverse) = (Terms::new(), coefficient.recip());
-            for (m, c) in &self.terms {
+        if let [(monomial, coefficient)] = &*other.terms {
+            let (mut terms, inverse) = (Made::new(), coefficient.recip());
+            for (m, c) in self.terms.iter() {
                 let quotient = (m.divided_by(monomial)?, c * &inverse);
                 // Room is asked for once something divides: most divisions that fail, fail at the first term.
                 if terms.is_empty() {
@@ -366,7 +366,7 @@ impl Polynomial {
                 }
                 terms.push(quotient);
             }
-            return Some(Polynomial { terms });
+            return Some(Polynomial::of(terms));
         }
         // The lowest terms must divide too: most divisions that fail, fail here.
         if let (Some((low, _)), Some((own, _))) = (self.terms.first(), other.terms.first())
@@ -374,7 +374,7 @@ impl Polynomial {
         {
             return None;
         }
-        let (mut rest, mut quotient) = (Cow::Borrowed(self), Terms::new());
+        let (mut rest, mut quotient) = (Cow::Borrowed(self), Made::new());
         while let Some((m, c)) = rest.leading() {
             if is_spent() {
                 return None;
@@ -386,29 +386,29 @@ impl Polynomial {
             quotient.push((m, c));
         }
         quotient.reverse();
-        Some(Polynomial { terms: quotient })
+        Some(Polynomial::of(quotient))
     }
 
     /// The coefficients of the powers of one unknown, from the 0th up.
     pub fn in_powers_of(&self, var: Var) -> Vec<Polynomial> {
-        let mut coefficients = vec![Terms::new(); self.degree_in(var) as usize + 1];
-        for (m, c) in &self.terms {
+        let mut coefficients = vec![Made::new(); self.degree_in(var) as usize + 1];
+        for (m, c) in self.terms.iter() {
             coefficients[m.exponent(var) as usize].push((m.without(var), c.clone()));
         }
         // What is left of terms with the same power is in the same order.
         let coefficients = coefficients.into_iter();
-        coefficients.map(|terms| Polynomial { terms }).collect()
+        coefficients.map(Polynomial::of).collect()
     }
 
     /// The coefficient of one power of an unknown.
     pub fn coefficient_of_power(&self, var: Var, exponent: u32) -> Polynomial {
-        let mut terms = Terms::new();
-        for (m, c) in &self.terms {
+        let mut terms = Made::new();
+        for (m, c) in self.terms.iter() {
             if m.exponent(var) == exponent {
                 terms.push((m.without(var), c.clone()));
             }
         }
-        Polynomial { terms }
+        Polynomial::of(terms)
     }
 
     /// The greatest monomial that divides every term.
@@ -450,8 +450,8 @@ impl Polynomial {
 
     /// The partial derivative.
     pub fn derivative(&self, var: Var) -> Self {
-        let mut terms = Terms::new();
-        for (m, c) in &self.terms {
+        let mut terms = Vec::new();
+        for (m, c) in self.terms.iter() {
             let exponent = m.exponent(var);
             if exponent > 0 {
                 let lowered = m.without(var).times(&Monomial::power(var, exponent - 1));
@@ -469,7 +469,7 @@ impl Polynomial {
         if let Some(value) = value.as_constant() {
             spend(self.len());
             let mut terms = Vec::with_capacity(self.len());
-            for (m, c) in &self.terms {
+            for (m, c) in self.terms.iter() {
                 if is_spent() {
                     return Err(TooLarge);
                 }
@@ -482,7 +482,7 @@ impl Polynomial {
                     }
                 }
             }
-            return Ok(Polynomial::collect(terms.into()));
+            return Ok(Polynomial::collect(terms));
         }
         let coefficients = self.in_powers_of_bounded(var)?;
         // Horner's rule.
@@ -507,7 +507,7 @@ impl Polynomial {
     ) -> Result<Option<Rational>, TooLarge> {
         let mut sum = Rational::zero();
         spend(self.len());
-        for (m, c) in &self.terms {
+        for (m, c) in self.terms.iter() {
             if is_spent() {
                 return Err(TooLarge);
             }
