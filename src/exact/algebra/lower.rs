@@ -3,7 +3,7 @@
 use std::fmt;
 
 use num_integer::Integer;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use super::indexed::element_name;
 use super::partial::Held;
@@ -112,7 +112,11 @@ impl Lowering<'_> {
             Expr::Negate(inner) => Ok(self.lower(inner)?.negated()),
             Expr::Quotient(above, below) => {
                 let above = self.lower(above)?;
-                Ok(above.times(&self.inverse(below)?)?)
+                let inverse = match inverse(below) {
+                    Some(number) => number.into(),
+                    None => self.inverse(below)?,
+                };
+                Ok(above.times(&inverse)?)
             }
             Expr::Power(base, exponent) => match self.simple_factor(expr) {
                 Some((power, number)) => Ok(Polynomial::term(power, number).into()),
@@ -177,10 +181,16 @@ impl Lowering<'_> {
         }
     }
 
-    /// A number, a symbol or a small natural power of one.
+    /// A number, one over another, a symbol or a small natural power of one.
     fn simple_factor(&mut self, factor: &Expr) -> Option<(Monomial, Rational)> {
         let (symbol, exponent) = match factor {
             Expr::Number(value) => return Some((Monomial::one(), value.into())),
+            Expr::Quotient(above, below) => {
+                let Expr::Number(above) = &**above else {
+                    return None;
+                };
+                return Some((Monomial::one(), Rational::from(above) * inverse(below)?));
+            }
             Expr::Symbol(symbol) => (symbol, 1),
             Expr::Power(base, exponent) => {
                 let Expr::Symbol(symbol) = &**base else {
@@ -330,6 +340,14 @@ impl Lowering<'_> {
             }
         };
         Ok(root.pow(power)?)
+    }
+}
+
+/// One over a number, where that is one.
+fn inverse(divisor: &Expr) -> Option<Rational> {
+    match divisor {
+        Expr::Number(number) if !number.is_zero() => Some(Rational::from(number).recip()),
+        _ => None,
     }
 }
 
