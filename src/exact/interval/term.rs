@@ -47,6 +47,8 @@ pub struct Figures(Map<Symbol, Interval>);
 type Powers = Map<Expr, Rational>;
 /// A sum of products of powers, with their coefficients, which are not 0.
 type Terms = Map<Powers, Rational>;
+/// The values of factors with their exponents that were found.
+type Known = Map<(Expr, Rational), Interval>;
 
 /// What figures give for the two sides of a relation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -88,19 +90,28 @@ impl Figures {
     /// As [`Figures::value`], for either side.
     pub fn compared(&self, left: &Expr, right: &Expr) -> Result<Compared, NoInterval> {
         let (above, below) = (self.terms(left, 0)?, self.terms(right, 0)?);
-        let (a, b) = (self.interval(&above, 0)?, self.interval(&below, 0)?);
+        // The same factors are in all of these.
+        let known = &mut Known::new();
+        let a = self.interval_with(known, &above, 0)?;
+        let b = self.interval_with(known, &below, 0)?;
         Ok(Compared {
-            difference: self.difference(&above, &below, &a - &b),
+            difference: self.difference(known, &above, &below, &a - &b),
             ratio: a
                 .over(&b)
-                .and_then(|plain| self.quotient(&above, &below, right, plain).ok()),
+                .and_then(|plain| self.quotient(known, &above, &below, right, plain).ok()),
             left: a,
             right: b,
         })
     }
 
     /// The difference, in which what is common to both is cancelled.
-    fn difference(&self, left: &Terms, right: &Terms, plain: Interval) -> Interval {
+    fn difference(
+        &self,
+        known: &mut Known,
+        left: &Terms,
+        right: &Terms,
+        plain: Interval,
+    ) -> Interval {
         let mut joint = left.clone();
         for (powers, coefficient) in right {
             add(&mut joint, powers.clone(), -coefficient);
@@ -108,7 +119,7 @@ impl Figures {
         if joint.len() > MOST_TERMS {
             return plain;
         }
-        match self.interval(&joint, 0) {
+        match self.interval_with(known, &joint, 0) {
             Ok(joint) => plain.meet(&joint).unwrap_or(joint),
             Err(_) => plain,
         }
@@ -117,6 +128,7 @@ impl Figures {
     /// The quotient, in which what is common to both is cancelled.
     fn quotient(
         &self,
+        known: &mut Known,
         above: &Terms,
         below: &Terms,
         divisor: &Expr,
@@ -130,19 +142,35 @@ impl Figures {
         for (own, coefficient) in above {
             add(&mut sum, multiplied(own, &powers), coefficient * &factor);
         }
-        let joint = self.interval(&sum, 0)?;
+        let joint = self.interval_with(known, &sum, 0)?;
         Ok(plain.meet(&joint).unwrap_or(joint))
     }
 
     fn interval(&self, terms: &Terms, depth: usize) -> Result<Interval, NoInterval> {
+        self.interval_with(&mut Known::new(), terms, depth)
+    }
+
+    /// The same where some factors are known at this depth.
+    fn interval_with(
+        &self,
+        known: &mut Known,
+        terms: &Terms,
+        depth: usize,
+    ) -> Result<Interval, NoInterval> {
         let mut sum = Interval::exactly(BigRational::zero());
         for (powers, coefficient) in terms {
             let mut product = Interval::exactly(coefficient.to_big());
             for (factor, exponent) in powers {
+                let own = (factor.clone(), exponent.clone());
+                if let Some(power) = known.get(&own) {
+                    product = &product * power;
+                    continue;
+                }
                 let value = self.factor(factor, depth)?;
-                let undefined = || NoInterval::Undefined(factor.clone());
                 let power = value.power(&exponent.to_big());
-                product = &product * &power.ok_or_else(undefined)?;
+                let power = power.ok_or_else(|| NoInterval::Undefined(factor.clone()))?;
+                product = &product * &power;
+                known.insert(own, power);
             }
             sum = &sum + &product;
         }
