@@ -3,6 +3,7 @@
 use std::cmp::Reverse;
 
 use num_integer::Integer;
+use smallvec::SmallVec;
 
 use super::tracked::{Pivot, Reduced, Tracked};
 use crate::algebra::{Polynomial, TooLarge, Var};
@@ -220,13 +221,11 @@ fn best_pivot(
     // The cheapest first: what its coefficient is known to be need not be asked of the others.
     let mut choices = Vec::new();
     for (at, element) in pending.iter().enumerate() {
-        for var in element.polynomial.vars() {
-            let power = power(pending, var);
-            if let Some(cost) = cost_of(&element.polynomial, var, power) {
-                let rank = (cost, element.polynomial.len(), Reverse(var), at);
-                choices.push((rank, power));
-            }
-        }
+        let costs = costs(&element.polynomial, |var| power(pending, var));
+        choices.extend(costs.into_iter().filter_map(|own| {
+            let rank = (own.of()?, element.polynomial.len(), Reverse(own.var), at);
+            Some((rank, own.power))
+        }));
     }
     loop {
         let cheapest = (0..choices.len()).min_by_key(|&own| choices[own].0)?;
@@ -254,24 +253,51 @@ fn best_pivot(
     }
 }
 
-/// How long the coefficient of a power of an unknown is, 0 for a constant; `None` where there are other powers.
-fn cost_of(polynomial: &Polynomial, var: Var, power: u32) -> Option<usize> {
-    let (mut cost, mut constant) = (0, false);
-    for (monomial, _) in polynomial.terms() {
-        match monomial.exponent(var) {
-            0 => {}
-            own if own == power => {
-                cost += 1;
-                constant |= monomial.degree() == power;
-            }
-            _ => return None,
+/// What it takes to solve for a power of an unknown.
+struct Cost {
+    var: Var,
+    power: u32,
+    /// How long the coefficient of the power is, and whether it has a constant term.
+    length: usize,
+    constant: bool,
+    /// There are other powers.
+    others: bool,
+}
+
+impl Cost {
+    /// How long the coefficient is, 0 for a constant; `None` where there are other powers.
+    fn of(&self) -> Option<usize> {
+        match (self.length, self.constant) {
+            _ if self.others => None,
+            (1, true) => Some(0),
+            (length, _) => Some(length),
         }
     }
-    match (cost, constant) {
-        (0, _) => None,
-        (1, true) => Some(0),
-        _ => Some(cost),
+}
+
+/// What it takes to solve for each unknown of a polynomial; `power` says for which power of it.
+fn costs(polynomial: &Polynomial, power: impl Fn(Var) -> u32) -> SmallVec<[Cost; 8]> {
+    let mut costs: SmallVec<[Cost; 8]> = SmallVec::new();
+    for (monomial, _) in polynomial.terms() {
+        for &(var, exponent) in monomial.powers() {
+            let at = costs.iter().position(|own| own.var == var);
+            let at = at.unwrap_or_else(|| {
+                costs.push(Cost {
+                    var,
+                    power: power(var),
+                    length: 0,
+                    constant: false,
+                    others: false,
+                });
+                costs.len() - 1
+            });
+            let own = &mut costs[at];
+            own.length += 1;
+            own.constant |= monomial.degree() == exponent;
+            own.others |= exponent != own.power;
+        }
     }
+    costs
 }
 
 fn lcm_degree(a: &Tracked, b: &Tracked) -> u32 {
