@@ -346,6 +346,7 @@ impl Expr {
                 Expr::Number(_) | Expr::Symbol(_) => false,
                 Expr::Sum(terms) | Expr::Product(terms) => terms.iter().any(|term| term.any(is)),
                 Expr::Quotient(a, b) | Expr::Power(a, b) => a.any(is) || b.any(is),
+                Expr::Negate(inner) | Expr::Call(_, inner) => inner.any(is),
                 _ => self.children().any(|child| child.any(is)),
             }
     }
@@ -413,34 +414,31 @@ impl Expr {
         bound: &mut Vec<&'a Symbol>,
         free: &mut Vec<&'a Symbol>,
     ) {
-        let mut add = |symbol: &'a Symbol, bound: &[&Symbol]| {
-            if bound.contains(&symbol) {
-                return;
-            }
-            // Few claims speak of so many that the place is found sooner than from one end to the other.
-            let at = free.iter().position(|own| *own >= symbol);
-            match at {
-                Some(at) if free[at] == symbol => {}
-                at => free.insert(at.unwrap_or(free.len()), symbol),
-            }
-        };
         match self {
             // Most terms are one of these, and bind nothing.
-            Expr::Symbol(symbol) => return add(symbol, bound),
-            Expr::Number(_) => return,
+            Expr::Symbol(symbol) => add_free(symbol, bound, free),
+            Expr::Number(_) => {}
             Expr::Sum(terms) | Expr::Product(terms) => {
-                return terms.iter().for_each(|e| e.collect_free(bound, free));
+                terms.iter().for_each(|e| e.collect_free(bound, free));
             }
             Expr::Quotient(a, b) | Expr::Power(a, b) => {
                 a.collect_free(bound, free);
-                return b.collect_free(bound, free);
+                b.collect_free(bound, free);
             }
-            Expr::Derivative { variable, .. } => add(variable, bound),
-            Expr::Partial { variable, .. } => {
-                add(variable, bound);
-                self.held().iter().for_each(|symbol| add(symbol, bound));
-            }
-            _ => {}
+            Expr::Negate(inner) | Expr::Call(_, inner) => inner.collect_free(bound, free),
+            _ => self.collect_free_in_scope(bound, free),
+        }
+    }
+
+    /// The same of terms that bind something, or speak of symbols beside the terms below.
+    fn collect_free_in_scope<'a>(
+        &'a self,
+        bound: &mut Vec<&'a Symbol>,
+        free: &mut Vec<&'a Symbol>,
+    ) {
+        if let Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } = self {
+            add_free(variable, bound, free);
+            (self.held().iter()).for_each(|symbol| add_free(symbol, bound, free));
         }
         match self.scope() {
             Some((own, body, outside)) => {
@@ -512,5 +510,18 @@ impl Expr {
     /// Whether this is the number 1.
     pub fn is_one(&self) -> bool {
         matches!(self, Expr::Number(value) if value.is_one())
+    }
+}
+
+/// Adds a symbol that is not bound to a sorted list.
+fn add_free<'a>(symbol: &'a Symbol, bound: &[&'a Symbol], free: &mut Vec<&'a Symbol>) {
+    if bound.contains(&symbol) {
+        return;
+    }
+    // Few claims speak of so many that the place is found sooner than from one end to the other.
+    let at = free.iter().position(|own| *own >= symbol);
+    match at {
+        Some(at) if free[at] == symbol => {}
+        at => free.insert(at.unwrap_or(free.len()), symbol),
     }
 }

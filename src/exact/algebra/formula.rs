@@ -274,10 +274,14 @@ fn collect_sequences(expr: &Expr, found: &mut Set<Symbol>) {
         Expr::Element { sequence, .. } => {
             found.insert(sequence.clone());
         }
-        // Most terms are one of these four.
+        // Most terms are one of these.
         Expr::Symbol(_) | Expr::Number(_) => {}
         Expr::Sum(terms) | Expr::Product(terms) => {
             (terms.iter()).for_each(|child| collect_sequences(child, found));
+        }
+        Expr::Quotient(a, b) | Expr::Power(a, b) => {
+            collect_sequences(a, found);
+            collect_sequences(b, found);
         }
         _ => (expr.children()).for_each(|child| collect_sequences(child, found)),
     }

@@ -101,6 +101,10 @@ impl<'a> Sums<'a> {
             Expr::Sum(terms) | Expr::Product(terms) => {
                 return terms.iter().for_each(|term| self.collect(term));
             }
+            Expr::Quotient(a, b) | Expr::Power(a, b) => {
+                self.collect(a);
+                return self.collect(b);
+            }
             Expr::Element { sequence, .. } => {
                 self.sequences.insert(sequence.clone());
             }
