@@ -5,8 +5,8 @@ use num_traits::{One, Signed, Zero};
 
 use super::{Claim, Fact, Knowledge, Origin, Problem, Reject, Sign};
 use crate::algebra::{
-    Atom, Atoms, BigInt, BigRational, Expr, Formula, Fraction, Function, Functions, Polynomial,
-    Powers, Rational, Relation, Symbol, Var, element_parts, mentions_symbol, sign_of_fraction,
+    Atom, Atoms, BigRational, Expr, Formula, Fraction, Function, Functions, Polynomial, Powers,
+    Rational, Relation, Symbol, Var, element_parts, mentions_symbol, sign_of_fraction,
 };
 use crate::sorted::{Map, Set};
 
@@ -132,22 +132,18 @@ impl Occurrences {
         match term {
             Expr::Symbol(symbol) => {
                 let slot = self.orders.entry(symbol.clone()).or_insert(1);
-                *slot = match order {
-                    Some(order) if *slot != 0 && slot.lcm(&order) <= HIGHEST_ORDER => {
-                        slot.lcm(&order)
-                    }
-                    _ => 0,
-                };
+                let joint = order.filter(|_| *slot != 0).map(|order| slot.lcm(&order));
+                *slot = joint.filter(|&joint| joint <= HIGHEST_ORDER).unwrap_or(0);
                 if moving {
                     self.moving.insert(symbol.clone());
                 }
             }
             Expr::Power(base, exponent) => {
-                let constant = constant(exponent);
-                let denominator = constant
-                    .as_ref()
-                    .map_or(BigInt::one(), |c| c.denom().clone());
-                let below = order.zip(u32::try_from(denominator).ok());
+                let denominator = match constant(exponent) {
+                    Some(exponent) => u32::try_from(exponent.denom()).ok(),
+                    None => Some(1),
+                };
+                let below = order.zip(denominator);
                 let below = below.and_then(|(a, b)| a.checked_mul(b));
                 let below = below.filter(|&order| order <= HIGHEST_ORDER);
                 self.collect(base, below, moving);
