@@ -85,7 +85,8 @@ pub fn missing_conditions(
     {
         return Some(found);
     }
-    if with(&candidates).is_none() {
+    // One alone was tried.
+    if candidates.len() == 1 || with(&candidates).is_none() {
         // What ties several symbols may be what another factor leaves 0: both together nothing allows.
         candidates.retain(|term| term.free_symbols().len() == 1);
         candidates.extend(others);
