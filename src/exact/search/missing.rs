@@ -3,11 +3,11 @@
 
 use super::mend::is_nought;
 use super::{
-    Consistency, Effort, assuming, consistency, defines_afresh, pose, prove_unconditionally,
-    refute, refuted,
+    Consistency, Effort, assuming, consistency, defines_afresh, pose, prove_posed,
+    prove_unconditionally, refute, refuted,
 };
 use crate::algebra::{Expr, Formula, Relation, Symbol, Values};
-use crate::kernel::{Assignment, Claim, Proven};
+use crate::kernel::{Assignment, Claim, Obligation, Proven};
 use crate::sorted;
 
 /// Symbols of which a sign or an order is supposed.
@@ -128,13 +128,14 @@ impl<F: Fn(&Claim, &Assignment) -> Values> Met<'_, F> {
         supposed: &[Formula],
         hints: &[Assignment],
     ) -> Option<(Vec<Formula>, Proven)> {
-        let with = assuming(self.claim, supposed);
-        if let Some(point) = counterexample(&with) {
-            self.points.push((self.evaluate)(&with, &point));
+        let posed = pose(assuming(self.claim, supposed)).ok()?;
+        let with = posed.claim();
+        if let Some(point) = counterexample(&posed) {
+            self.points.push((self.evaluate)(with, &point));
             return None;
         }
-        let derived = prove_unconditionally(with.clone(), effort_for(&with))?;
-        let possible = consistency(&with, hints);
+        let derived = prove_posed(&posed, effort_for(with))?;
+        let possible = consistency(with, hints);
         matches!(possible, Consistency::Model(_)).then(|| (supposed.to_vec(), derived.proven))
     }
 }
@@ -211,12 +212,11 @@ fn effort_for(claim: &Claim) -> Effort {
     }
 }
 
-fn counterexample(claim: &Claim) -> Option<Assignment> {
-    let obligation = pose(claim.clone()).ok()?;
-    let mut points = refute::Points::any(&obligation);
+fn counterexample(obligation: &Obligation) -> Option<Assignment> {
+    let mut points = refute::Points::any(obligation);
     let found = points.next(CHOICES).into_iter();
     found
-        .filter_map(|point| refuted(&obligation, point))
+        .filter_map(|point| refuted(obligation, point))
         .map(|refuted| refuted.witness().clone())
         .next()
 }
