@@ -219,8 +219,7 @@ impl Open {
 
     /// The only unknown, where there is just one.
     fn single(&self) -> Option<Var> {
-        let vars = self.vars.is_single().then(|| self.polynomial.vars())?;
-        vars.first().copied()
+        self.vars.first.filter(|_| self.vars.is_single())
     }
 }
 

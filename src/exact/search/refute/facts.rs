@@ -67,8 +67,10 @@ pub fn measured_in_units(claim: &Claim, atoms: &Atoms) -> impl Iterator<Item = F
         let symbols = formula.free_symbols().into_iter();
         symbols.filter(Symbol::is_unit).collect()
     };
-    let of_goal = units(&claim.goal);
-    let is_open = !of_goal.is_empty() && {
+    let is_unit = |atom: &Atom| matches!(atom, Atom::Symbol(symbol) if symbol.is_unit());
+    // Most claims speak of none.
+    let is_open = atoms.iter().any(|(_, atom)| is_unit(atom)) && {
+        let of_goal = units(&claim.goal);
         let known: Set<Symbol> = (claim.hypotheses.iter())
             .flat_map(|own| units(&own.formula))
             .collect();
@@ -77,7 +79,6 @@ pub fn measured_in_units(claim: &Claim, atoms: &Atoms) -> impl Iterator<Item = F
             && !of_goal.is_subset(&known)
             && !sides.any(|side| side.free_symbols().is_empty())
     };
-    let is_unit = |atom: &Atom| matches!(atom, Atom::Symbol(symbol) if symbol.is_unit());
     let units = atoms
         .iter()
         .filter(move |(_, atom)| !is_open && is_unit(atom));
