@@ -87,7 +87,8 @@ impl InPi {
 
     /// How it compares with 0; an error where twenty digits do not tell.
     pub fn sign(&self) -> Result<Ordering, Reject> {
-        self.sign_between(&DIGITS)
+        let first = self.sign_between(&FIRST_DIGITS);
+        first.or_else(|_| self.sign_between(&DIGITS))
     }
 
     /// The same where what it is a polynomial in lies between two positive numbers.
@@ -149,6 +150,12 @@ impl InPi {
         Ok(sum)
     }
 }
+
+/// `3.1415926 < π < 3.1415927`: with numbers that fit in machine words most signs are told already.
+static FIRST_DIGITS: LazyLock<(Rational, Rational)> = LazyLock::new(|| {
+    let number = |digits| Rational::ratio(digits, 10_000_000);
+    (number(31_415_926), number(31_415_927))
+});
 
 /// `3.14159265358979323846 < π < 3.14159265358979323847`.
 static DIGITS: LazyLock<(Rational, Rational)> = LazyLock::new(|| {
