@@ -158,7 +158,7 @@ impl<'a> Point<'a> {
             self.find(var)?;
         }
         if !vars.iter().any(|v| self.in_pi.contains_key(&v.position())) {
-            return self.value(polynomial).map(InPi::rational);
+            return self.evaluated(polynomial).map(InPi::rational);
         }
         let known = |var: Var| match self.in_pi.get(&var.position()) {
             Some(value) => Some(value.clone()),
@@ -214,6 +214,11 @@ impl<'a> Point<'a> {
         for var in polynomial.vars() {
             self.find(var)?;
         }
+        self.evaluated(polynomial)
+    }
+
+    /// The same where its unknowns were looked up.
+    fn evaluated(&self, polynomial: &Polynomial) -> Result<Rational, Reject> {
         let value = polynomial.evaluate(|v| self.values[v.position()].clone())?;
         value.ok_or(Reject::NoValue)
     }
