@@ -117,7 +117,10 @@ impl<'a> Point<'a> {
     /// A symbol as it is printed, told apart from another here that is printed alike.
     fn label(&self, symbol: &Symbol) -> String {
         let own = as_printed(symbol.name()).0;
-        let mut others = self.at.symbols.keys().filter(|other| *other != symbol);
+        // What is printed alike begins alike.
+        let begins_alike = |other: &Symbol| other.name().bytes().next() == own.bytes().next();
+        let others = self.at.symbols.keys();
+        let mut others = others.filter(|other| *other != symbol && begins_alike(other));
         match others.any(|other| as_printed(other.name()).0 == own) {
             true => words::symbol_apart(symbol),
             false => words::symbol(symbol),
