@@ -68,7 +68,8 @@ impl Derivation {
             Source::Local(page, _) => Some(page),
             Source::Step | Source::Taken => None,
         });
-        let mut pages: Vec<usize> = vec![own];
+        let mut pages: Vec<usize> = Vec::with_capacity(assumed.len() + 1);
+        pages.push(own);
         pages.extend(others);
         pages.dedup();
         let said = self.said(at, assumed);
