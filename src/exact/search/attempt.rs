@@ -4,7 +4,7 @@ use super::combined::combined_hypotheses;
 use super::prove::Prover;
 use super::radical::base_of_power;
 use super::{Effort, assuming, pose, rates};
-use crate::algebra::{Atom, Atoms, Expr, Formula, Polynomial, Relation, expr_of};
+use crate::algebra::{Atom, Atoms, Expr, Formula, Monomial, Polynomial, Relation, expr_of};
 use crate::kernel::{
     Candidate, Certificate, Checked, Claim, Fact, Knowledge, Obligation, Origin, Problem, Proof,
     Proven, Reject, Sign,
@@ -165,10 +165,32 @@ pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
     // What was put in is in every fact.
     obligation.unfold().contains(&hypothesis)
         || !is_beyond_elimination(problem)
+            && !leaves_a_term(problem, silenced)
             && Prover::without(problem, silenced).is_ok_and(|prover| {
                 let attempt = attempt_with(prover, obligation, problem, Effort::Light);
                 matches!(attempt, Attempt::Proof(_))
             })
+}
+
+/// Whether elimination leaves something of an equation where some facts say nothing: a product of unknowns of which no other equation
+/// speaks.
+fn leaves_a_term(problem: &Problem, silenced: impl Fn(usize) -> bool) -> bool {
+    if problem.goal.sign != Sign::Zero || problem.goal_in_logarithms.is_some() {
+        return false;
+    }
+    let goal = &problem.goal.polynomial;
+    let mut alone = goal.vars();
+    for (at, fact) in problem.facts.iter().enumerate() {
+        if fact.sign == Sign::Zero && !silenced(at) {
+            alone.retain(|var| !fact.polynomial.has(*var));
+        }
+    }
+    let stays = |own: &Monomial| {
+        let mut others = goal.terms().filter(|(other, _)| *other != own);
+        let mut powers = own.powers().iter();
+        powers.all(|(var, _)| alone.contains(var)) && others.all(|(other, _)| !own.divides(other))
+    };
+    !alone.is_empty() && goal.terms().any(|(own, _)| !own.is_one() && stays(own))
 }
 
 /// A proof without further conditions, if one is found.
