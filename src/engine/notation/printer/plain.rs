@@ -354,7 +354,7 @@ fn name(canonical: &str) -> String {
 }
 
 fn letters(mut rest: &str) -> String {
-    let mut text = String::new();
+    let mut text = String::with_capacity(rest.len());
     // Each accent waits for the brace that closes over its letter.
     let mut waiting: Vec<&str> = Vec::new();
     while let Some(c) = rest.chars().next() {
