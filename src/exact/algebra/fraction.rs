@@ -120,11 +120,17 @@ impl Fraction {
         if let (Some(a), Some(b)) = (self.as_polynomial(), other.as_polynomial()) {
             return Ok(a.times(b)?.into());
         }
-        let mut denominator = self.denominator.clone();
-        for (factor, exponent) in other.denominator() {
-            let slot = denominator.entry(factor.clone()).or_insert(0);
-            *slot = slot.checked_add(exponent).ok_or(TooLarge)?;
-        }
+        let denominator = match self.denominator.is_empty() {
+            true => other.denominator.clone(),
+            false => {
+                let mut denominator = self.denominator.clone();
+                for (factor, exponent) in other.denominator() {
+                    let slot = denominator.entry(factor.clone()).or_insert(0);
+                    *slot = slot.checked_add(exponent).ok_or(TooLarge)?;
+                }
+                denominator
+            }
+        };
         Ok(Fraction {
             numerator: self.numerator.times(&other.numerator)?,
             denominator,
