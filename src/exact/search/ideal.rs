@@ -16,6 +16,8 @@ const MOST_PAIRS: usize = 150;
 const MOST_REDUCTIONS: usize = 3_000;
 const HIGHEST_DEGREE: u32 = 14;
 const MOST_TERMS: usize = 300;
+/// Room is made for so many unknowns of an equation.
+const LIKELY_UNKNOWNS: usize = 8;
 
 /// The equations of a problem in a form that decides membership.
 pub struct Ideal {
@@ -219,7 +221,7 @@ fn best_pivot(
     power: impl Fn(&[Tracked], Var) -> u32,
 ) -> Option<Best> {
     // The cheapest first: what its coefficient is known to be need not be asked of the others.
-    let mut choices = Vec::new();
+    let mut choices = Vec::with_capacity(LIKELY_UNKNOWNS * pending.len());
     for (at, element) in pending.iter().enumerate() {
         let costs = costs(&element.polynomial, |var| power(pending, var));
         choices.extend(costs.into_iter().filter_map(|own| {
