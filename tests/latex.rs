@@ -1,5 +1,6 @@
 //! LaTeX documents, read end to end: numbers as printed, macros, files, places, and what is refused.
 
+mod files;
 mod hostile;
 mod macros;
 mod numbers;

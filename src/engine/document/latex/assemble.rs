@@ -36,6 +36,8 @@ pub(super) enum Frame {
         file: usize,
         at: usize,
         include: bool,
+        /// Where its body begins, if it is a document of its own of which only the body is taken in.
+        body: Option<usize>,
         /// Whether `@` was a letter where the file was taken in.
         at_letter: bool,
     },
@@ -59,6 +61,8 @@ pub(super) struct Assembler<'l> {
     /// Whether what is read now is left out, its comments too.
     pub skipping: bool,
     pub preamble: bool,
+    /// Whether the document has begun: one that is taken in now is taken in without its preamble.
+    pub begun: bool,
     pub at_letter: bool,
     pub budget: Budget,
     /// How many arguments were never closed: each costs a look at all that follows.
@@ -88,6 +92,7 @@ pub(super) fn assemble(path: String, source: Arc<str>, library: &dyn Library) ->
         open_conditions: 0,
         skipping: false,
         preamble: source.contains("\\begin{document}"),
+        begun: false,
         at_letter: false,
         budget: Budget::default(),
         runaways: 0,
@@ -128,7 +133,11 @@ impl Assembler<'_> {
     ) {
         let file = self.origin.files.len();
         let start = source.len() - source.trim_start_matches('\u{feff}').len();
+        let body = self.begun.then(|| body(&source)).flatten();
         self.origin.files.push(File::new(path, source));
+        if body.is_some() {
+            self.begin_scope();
+        }
         if include {
             self.paragraph(Self::start_of(file));
             self.pages.push((self.text.len(), file));
@@ -137,6 +146,7 @@ impl Assembler<'_> {
             file,
             at: start,
             include,
+            body,
             at_letter: self.at_letter,
         });
         self.at_letter |= package;
@@ -147,11 +157,15 @@ impl Assembler<'_> {
             file,
             at,
             include,
+            body,
             at_letter,
         }) = self.frames.pop()
         else {
             return;
         };
+        if body.is_some() {
+            self.end_scope();
+        }
         self.at_letter = at_letter;
         self.paragraph(Place::new(file, at, at));
         if let (true, Some(outer)) = (include, self.innermost_file()) {
@@ -221,10 +235,18 @@ impl Assembler<'_> {
                 }
                 None => drop(self.frames.pop()),
             },
-            Some(Frame::File { file, at, .. }) => {
-                let (file, from) = (*file, *at);
+            Some(Frame::File { file, at, body, .. }) => {
+                let (file, from, body) = (*file, *at, *body);
                 let source = self.source(file);
                 let rest = source.get(from..).unwrap_or_default();
+                if let Some(body) = body.filter(|&body| from < body) {
+                    let comment = next_comment(&source[from..body]).map(|at| from + at);
+                    self.go_to(comment.unwrap_or(body));
+                    if comment.is_some() {
+                        self.comment();
+                    }
+                    return true;
+                }
                 let plain = rest.find(['\\', '%', '{', '}']).unwrap_or(rest.len());
                 if plain > 0 {
                     self.go_to(from + plain);
@@ -351,4 +373,25 @@ impl Assembler<'_> {
         self.after_command = false;
         Span::new(start, start + 1)
     }
+}
+
+/// Where the body of a document begins, if that is what a file holds.
+fn body(source: &str) -> Option<usize> {
+    const BEGIN: &str = "\\begin{document}";
+    let mut begins = source.match_indices(BEGIN);
+    let begin = begins.find(|&(at, _)| {
+        let line = source[..at].rsplit(['\n', '\r']).next();
+        line.is_none_or(|line| next_comment(line).is_none())
+    });
+    begin.map(|(at, _)| at + BEGIN.len())
+}
+
+/// Where a comment begins.
+fn next_comment(text: &str) -> Option<usize> {
+    let mut signs = text.match_indices('%');
+    let comment = signs.find(|&(at, _)| {
+        let before = &text[..at];
+        (before.len() - before.trim_end_matches('\\').len()).is_multiple_of(2)
+    });
+    comment.map(|(at, _)| at)
 }

@@ -28,7 +28,7 @@ impl Assembler<'_> {
             "verb" | "lstinline" | "mintinline" | "url" | "path" | "href" => self.raw(token, name),
             "input" | "subfile" | "subfileinclude" | "include" => {
                 let how = match name {
-                    "include" => How::Include,
+                    "include" | "subfileinclude" => How::Include,
                     _ => How::Input,
                 };
                 if let Some(file) = self.file_name() {
@@ -79,7 +79,7 @@ impl Assembler<'_> {
         }
         self.begin_scope();
         if name == "document" {
-            self.preamble = false;
+            (self.preamble, self.begun) = (false, true);
         }
         if let Some(environment) = self.environments.get(&name).cloned() {
             return self.call(token, &environment.begin, &name);
@@ -93,6 +93,9 @@ impl Assembler<'_> {
         let Some((tokens, name)) = self.braced_name() else {
             return self.emit(token);
         };
+        if name == "document" && self.end_body() {
+            return;
+        }
         self.end_scope();
         if let Some(environment) = self.environments.get(&name).cloned() {
             return self.call(token, &environment.end, &name);
@@ -102,6 +105,21 @@ impl Assembler<'_> {
         if name == "document" {
             self.frames.clear();
         }
+    }
+
+    /// Ends what is taken in of a document of its own, if that is what is being read.
+    fn end_body(&mut self) -> bool {
+        let is_body = |frame: &Frame| matches!(frame, Frame::File { body: Some(_), .. });
+        let Some(own) = self.frames.iter().rposition(is_body) else {
+            return false;
+        };
+        while self.frames.len() > own {
+            match self.frames.last() {
+                Some(Frame::Tokens { .. }) => drop(self.frames.pop()),
+                _ => self.close_file(),
+            }
+        }
+        true
     }
 
     /// The name in braces that follows, with its braces.
