@@ -259,3 +259,14 @@ fn the_name_of_standard_input_says_what_it_is_written_in() {
     assert_eq!(paths(&view), ["notes.tex"]);
     assert_eq!(view["documents"][0]["equations"][0]["tag"], "1");
 }
+
+#[test]
+fn backslashes_that_are_doubled_for_a_processor_display_as_single_ones_do() {
+    let derivation = read(
+        "\\\\[ v = g t \\\\]\n\nHere \\\\(g = h\\\\) and C:\\\\x.\n\n\\\\[\n\\begin{aligned} a &= b \\\\ &= c \\end{aligned}\n\\\\]\n\n\\\\[ never = closed\n",
+    );
+    assert_eq!(equations(&derivation), ["-: v = g t", "-: a = b = c"]);
+    let problems = &derivation.pages[0].problems;
+    let told: Vec<&str> = problems.iter().map(|own| own.message.as_str()).collect();
+    assert_eq!(told, ["this `\\\\[` is never closed"]);
+}

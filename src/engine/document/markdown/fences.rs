@@ -89,20 +89,34 @@ impl Scanner<'_> {
     pub(super) fn backslash(&mut self) {
         let open = self.at;
         match self.bytes.get(open + 1) {
-            Some(b'[') => match bracket_closing(self.bytes, open + 2) {
-                Some(close) => self.display(Span::new(open, close + 2), 2),
-                None => {
-                    self.problem(
-                        Span::new(open, open + 2),
-                        "this `\\[` is never closed",
-                        "close the equation with `\\]`; for a bracket in text write `[`",
-                    );
-                    self.at = open + 2;
-                }
+            Some(b'[') => self.bracket(1),
+            Some(b'(') => self.inline_parenthesis(1),
+            // As it is written for a processor that takes one of the two away.
+            Some(b'\\') => match self.bytes.get(open + 2) {
+                Some(b'[') => self.bracket(2),
+                Some(b'(') => self.inline_parenthesis(2),
+                _ => self.at = open + 2,
             },
-            Some(b'(') => self.inline_parenthesis(),
             Some(b'b') => self.bare_environment(),
             _ => self.at = open + 2,
+        }
+    }
+
+    /// At a `\[` with so many backslashes.
+    fn bracket(&mut self, signs: usize) {
+        let (open, fence) = (self.at, signs + 1);
+        let closes = ["\\]", "\\\\]"][signs - 1];
+        match bracket_closing(self.bytes, open + fence, closes.as_bytes()) {
+            Some(close) => self.display(Span::new(open, close + fence), fence),
+            None => {
+                let begins = closes.replace(']', "[");
+                self.problem(
+                    Span::new(open, open + fence),
+                    format!("this `{begins}` is never closed"),
+                    &format!("close the equation with `{closes}`; for a bracket in text write `[`"),
+                );
+                self.at = open + fence;
+            }
         }
     }
 
@@ -463,11 +477,11 @@ fn closing(bytes: &[u8], from: usize) -> Option<usize> {
 }
 
 /// The `\]` that closes a display; there is none beyond another display's opening.
-fn bracket_closing(bytes: &[u8], from: usize) -> Option<usize> {
+fn bracket_closing(bytes: &[u8], from: usize, closes: &[u8]) -> Option<usize> {
     let mut at = from;
     loop {
         match bytes.get(at..)? {
-            [b'\\', b']', ..] => return Some(at),
+            tail if tail.starts_with(closes) => return Some(at),
             [] | [b'$', b'$', ..] | [b'\\', b'[', ..] => return None,
             [b'\\', ..] => at += 2,
             _ => at += 1,

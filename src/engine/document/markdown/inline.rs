@@ -39,14 +39,19 @@ impl Scanner<'_> {
         }
     }
 
-    /// `\(a = b\)`
-    pub(super) fn inline_parenthesis(&mut self) {
-        let open = self.at;
-        match self.inline_end(open + 2, |tail| tail.starts_with(b"\\)")) {
+    /// `\(a = b\)`, with so many backslashes.
+    pub(super) fn inline_parenthesis(&mut self, signs: usize) {
+        let (open, fence) = (self.at, signs + 1);
+        let closes: fn(&[u8]) -> bool = match signs {
+            1 => |tail| tail.starts_with(b"\\)"),
+            _ => |tail| tail.starts_with(b"\\\\)"),
+        };
+        match self.inline_end(open + fence, closes) {
             Some(close) => {
-                self.inline_found(Span::new(open, close + 2), Span::new(open + 2, close))
+                let span = Span::new(open, close + fence);
+                self.inline_found(span, Span::new(open + fence, close));
             }
-            None => self.at = open + 2,
+            None => self.at = open + fence,
         }
     }
 
