@@ -270,3 +270,23 @@ fn backslashes_that_are_doubled_for_a_processor_display_as_single_ones_do() {
     let told: Vec<&str> = problems.iter().map(|own| own.message.as_str()).collect();
     assert_eq!(told, ["this `\\\\[` is never closed"]);
 }
+
+#[test]
+fn a_myst_directive_in_backticks_holds_markdown_unless_it_holds_code() {
+    let derivation = read(
+        "````{admonition} By $$ z = 1 $$\n---\nclass: tip\n---\n# Title\n```{math}\n:label: v\nv = 12 g t\n```\n```{code-block} tex\n$$ no = 1 $$\n```\n````\n\n\
+         - Item\n\n  ~~~{note}\n  $$ v = 13 g t $$\n  ~~~\n\n  `$$ no = 1 $$`\n\n> ```{prf:proof}\n> $$ w = 1 $$\n> ```\n\n\
+         ```{python}\nno = \"$$ a = 1 $$\"\n```\n\n``````{note}\n`````{tip}\n````{hint}\n$$ x = 1 $$\n````\n`````\n``````\n\n```{tip}\n$$ y = 1 $$\n",
+    );
+    let expected = [
+        "-: z = 1",
+        "v: v = 12 g t",
+        "-: v = 13 g t",
+        "-: w = 1",
+        "-: x = 1",
+        "-: y = 1",
+    ];
+    assert_eq!(equations(&derivation), expected);
+    let problems = &derivation.pages[0].problems;
+    assert!(problems.is_empty(), "{problems:?}");
+}

@@ -4,12 +4,17 @@
 //! It is shown the source with the displays that are already known blanked out, so that a `#`, a
 //! back-tick or an `=` alone on its line cannot mean anything inside mathematics.
 
+mod directives;
+
 use std::ops::Range;
 
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 use super::Span;
 use crate::sorted;
+
+/// Directives in directives are hardly ever deeper.
+const DEPTH: usize = 8;
 
 /// The parts of a document in which, or because of which, text is not plain text.
 #[derive(Debug, Default)]
@@ -56,15 +61,39 @@ pub(super) enum Kind {
 impl Outline {
     /// The outline of the source from byte `from` on, `blanked` counting as one long word each.
     pub(super) fn read(source: &str, from: usize, blanked: &[Span]) -> Outline {
-        let mut outline = Outline::default();
-        if from > 0 {
-            outline.excluded.push(Excluded {
-                span: Span::new(0, from),
-                kind: Kind::Code,
-            });
+        let mut text = blank(source, from, blanked);
+        let mut frames: Vec<Span> = Vec::new();
+        for _ in 0..DEPTH {
+            let found = directives_in(&text);
+            if found.is_empty() {
+                break;
+            }
+            for block in found {
+                let frame = directives::frame(&text, block);
+                let silent = frame.silent.iter().filter(|span| span.start < span.end);
+                frames.extend(silent.map(|span| shift(&span.range(), from)));
+                for line in frame.lines {
+                    text.replace_range(line.range(), &unseen(&text[line.range()]));
+                }
+            }
         }
-        let text = blank(source, from, blanked);
-        let parser = Parser::new_ext(&text, Options::empty());
+        let mut outline = Outline::of(&text, from);
+        let code = |span| Excluded {
+            span,
+            kind: Kind::Code,
+        };
+        outline.excluded.extend(frames.into_iter().map(code));
+        if from > 0 {
+            outline.excluded.push(code(Span::new(0, from)));
+        }
+        sorted::sort_by_key(&mut outline.excluded, |excluded| excluded.span);
+        outline
+    }
+
+    /// The outline of a text whose places are counted from `from`.
+    fn of(text: &str, from: usize) -> Outline {
+        let mut outline = Outline::default();
+        let parser = Parser::new_ext(text, Options::empty());
         for (_, definition) in parser.reference_definitions().iter() {
             outline.targets.push(shift(&definition.span, from));
         }
@@ -140,6 +169,40 @@ impl Outline {
         sorted::sort(&mut outline.targets);
         outline
     }
+}
+
+/// The outermost directives that hold Markdown.
+fn directives_in(text: &str) -> Vec<Span> {
+    // Most documents have none, and are not read twice.
+    if !["```{", "~~~{", "``` {", "~~~ {"]
+        .iter()
+        .any(|fence| text.contains(fence))
+    {
+        return Vec::new();
+    }
+    let events = Parser::new_ext(text, Options::empty()).into_offset_iter();
+    let found = events.filter_map(|(event, range)| match event {
+        Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) => {
+            directives::holds_markdown(&language).then(|| shift(&range, 0))
+        }
+        _ => None,
+    });
+    found.collect()
+}
+
+/// As many bytes of nothing on as many lines.
+fn unseen(text: &str) -> String {
+    let line_end = |byte| matches!(byte, b'\n' | b'\r');
+    let bytes = text.bytes();
+    bytes
+        .map(|byte| {
+            if line_end(byte) {
+                char::from(byte)
+            } else {
+                ' '
+            }
+        })
+        .collect()
 }
 
 fn shift(range: &Range<usize>, by: usize) -> Span {
