@@ -45,3 +45,25 @@ fn a_document_in_a_document_in_a_document_ends_where_it_ends() {
         ["-: a = 1", "-: b = 1", "-: c = 1", "-: d = 1"]
     );
 }
+
+#[test]
+fn a_file_that_need_not_be_there_is_read_if_it_is() {
+    let derivation = Derivation::new(document_of(&[
+        (
+            "main.tex",
+            "\\begin{equation} a = 1 \\end{equation}\n\\InputIfFileExists{there}{\\[ f = 1 \\]}{\\[ n = 1 \\]}\n\
+             \\InputIfFileExists{gone}{\\[ n = 1 \\]}{\\[ o = 1 \\]}\n\\IfFileExists{there.tex}{\\[ y = 1 \\]}{\\[ n = 1 \\]}\n\
+             \\begin{equation} c = 1 \\end{equation}\n",
+        ),
+        ("there.tex", "\\begin{equation} b = 1 \\end{equation}\n"),
+    ]));
+    let read = equations(&derivation);
+    let tags = ["1:", "-: f", "2: b", "-: o", "-: y", "3: c"];
+    assert_eq!(read.len(), tags.len(), "{read:?}");
+    for (read, tag) in read.iter().zip(tags) {
+        assert!(read.starts_with(tag), "{read} is not {tag}");
+    }
+    assert_eq!(problems(&derivation), Vec::<String>::new());
+    let short = document_of(&[("main.tex", "\\InputIfFileExists{there}")]);
+    assert_eq!(problems(&Derivation::new(short)).len(), 1);
+}

@@ -35,6 +35,7 @@ impl Assembler<'_> {
                     self.take_in(token, &file, how);
                 }
             }
+            "InputIfFileExists" | "IfFileExists" => self.if_exists(token, name),
             "import" | "subimport" => {
                 let folder = self.file_name().unwrap_or_default();
                 let file = self.file_name().unwrap_or_default();

@@ -1,6 +1,6 @@
 //! The files that a document takes in.
 
-use super::assemble::Assembler;
+use super::assemble::{Assembler, Frame};
 use super::token::{Place, Token};
 
 /// Where the files that a document names are looked for.
@@ -35,9 +35,23 @@ pub(super) enum How {
 }
 
 impl Assembler<'_> {
-    /// Takes in the file that a command names.
-    pub(super) fn take_in(&mut self, command: Token, name: &str, how: How) {
-        let name = name.trim();
+    /// `\InputIfFileExists{file}{before}{otherwise}`, `\IfFileExists{file}{then}{otherwise}`
+    pub(super) fn if_exists(&mut self, command: Token, name: &str) {
+        let file = self.file_name().unwrap_or_default();
+        let (Some(then), Some(otherwise)) = (self.argument(), self.argument()) else {
+            let message = format!("an argument of `\\{name}` is missing, or never closed");
+            return self.missing(command.origin, message, "give it in braces");
+        };
+        let exists = !self.find(file.trim(), How::Input).is_empty();
+        if exists && name == "InputIfFileExists" {
+            self.take_in(command, &file, How::Input);
+        }
+        let tokens = if exists { then } else { otherwise };
+        self.frames.push(Frame::Tokens { tokens, at: 0 });
+    }
+
+    /// The files that a name may mean, with what is in them.
+    fn find(&self, name: &str, how: How) -> Vec<(String, Vec<u8>)> {
         let own = match self.innermost_file() {
             Some(file) => folder(&self.origin.files[file].path).to_owned(),
             None => String::new(),
@@ -64,7 +78,13 @@ impl Assembler<'_> {
             found.extend(bytes);
         }
         found.dedup_by(|a, b| a.0 == b.0);
-        let mut found = found.into_iter();
+        found
+    }
+
+    /// Takes in the file that a command names.
+    pub(super) fn take_in(&mut self, command: Token, name: &str, how: How) {
+        let name = name.trim();
+        let mut found = self.find(name, how).into_iter();
         let Some((path, bytes)) = found.next() else {
             if how != How::Package {
                 let help = "paths are relative to the file that names them, or to the main file";
