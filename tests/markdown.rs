@@ -290,3 +290,20 @@ fn a_myst_directive_in_backticks_holds_markdown_unless_it_holds_code() {
     let problems = &derivation.pages[0].problems;
     assert!(problems.is_empty(), "{problems:?}");
 }
+
+#[test]
+fn text_in_utf_16_is_none_with_and_without_a_mark_at_its_beginning() {
+    let text = "\\documentclass{article}";
+    let low: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let high: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    for bytes in [low, high] {
+        let error = cradle_verify::document::decode(&bytes).unwrap_err();
+        assert!(error.to_string().starts_with("not UTF-8 text"), "{error}");
+    }
+    for text in ["", "a", "a\0", "a = b\0\0\0", "\0\0\0\0\0\0"] {
+        assert!(
+            cradle_verify::document::decode(text.as_bytes()).is_ok(),
+            "{text:?}"
+        );
+    }
+}

@@ -64,6 +64,10 @@ fn is_color(text: &str) -> bool {
 
 /// The bytes as text.
 pub(super) fn decode(bytes: &[u8]) -> Result<&str, NotUtf8> {
+    if is_utf16(bytes) {
+        let offset = bytes.iter().position(|&byte| byte == 0).unwrap_or(0);
+        return Err(NotUtf8 { offset, line: 1 });
+    }
     std::str::from_utf8(bytes).map_err(|error| {
         let offset = error.valid_up_to();
         NotUtf8 {
@@ -71,6 +75,18 @@ pub(super) fn decode(bytes: &[u8]) -> Result<&str, NotUtf8> {
             line: line_starts(&bytes[..offset]).len(),
         }
     })
+}
+
+/// Whether every second byte is zero, or nearly every: UTF-16 of plain letters without a mark at its beginning.
+fn is_utf16(bytes: &[u8]) -> bool {
+    let start = &bytes[..bytes.len().min(1024)];
+    let pairs = start.chunks_exact(2);
+    let (all, mut halves) = (pairs.len(), [0, 0]);
+    for pair in pairs {
+        halves[0] += usize::from(pair[0] == 0 && pair[1] != 0);
+        halves[1] += usize::from(pair[1] == 0 && pair[0] != 0);
+    }
+    all >= 2 && halves.iter().any(|&zero| 4 * zero > 3 * all)
 }
 
 /// Of so many bytes the characters are counted once: a line may be very long, and much be asked of it.
