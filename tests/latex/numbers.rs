@@ -294,3 +294,35 @@ fn a_section_that_the_sentence_of_a_display_names_is_no_premise() {
         assert!(!last.notes.iter().any(cites_nowhere), "{words}");
     }
 }
+
+#[test]
+fn a_star_lets_the_count_begin_anew_and_the_number_be_printed_as_before() {
+    let source = r"\documentclass{article}\counterwithin*{equation}{section}\begin{document}
+\section{A}\begin{equation} a = 1 \end{equation}\begin{equation} b = 1 \end{equation}
+\section{B}\begin{equation} c = 1 \end{equation}
+\counterwithout*{equation}{section}
+\section{C}\begin{equation} d = 1 \end{equation}\end{document}";
+    assert_eq!(numbers(source), "1 2 1 2");
+}
+
+#[test]
+fn what_stands_outside_of_numbered_chapters_has_no_number_of_a_chapter() {
+    let source = r"\documentclass{book}\begin{document}
+\begin{equation} a = 1 \end{equation}
+\frontmatter \chapter{Preface} \begin{equation} b = 1 \end{equation}
+\mainmatter \chapter{One} \begin{equation} c = 1 \end{equation}
+\backmatter \chapter{End} \begin{equation} d = 1 \end{equation}\end{document}";
+    assert_eq!(numbers(source), "1 2 1.1 1.2");
+}
+
+#[test]
+fn appendices_between_two_sections_are_counted_by_themselves() {
+    let source = r"\documentclass{article}\numberwithin{equation}{section}\begin{document}
+\section{One}\begin{equation} a = 1 \end{equation}
+\begin{appendices}\section{More}\begin{equation} b = 1 \end{equation}\end{appendices}
+\section{Two}\begin{equation} c = 1 \end{equation}\end{document}";
+    assert_eq!(numbers(source), "1.1 A.1 2.1");
+    let report = r"\documentclass{report}\begin{document}\chapter{One}
+\begin{appendix}\chapter{More}\begin{equation} a = 1 \end{equation}\end{appendix}\end{document}";
+    assert_eq!(numbers(report), "A.1");
+}

@@ -65,6 +65,8 @@ impl Scanner<'_> {
                 });
                 return;
             }
+            "appendix" => self.numbering.appendix(),
+            "appendices" => self.numbering.begin_appendices(),
             _ if SILENT.contains(&plain) => {
                 let end = format!("\\end{{{name}}}");
                 match self.rest().find(&end) {
@@ -91,6 +93,7 @@ impl Scanner<'_> {
                     self.numbering.end_sub(sub.equation, sub.format);
                 }
             }
+            "appendices" => self.numbering.end_appendices(),
             "document" => {
                 self.hand_over_prose(open);
                 self.at = self.bytes.len();

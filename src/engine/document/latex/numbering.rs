@@ -15,6 +15,10 @@ pub(super) struct Numbering {
     /// What goes back to 0 when a counter is stepped.
     resets: Tree<String, Vec<String>>,
     chapters: bool,
+    /// Whether chapters are counted, as they are outside of `\frontmatter` and `\backmatter`.
+    main_matter: bool,
+    /// The count of what `appendices` stand between, and how it is printed.
+    outer: Option<(i64, String)>,
     /// Whether the counter of equations was set in a way that is not followed: from then on no number is known.
     lost: bool,
 }
@@ -38,6 +42,8 @@ impl Numbering {
             formats: Tree::new(),
             resets: Tree::new(),
             chapters,
+            main_matter: true,
+            outer: None,
             lost: false,
         };
         let mut within = |child: &str, parent: &str, format: &str| {
@@ -51,7 +57,7 @@ impl Numbering {
         match chapters {
             true => {
                 within("section", "chapter", "\\thechapter.\\arabic{section}");
-                within("equation", "chapter", "\\thechapter.\\arabic{equation}");
+                within("equation", "chapter", "\\chapterpoint\\arabic{equation}");
             }
             false => {
                 within("section", "", "\\arabic{section}");
@@ -73,7 +79,8 @@ impl Numbering {
         self.formats.insert(counter.to_owned(), format.to_owned());
     }
 
-    fn within(&mut self, child: &str, parent: &str) {
+    /// `\counterwithin*{equation}{section}`: the count begins anew, and is printed as before.
+    pub(super) fn within(&mut self, child: &str, parent: &str) {
         let children = self.resets.entry(parent.to_owned()).or_default();
         if !children.iter().any(|own| own == child) {
             children.push(child.to_owned());
@@ -89,10 +96,15 @@ impl Numbering {
 
     /// `\counterwithout{equation}{section}`
     pub(super) fn number_without(&mut self, child: &str, parent: &str) {
+        self.apart(child, parent);
+        self.format(child, &format!("\\arabic{{{child}}}"));
+    }
+
+    /// `\counterwithout*{equation}{section}`
+    pub(super) fn apart(&mut self, child: &str, parent: &str) {
         if let Some(children) = self.resets.get_mut(parent) {
             children.retain(|own| own != child);
         }
-        self.format(child, &format!("\\arabic{{{child}}}"));
     }
 
     /// `\renewcommand{\theequation}{…}`
@@ -100,12 +112,45 @@ impl Numbering {
         self.format(counter, format);
     }
 
-    /// `\appendix`
-    pub(super) fn appendix(&mut self) {
-        let top = match self.chapters {
+    /// `\frontmatter`, `\mainmatter`, `\backmatter`
+    pub(super) fn matter(&mut self, main: bool) {
+        self.main_matter = main;
+    }
+
+    /// A heading that is numbered.
+    pub(super) fn heading(&mut self, counter: &str) {
+        if self.main_matter || counter != "chapter" {
+            self.step(counter);
+        }
+    }
+
+    /// What appendices are counted as.
+    fn top(&self) -> &'static str {
+        match self.chapters {
             true => "chapter",
             false => "section",
-        };
+        }
+    }
+
+    /// `\begin{appendices}`
+    pub(super) fn begin_appendices(&mut self) {
+        let top = self.top();
+        self.outer = Some((self.get(top), self.formats[top].clone()));
+        self.appendix();
+    }
+
+    /// `\end{appendices}`
+    pub(super) fn end_appendices(&mut self) {
+        if let Some((value, format)) = self.outer.take() {
+            let top = self.top();
+            self.set(top, value);
+            self.format(top, &format);
+        }
+    }
+
+    /// `\appendix`
+    pub(super) fn appendix(&mut self) {
+        let top = self.top();
         self.set(top, 0);
         self.format(top, &format!("\\Alph{{{top}}}"));
         let mut children = self.resets.get(top).cloned().unwrap_or_default();
@@ -182,6 +227,14 @@ impl Numbering {
             rest = after;
             if let Some(counter) = name.strip_prefix("the").filter(|c| !c.is_empty()) {
                 self.print(self.formats.get(counter)?, text, depth)?;
+                continue;
+            }
+            if name == "chapterpoint" {
+                // What stands before the first chapter has no number of it.
+                if self.get("chapter") > 0 {
+                    self.print(self.formats.get("chapter")?, text, depth)?;
+                    text.push('.');
+                }
                 continue;
             }
             let style = match name {

@@ -146,13 +146,15 @@ impl<'a> Scanner<'a> {
                 self.prose_from = self.at;
             }
             "numberwithin" | "counterwithin" | "counterwithout" => {
-                self.star();
+                let starred = self.star();
                 if let (Some(child), Some(parent)) = (self.group(), self.group()) {
                     let (child, parent) = (
                         self.text[child.range()].trim(),
                         self.text[parent.range()].trim(),
                     );
                     match name {
+                        "counterwithin" if starred => self.numbering.within(child, parent),
+                        "counterwithout" if starred => self.numbering.apart(child, parent),
                         "counterwithout" => self.numbering.number_without(child, parent),
                         _ => self.numbering.number_within(child, parent),
                     }
@@ -176,6 +178,9 @@ impl<'a> Scanner<'a> {
             }
             _ if self.preamble => {}
             "appendix" => self.numbering.appendix(),
+            "frontmatter" | "mainmatter" | "backmatter" => {
+                self.numbering.matter(name == "mainmatter");
+            }
             "label" => {
                 if let Some(key) = self.group() {
                     let key = self.text[key.range()].trim().to_owned();
@@ -223,7 +228,7 @@ impl<'a> Scanner<'a> {
         let starred = self.star();
         self.options();
         if !starred {
-            self.numbering.step(counter);
+            self.numbering.heading(counter);
         }
         match self.group() {
             Some(title) => self.heading_item(level, Span::new(open, self.at), title),
