@@ -292,6 +292,20 @@ fn a_myst_directive_in_backticks_holds_markdown_unless_it_holds_code() {
 }
 
 #[test]
+fn an_equation_in_html_is_told_once() {
+    let derivation = read(
+        "<div>\n$$ a = 1 $$\n$$ b = 1 $$\n</div>\n\n<div>\n$$ c <!-- check: law --> $$\n</div>\n\n$$ d = 1 $$\n",
+    );
+    let places: Vec<usize> = derivation.pages[0]
+        .problems
+        .iter()
+        .map(|own| derivation.pages[0].document.place(own.span).1.line)
+        .collect();
+    assert_eq!(places, [2, 3, 7, 7]);
+    assert_eq!(equations(&derivation), ["-: d = 1"]);
+}
+
+#[test]
 fn text_in_utf_16_is_none_with_and_without_a_mark_at_its_beginning() {
     let text = "\\documentclass{article}";
     let low: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();

@@ -96,7 +96,7 @@ impl Scanner<'_> {
                     "an equation in a block of HTML is not read",
                     "leave a blank line between the HTML and the equation",
                 ));
-                self.at += 2;
+                self.at += 2 + self.closing_in_html(span.end);
             } else {
                 self.at += 1;
             }
@@ -105,6 +105,14 @@ impl Scanner<'_> {
             self.hidden.push(Span::new(shown, self.at));
         }
         self.forget_passed();
+    }
+
+    /// How far behind a `$$` in HTML the one that closes it ends, if no comment begins before.
+    fn closing_in_html(&self, until: usize) -> usize {
+        let rest = self.bytes.get(self.at + 2..until).unwrap_or_default();
+        let stop = (0..rest.len())
+            .find(|&at| rest[at..].starts_with(b"$$") || rest[at..].starts_with(b"<!--"));
+        stop.filter(|&at| rest[at] == b'$').map_or(0, |at| at + 2)
     }
 
     /// A comment that begins a block, which hides everything up to `end` if it is never closed.
