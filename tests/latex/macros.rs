@@ -149,6 +149,28 @@ fn a_place_in_a_macro_is_where_it_is_used_and_one_in_its_argument_is_its_own() {
 }
 
 #[test]
+fn a_place_in_what_an_argument_is_by_default_is_where_the_macro_is_used() {
+    let source = "\\newcommand{\\f}[2][\\foo]{#1 = #2}\n\\begin{document}\n\\[ \\f{b} \\]\n\\[ \\f[\\bar]{b} \\]\n\\end{document}\n";
+    let derivation = read(source);
+    let places: Vec<String> = derivation
+        .equations
+        .iter()
+        .map(|equation| {
+            let document = &derivation.pages[0].document;
+            let error = equation.statements.as_ref().unwrap_err();
+            let place = document.place(error.span).1;
+            format!(
+                "{}:{} {}",
+                place.line,
+                place.column,
+                document.written(error.span)
+            )
+        })
+        .collect();
+    assert_eq!(places, ["3:4 \\f{b}", "4:7 \\bar"]);
+}
+
+#[test]
 fn files_come_in_where_they_are_named_and_places_are_theirs() {
     let documents = document_of(&[
         (

@@ -55,8 +55,11 @@ impl Assembler<'_> {
         if meaning.sized {
             self.size();
         }
+        let mut defaulted = false;
         if let Some(default) = &meaning.default {
-            arguments.push(self.optional().unwrap_or_else(|| default.clone()));
+            let given = self.optional();
+            defaulted = given.is_none();
+            arguments.push(given.unwrap_or_else(|| default.clone()));
         }
         while arguments.len() < meaning.parameters {
             let Some((argument, last)) = self.argument_to_its_end() else {
@@ -71,6 +74,10 @@ impl Assembler<'_> {
         let mut tokens: Vec<Token> = Vec::with_capacity(meaning.body.len());
         let mut body = meaning.body.iter().copied();
         let mine = |token: Token| Token { origin, ..token };
+        // What stands for an argument that is not given was written nowhere else either.
+        if let (true, Some(default)) = (defaulted, arguments.first_mut()) {
+            default.iter_mut().for_each(|token| *token = mine(*token));
+        }
         while let Some(next) = body.next() {
             if self.text(next) != "#" {
                 tokens.push(mine(next));
