@@ -326,3 +326,15 @@ fn appendices_between_two_sections_are_counted_by_themselves() {
 \begin{appendix}\chapter{More}\begin{equation} a = 1 \end{equation}\end{appendix}\end{document}";
     assert_eq!(numbers(report), "A.1");
 }
+
+#[test]
+fn a_row_may_count_on_by_a_command_of_the_authors() {
+    let source = r"\documentclass{article}\newcommand\numberthis{\addtocounter{equation}{1}\tag{\theequation}}
+\newcommand{\eqn}{\refstepcounter{equation}\tag{\theequation}}\begin{document}
+\begin{align*} a &= b \\ b &= c \numberthis \label{n} \end{align*}
+\[ c = d \eqn \] \begin{equation} e = f \end{equation}\end{document}";
+    assert_eq!(
+        equations(&read(source)),
+        ["1: a = b | b = c", "2: c = d", "3: e = f"]
+    );
+}

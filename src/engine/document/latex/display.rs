@@ -139,7 +139,9 @@ impl Scanner<'_> {
         };
         let mut start = span.start;
         for mut row in found {
+            self.numbering.count_on(row.counted);
             let number = match row.tag.take() {
+                Some(tag) if tag == "\\theequation" => self.numbering.printed("equation"),
                 Some(tag) => Some(tag),
                 None if numbered && !row.unnumbered => self.numbering.next_equation(),
                 None => None,

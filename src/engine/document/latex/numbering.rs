@@ -170,6 +170,12 @@ impl Numbering {
         }
     }
 
+    /// Counts equations on from where the count is.
+    pub(super) fn count_on(&mut self, by: i64) {
+        let value = self.get("equation").saturating_add(by);
+        self.counters.insert("equation".to_owned(), value);
+    }
+
     /// The counter of equations has a value that is not known.
     pub(super) fn lose(&mut self) {
         self.lost = true;

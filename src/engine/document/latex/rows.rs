@@ -12,6 +12,8 @@ pub(super) struct Found {
     pub keys: Vec<String>,
     pub tag: Option<String>,
     pub unnumbered: bool,
+    /// How far it counts equations on by itself.
+    pub counted: i64,
     /// What stands before its mathematics: directives at these places, prose.
     pub before: Vec<Before>,
 }
@@ -102,6 +104,28 @@ pub(super) fn rows(text: &str, body: Span, kind: Rows) -> Vec<Found> {
                         "label" => row.keys.push(inside.to_owned()),
                         _ => row.tag = Some(bare(inside).to_owned()),
                     }
+                }
+                (at, from) = (end, end);
+            }
+            "addtocounter" | "stepcounter" | "refstepcounter" => {
+                let by = |at| match name {
+                    "addtocounter" => {
+                        let (value, end) = argument(at)?;
+                        Some((text[value.range()].trim().parse().ok()?, end))
+                    }
+                    _ => Some((1, at)),
+                };
+                let counter = argument(after);
+                let counted = counter.and_then(|(own, end)| Some((own, by(end)?)));
+                let Some((counter, (by, end))) = counted else {
+                    at = after;
+                    continue;
+                };
+                cut(text, &mut rows, from, at);
+                if let Some(row) = rows.last_mut()
+                    && text[counter.range()].trim() == "equation"
+                {
+                    row.counted = row.counted.saturating_add(by);
                 }
                 (at, from) = (end, end);
             }
