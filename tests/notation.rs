@@ -348,6 +348,27 @@ fn spellings_of_one_term() {
             "{v'_1}^2",
         ),
         (&["E^*", "E^{*}", "(E^*)", "{E}^*"], "E^*"),
+        (
+            &[
+                r"E^{\text{kin}}_0",
+                r"E_0^{\mathrm{kin}}",
+                r"E_0^\text{kin}",
+                r"{E_0}^{\rm kin}",
+            ],
+            r"E^{\text{kin}}_0",
+        ),
+        (
+            &[
+                r"\int_0^a x \, dx",
+                r"\int_0^a dx \, x",
+                r"\int_0^a \mathrm{d}x\, x",
+            ],
+            r"\int_{0}^{a} x \, dx",
+        ),
+        (
+            &[r"\int_0^a dx \int_0^x dt \, y t + y"],
+            r"\int_{0}^{a} \left( \int_{0}^{x} y t \, dt \right) \, dx + y",
+        ),
         (&[r"(E^*)^{2/5}", "{E^*}^{2/5}"], "(E^*)^{2/5}"),
         (&[r"\dot\delta", r"\dot{\delta}"], r"\dot{\delta}"),
         (&[r"\dot v_1", r"\dot{v_1}", r"\dot{v}_{1}"], r"\dot{v}_1"),
@@ -730,6 +751,14 @@ fn statements_and_what_separates_them() {
             r"\begin{aligned} a &= b \\ &\quad + c \end{aligned}",
             "a = b + c",
         ),
+        (
+            r"\begin{aligned}[t] a &= b \\ c &= d \end{aligned}",
+            "a = b ;; c = d",
+        ),
+        (
+            r"\begin{gathered} [b] a = b \\ c = d \end{gathered}",
+            "a = b ;; c = d",
+        ),
         (r"a = b \iff c = d", r"a = b \iff c = d"),
         (
             r"\left\{ \begin{aligned} a &= b \\ c &= d \end{aligned} \right.",
@@ -935,6 +964,51 @@ fn the_number_is_found_even_where_the_rest_is_unreadable() {
 
 /// Source, the guilty token, the beginning of the message.
 const REFUSALS: &[(&str, &str, &str)] = &[
+    (
+        r"a = \frac{dT}{dx}(0)",
+        "(",
+        "whether this is a factor or says where the slope is taken is not clear",
+    ),
+    (
+        r"a = \frac{dT}{dx}(x_0)",
+        "(",
+        "whether this is a factor or says where the slope is taken is not clear",
+    ),
+    (
+        r"\frac{d\ln y}{d\ln x} = n",
+        r"\ln",
+        "derivatives are read with respect to a symbol, not to a term",
+    ),
+    (
+        r"\frac{d^2x}{ds\,dt} = q",
+        "d",
+        "derivatives with respect to several variables",
+    ),
+    (
+        r"\frac{Du}{Dt} = g",
+        r"\frac",
+        "derivatives along a flow are not read",
+    ),
+    (
+        r"d/dt(m v) = F",
+        "d/dt",
+        "this may be a derivative or a quotient of products",
+    ),
+    (
+        r"d^2x/dt^2 = a",
+        "d^2x/dt",
+        "this may be a derivative or a quotient of products",
+    ),
+    (
+        r"a = \int_0^1 dx \, y \, dz",
+        "d",
+        "this is a second differential: an integral has one",
+    ),
+    (
+        r"y = \mathrm{artanh}\,x",
+        r"\mathrm{artanh}",
+        "whether `\\text{artanh}` is applied to what follows",
+    ),
     (r"a = \farc{1}{2}", r"\farc", r"`\farc` is not known"),
     (r"a = \color{red} b", r"\color", r"`\color` is not read"),
     (
@@ -1785,6 +1859,7 @@ fn names_on_a_terminal() {
         ("\\Delta E_{\\text{total}}", "ΔE_{total}"),
         ("\\dot{\\delta}", "δ\u{307}"),
         ("E^*", "E*"),
+        ("E^{\\text{kin}}_0", "E^kin₀"),
         ("\\eta_{\\max}", "η_{max}"),
         ("v_{12}", "v₁₂"),
     ] {

@@ -280,10 +280,12 @@ pub(super) fn is_binomial(command: &str) -> bool {
 
 /// Upright words that are applied to what follows, and never factors.
 const APPLIED: &[&str] = &[
-    "Bias", "Corr", "Cov", "SD", "Tr", "Var", "arccos", "arcsin", "arctan", "arg", "argmax",
-    "argmin", "corr", "cos", "cosh", "cot", "cov", "curl", "det", "diag", "div", "erf", "erfc",
-    "exp", "grad", "inf", "lg", "ln", "log", "max", "min", "rot", "sgn", "sign", "sin", "sinh",
-    "sup", "tan", "tanh", "tr", "var",
+    "Arg", "Bias", "Corr", "Cov", "Det", "Ln", "Log", "SD", "Tr", "Var", "acos", "arccos",
+    "arccot", "arcosh", "arcsin", "arctan", "arctg", "arg", "argmax", "argmin", "arsinh", "artanh",
+    "asin", "atan", "corr", "cos", "cosh", "cot", "coth", "cov", "csc", "csch", "ctg", "curl",
+    "det", "diag", "div", "erf", "erfc", "exp", "grad", "inf", "ld", "lg", "ln", "log", "max",
+    "min", "mod", "rot", "sech", "sgn", "sign", "sin", "sinc", "sinh", "sup", "tan", "tanh", "tg",
+    "tr", "var",
 ];
 
 /// The upright word that a name begins with: `Var` in `\text{Var}_1`.

@@ -73,6 +73,9 @@ struct Lexer<'s> {
     faces: Vec<Face>,
 }
 
+/// After the beginning of these it may be said how high they stand in the line.
+const PLACED: [&str; 5] = ["aligned", "gathered", "split", "alignedat", "multlined"];
+
 impl<'s> Lexer<'s> {
     fn rest(&self) -> &'s str {
         self.source.get(self.at..self.end).unwrap_or("")
@@ -298,6 +301,9 @@ impl<'s> Lexer<'s> {
                             Kind::Finish(environment)
                         },
                     );
+                    if begin && PLACED.contains(&environment) {
+                        self.position();
+                    }
                 }
             }
             _ => match switch::face(name) {
@@ -311,6 +317,18 @@ impl<'s> Lexer<'s> {
                     self.push(start, Kind::Command(name));
                 }
             },
+        }
+    }
+
+    /// `[t]` after the beginning of what stands in a line says how high it stands.
+    fn position(&mut self) {
+        let rest = self.rest();
+        let trimmed = rest.trim_start();
+        if ["[t]", "[b]", "[c]"]
+            .iter()
+            .any(|own| trimmed.starts_with(own))
+        {
+            self.at += rest.len() - trimmed.len() + 3;
         }
     }
 

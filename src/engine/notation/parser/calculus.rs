@@ -15,7 +15,7 @@ use crate::notation::commands;
 const ORDER: usize = 9;
 
 impl Parser<'_> {
-    fn is_d(&self, at: usize) -> bool {
+    pub(super) fn is_d(&self, at: usize) -> bool {
         matches!(
             self.kind(at),
             Kind::Letter('d') | Kind::Upright("d") | Kind::Operator("d") | Kind::Text("d")
@@ -84,17 +84,52 @@ impl Parser<'_> {
         }
     }
 
+    /// Whether the fraction that begins here is `\frac{Du}{Dt}`.
+    fn is_material(&self, start: usize) -> bool {
+        let is_rate = |at: usize| self.kind(at) == Kind::Letter('D') && self.starts_name(at + 1);
+        is_rate(start + 2)
+            && self.after_group(start + 1).is_some_and(|under| {
+                let is_closed = self.kind(under + 3) == Kind::Close;
+                self.kind(under) == Kind::Open && is_rate(under + 1) && is_closed
+            })
+    }
+
     /// A `\frac` that is a derivative; nothing is taken if it is not one.
     pub(super) fn derivative(&mut self) -> Read<Option<(Expr, Shape)>> {
         // The shape is looked for before anything is read: `\frac{d`, and `{d name}` or `{d name^n}` below.
         let start = self.at;
-        if self.kind(start + 1) != Kind::Open || !self.is_d(start + 2) {
+        if self.kind(start + 1) != Kind::Open {
+            return Ok(None);
+        }
+        if self.is_material(start) {
+            let message = "derivatives along a flow are not read";
+            return refuse_with(
+                self.since(start),
+                message,
+                "give the rate a name of its own",
+            );
+        }
+        if !self.is_d(start + 2) {
             return Ok(None);
         }
         let Some(under) = self.after_group(start + 1) else {
             return Ok(None);
         };
-        if self.kind(under) != Kind::Open || !self.is_d(under + 1) || !self.starts_name(under + 2) {
+        if self.kind(under) != Kind::Open || !self.is_d(under + 1) {
+            return Ok(None);
+        }
+        if let Kind::Command("ln" | "log" | "lg" | "exp" | "sin" | "cos" | "tan" | "sqrt") =
+            self.kind(under + 2)
+        {
+            self.at = under + 2;
+            let help = "write the derivative with respect to the symbol, as in `\\frac{x}{y} \\frac{dy}{dx}`";
+            return refuse_with(
+                self.span(),
+                "derivatives are read with respect to a symbol, not to a term",
+                help,
+            );
+        }
+        if !self.starts_name(under + 2) {
             return Ok(None);
         }
         let Some(end) = self.after_group(under) else {
@@ -103,6 +138,11 @@ impl Parser<'_> {
         self.at = under + 2;
         let denominator = self.variable(true);
         let ends = self.at + 1 == end;
+        if self.is_d(self.at) && self.starts_name(self.at + 1) {
+            let message =
+                "derivatives with respect to several variables are read with `\\partial` alone";
+            return refuse(self.span(), message);
+        }
         self.at = start;
         if !ends {
             return Ok(None);
@@ -125,8 +165,33 @@ impl Parser<'_> {
         }
         let open = self.span();
         let (body, shape) = self.differentiated_above(open, end)?;
+        // `\frac{dT}{dx}(0)`
+        let is_place = shape == Shape::Tight
+            && self.peek() == Kind::Char('(')
+            && (self.starts_name(self.at + 1) || matches!(self.kind(self.at + 1), Kind::Number(_)))
+            && self.after_place(self.at + 2) == Kind::Char(')');
+        if is_place {
+            let help = format!(
+                "write `\\left.\\frac{{dy}}{{d{variable}}}\\right|_{{{variable} = 0}}` for the slope there, `\\cdot` for a product"
+            );
+            return refuse_with(
+                self.span(),
+                "whether this is a factor or says where the slope is taken is not clear",
+                help,
+            );
+        }
         let derive = |body: Expr, _| body.differentiated_by(&variable);
         Ok(Some(((0..above).fold(body, derive), shape)))
+    }
+
+    /// The token after the subscript that may begin here.
+    fn after_place(&self, at: usize) -> Kind<'_> {
+        let after = match (self.kind(at), self.kind(at + 1)) {
+            (Kind::Char('_'), Kind::Open) => self.after_group(at + 1).unwrap_or(at),
+            (Kind::Char('_'), _) => at + 2,
+            _ => at,
+        };
+        self.kind(after)
     }
 
     /// What a derivative that is written as a fraction applies to: what else stands above, or what comes after the fraction, which ends
@@ -252,10 +317,11 @@ impl Parser<'_> {
         let sign = self.since(start);
         let outside = (self.bar, self.integrand, self.differential.take());
         (self.bar, self.integrand) = (false, true);
-        let body = if self.at_differential() {
-            Ok(Expr::integer(1))
-        } else {
-            self.sum().map(|body| body.expr)
+        // `\int_0^L dx \, \lambda`: the product that follows.
+        let first = self.at_differential();
+        let body = match first {
+            true => self.after_differential(sign),
+            false => self.sum().map(|body| body.expr),
         };
         let above = self.differential.take();
         (self.bar, self.integrand, self.differential) = outside;
@@ -278,6 +344,23 @@ impl Parser<'_> {
         };
         self.integrals.push((variable.clone(), limits.clone()));
         limits.integral(body, variable, sign)
+    }
+
+    /// What is integrated where the differential stands before it.
+    fn after_differential(&mut self, sign: Span) -> Read<Expr> {
+        let variable = self.differential_here(sign)?;
+        let body = match self.starts_factor() && !self.at_differential() {
+            true => self.term()?.expr,
+            false => Expr::integer(1),
+        };
+        if self.at_differential() {
+            return refuse(
+                self.span(),
+                "this is a second differential: an integral has one",
+            );
+        }
+        self.differential = Some(variable);
+        Ok(body)
     }
 
     /// The variable of the differential that stands here.

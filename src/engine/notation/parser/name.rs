@@ -40,7 +40,10 @@ impl Name {
         match self.marks.as_str() {
             "" => {}
             mark if mark.len() == 1 => stem.push_str(&format!("^{mark}")),
-            mark if mark.matches('\\').count() == 1 && mark.starts_with('\\') => {
+            mark if mark.matches('\\').count() == 1
+                && mark.starts_with('\\')
+                && !mark.ends_with('}') =>
+            {
                 stem.push_str(&format!("^{mark}"));
             }
             marks => stem.push_str(&format!("^{{{marks}}}")),

@@ -133,12 +133,18 @@ impl Parser<'_> {
         self.nested(Self::term_inner)
     }
 
+    /// Whether `d x`, `d^2 x` or a bare `d` over something begins here.
+    fn begins_slope(&self) -> bool {
+        let next = self.kind(self.at + 1);
+        self.at_differential() || self.is_d(self.at) && matches!(next, Kind::Char('^' | '/'))
+    }
+
     fn term_inner(&mut self) -> Read<Term> {
         let start = self.at;
         // The stroke that was read last, and how many factors stand beside what it divides by.
         let mut stroke: Option<(usize, u8)> = None;
         let mut product = Product::default();
-        let mut differential = self.at_differential();
+        let mut differential = self.begins_slope();
         product.push(self.factor()?)?;
         product.take_pending(self)?;
         let mut slashes = 0;

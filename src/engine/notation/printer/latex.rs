@@ -385,7 +385,11 @@ fn power(base: &Expr, exponent: &Expr) -> String {
     if exponent.chars().count() == 1 {
         format!("{base}^{exponent}")
     } else {
-        format!("{base}^{{{exponent}}}")
+        // `a^{\text{KE}}` would be a name with a label.
+        match exponent.starts_with("\\text{") && exponent.ends_with('}') {
+            true => format!("{base}^{{{{{exponent}}}}}"),
+            false => format!("{base}^{{{exponent}}}"),
+        }
     }
 }
 

@@ -386,6 +386,8 @@ fn letters(mut rest: &str) -> String {
             }
             '}' => text.push_str(waiting.pop().unwrap_or("")),
             '\'' => text.push('′'),
+            // The label of `E^{\text{kin}}`.
+            '^' if rest.trim_start_matches('{').starts_with("\\text") => text.push('^'),
             '^' | '{' => {}
             ' ' if waiting.is_empty() => {}
             c => text.push(c),

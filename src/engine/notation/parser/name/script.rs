@@ -302,6 +302,9 @@ impl Parser<'_> {
             Kind::Open => {
                 self.advance();
                 while self.mark(&mut script) {}
+                if self.kind(self.at + 1) == Kind::Close {
+                    self.upright_label(&mut script);
+                }
                 if matches!(self.peek(), Kind::Char('+' | '-'))
                     && self.kind(self.at + 1) == Kind::Close
                 {
@@ -331,7 +334,7 @@ impl Parser<'_> {
                 self.advance();
                 script.marks.push(sign);
             }
-            _ if self.mark(&mut script) => {}
+            _ if self.mark(&mut script) || self.upright_label(&mut script) => {}
             Kind::Command("circ") => return self.degrees_elsewhere(),
             Kind::Number(_) | Kind::Letter(_) | Kind::Command(_) => {
                 script.power = Some(self.argument("^")?)
@@ -359,6 +362,19 @@ impl Parser<'_> {
             && braces(from..start, Kind::Open)
             && braces(end..self.at, Kind::Close);
         all.then(|| self.since(from))
+    }
+
+    /// Upright letters by themselves are a label, `E^{\text{kin}}`, and no power.
+    fn upright_label(&mut self, script: &mut Superscript) -> bool {
+        let (Kind::Text(text) | Kind::Upright(text) | Kind::Operator(text)) = self.peek() else {
+            return false;
+        };
+        let is_word = text.chars().count() > 1 && text.chars().all(char::is_alphabetic);
+        if is_word {
+            script.marks.push_str(&upright(text));
+            self.advance();
+        }
+        is_word
     }
 
     fn mark(&mut self, script: &mut Superscript) -> bool {
