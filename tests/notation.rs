@@ -965,6 +965,31 @@ fn the_number_is_found_even_where_the_rest_is_unreadable() {
 /// Source, the guilty token, the beginning of the message.
 const REFUSALS: &[(&str, &str, &str)] = &[
     (
+        "0 < a, b < 1",
+        "0 < a, b < 1",
+        "whether both lie between these bounds is not clear",
+    ),
+    (
+        "k = 1.38e-23",
+        "1.38e-23",
+        "whether `1.38e-23` has a power of ten or a factor is not clear",
+    ),
+    (
+        r"s = \sum_{k=1}^{n} {k + 1}",
+        "{k + 1}",
+        "TeX does not print these braces",
+    ),
+    (
+        r"y = \frac{d}{dt} {t^2 + 1}",
+        "{t^2 + 1}",
+        "TeX does not print these braces",
+    ),
+    (
+        r"y = \lim_{x \to 0} {x + a}",
+        "{x + a}",
+        "TeX does not print these braces",
+    ),
+    (
         r"a = \frac{dT}{dx}(0)",
         "(",
         "whether this is a factor or says where the slope is taken is not clear",

@@ -160,8 +160,26 @@ impl<'s> Lexer<'s> {
                 return self.bad(Span::new(start, self.at), message, Some(help.to_owned()));
             }
         }
+        if let Some(length) = self.power_of_ten(start) {
+            let text = self.source.get(start..self.at + length).unwrap_or("");
+            let message = format!("whether `{text}` has a power of ten or a factor is not clear");
+            let help = "write `\\cdot 10^{-23}`, or `e - 23` with spaces";
+            self.at += length;
+            return self.bad(Span::new(start, self.at), message, Some(help.to_owned()));
+        }
         let text = self.source.get(start..self.at).unwrap_or("");
         self.push(start, Kind::Number(text));
+    }
+
+    /// How long the `e-23` of `1.38e-23` is, where a number with decimals goes on like that.
+    fn power_of_ten(&self, start: usize) -> Option<usize> {
+        let has_decimals = self.source.get(start..self.at)?.contains('.');
+        let rest = self.rest();
+        let exponent = rest.strip_prefix(['e', 'E'])?;
+        let unsigned = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
+        let digits = unsigned.bytes().take_while(u8::is_ascii_digit).count();
+        let ends = !unsigned[digits..].starts_with(['^', '.', '_', '!']);
+        (has_decimals && digits > 0 && ends).then(|| rest.len() - unsigned.len() + digits)
     }
 
     /// Whether exactly three digits stand here after what parts them from those before.

@@ -218,7 +218,7 @@ impl Parser<'_> {
     /// What an operator `\frac{d}{dx}` applies to.
     pub(super) fn differentiated(&mut self) -> Read<Expr> {
         if !self.at_delimiter() {
-            return Ok(self.term()?.expr);
+            return self.operand();
         }
         let body = self.factor()?;
         let goes_on = matches!(
@@ -437,7 +437,7 @@ impl Parser<'_> {
         if matches!(self.peek(), Kind::Command(name) if commands::is_dots(name)) {
             return self.no_term();
         }
-        let body = self.term()?.expr;
+        let body = self.operand()?;
         Ok(Expr::Limit {
             body: body.into(),
             variable,

@@ -52,13 +52,13 @@ impl Parser<'_> {
             );
         };
         self.bound.push(index.name().to_owned());
-        let body = self.term();
+        let body = self.operand();
         self.bound.pop();
         Ok(Expr::Series {
             index,
             from: from.into(),
             to: to.into(),
-            body: body?.expr.into(),
+            body: body?.into(),
         })
     }
 

@@ -138,7 +138,21 @@ impl<'s> Parser<'s> {
                 None => false,
             };
             if !remarked {
+                let start = self.at;
                 let statement = self.statement()?;
+                let comma = start
+                    .checked_sub(1)
+                    .filter(|&at| self.kind(at) == Kind::Char(','));
+                if comma.is_some()
+                    && let Some(last) = statements.last()
+                    && shares_bounds(last, &statement)
+                {
+                    return refuse_with(
+                        last.span.to(statement.span),
+                        "whether both lie between these bounds is not clear",
+                        "write the bounds of each, as in `0 < a < 1, \\quad 0 < b < 1`",
+                    );
+                }
                 statements.extend(self.by_cases(statement)?);
             }
             let mut separated = self.separator()?;
@@ -483,5 +497,29 @@ impl<'s> Parser<'s> {
             value,
             span,
         })
+    }
+}
+
+/// Whether `0 < a` comes before `b < 1`, which may be said of both.
+fn shares_bounds(one: &Statement, other: &Statement) -> bool {
+    use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};
+    let bounds = |statement: &Statement| match &statement.clauses[..] {
+        [Clause::Chain { sides, links }] => match (&sides[..], &links[..]) {
+            ([left, right], [link]) => {
+                let is_name = |side: &Side| matches!(side.expr, Expr::Symbol(_));
+                let rises = match link.relation {
+                    Less | LessOrEqual => true,
+                    Greater | GreaterOrEqual => false,
+                    _ => return None,
+                };
+                Some((is_name(left), is_name(right), rises))
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    match (bounds(one), bounds(other)) {
+        (Some((false, true, one)), Some((true, false, other))) => one == other,
+        _ => false,
     }
 }

@@ -133,6 +133,15 @@ impl Parser<'_> {
         self.nested(Self::term_inner)
     }
 
+    /// The product that an operator applies to. Braces do not show how far it reaches: `\sum_k {k + 1}`.
+    pub(super) fn operand(&mut self) -> Read<Expr> {
+        let term = self.term()?;
+        match term.braces && matches!(term.expr, Expr::Sum(_)) {
+            true => invisible(term.span),
+            false => Ok(term.expr),
+        }
+    }
+
     /// Whether `d x`, `d^2 x` or a bare `d` over something begins here.
     fn begins_slope(&self) -> bool {
         let next = self.kind(self.at + 1);
