@@ -1674,3 +1674,26 @@ fn what_is_said_under_circumstances_may_be_meant_under_others() {
     assert_ne!(page("p"), "fails");
     assert_ne!(page("q"), "holds");
 }
+
+#[test]
+fn what_is_so_by_symmetry_is_not_refuted() {
+    let page = |words: &str, other: &str| {
+        last(&format!(
+            "The best response of the first firm is, with $b > 0$,\n\n$$ q_1 = \\frac{{a - c - b q_2}}{{2 b}}. \\tag{{1}} $$\n\n{words} the best response of the second firm is\n\n$$ q_2 = {other}. $$\n"
+        ))
+        .0
+    };
+    for words in ["By symmetry", "Similarly,", "In the same way"] {
+        assert_eq!(
+            page(words, r"\frac{a - c - b q_1}{2 b}"),
+            "undecided",
+            "{words}"
+        );
+        assert_eq!(
+            page(words, r"\frac{a - c - b q_1}{3 b}"),
+            "fails",
+            "{words}"
+        );
+    }
+    assert_eq!(page("Hence", r"\frac{a - c - b q_1}{2 b}"), "fails");
+}

@@ -146,7 +146,7 @@ pub(super) fn section_ends(items: &[Item]) -> Vec<usize> {
 }
 
 /// A term with other names in it, bound ones too.
-pub(super) fn renamed(term: &Expr, own: &impl Fn(&Symbol) -> Symbol) -> Expr {
+pub(crate) fn renamed(term: &Expr, own: &impl Fn(&Symbol) -> Symbol) -> Expr {
     let mut term = term.map_children(|child| renamed(child, own));
     match &mut term {
         Expr::Symbol(symbol)

@@ -59,6 +59,7 @@ pub use checker::{Checker, Point, values_at};
 pub use citations::Unknown;
 pub use claim::is_open;
 pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
+pub(crate) use meanings::renamed;
 pub(crate) use names::{dotted, without_dots};
 pub use page::{Datum, Page, Premises};
 pub use qualities::Said;

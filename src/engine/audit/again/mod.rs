@@ -19,6 +19,7 @@ mod overlooked;
 mod rescue;
 mod solution;
 mod solved;
+mod symmetric;
 pub(super) mod there;
 pub(super) mod throughout;
 mod unitless;

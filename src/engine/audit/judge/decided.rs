@@ -197,6 +197,7 @@ impl Judge<'_> {
             }
             self.heed_values_told(goal, all, found);
             self.heed_what_is_said_of_all(goal, all, found);
+            self.heed_symmetry(goal, found);
             self.heed_what_varies(goal, all, premises, found);
             self.heed_what_is_open(goal, all, premises, found);
         }

@@ -1,0 +1,99 @@
+//! What is said of one thing and then of another in the same words: "By symmetry the best response of firm 2 is".
+
+use crate::algebra::{Expr, Formula, Symbol, split_subscript};
+use crate::derivation::{Goal, formulas, renamed};
+use crate::sorted::Map;
+
+use super::super::judge::{Found, Judge};
+
+/// With one of these a text says that something is so for the same reason.
+const ALIKE: [&str; 10] = [
+    "symmetry",
+    "symmetric",
+    "similarly",
+    "likewise",
+    "analogously",
+    "analogy",
+    "analogous",
+    "correspondingly",
+    "similar",
+    "same",
+];
+/// So many equations before are looked at.
+const MOST_BEFORE: usize = 6;
+
+impl Judge<'_> {
+    /// Leaves open what was refuted and says of others what an equation before says, where the words give that as the reason. Whether all
+    /// that it came from is so of these, too, nobody has shown.
+    pub(in crate::audit) fn heed_symmetry(&self, goal: &Goal, found: &mut Found) {
+        if !found.judged.outcome.is_refuted() || !self.says_alike() {
+            return;
+        }
+        let page = self.derivation.equations[self.at].page;
+        let start = self.derivation.equations_of(page).start;
+        let before = start.max(self.at.saturating_sub(MOST_BEFORE))..self.at;
+        let mut before = self.derivation.equations[before].iter().rev();
+        let is_alike = before.any(|own| {
+            let mut said = own.statements().iter().flat_map(formulas);
+            said.any(|said| is_image(&said, &goal.formula))
+        });
+        if is_alike {
+            found.leave_open(
+                "it says of others what stands before, and that these are alike is not checked",
+            );
+        }
+    }
+
+    fn says_alike(&self) -> bool {
+        let own = &self.derivation.equations[self.at];
+        let source = &self.derivation.pages[own.page].document.source;
+        let said = own.said_last.and_then(|last| source.get(last.range()));
+        let mut words = said.unwrap_or_default().split(|c: char| !c.is_alphabetic());
+        words.any(|word| ALIKE.contains(&&*word.to_lowercase()))
+    }
+}
+
+/// Whether one formula becomes the other where symbols change places, `q_1` and `q_2`, or others of the same letter come in.
+fn is_image(one: &Formula, other: &Formula) -> bool {
+    let (mut from, mut to) = (Vec::new(), Vec::new());
+    one.terms()
+        .into_iter()
+        .for_each(|term| collect(term, &mut from));
+    other
+        .terms()
+        .into_iter()
+        .for_each(|term| collect(term, &mut to));
+    if from.len() != to.len() || from == to {
+        return false;
+    }
+    let mut put: Map<Symbol, Symbol> = Map::new();
+    for (own, new) in from.iter().zip(&to) {
+        if put
+            .insert(own.clone(), new.clone())
+            .is_some_and(|old| old != *new)
+        {
+            return false;
+        }
+    }
+    let stem = |symbol: &Symbol| {
+        let name = symbol.name();
+        let stem = split_subscript(name).map_or(name, |(stem, _)| stem);
+        stem.trim_end_matches('\'').to_owned()
+    };
+    let fits = |own: &Symbol, new: &Symbol| match put.get(new) {
+        _ if own == new => true,
+        Some(back) => back == own,
+        None => stem(own) == stem(new),
+    };
+    let rename = |symbol: &Symbol| put.get(symbol).unwrap_or(symbol).clone();
+    put.iter().all(|(own, new)| fits(own, new))
+        && one.map_terms(|term| renamed(term, &rename)) == *other
+}
+
+/// The symbols of a term as they stand.
+fn collect(term: &Expr, symbols: &mut Vec<Symbol>) {
+    if let Expr::Symbol(symbol) = term {
+        symbols.push(symbol.clone());
+    }
+    term.children().for_each(|part| collect(part, symbols));
+}
