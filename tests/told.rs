@@ -1697,3 +1697,18 @@ fn what_is_so_by_symmetry_is_not_refuted() {
     }
     assert_eq!(page("Hence", r"\frac{a - c - b q_1}{2 b}"), "fails");
 }
+
+/// What is told of a variable is not so where that grows without bound.
+#[test]
+fn what_is_told_of_a_variable_is_left_where_it_grows() {
+    let page = |value: &str| {
+        last(&format!(
+            "The loss is, with $C_1 > 0$ and $C_2 > 0$,\n\n$$ W = \\frac{{C_1 C_2}}{{C_1 + C_2}} U^2. \\tag{{1}} $$\n\nFor equal capacitors, $C_1 = C_2$, this is\n\n\
+             $$ W = \\frac{{1}}{{2}} C_1 U^2. \\tag{{2}} $$\n\nIf the second capacitor is very large, all is lost, for\n\n\
+             $$ \\lim_{{C_2 \\to \\infty}} \\frac{{C_1 C_2}}{{C_1 + C_2}} U^2 = {value} U^2. $$\n"
+        ))
+        .0
+    };
+    assert_eq!(page("C_1"), "holds");
+    assert_ne!(page("C_2"), "holds");
+}

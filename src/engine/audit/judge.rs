@@ -16,6 +16,7 @@ use crate::sorted;
 
 use self::unclear::takes_slope_at_a_point;
 use super::again::borrowed::Before;
+use super::again::limiting::is_told_of;
 use super::premise::Usable;
 use super::{Auditor, Judged, Outcome, stated};
 
@@ -182,6 +183,20 @@ impl Judge<'_> {
             found.leave_open(format!(
                 "it follows only where `{case}`, and nothing says that this is still meant"
             ));
+        }
+        if found.judged.outcome.is_proven()
+            && let Some(symbol) = self.ties_what_grows(&found.judged)
+        {
+            // What is told of it does not stand in the way of what follows without.
+            let mut without = self.usable.assumed.clone();
+            without.retain(|own| !is_told_of(own, &symbol));
+            let again = self.judged(goal, without, premises);
+            match again.judged.outcome.is_proven() {
+                true => found = again,
+                false => found.leave_open(format!(
+                    "it follows only where something says what `{symbol}` is, and in the limit that grows beyond it"
+                )),
+            }
         }
         if found.judged.outcome.is_proven()
             && let Some(symbol) = self.joins_what_moves(&found.judged)

@@ -3,7 +3,7 @@
 //! Such a step is no equation at any point, and none refutes it. What its premises say that the left side is has a limit, exactly, and
 //! that is compared with the right side.
 
-use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::algebra::{Expr, Formula, LimitPoint, Relation, Symbol};
 use crate::derivation::{Approach, Assumed, Goal, Source};
 use crate::kernel::definition;
 use crate::search::{self, Decision};
@@ -20,6 +20,24 @@ const MOST_READINGS: usize = 4;
 const OPEN: &str = "it is said of a limit, and what that is could not be told";
 
 impl Judge<'_> {
+    /// The variable that grows without bound in a step that was proved from what words say that the variable is: "For $C_1 = C_2$" is not
+    /// said where `C_2 \to \infty`.
+    pub(in crate::audit) fn ties_what_grows(&self, judged: &Judged) -> Option<Symbol> {
+        let is_told = |variable: &Symbol| {
+            let mut told = judged.assumed.iter();
+            told.any(|own| is_told_of(own, variable))
+        };
+        let (left, right) = judged.goal.formula.as_equation()?;
+        [left, right].into_iter().find_map(|side| match side {
+            Expr::Limit {
+                variable,
+                point: LimitPoint::PlusInfinity | LimitPoint::MinusInfinity,
+                ..
+            } => is_told(variable).then(|| variable.clone()),
+            _ => None,
+        })
+    }
+
     /// What becomes of a goal that is not proved where it stands, if it is said of a limit: it holds if it does as one of the limits
     /// that may be meant, and fails if it does as none.
     pub(in crate::audit) fn in_limit(
@@ -215,4 +233,10 @@ fn as_limit(goal: &Goal, approach: &Approach, all: &[&Assumed]) -> Option<(Formu
     };
     let is_function = body.mentions(variable);
     is_function.then(|| (Formula::equal(limit, right.clone()), used))
+}
+
+/// Whether words, and no equation, say what a symbol is.
+pub(in crate::audit) fn is_told_of(own: &Assumed, symbol: &Symbol) -> bool {
+    let is_local = matches!(own.source, Source::Local(..));
+    is_local && own.formula.as_equation().is_some() && own.formula.names().contains(symbol)
 }

@@ -12,7 +12,7 @@ pub(super) mod borrowed;
 pub(super) mod conditions;
 mod going_on;
 mod joined;
-mod limiting;
+pub(super) mod limiting;
 mod lingering;
 mod named;
 mod overlooked;
