@@ -7,6 +7,7 @@ mod common;
 
 mod algebra;
 mod architecture;
+mod cases;
 mod cli;
 mod contact;
 mod corrected;

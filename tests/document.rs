@@ -91,6 +91,7 @@ fn a_page_is_read_in_order() {
         Item::Heading {
             level: 1,
             title,
+            cases: _,
             span,
         },
         Item::Prose(prose),

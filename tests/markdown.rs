@@ -3,6 +3,7 @@
 use crate::common;
 use std::path::PathBuf;
 
+use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Document;
 use cradle_verify::notation::latex_statement;
@@ -319,5 +320,33 @@ fn text_in_utf_16_is_none_with_and_without_a_mark_at_its_beginning() {
             cradle_verify::document::decode(text.as_bytes()).is_ok(),
             "{text:?}"
         );
+    }
+}
+
+/// What the text of a later cell says is looked for there, and not at the same place of the first one.
+#[test]
+fn a_page_in_a_later_cell_is_judged_as_by_itself() {
+    let verdicts = |document: Document| {
+        let audit = Audit::of(&Derivation::new(vec![document]));
+        let entries = audit.entries.iter();
+        entries
+            .map(|entry| entry.verdict.word())
+            .collect::<Vec<_>>()
+    };
+    let pages = [
+        // By symmetry something is left open.
+        "The best response of the first firm is\n\n$$ x = \\frac{a - b y}{2 b}. \\tag{1} $$\n\nBy symmetry we have\n\n$$ y = \\frac{a - b x}{2 b}. \\tag{2} $$\n",
+        // A slope is taken of what is cited by what is named.
+        "The height is\n\n$$ y = v t - g t^2. \\tag{1} $$\n\nDifferentiating (1) with respect to $t$ we obtain the velocity\n\n$$ u = v - g t. \\tag{2} $$\n",
+        // What is met at a place.
+        "The law of motion is\n\n$$ x = A \\cos(w t) + B \\sin(w t). \\tag{1} $$\n\nWith $x = h$ at $t = 0$ we get\n\n$$ A = 2 h. \\tag{2} $$\n",
+    ];
+    for page in pages {
+        let cell = |text: &str| serde_json::json!({ "cell_type": "markdown", "source": text });
+        let cells = [cell(&"Notes taken on the way. ".repeat(4)), cell(&page)];
+        let notebook = serde_json::json!({ "nbformat": 4, "cells": cells }).to_string();
+        let alone = verdicts(Document::markdown("a.md", page));
+        let in_cell = verdicts(Document::notebook("a.ipynb", &notebook).unwrap());
+        assert_eq!(in_cell, alone, "{page}");
     }
 }

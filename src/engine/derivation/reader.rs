@@ -121,7 +121,23 @@ impl<'p> Reader<'p> {
     /// Reads on.
     pub fn item(&mut self, item: &Item) {
         match item {
-            Item::Heading { level, title, span } => self.heading(*level, title, *span),
+            Item::Heading {
+                level,
+                title,
+                cases,
+                span,
+            } => {
+                let names_document = self.equations.is_empty() && cases.is_empty();
+                if self.page.title.is_empty() && names_document {
+                    self.page.title = title.clone();
+                }
+                self.heading(*level, title, *span);
+                for case in cases {
+                    self.suppose(case.kind, case.body);
+                }
+                // What comes next need not be all that is said of the case.
+                self.running.clear();
+            }
             Item::Prose(prose) => self.prose(prose),
             Item::Directives { clauses, .. } => {
                 for clause in clauses {
@@ -133,9 +149,6 @@ impl<'p> Reader<'p> {
     }
 
     fn heading(&mut self, level: u8, title: &str, span: Span) {
-        if self.page.title.is_empty() {
-            self.page.title = title.to_owned();
-        }
         (self.level, self.section) = (level, title.to_owned());
         (self.last, self.bare, self.laws) = (0..0, true, false);
         (self.circumstances, self.first_here) = (None, self.equations.len());

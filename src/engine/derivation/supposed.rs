@@ -201,14 +201,19 @@ impl Page {
         active: &mut Vec<usize>,
         strict: bool,
     ) {
-        let is_case = matches!(kind, SuppositionKind::Case { .. } | SuppositionKind::Figure);
+        use SuppositionKind::{Case, Compared, Figure};
+        let is_case = matches!(kind, Case { .. } | Compared { .. } | Figure);
         let in_passing = matches!(
             kind,
             SuppositionKind::Fact { .. } | SuppositionKind::Meaning
         );
         let is_fact = in_passing || kind == SuppositionKind::Known;
         let is_let = is_case || kind == SuppositionKind::Let;
-        let said = match self.supposed(body) {
+        let said = match kind {
+            Compared { relation, to } => self.compared((body, relation, to)),
+            _ => self.supposed(body),
+        };
+        let said = match said {
             Ok(said) => said,
             Err(error) => {
                 if strict {
@@ -347,6 +352,16 @@ impl Page {
         let own = &mut self.locals[at];
         (own.is_told, own.of_case, own.means, own.of_display) = (false, false, true, true);
         at
+    }
+
+    /// Whether the text has gone through cases since then of which no two can be so at once.
+    pub(super) fn has_rival_cases(&self, since: usize) -> bool {
+        let here = |own: &&Local| own.of_case && own.span.start >= since;
+        let mut cases = self.locals.iter().filter(here);
+        cases.next_back().is_some_and(|last| {
+            let mut before = cases.rev().take(MOST_BEFORE);
+            before.any(|own| own.is_another_case_than(last))
+        })
     }
 
     /// Leaves the cases of whose symbols a display speaks again: "At $t = 0$ the switch is closed. Later $q = I t$". In the

@@ -2,7 +2,7 @@
 
 use super::Span;
 use super::inserted::Inserted;
-use crate::algebra::BigRational;
+use crate::algebra::{BigRational, Relation};
 use crate::notation::Spanned;
 
 /// One piece of a document.
@@ -14,6 +14,8 @@ pub enum Item {
         level: u8,
         /// The title as written, without its marks and comments.
         title: String,
+        /// The cases that it names: "Case 2: $x < 0$".
+        cases: Vec<Supposition>,
         /// The heading with its marks.
         span: Span,
     },
@@ -277,6 +279,14 @@ pub enum SuppositionKind {
     StandsStill(Vanishing),
     /// "It must be equal to one", "Equating (1) and (2)": what is said at the first place has the value that is named at the second.
     Equals(Vanishing, Vanishing, Span),
+    /// "If $x$ is negative, then", "When $m_1$ exceeds $m_2$,": a case, in which that is so of what stands there; of nought where there is no
+    /// other.
+    Compared {
+        /// How it lies to the other.
+        relation: Relation,
+        /// What it is held against.
+        to: Option<Span>,
+    },
     /// "Both sides vanish": a condition that is not understood. It supposes nothing, and what follows cannot be refuted without it.
     Unread,
     /// "$\beta = 1/2$ for a cylinder and $\beta = 2/5$ for a ball": the value for what is named there. It holds where the text says "for a
@@ -294,6 +304,8 @@ pub enum SuppositionKind {
     Otherwise,
     /// "Later", "In between": the cases that were gone through and the moments are left, but not what was let.
     Elsewhere,
+    /// "In both cases": those are left, and what comes next is said of each of them.
+    InAllCases,
     /// "Assume", "Suppose", "taking", "provided that": a hypothesis.
     Assume,
     /// "…, where $k = m \omega^2$" after a display: the meaning of a symbol in it.
@@ -326,14 +338,18 @@ pub enum Vanishing {
 impl SuppositionKind {
     /// Whether what was told of another special case is no longer meant.
     pub fn begins_a_case(self) -> bool {
-        use SuppositionKind::{Case, Fact};
-        matches!(self, Case { .. } | Fact { of_case: true, .. }) || self.leaves_cases()
+        use SuppositionKind::{Case, Compared, Fact};
+        let begins = matches!(
+            self,
+            Case { .. } | Compared { .. } | Fact { of_case: true, .. }
+        );
+        begins || self.leaves_cases()
     }
 
     /// Whether special cases are left behind.
     pub fn leaves_cases(self) -> bool {
-        use SuppositionKind::{Elsewhere, General, Otherwise};
-        matches!(self, General | Elsewhere | Otherwise)
+        use SuppositionKind::{Elsewhere, General, InAllCases, Otherwise};
+        matches!(self, General | Elsewhere | InAllCases | Otherwise)
     }
 }
 

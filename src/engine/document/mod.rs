@@ -19,6 +19,7 @@ mod inserted;
 mod item;
 mod latex;
 mod markdown;
+mod moved;
 mod nearest;
 mod notebook;
 mod number;

@@ -9,7 +9,7 @@ use serde_json::value::RawValue;
 use super::markdown;
 use super::origin::{Cell, File};
 use super::source::line_starts;
-use super::{Directive, Document, Item, Origin, Span};
+use super::{Document, Origin, Span};
 
 /// A file that is no notebook, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,9 +57,9 @@ pub(super) fn read(path: String, text: &str) -> Result<Document, NotANotebook> {
         );
         source.push_str(&written);
         source.push('\n');
-        items.extend(reading.items.into_iter().map(|item| moved(item, start)));
+        items.extend(reading.items.into_iter().map(|item| item.moved(start)));
         problems.extend(reading.problems.into_iter().map(|mut problem| {
-            problem.span = shifted(problem.span, start);
+            problem.span = problem.span.shifted(start);
             problem
         }));
         let cell = Cell {
@@ -128,97 +128,4 @@ fn saved_lines(text: &str) -> Option<Vec<Vec<usize>>> {
 /// The members of an object, each as it is written.
 fn members(text: &str) -> Option<BTreeMap<String, &RawValue>> {
     serde_json::from_str(text).ok()
-}
-
-fn shifted(span: Span, by: usize) -> Span {
-    Span::new(span.start + by, span.end + by)
-}
-
-/// An item with all its places moved.
-fn moved(item: Item, by: usize) -> Item {
-    let at = |span: Span| shifted(span, by);
-    match item {
-        Item::Heading { level, title, span } => Item::Heading {
-            level,
-            title,
-            span: at(span),
-        },
-        Item::Prose(mut prose) => {
-            prose.span = at(prose.span);
-            for inline in &mut prose.math {
-                inline.span = at(inline.span);
-                inline.body = at(inline.body);
-            }
-            for citation in &mut prose.citations {
-                citation.span = at(citation.span);
-            }
-            let named = prose.named.iter_mut().map(|own| &mut own.body);
-            let spans = prose.mentions.iter_mut().chain(named);
-            for span in spans.chain(&mut prose.changing) {
-                *span = at(*span);
-            }
-            for quality in &mut prose.qualities {
-                quality.body = at(quality.body);
-            }
-            for supposition in &mut prose.suppositions {
-                supposition.body = at(supposition.body);
-            }
-            Item::Prose(prose)
-        }
-        Item::Display {
-            span,
-            body,
-            mut layout,
-        } => {
-            if let Some(layout) = &mut layout {
-                for piece in layout.rows.iter_mut().flat_map(|row| &mut row.pieces) {
-                    *piece = at(*piece);
-                }
-                if let Some(problem) = &mut layout.obstacle {
-                    problem.span = at(problem.span);
-                }
-            }
-            Item::Display {
-                span: at(span),
-                body: at(body),
-                layout,
-            }
-        }
-        Item::Directives { mut clauses, span } => {
-            for clause in &mut clauses {
-                clause.span = at(clause.span);
-                move_directive(&mut clause.value, by);
-            }
-            Item::Directives {
-                clauses,
-                span: at(span),
-            }
-        }
-    }
-}
-
-fn move_directive(directive: &mut Directive, by: usize) {
-    match directive {
-        Directive::Given | Directive::Derived | Directive::Numeric(_) => {}
-        Directive::From(premises) => {
-            for premise in premises {
-                premise.span = shifted(premise.span, by);
-            }
-        }
-        Directive::Claim(name) => name.span = shifted(name.span, by),
-        Directive::Assuming(body) | Directive::Let(body) => *body = shifted(*body, by),
-        Directive::Symbols { names, attributes } => {
-            for name in names {
-                *name = shifted(*name, by);
-            }
-            for attribute in attributes {
-                attribute.span = shifted(attribute.span, by);
-            }
-        }
-        Directive::Data { names, .. } => {
-            for name in names {
-                *name = shifted(*name, by);
-            }
-        }
-    }
 }

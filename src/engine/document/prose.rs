@@ -10,7 +10,7 @@ use super::qualities;
 use super::slope;
 use super::supposition;
 use super::words::{Listed, Words};
-use super::{Citation, Inline, Prose, Span};
+use super::{Citation, Inline, Prose, Span, Supposition};
 
 /// A piece of prose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -200,6 +200,8 @@ const CITING: [&str; 8] = [
 ];
 /// Commands that cite two equations and all between them.
 const CITING_RANGE: [&str; 2] = ["\\crefrange{", "\\Crefrange{"];
+/// The environments of lists.
+const LISTS: [&str; 3] = ["{itemize}", "{enumerate}", "{description}"];
 /// Longer parentheses hold a remark, not a tag.
 const LONGEST_TAG: usize = 48;
 
@@ -255,6 +257,47 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     }
 }
 
+/// The cases that a heading names.
+pub(super) fn cases_in_title(source: &str, title: Span) -> Vec<Supposition> {
+    let inline = inline_in_title(source, title);
+    if inline.is_empty() {
+        return Vec::new();
+    }
+    supposition::titled::read(source, &tokens(source, title, &inline, &[]))
+}
+
+/// The mathematics in a heading: `$…$`, `\(…\)`.
+fn inline_in_title(source: &str, title: Span) -> Vec<Inline> {
+    let mut found = Vec::new();
+    let mut at = title.start;
+    while let Some(rest) = source.get(at..title.end) {
+        let Some(open) = rest.find(['$', '\\']) else {
+            break;
+        };
+        let (begin, rest) = (at + open, &rest[open..]);
+        let closes = match rest {
+            _ if rest.starts_with("\\(") => "\\)",
+            _ if rest.starts_with('$') => "$",
+            // Another command, or a sign that is escaped.
+            _ => {
+                let escaped = rest[1..].chars().next().map_or(0, char::len_utf8);
+                at = begin + 1 + escaped;
+                continue;
+            }
+        };
+        let Some(length) = rest[closes.len()..].find(closes) else {
+            break;
+        };
+        let body = Span::new(begin + closes.len(), begin + closes.len() + length);
+        at = body.end + closes.len();
+        found.push(Inline {
+            span: Span::new(begin, at),
+            body,
+        });
+    }
+    found
+}
+
 /// What is said before the last sentence.
 fn before<'t, 'a>(tokens: &'t [Placed<'a>], last: &[Placed<'_>]) -> &'t [Placed<'a>] {
     let start = last.first().map(|(_, span)| span.start);
@@ -298,10 +341,13 @@ pub(super) fn tokens<'a>(
             continue;
         }
         if let Some(hidden) = hidden.next_if(|hidden| hidden.start <= at) {
-            let mut token = Token::Hidden;
+            let mut token = match source.get(hidden.range()) {
+                Some(own) if own.starts_with("\\end{") || begins_list(own) => Token::Stop,
+                _ => Token::Hidden,
+            };
             if let Some(keys) = role(source, *hidden) {
-                // The role's name, with its braces.
-                tokens.truncate(tokens.len().saturating_sub(3));
+                // The role's name.
+                tokens.pop();
                 token = Token::Keys(keys);
             }
             tokens.push((token, *hidden));
@@ -327,6 +373,12 @@ pub(super) fn tokens<'a>(
     tokens
 }
 
+/// Whether an environment begins that holds a list.
+fn begins_list(rest: &str) -> bool {
+    let name = rest.strip_prefix("\\begin");
+    name.is_some_and(|name| LISTS.iter().any(|list| name.starts_with(list)))
+}
+
 /// The key in MyST's role ``{eq}`mom` ``.
 fn role(source: &str, code: Span) -> Option<&str> {
     let before = source.get(..code.start)?;
@@ -345,7 +397,10 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
     let width = first.len_utf8();
     match first {
         '\n' | '\r' if ends_paragraph(rest) => (Some(Token::Stop), width),
-        _ if first.is_whitespace() || matches!(first, '*' | '_' | '~' | '>') => (None, width),
+        // Braces are around what is emphasized.
+        _ if first.is_whitespace() || matches!(first, '*' | '_' | '~' | '>' | '{' | '}') => {
+            (None, width)
+        }
         // "i.e.", whose points end no sentence
         'i' | 'e' if LATIN.iter().any(|own| rest.starts_with(own)) => {
             (Some(Token::Word(&rest[..LATIN_LENGTH - 1])), LATIN_LENGTH)
@@ -381,7 +436,7 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
                         if ABBREVIATED.has_in_any_case(word))
                         && span.end == at
                 });
-            let after = rest[1..].trim_start_matches(['*', '_', ')', '"', '”', '\'']);
+            let after = rest[1..].trim_start_matches(['*', '_', ')', '}', '"', '”', '\'']);
             let ends = after.is_empty() || after.starts_with(char::is_whitespace);
             match ends && !abbreviated {
                 true => (Some(Token::Stop), 1),
@@ -408,8 +463,19 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
                     return (Some(Token::KeyRange(first, last)), length);
                 }
             }
-            // Any other command sets words, and is none.
+            // Any other command sets words, and is none; an item of a list begins a sentence.
             let name = run(&rest[1..], |c| c.is_ascii_alphabetic());
+            let group = || {
+                let inside = rest[1 + name..].strip_prefix('{');
+                let close = inside.and_then(|own| own.find('}'));
+                close.map_or(0, |close| close + 2)
+            };
+            match &rest[1..1 + name] {
+                "item" => return (Some(Token::Stop), 1 + name),
+                "end" => return (Some(Token::Stop), 1 + name + group()),
+                "begin" if begins_list(rest) => return (Some(Token::Stop), 1 + name + group()),
+                _ => {}
+            }
             if name > 0 {
                 return (None, 1 + name);
             }

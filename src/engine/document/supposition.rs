@@ -10,6 +10,7 @@ mod abbreviation;
 mod around;
 mod cases;
 mod common;
+mod compared;
 mod denial;
 mod example;
 mod general;
@@ -22,6 +23,7 @@ mod reach;
 mod reason;
 mod retraction;
 mod telling;
+pub(super) mod titled;
 mod vanishing;
 mod words;
 
@@ -76,6 +78,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     }
     retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
     retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
+    found.extend(compared::read(source, &tokens[..end]));
     found.extend(vanishing::read(source, &tokens[..end]));
     found.extend(common::read(source, &tokens[..end]));
     found.extend(abbreviation::read(source, &tokens[..end]));
@@ -223,7 +226,11 @@ impl Reader<'_> {
         if self.is_silent()
             && let Some(kind) = generalizes(word, index, self.tokens)
         {
-            self.found.push(Supposition { kind, body: span });
+            let body = match kind {
+                SuppositionKind::InAllCases => self.tokens[index - 2].1.to(span),
+                _ => span,
+            };
+            self.found.push(Supposition { kind, body });
         }
         // "At $r = 0$ it would be": that is said of what would be so.
         let conditional_mood = || {
@@ -308,7 +315,7 @@ impl Reader<'_> {
         // "At $x = h$" says where.
         let is_place = follows(index, self.tokens, &NAMED_BEFORE) && equals_a_name(text);
         let case = SuppositionKind::Case { runs_on: true };
-        let labelled = states && cases::is_labelled(index, self.tokens);
+        let labelled = states && cases::is_labelled(self.source, index, self.tokens);
         let labelled = labelled.then_some((case, Reach::List { left: 1 }));
         let active = self.sentence.active.or(labelled);
         if let Some((kind, reach)) = active {

@@ -3,7 +3,7 @@
 use num_traits::Zero;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::document::{Attribute, Prose, Qualities, Vanishing};
+use crate::document::{Attribute, Prose, Qualities, Supposition, SuppositionKind, Vanishing};
 use crate::notation::Spanned;
 
 use super::super::qualities;
@@ -20,9 +20,14 @@ impl Reader<'_> {
         if prose.qualities.iter().any(|own| own.of_case) {
             self.sayings.leave_case();
         }
-        let here = |own: &&Qualities| left.is_none_or(|left| left.body.start < own.body.start);
-        for quality in prose.qualities.iter().filter(here) {
-            self.quality(quality);
+        let is_here = |own: &Qualities| left.is_none_or(|left| left.body.start < own.body.start);
+        for quality in prose.qualities.iter().filter(|own| is_here(own)) {
+            let is_same = |own: &Supposition| {
+                own.body == quality.body && matches!(own.kind, SuppositionKind::Compared { .. })
+            };
+            if !prose.suppositions.iter().any(is_same) || !self.is_compared(quality.body) {
+                self.quality(quality);
+            }
         }
         for &body in &prose.changing {
             let changing = qualities::spoken_of(&self.page.document.source, body);

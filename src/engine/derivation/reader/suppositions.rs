@@ -32,8 +32,15 @@ impl Reader<'_> {
         }
         let (page, active) = (&mut *self.page, &mut self.active);
         match kind {
-            SuppositionKind::General | SuppositionKind::Elsewhere | SuppositionKind::Otherwise => {
+            SuppositionKind::General
+            | SuppositionKind::Elsewhere
+            | SuppositionKind::InAllCases
+            | SuppositionKind::Otherwise => {
                 let all = kind == SuppositionKind::General;
+                // What is so in each of them is not refuted where none of them is.
+                if kind == SuppositionKind::InAllCases && page.has_rival_cases(self.begins) {
+                    self.between.unread.push(body);
+                }
                 if kind == SuppositionKind::Otherwise {
                     active.pop_if(|at| page.locals[*at].is_condition());
                 }
@@ -113,6 +120,8 @@ impl Reader<'_> {
                 }
             }
             SuppositionKind::Unread => self.between.conditions.push(body),
+            // "Let $x$ be positive" introduces it.
+            SuppositionKind::Compared { to: None, .. } if !self.is_compared(body) => {}
             // "…, where $m = 2 a$" of what more than that display speaks of: told in passing.
             SuppositionKind::Define if !self.says_what_is_meant(body) => {
                 if !self.page.explains(body, |_| true) {
@@ -123,6 +132,13 @@ impl Reader<'_> {
             _ => self.suppose(kind, body),
         }
         None
+    }
+
+    /// Whether it makes a case to say of what stands there how it lies to nought: displays speak of it.
+    pub(super) fn is_compared(&mut self, body: Span) -> bool {
+        self.displayed.learn(&self.equations, &[]);
+        let of = qualities::spoken_of(&self.page.document.source, body);
+        of.iter().any(|symbol| self.displayed.speaks_of(symbol))
     }
 
     /// Whether displays say already what the text says something is: that it is something else they would have to show. Of what
@@ -159,7 +175,8 @@ impl Reader<'_> {
 
     /// Takes up what is told in passing, or supposed, and returns where it stands.
     fn take_up(&mut self, kind: SuppositionKind, body: Span) -> Range<usize> {
-        if matches!(kind, SuppositionKind::Case { .. }) {
+        use SuppositionKind::{Case, Compared};
+        if matches!(kind, Case { .. } | Compared { .. }) {
             self.leave_rivals(body);
         }
         let before = self.page.locals.len();
@@ -214,7 +231,9 @@ impl Reader<'_> {
             self.between.unread.push(body);
         }
         match kind {
-            SuppositionKind::Case { runs_on: true } => self.running.extend(new),
+            SuppositionKind::Case { runs_on: true } | SuppositionKind::Compared { .. } => {
+                self.running.extend(new);
+            }
             SuppositionKind::Figure => self.begin_example(new),
             SuppositionKind::Define => {
                 for equation in &mut self.equations[self.last.clone()] {

@@ -2,12 +2,13 @@
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, element_parts, element_symbol};
 use crate::document::Span;
-use crate::notation::{Statement, SyntaxError, read_formulas, read_symbol};
+use crate::notation::{Statement, SyntaxError, read_expr, read_formulas, read_symbol};
 
 use super::super::differentials;
 use super::super::doubts::{OnPage, doubtful};
 use super::super::equation::formulas;
 use super::super::page::Page;
+use super::super::qualities::named;
 use super::super::slopes::without_slashes;
 use super::is_term;
 
@@ -15,6 +16,29 @@ use super::is_term;
 const MOST_LISTED: u32 = 32;
 
 impl Page {
+    /// What words say of how a term, or each of a list, lies to another one: "If $x$ is negative".
+    pub(in crate::derivation) fn compared(
+        &self,
+        (body, relation, to): (Span, Relation, Option<Span>),
+    ) -> Result<Vec<(Vec<Formula>, Span)>, SyntaxError> {
+        let source = &self.document.source;
+        let right = match to {
+            Some(to) => read_expr(source, to)?,
+            None => Expr::integer(0),
+        };
+        let listed = named(source, body).into_iter().map(Expr::Symbol);
+        let mut of: Vec<Expr> = listed.collect();
+        if of.is_empty() {
+            of.push(read_expr(source, body)?);
+        }
+        let formula = |left: Expr| Formula::Relation {
+            left,
+            relation,
+            right: right.clone(),
+        };
+        Ok(vec![(of.into_iter().map(formula).collect(), body)])
+    }
+
     /// What a text says that is supposed, statement by statement.
     pub(in crate::derivation) fn supposed(
         &self,

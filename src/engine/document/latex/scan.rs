@@ -258,6 +258,7 @@ impl<'a> Scanner<'a> {
         self.items.push(Item::Heading {
             level,
             title: words(text),
+            cases: prose::cases_in_title(self.text, title),
             span,
         });
     }

@@ -240,6 +240,7 @@ impl<'a> Scanner<'a> {
         self.items.push(Item::Heading {
             level: title.level,
             title: without_attributes(text.trim()).to_owned(),
+            cases: prose::cases_in_title(self.source, title.content),
             span: self.trimmed(title.span),
         });
         for comment in comments {

@@ -34,16 +34,54 @@ pub(super) static COMPARED: Words = Words::of(&[
 /// So many words may say what the case is.
 const MOST_WORDS: usize = 8;
 
-/// Whether the mathematics at `index` says which case comes next: "Case 2: $x < 0$.", "Second case. $x < 0$", "(ii) $x < 0$.".
-pub(super) fn is_labelled(index: usize, tokens: &[Placed<'_>]) -> bool {
-    let mark = |(token, _): &Placed<'_>| matches!(token, Token::Mark(':') | Token::Stop);
-    let marks = |rest: &[Placed<'_>]| rest.iter().rev().take_while(|own| mark(own)).count();
+/// Whether what is at `index` says which case comes next: "Case 2: $x < 0$.", "Second case ($x < 0$)", "(ii) $x < 0$.", "The case $x < 0$:",
+/// or an item of a list begins with it, "- $x < 0$: Then".
+pub(super) fn is_labelled(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
+    let before = &tokens[..index];
+    // "Case 2.", "Case 2 ("
+    let mark = |token: &Token<'_>| {
+        token.is_stop() || matches!(token, Token::Mark(':' | '(' | ']') | Token::Dash)
+    };
+    let marks = |rest: &[Placed<'_>]| rest.iter().rev().take_while(|(own, _)| mark(own)).count();
+    let unmarked = &before[..before.len() - marks(before)];
+    let is_marked = unmarked.len() < before.len();
     let begins = |rest: &[Placed<'_>]| {
         let before = rest.iter().rev().map(|(token, _)| *token);
-        let mut before = before.skip_while(|token| matches!(token, Token::Mark('*') | Token::Dash));
+        let mut before =
+            before.skip_while(|token| matches!(token, Token::Mark('*' | '[') | Token::Dash));
         before.next().is_none_or(Token::is_stop)
     };
-    let short = |token: &Token<'_>| match token {
+    let is_case = |token: &Token<'_>| token.is_among(&["case"]);
+    match unmarked {
+        // "Case 2:", "Special case 1:"
+        [rest @ .., (case, _), (label, _)] if is_case(case) && is_short(label) => {
+            let described = matches!(rest, [.., (own, _)] if own.is_among(&["special"]));
+            begins(&rest[..rest.len() - usize::from(described)])
+        }
+        // "Second case:"
+        [rest @ .., (which, _), (case, _)] if is_case(case) && which.is_among(ORDINALS) => {
+            is_marked && begins(rest)
+        }
+        // "The case $x < 0$:"
+        [rest @ .., (the, _), (case, _)] if is_case(case) && the.is_among(&["the", "special"]) => {
+            !is_marked && begins(rest) && is_set_off(index, tokens)
+        }
+        [rest @ .., (case, _)] if is_case(case) => begins(rest) && is_set_off(index, tokens),
+        [rest @ .., (label @ Token::Tag(_), _)] => is_short(label) && begins(rest),
+        // "(ii)"
+        [
+            rest @ ..,
+            (Token::Mark('('), _),
+            (label, _),
+            (Token::Mark(')'), _),
+        ] => is_short(label) && begins(rest),
+        _ => begins_item(source, before) && is_set_off(index, tokens),
+    }
+}
+
+/// "1", "ii", "B".
+fn is_short(label: &Token<'_>) -> bool {
+    match label {
         Token::Number(_) => true,
         Token::Word(label) | Token::Tag(label) => {
             let is_roman = label
@@ -52,29 +90,30 @@ pub(super) fn is_labelled(index: usize, tokens: &[Placed<'_>]) -> bool {
             is_roman || label.len() == 1 && label.starts_with(char::is_alphabetic)
         }
         _ => false,
-    };
-    let before = &tokens[..index];
-    let unmarked = &before[..before.len() - marks(before)];
-    match unmarked {
-        // "Case 2:", "Special case 1:"
-        [rest @ .., (case, _), (label, _)] if case.is_among(&["case"]) && short(label) => {
-            let described = matches!(rest, [.., (own, _)] if own.is_among(&["special"]));
-            begins(&rest[..rest.len() - usize::from(described)])
+    }
+}
+
+/// Whether an item of a list begins after these: "- ", "1. ", `\item`.
+fn begins_item(source: &str, before: &[Placed<'_>]) -> bool {
+    let starts = |rest: &[Placed<'_>]| rest.last().is_none_or(|(token, _)| token.is_stop());
+    match before {
+        [rest @ .., (Token::Dash, _)] => starts(rest),
+        [rest @ .., (Token::Number(_), _), (Token::Stop, _)] => starts(rest),
+        [.., (Token::Stop, item)] => {
+            (source.get(item.range())).is_some_and(|own| own.starts_with("\\item"))
         }
-        // "Second case:"
-        [rest @ .., (which, _), (case, _)] if case.is_among(&["case"]) => {
-            unmarked.len() < before.len() && which.is_among(ORDINALS) && begins(rest)
-        }
-        [rest @ .., (label @ Token::Tag(_), _)] => short(label) && begins(rest),
-        // "(ii)"
-        [
-            rest @ ..,
-            (Token::Mark('('), _),
-            (label, _),
-            (Token::Mark(')'), _),
-        ] => short(label) && begins(rest),
         _ => false,
     }
+}
+
+/// Whether what is at `index` is all that is said of a case, and something of it comes next: "$x < 0$. Then", "$x < 0$: Here".
+fn is_set_off(index: usize, tokens: &[Placed<'_>]) -> bool {
+    let rest = &tokens[index + 1..];
+    let marks = rest
+        .iter()
+        .take_while(|(token, _)| token.is_stop() || matches!(token, Token::Mark(':' | ')' | ',')))
+        .count();
+    marks > 0 && marks < rest.len()
 }
 
 /// The value in the last sentence, where that names a case with it.

@@ -15,7 +15,7 @@ pub(super) fn generalizes(
     index: usize,
     tokens: &[Placed<'_>],
 ) -> Option<SuppositionKind> {
-    use SuppositionKind::{Elsewhere, General, Otherwise};
+    use SuppositionKind::{Elsewhere, General, InAllCases, Otherwise};
     let before = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
         Some((Token::Word(word), _)) => *word,
         _ => "",
@@ -45,7 +45,15 @@ pub(super) fn generalizes(
         }
         // "Suppose next that", "Next, suppose that", "Now suppose instead": the second of two cases.
         "next" | "instead" => is(is_one(last, &["suppose", "assume"]), General),
-        "cases" => is(after("all") && is_one(second, &["in"]), Elsewhere),
+        "cases" => is(
+            is_one(last, &["all", "both"]) && is_one(second, &["in"]),
+            InAllCases,
+        ),
+        "case" => {
+            let each = is_one(last, &["either", "any", "each", "every"]);
+            is(each && is_one(second, &["in"]), InAllCases)
+        }
+        "reality" | "practice" => is(after("in") && second.is_empty(), General),
         "all" | "any" | "every" if after("at") => is(second.is_empty(), Elsewhere),
         "arbitrary" | "all" | "any" | "every" => is(after("for"), Elsewhere),
         "between" => is(after("in"), Elsewhere),

@@ -24,6 +24,7 @@ static INTRODUCING: Words = Words::of(&[
     "at",
     "for",
     "when",
+    "whenever",
     "where",
     "since",
     "as",
@@ -177,7 +178,9 @@ pub(super) fn introduced(
         "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed() >= 2 => {
             Some((case, Reach::List { left: listed() }))
         }
-        "if" if is_condition(source, index, tokens) => Some((case, Reach::Sentence)),
+        "if" | "when" | "whenever" if is_condition(source, index, tokens) => {
+            Some((case, Reach::Sentence))
+        }
         // "For $N = 3$ the values are …" tells of an example; a comma sets a case.
         "for" | "when"
             if value()
@@ -250,9 +253,13 @@ fn is_first(rest: &[Placed<'_>]) -> bool {
 /// $F' = 2 F$, it becomes".
 pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
     let rest = tokens.get(index..).unwrap_or_default();
-    let Some(((Token::Word("if" | "If"), _), on)) = rest.split_first() else {
+    let Some(((word, _), on)) = rest.split_first() else {
         return false;
     };
+    let is_if = word.is_among(&["if"]);
+    if !is_if && !word.is_among(&["when", "whenever"]) {
+        return false;
+    }
     let before = index.checked_sub(1).map(|before| tokens[before].0);
     // "The roots coincide if $D = 0$. Then"
     let goes_on = goes_on_then(on);
@@ -277,13 +284,16 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
         token => token.is_mark(','),
     };
     let words = on.iter().take(MOST_DESCRIBED).take_while(describes).count();
+    // "When $t = 0$" is said of a moment.
     let states = matches!(on.get(words), Some((Token::Math(body), _))
-        if source.get(body.range()).is_some_and(relates));
+    if source.get(body.range()).is_some_and(|own| {
+        relates(own) && (is_if || is_bound(own) || differs(own))
+    }));
     states && (begins && !on.iter().any(|(token, _)| token.is_stop()) || goes_on)
 }
 
 /// Whether the next sentence, which is the last one, goes on from what these say: "Then", "In this case".
-fn goes_on_then(rest: &[Placed<'_>]) -> bool {
+pub(super) fn goes_on_then(rest: &[Placed<'_>]) -> bool {
     let Some(end) = rest.iter().position(|(token, _)| token.is_stop()) else {
         return false;
     };

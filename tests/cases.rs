@@ -1,0 +1,161 @@
+//! How a text names the case that what comes next is said of, and how it leaves it.
+
+use cradle_verify::audit::Audit;
+use cradle_verify::derivation::Derivation;
+use cradle_verify::document::Document;
+
+/// The verdicts of a text that declares nothing.
+fn of_documents(documents: Vec<Document>) -> Vec<&'static str> {
+    let audit = Audit::of(&Derivation::new(documents));
+    let entries = audit.entries.iter();
+    entries.map(|entry| entry.verdict.word()).collect()
+}
+
+fn verdicts(text: &str) -> Vec<&'static str> {
+    of_documents(vec![Document::markdown("a.md", text)])
+}
+
+/// Of each pair the first names the case of a positive `x`, the second that of a negative one.
+const WAYS: &[[&str; 2]] = &[
+    ["If $x > 0$, then", "If $x < 0$, then"],
+    ["When $x > 0$, we have", "When $x < 0$, we have"],
+    ["If $x$ is positive, then", "If $x$ is negative, then"],
+    ["For positive $x$ we get", "For negative $x$ we get"],
+    ["For $x$ positive we get", "For $x$ negative we get"],
+    ["For positive values of $x$,", "For negative values of $x$,"],
+    [
+        "In the case that $x$ is positive,",
+        "In the case that $x$ is negative,",
+    ],
+    [
+        "Suppose that $x$ is positive. Then",
+        "Now let $x$ be negative. Then",
+    ],
+    [
+        "If $x$ is greater than 0, then",
+        "If $x$ is less than 0, then",
+    ],
+    ["If $x$ exceeds $0$, then", "If $x$ is smaller than 0, then"],
+    ["**Case 1: $x > 0$.** Then", "**Case 2: $x < 0$.** Then"],
+    ["**Case 1** ($x > 0$). Then", "**Case 2** ($x < 0$). Then"],
+    ["Case A: positive $x$. Then", "Case B: negative $x$. Then"],
+    ["*Positive $x$.* Here", "*Negative $x$.* Here"],
+    ["The case $x > 0$: here", "The case $x < 0$: here"],
+    [
+        "The case of positive $x$: here",
+        "The case of negative $x$: here",
+    ],
+    ["- $x > 0$: Then", "- $x < 0$: Then"],
+    ["1. $x > 0$. Then", "2. $x < 0$. Then"],
+    ["(i) $x > 0$. Then", "(ii) $x < 0$. Then"],
+    ["### Case 1: $x > 0$\n\nHere", "### Case 2: $x < 0$\n\nHere"],
+    ["### Positive $x$\n\nHere", "### Negative $x$\n\nHere"],
+    [
+        "### The case $x > 0$\n\nHere",
+        "### The case $x < 0$\n\nHere",
+    ],
+    [
+        "### Gains ($x > 0$)\n\nHere",
+        "### Losses ($x < 0$)\n\nHere",
+    ],
+];
+
+#[test]
+fn a_case_is_left_for_the_next_however_it_is_named() {
+    for [positive, negative] in WAYS {
+        let page = |first: &str, second: &str| {
+            verdicts(&format!(
+                "# Shifts\n\nWe consider\n\n$$ y = x + c. \\tag{{1}} $$\n\n{positive}\n\n$$ y {first} c. \\tag{{2}} $$\n\n\
+                 {negative}\n\n$$ y {second} c. \\tag{{3}} $$\n"
+            ))
+        };
+        assert_eq!(page(">", "<"), ["given", "holds", "holds"], "{negative}");
+        assert_eq!(page("<", ">"), ["given", "fails", "fails"], "{negative}");
+    }
+}
+
+/// What a sentence says that has come to its end is not supposed of what comes after it; and what it doubts is no case.
+#[test]
+fn what_is_only_said_of_a_sign_is_no_case() {
+    for words in [
+        "If $x$ is negative, the body moves to the left. By (1)",
+        "For negative $x$ nothing is known. By (1)",
+        "Whether $x$ is negative or positive, by (1)",
+        "If $x$ is not negative, then by (1)",
+    ] {
+        let page = format!(
+            "We consider\n\n$$ y = x + c. \\tag{{1}} $$\n\n{words}\n\n$$ y < c. \\tag{{2}} $$\n"
+        );
+        assert_ne!(verdicts(&page)[1], "holds", "{words}");
+    }
+}
+
+#[test]
+fn what_is_so_in_both_cases_is_not_refuted_beside_them() {
+    let page = |last: &str| {
+        verdicts(&format!(
+            "We consider\n\n$$ y = x + c. \\tag{{1}} $$\n\nIf $x > 0$, then\n\n$$ y > c, \\tag{{2}} $$\n\nand if $x < 0$, then\n\n\
+             $$ y < c. \\tag{{3}} $$\n\nIn both cases\n\n$$ {last}. \\tag{{4}} $$\n"
+        ))[3]
+    };
+    assert_eq!(page("(y - c) x > 0"), "undecided");
+    assert_eq!(page("(y - c) x \\geq 0"), "holds");
+    assert_ne!(page("y < c"), "holds");
+}
+
+/// A heading that names a law or a question is of no case.
+#[test]
+fn a_heading_that_names_a_law_is_no_case() {
+    for heading in [
+        "Work and heat ($y = c$)",
+        "Why $x = 0$ is excluded",
+        "Proof of $y = c$",
+        "From $x = 0$ to $x = 1$",
+    ] {
+        let page = format!(
+            "We consider\n\n$$ y = x + c. \\tag{{1}} $$\n\n## {heading}\n\nBy (1)\n\n$$ y = c. \\tag{{2}} $$\n"
+        );
+        assert_eq!(verdicts(&page), ["given", "fails"], "{heading}");
+    }
+}
+
+#[test]
+fn lists_and_headings_in_latex_name_cases() {
+    let page = |first: &str, second: &str| {
+        let text = format!(
+            "\\documentclass{{article}}\n\\begin{{document}}\nWe consider\n\\begin{{equation}} y = x + c. \\end{{equation}}\n\
+             {first}\n\\begin{{equation}} y > c. \\end{{equation}}\n{second}\n\\begin{{equation}} y < c. \\end{{equation}}\n\\end{{document}}\n"
+        );
+        of_documents(Document::latex("a.tex", text, &()))
+    };
+    for [first, second] in [
+        [
+            "\\paragraph{Case 1: $x > 0$.} Here",
+            "\\paragraph{Case 2: \\(x < 0\\).} Here",
+        ],
+        [
+            "\\subsection{Positive $x$} Here",
+            "\\subsection{Negative $x$} Here",
+        ],
+        [
+            "\\textbf{Case 1: $x > 0$.} Then",
+            "\\textbf{Case 2:} $x < 0$. Then",
+        ],
+        ["\\emph{Positive $x$.} Then", "\\emph{Negative $x$.} Then"],
+        [
+            "\\begin{itemize}\n\\item $x > 0$: Here",
+            "\\item $x < 0$: Here",
+        ],
+        [
+            "\\begin{enumerate}\n\\item If $x > 0$, then",
+            "\\item[(b)] $x < 0$. Then",
+        ],
+        [
+            "\\begin{itemize}\n\\item If $x > 0$, then",
+            "\\end{itemize}\n\\textit{Negative $x$.} Then",
+        ],
+    ] {
+        assert_eq!(page(first, second), ["given", "holds", "holds"], "{second}");
+        assert_eq!(page(second, first), ["given", "fails", "fails"], "{second}");
+    }
+}
