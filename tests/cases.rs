@@ -159,3 +159,45 @@ fn lists_and_headings_in_latex_name_cases() {
         assert_eq!(page(second, first), ["given", "fails", "fails"], "{second}");
     }
 }
+
+/// What is supposed for the sake of a contradiction is so until that is reached; and that is no fault.
+#[test]
+fn a_contradiction_ends_what_was_supposed_for_its_sake() {
+    let page = |suppose: &str, first: &str, last: &str| {
+        verdicts(&format!(
+            "The numbers differ,\n\n$$ a \\neq b, \\tag{{1}} $$\n\nand\n\n$$ m (a - b) = c - d. \\tag{{2}} $$\n\n{suppose} that $c = d$. Then by (2)\n\n\
+             $$ {first}, \\tag{{3}} $$\n\nwhich contradicts $m (a - b) \\neq 0$. Hence\n\n$$ {last}. \\tag{{4}} $$\n"
+        ))
+    };
+    for suppose in [
+        "Suppose, on the contrary,",
+        "Suppose to the contrary",
+        "Assume, for contradiction,",
+    ] {
+        let right = page(suppose, "m (a - b) = 0", "m (a - b) = c - d");
+        assert_eq!(right, ["given", "given", "holds", "holds"], "{suppose}");
+        let wrong = page(suppose, "m (a - b) = 1", "m = 0");
+        assert_eq!(wrong[2], "fails", "{suppose}");
+        assert_ne!(wrong[3], "holds", "{suppose}");
+    }
+
+    let page = "The numbers satisfy\n\n$$ p^2 = 2 q^2 + 1. \\tag{1} $$\n\nAssume for contradiction that $p = q$. Then\n\n$$ q^2 = - 1, \\tag{2} $$\n\n\
+         which is impossible. Thus\n\n$$ p \\neq q. \\tag{3} $$\n";
+    let audit = Audit::of(&Derivation::from_markdown("a.md", page));
+    let mut notes = audit.entries.iter().flat_map(|own| &own.notes);
+    assert!(notes.all(|note| note.code() != "inconsistent-premises"));
+    assert_eq!(audit.entries[2].verdict.word(), "holds");
+}
+
+/// What is solved for has no value any more that was put in for it.
+#[test]
+fn what_is_solved_for_has_the_value_no_more_that_it_had_in_a_case() {
+    let page = |weight: &str| {
+        verdicts(&format!(
+            "The mixture has the density\n\n$$ r = w A + (1 - w) B. \\tag{{1}} $$\n\nSuppose that $w = \\frac12$. Then\n\n$$ r = \\frac{{A + B}}{{2}}. \\tag{{2}} $$\n\n\
+             Solving (1) for $w$ we obtain, with $A \\neq B$,\n\n$$ w = {weight}. \\tag{{3}} $$\n"
+        ))[2]
+    };
+    assert_eq!(page(r"\frac{r - B}{A - B}"), "holds");
+    assert_ne!(page(r"\frac{r - B}{2 r - 2 B}"), "holds");
+}

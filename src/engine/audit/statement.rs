@@ -211,7 +211,12 @@ impl Auditor<'_> {
             }
             entry.notes.push(Note::UnstatedCondition(conditions));
         }
-        if !found.contradictory.is_empty() {
+        // A contradiction that was looked for is no fault.
+        let sought = |own: &Source| match own {
+            Source::Local(page, local) => self.derivation.local(*page, *local).is_contrary,
+            _ => false,
+        };
+        if !found.contradictory.is_empty() && !found.contradictory.iter().any(sought) {
             let contradictory = Note::InconsistentPremises(found.contradictory);
             entry.notes.push(contradictory);
         }

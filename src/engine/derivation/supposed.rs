@@ -44,6 +44,8 @@ pub struct Local {
     pub(super) is_special: bool,
     /// It is a value of a numerical example.
     pub(super) is_figure: bool,
+    /// It is supposed for the sake of a contradiction.
+    pub is_contrary: bool,
     /// It says what a new symbol means: "Let $u = 1/N$".
     pub means: bool,
     /// It is said for good: headings do not end it.
@@ -108,6 +110,12 @@ impl Local {
     /// Whether it says under which condition what follows is so, and not what something means.
     pub(super) fn is_condition(&self) -> bool {
         !self.means && !self.lasts && !self.is_momentary()
+    }
+
+    /// Whether it sets one of these in a case.
+    pub(super) fn sets(&self, symbols: &[Symbol]) -> bool {
+        let values = self.values();
+        !self.is_figure && self.is_of_some_case() && symbols.iter().any(|own| values.contains(own))
     }
 
     /// Whether it is a special case.
@@ -201,8 +209,8 @@ impl Page {
         active: &mut Vec<usize>,
         strict: bool,
     ) {
-        use SuppositionKind::{Case, Compared, Figure};
-        let is_case = matches!(kind, Case { .. } | Compared { .. } | Figure);
+        use SuppositionKind::{Case, Compared, Contrary, Figure};
+        let is_case = matches!(kind, Case { .. } | Compared { .. } | Contrary | Figure);
         let in_passing = matches!(
             kind,
             SuppositionKind::Fact { .. } | SuppositionKind::Meaning
@@ -259,6 +267,7 @@ impl Page {
                 is_told: is_fact,
                 is_special: false,
                 is_figure: false,
+                is_contrary: kind == Contrary,
                 means: false,
                 lasts: false,
                 of_display: false,
@@ -306,6 +315,7 @@ impl Page {
             is_told: true,
             is_special: false,
             is_figure: false,
+            is_contrary: false,
             means: true,
             lasts: true,
             of_display: false,
@@ -332,6 +342,7 @@ impl Page {
             is_told: passage.is_none(),
             is_special: false,
             is_figure: false,
+            is_contrary: false,
             means: false,
             lasts: false,
             of_display: false,

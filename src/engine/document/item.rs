@@ -287,6 +287,12 @@ pub enum SuppositionKind {
         /// What it is held against.
         to: Option<Span>,
     },
+    /// "Suppose, on the contrary, that $a = d$": a case that ends with a contradiction.
+    Contrary,
+    /// "which contradicts (1)": where it ends. It supposes nothing.
+    Contradicted,
+    /// "Solving (14) for $w$": the cases are left that set that. It supposes nothing.
+    SolvedFor,
     /// "Both sides vanish": a condition that is not understood. It supposes nothing, and what follows cannot be refuted without it.
     Unread,
     /// "$\beta = 1/2$ for a cylinder and $\beta = 2/5$ for a ball": the value for what is named there. It holds where the text says "for a

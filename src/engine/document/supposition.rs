@@ -11,6 +11,7 @@ mod around;
 mod cases;
 mod common;
 mod compared;
+mod contrary;
 mod denial;
 mod example;
 mod general;
@@ -24,6 +25,7 @@ mod reason;
 mod retraction;
 mod telling;
 pub(super) mod titled;
+mod unknown;
 mod vanishing;
 mod words;
 
@@ -79,6 +81,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     retraction::take_back(source, &tokens[..end], &mut found, &mut mentions);
     retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(compared::read(source, &tokens[..end]));
+    found.extend(contrary::read(source, &tokens[..end]));
+    found.extend(unknown::read(source, &tokens[..end]));
     found.extend(vanishing::read(source, &tokens[..end]));
     found.extend(common::read(source, &tokens[..end]));
     found.extend(abbreviation::read(source, &tokens[..end]));

@@ -119,6 +119,11 @@ impl Reader<'_> {
                     _ => self.between.unread.push(body),
                 }
             }
+            SuppositionKind::Contradicted => active.retain(|&at| !page.locals[at].is_contrary),
+            SuppositionKind::SolvedFor => {
+                let unknown = qualities::named(&page.document.source, body);
+                active.retain(|&at| !page.locals[at].sets(&unknown));
+            }
             SuppositionKind::Unread => self.between.conditions.push(body),
             // "Let $x$ be positive" introduces it.
             SuppositionKind::Compared { to: None, .. } if !self.is_compared(body) => {}
@@ -175,8 +180,8 @@ impl Reader<'_> {
 
     /// Takes up what is told in passing, or supposed, and returns where it stands.
     fn take_up(&mut self, kind: SuppositionKind, body: Span) -> Range<usize> {
-        use SuppositionKind::{Case, Compared};
-        if matches!(kind, Case { .. } | Compared { .. }) {
+        use SuppositionKind::{Case, Compared, Contrary};
+        if matches!(kind, Case { .. } | Compared { .. } | Contrary) {
             self.leave_rivals(body);
         }
         let before = self.page.locals.len();

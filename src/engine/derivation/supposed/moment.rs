@@ -135,6 +135,7 @@ impl Page {
                 is_told: false,
                 is_special: false,
                 is_figure: false,
+                is_contrary: false,
                 means: false,
                 lasts: false,
                 of_display: false,
