@@ -246,7 +246,7 @@ fn citations() {
 #[test]
 fn suppositions() {
     use SuppositionKind::{
-        Assume, Case, Define, Elsewhere, Fact, General, Known, Let, Unread, Vanishes,
+        Assume, Case, Contrary, Define, Elsewhere, Fact, General, Known, Let, Unread, Vanishes,
     };
     let told = Fact {
         runs_on: false,
@@ -297,7 +297,10 @@ fn suppositions() {
         ("Let us show that $a = b$.", vec![]),
         ("Let $\\sum_{i=1}^k u_i$ be given.", vec![]),
         ("Assume $a = 0$ or $b = 0$.", vec![]),
-        ("Suppose for contradiction that $a = 0$.", vec![]),
+        (
+            "Suppose for contradiction that $a = 0$.",
+            vec![(Contrary, "a = 0")],
+        ),
         ("We do not assume $a = 0$.", vec![]),
         (
             "Since $\\mu = m_2/m_1$, it vanishes at $\\mu = 1$.",
@@ -440,9 +443,12 @@ fn suppositions() {
 
 #[test]
 fn what_a_new_symbol_may_mean() {
-    use SuppositionKind::{Fact, Let, Meaning};
+    use SuppositionKind::{Contradicted, Fact, Let, Meaning};
     let kinds = |text: &str| -> Vec<SuppositionKind> {
-        supposed(text).iter().map(|(kind, _)| *kind).collect()
+        let found = supposed(text);
+        let kinds = found.iter().map(|(kind, _)| *kind);
+        // That supposes nothing.
+        kinds.filter(|kind| *kind != Contradicted).collect()
     };
     for text in [
         "Hence, writing $r = p^2/m$,",

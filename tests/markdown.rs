@@ -343,7 +343,7 @@ fn a_page_in_a_later_cell_is_judged_as_by_itself() {
     ];
     for page in pages {
         let cell = |text: &str| serde_json::json!({ "cell_type": "markdown", "source": text });
-        let cells = [cell(&"Notes taken on the way. ".repeat(4)), cell(&page)];
+        let cells = [cell(&"Notes taken on the way. ".repeat(4)), cell(page)];
         let notebook = serde_json::json!({ "nbformat": 4, "cells": cells }).to_string();
         let alone = verdicts(Document::markdown("a.md", page));
         let in_cell = verdicts(Document::notebook("a.ipynb", &notebook).unwrap());
