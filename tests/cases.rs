@@ -201,3 +201,29 @@ fn what_is_solved_for_has_the_value_no_more_that_it_had_in_a_case() {
     assert_eq!(page(r"\frac{r - B}{A - B}"), "holds");
     assert_ne!(page(r"\frac{r - B}{2 r - 2 B}"), "holds");
 }
+
+#[test]
+fn cases_that_are_counted_are_taken_up_by_their_number() {
+    let page = |count: &str, first: &str, second: &str| {
+        verdicts(&format!(
+            "The shift is\n\n$$ y = x + c. \\tag{{1}} $$\n\n{count} {first} case\n\n$$ y > c, \\tag{{2}} $$\n\n{second} case\n\n$$ y < c. \\tag{{3}} $$\n"
+        ))
+    };
+    for count in [
+        "Either $x > 0$ or $x < 0$.",
+        "There are two cases: $x > 0$ and $x < 0$.",
+        "We distinguish the cases $x > 0$ and $x < 0$.",
+        "Hence $x > 0$ or $x < 0$.",
+    ] {
+        for [first, second] in [
+            ["In the first", "and in the second"],
+            ["In the former", "In the latter"],
+            ["In the first", "In the other"],
+        ] {
+            let right = page(count, first, second);
+            assert_eq!(right, ["given", "holds", "holds"], "{count} {first}");
+            let wrong = page(count, second, first);
+            assert_eq!(wrong[1], "fails", "{count} {second}");
+        }
+    }
+}

@@ -246,7 +246,8 @@ fn citations() {
 #[test]
 fn suppositions() {
     use SuppositionKind::{
-        Assume, Case, Contrary, Define, Elsewhere, Fact, General, Known, Let, Unread, Vanishes,
+        Alternative, Assume, Case, Contrary, Define, Elsewhere, Fact, General, Known, Let, Unread,
+        Vanishes,
     };
     let told = Fact {
         runs_on: false,
@@ -296,7 +297,10 @@ fn suppositions() {
         ("Let $a = 1$. The rest has $b = 2$.", vec![(Let, "a = 1")]),
         ("Let us show that $a = b$.", vec![]),
         ("Let $\\sum_{i=1}^k u_i$ be given.", vec![]),
-        ("Assume $a = 0$ or $b = 0$.", vec![]),
+        (
+            "Assume $a = 0$ or $b = 0$.",
+            vec![(Alternative, "a = 0"), (Alternative, "b = 0")],
+        ),
         (
             "Suppose for contradiction that $a = 0$.",
             vec![(Contrary, "a = 0")],

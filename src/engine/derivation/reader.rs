@@ -38,6 +38,8 @@ pub(super) struct Reader<'p> {
     pub(super) begins: usize,
     /// What is supposed here, as positions in the page's locals.
     pub(super) active: Vec<usize>,
+    /// The cases that the text counted last, in order: "Either $x > 0$ or $x < 0$".
+    pub(super) alternatives: Vec<Span>,
     /// What is told in passing.
     pub(super) told: Vec<usize>,
     /// What is said of symbols by adjectives.
@@ -91,6 +93,7 @@ impl<'p> Reader<'p> {
             section: String::new(),
             begins: 0,
             active: Vec::new(),
+            alternatives: Vec::new(),
             told: Vec::new(),
             sayings: Sayings::default(),
             running: Vec::new(),

@@ -431,7 +431,7 @@ fn is_term(value: &Expr) -> bool {
 }
 
 /// Whether a sentence or a display ends between two places.
-fn parts_sentences(source: &str, one: Span, other: Span) -> bool {
+pub(super) fn parts_sentences(source: &str, one: Span, other: Span) -> bool {
     let between = source.get(one.end..other.start).unwrap_or_default();
     let ends = ["$$", "\\[", "\\end{", "\n\n", ". ", ".\n", ".*", "; "];
     ends.iter().any(|end| between.contains(end))

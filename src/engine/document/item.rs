@@ -287,6 +287,10 @@ pub enum SuppositionKind {
         /// What it is held against.
         to: Option<Span>,
     },
+    /// "Either $x > 0$ or $x < 0$": one of several cases that the text counts. It supposes nothing.
+    Alternative,
+    /// "In the second case": the one at that place among those, or the last.
+    TakenUp(Option<usize>),
     /// "Suppose, on the contrary, that $a = d$": a case that ends with a contradiction.
     Contrary,
     /// "which contradicts (1)": where it ends. It supposes nothing.

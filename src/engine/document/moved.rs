@@ -133,9 +133,9 @@ fn move_citation(citation: &mut Citation, by: usize) {
 
 fn move_supposition(supposition: &mut Supposition, by: usize) {
     use SuppositionKind::{
-        Abbreviation, Anew, Assume, Case, Common, Compared, Contradicted, Contrary, Define,
-        Elsewhere, Equals, Fact, Figure, General, InAllCases, Initial, Known, Let, Meaning, Moment,
-        OfKind, Otherwise, SolvedFor, StandsStill, Unread, Vanishes,
+        Abbreviation, Alternative, Anew, Assume, Case, Common, Compared, Contradicted, Contrary,
+        Define, Elsewhere, Equals, Fact, Figure, General, InAllCases, Initial, Known, Let, Meaning,
+        Moment, OfKind, Otherwise, SolvedFor, StandsStill, TakenUp, Unread, Vanishes,
     };
     let Supposition { kind, body } = supposition;
     shift(body, by);
@@ -154,6 +154,8 @@ fn move_supposition(supposition: &mut Supposition, by: usize) {
         | Vanishes(_)
         | StandsStill(_)
         | Unread
+        | Alternative
+        | TakenUp(_)
         | Contrary
         | Contradicted
         | SolvedFor

@@ -7,6 +7,7 @@
 //! named and not supposed is kept as a mention: where a step fails without it, the finding can say so.
 
 mod abbreviation;
+mod alternatives;
 mod around;
 mod cases;
 mod common;
@@ -82,6 +83,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(compared::read(source, &tokens[..end]));
     found.extend(contrary::read(source, &tokens[..end]));
+    found.extend(alternatives::read(source, &tokens[..end]));
     found.extend(unknown::read(source, &tokens[..end]));
     found.extend(vanishing::read(source, &tokens[..end]));
     found.extend(common::read(source, &tokens[..end]));

@@ -9,7 +9,7 @@ use crate::sorted::Set;
 
 use super::super::equation::formulas;
 use super::super::qualities;
-use super::super::supposed::{Local, MOST_BEFORE, rate_of};
+use super::super::supposed::{Local, MOST_BEFORE, parts_sentences, rate_of};
 use super::Reader;
 
 impl Reader<'_> {
@@ -119,6 +119,8 @@ impl Reader<'_> {
                     _ => self.between.unread.push(body),
                 }
             }
+            SuppositionKind::Alternative => self.count(body),
+            SuppositionKind::TakenUp(place) => self.take_up_case(place),
             SuppositionKind::Contradicted => active.retain(|&at| !page.locals[at].is_contrary),
             SuppositionKind::SolvedFor => {
                 let unknown = qualities::named(&page.document.source, body);
@@ -144,6 +146,29 @@ impl Reader<'_> {
         self.displayed.learn(&self.equations, &[]);
         let of = qualities::spoken_of(&self.page.document.source, body);
         of.iter().any(|symbol| self.displayed.speaks_of(symbol))
+    }
+
+    /// Takes up a case that the text counts, with others of the same sentence.
+    fn count(&mut self, body: Span) {
+        let source = &self.page.document.source;
+        let is_parted = |last: &Span| parts_sentences(source, *last, body);
+        if self.alternatives.last().is_none_or(is_parted) {
+            self.alternatives.clear();
+        }
+        self.alternatives.push(body);
+    }
+
+    /// Supposes the case at that place among those that were counted, or the last, and no other of them.
+    fn take_up_case(&mut self, place: Option<usize>) {
+        let counted = &self.alternatives;
+        let chosen = place.map_or(counted.last(), |place| counted.get(place));
+        let Some(&body) = chosen else {
+            return;
+        };
+        let locals = &self.page.locals;
+        let is_other = |at: usize| counted.contains(&locals[at].span);
+        self.active.retain(|&at| !is_other(at));
+        self.suppose(SuppositionKind::Case { runs_on: true }, body);
     }
 
     /// Whether displays say already what the text says something is: that it is something else they would have to show. Of what
