@@ -227,3 +227,55 @@ fn cases_that_are_counted_are_taken_up_by_their_number() {
         }
     }
 }
+
+#[test]
+fn a_condition_that_is_also_enough_is_said_of_what_it_comes_to() {
+    let page = |root: &str| {
+        verdicts(&format!(
+            "The discriminant is\n\n$$ D = p^2 - 4 q. \\tag{{1}} $$\n\nThere is a double root if and only if $D = 0$, that is,\n\n$$ q = {root}. \\tag{{2}} $$\n"
+        ))[1]
+    };
+    assert_eq!(page(r"\frac{p^2}{4}"), "holds");
+    assert_eq!(page(r"\frac{p^2}{2}"), "fails");
+}
+
+#[test]
+fn cases_in_one_sentence_are_told_apart() {
+    for joins in ["and", "while", "whereas", "but"] {
+        let page = |second: &str| {
+            verdicts(&format!(
+                "For $x \\geq 0$ we have $|x| = x$, so\n\n$$ |x| + x = 2 x, \\tag{{1}} $$\n\n{joins} for $x < 0$ we have $|x| = -x$, so\n\n$$ |x| + x = {second}. \\tag{{2}} $$\n"
+            ))
+        };
+        assert_eq!(page("0"), ["holds", "holds"], "{joins}");
+        assert_eq!(page("2 x"), ["holds", "fails"], "{joins}");
+    }
+}
+
+/// What takes the place of another law is given, and that one is used no more.
+#[test]
+fn what_replaces_another_law_is_given() {
+    let page = |words: &str, last: &str| {
+        verdicts(&format!(
+            "Without friction\n\n$$ m a = F. \\tag{{1}} $$\n\n{words}\n\n$$ m a = F - R. \\tag{{2}} $$\n\nWith $m \\neq 0$ we conclude that\n\n$$ a = {last}. \\tag{{3}} $$\n"
+        ))
+    };
+    for words in [
+        "With friction (1) is replaced by",
+        "Instead of (1) we now have",
+    ] {
+        let right = ["given", "given", "holds"];
+        assert_eq!(page(words, r"\frac{F - R}{m}"), right, "{words}");
+        assert_eq!(page(words, r"\frac{F}{m}")[2], "fails", "{words}");
+    }
+}
+
+/// What is not understood is said of all displays to which it leads.
+#[test]
+fn what_is_not_understood_is_said_of_displays_side_by_side() {
+    let page = "The sum of squares is\n\n$$ S = \\sum_{i=1}^n (y_i - a - b x_i)^2. \\tag{1} $$\n\n\
+                Setting the derivatives with respect to $a$ and $b$ to zero gives\n\n\
+                $$ \\sum_{i=1}^n y_i = n a + b \\sum_{i=1}^n x_i, \\tag{2} $$\n\n\
+                $$ \\sum_{i=1}^n x_i y_i = a \\sum_{i=1}^n x_i + b \\sum_{i=1}^n x_i^2. \\tag{3} $$\n";
+    assert!(!verdicts(page).contains(&"fails"));
+}

@@ -62,6 +62,8 @@ pub struct Equation {
     pub divides: bool,
     /// Whether a mere "where" or "with" introduces it.
     pub meant: bool,
+    /// It takes the place of what it cites.
+    pub replaces: bool,
     /// It is one of several laws that the text announces.
     pub is_law: bool,
     /// The display, by position on the page, with which the circumstances begin that it is said under: "For an elastic collision".

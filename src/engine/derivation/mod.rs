@@ -79,6 +79,8 @@ pub struct Derivation {
     groups: Tree<String, Vec<usize>>,
     /// By equation, what it is said to follow from: [`Derivation::premises`].
     cites: Vec<(Vec<usize>, bool, Vec<Unknown>)>,
+    /// The equations whose place others take, each with the first that does.
+    replaced: Tree<usize, usize>,
     /// By equation, the symbols, sequences and functions that it speaks of.
     spoken_of: Vec<Set<Symbol>>,
     /// By page, the equations in which a symbol occurs.
@@ -115,6 +117,7 @@ impl Derivation {
             labels: Tree::new(),
             groups: Tree::new(),
             cites: Vec::new(),
+            replaced: Tree::new(),
             spoken_of: Vec::new(),
             mentions: Vec::new(),
             pages_of: Tree::new(),
@@ -162,6 +165,11 @@ impl Derivation {
         }
         let all = 0..derivation.equations.len();
         derivation.cites = all.map(|at| derivation.find_premises(at)).collect();
+        for (at, (cited, ..)) in derivation.cites.iter().enumerate() {
+            for &old in cited.iter().filter(|_| derivation.equations[at].replaces) {
+                derivation.replaced.entry(old).or_insert(at);
+            }
+        }
         for page in 0..derivation.pages.len() {
             let mut mentions: Tree<Symbol, Vec<usize>> = Tree::new();
             let mut neighbours = BTreeSet::from([page]);

@@ -40,6 +40,9 @@ impl Derivation {
         let mut found = speaking(&wanted);
         let symbols = found.iter().flat_map(|&other| &self.spoken_of[other]);
         found.extend(speaking(&symbols.cloned().collect()));
+        // "With friction (1) is replaced by"
+        let is_replaced = |other: &usize| self.replaced.get(other).is_some_and(|&by| by < at);
+        found.retain(|other| !is_replaced(other));
         let mut order: Vec<usize> = found.into_iter().rev().take(most).collect();
         let solved = |at: &usize| self.equations[*at].is_solved();
         let rest = order.split_off(order.len().min(2));

@@ -10,7 +10,7 @@ use self::words::{DRAWN, WORKED};
 use super::prose::{Placed, Token};
 
 pub(super) use self::announced::{
-    announces_laws, announces_several, defines, says_what_is_meant, supposes,
+    announces_laws, announces_several, defines, replaces, says_what_is_meant, supposes,
 };
 pub(super) use self::going_on::{goes_on_with_and, is_relative, joins, says_from, tail};
 pub(super) use self::reason::{

@@ -133,6 +133,8 @@ pub struct Prose {
     pub announces_laws: bool,
     /// Its last sentence announces several things by their names: "The variance and the optimal share are".
     pub announces_several: bool,
+    /// Its last sentence says that what comes next takes the place of what it cites: "With friction (1) is replaced by".
+    pub replaces: bool,
     /// It goes on with what is said before the display before it: "and perpendicular to it".
     pub goes_on: bool,
     /// The displays before and after it stand in one sentence: "and the variance (1) is then".

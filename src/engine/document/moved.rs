@@ -84,6 +84,7 @@ fn move_prose(prose: &mut Prose, by: usize) {
         puts_condition: _,
         announces_laws: _,
         announces_several: _,
+        replaces: _,
         goes_on: _,
         joins: _,
         extent: _,

@@ -249,6 +249,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         says_what_is_meant: conclusion::says_what_is_meant(&tokens) || conclusion::supposes(last),
         announces_laws: conclusion::announces_laws(last, concludes),
         puts_condition: conclusion::puts_condition(source, last),
+        replaces: conclusion::replaces(last),
         announces_several: concludes == Some(false) && conclusion::announces_several(last),
         goes_on: conclusion::goes_on_with_and(trimmed(&tokens), concludes),
         joins: conclusion::joins(trimmed(&tokens)),

@@ -57,6 +57,8 @@ pub(super) struct Between {
     pub(super) laws: bool,
     /// Whether they announce several things by their names: where a page begins with these, all are laws.
     pub(super) several: bool,
+    /// Whether they say that the display takes the place of what they cite: it is given.
+    pub(super) replaces: bool,
     /// Of how much the display is said.
     pub(super) extent: Option<Extent>,
     /// Whether they say that something stands still: what comes next follows from that.
@@ -81,6 +83,8 @@ impl Between {
         self.meant |= prose.says_what_is_meant;
         self.laws |= prose.announces_laws;
         self.several = prose.announces_several;
+        self.replaces |= prose.replaces;
+        self.given |= prose.replaces;
         self.puts_condition |= prose.puts_condition;
         self.extent = prose.extent.or(self.extent);
         self.cites |= prose.closing > 0;

@@ -82,6 +82,12 @@ impl Reader<'_> {
         let steps = (&self.equations[..], &read[..]);
         let not_understood = (self.page).suppose_where_met(&said.initial, steps, &mut self.active);
         said.unread.extend(not_understood);
+        // What is not understood is said of all displays that nothing parts.
+        if goes_on && self.first_here < self.equations.len() {
+            let before = self.equations.last();
+            said.unread
+                .extend(before.iter().flat_map(|own| &own.unread));
+        }
         self.last = self.equations.len()..self.equations.len() + of_display;
         let alone = self.equations.is_empty() && said.announces_all(&read) && said.from.is_none();
         for (row, (part, at_moment)) in read.into_iter().zip(at_moment).enumerate() {
@@ -261,6 +267,7 @@ impl Reader<'_> {
             all_vary: said.all_vary,
             divides: said.divides,
             meant: said.meant,
+            replaces: said.replaces,
             is_law: self.laws && said.is_uncited() && !drawn,
             circumstances: self.circumstances,
             anew: self.anew.clone(),

@@ -108,6 +108,29 @@ pub(in crate::document) fn supposes(last: &[Placed<'_>]) -> bool {
     is_verb && !draws && !vanishes && (is_condition || !denied)
 }
 
+/// Whether the last sentence says that what comes after it takes the place of what it cites: "With friction (1) is replaced by", "Instead of
+/// (1) we have".
+pub(in crate::document) fn replaces(last: &[Placed<'_>]) -> bool {
+    let cites = |(token, _): &Placed<'_>| matches!(token, Token::Tag(_) | Token::Keys(_));
+    let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
+    let mut from_end = last.iter().rev().filter(words);
+    let ends = |own: Option<&Placed<'_>>, words: &[&str]| {
+        own.is_some_and(|(token, _)| token.is_among(words))
+    };
+    let replaced = ends(from_end.next(), &["by", "with"]) && ends(from_end.next(), &["replaced"]);
+    let instead = || {
+        let mut all = last.windows(3);
+        all.any(|own| match own {
+            [(one, _), (of, _), cited] => {
+                let instead = one.is_among(&["instead", "place"]) && of.is_among(&["of"]);
+                instead && cites(cited)
+            }
+            _ => false,
+        })
+    };
+    replaced && last.iter().any(cites) || instead()
+}
+
 /// Whether the last sentence says what is meant by what comes after it.
 pub(in crate::document) fn defines(last: &[Placed<'_>], concludes: Option<bool>) -> bool {
     // "From the definition of restitution it follows that" defines nothing.

@@ -109,9 +109,11 @@ pub(super) fn introduced(
         _ => false,
     };
     let value = || next(is_value);
-    // At the beginning of a clause.
+    // At the beginning of a clause; "and for $x < 0$".
     let bounds = || {
-        let begins = !begun || matches!(tokens[..index].last(), Some((Token::Mark(','), _)));
+        let begins = !begun
+            || matches!(tokens[..index].last(), Some((Token::Mark(','), _)))
+            || only_joins(&tokens[..index]);
         let quantified = matches!(
             after(1),
             Some(Token::Word("every" | "all" | "any" | "each"))
@@ -178,6 +180,7 @@ pub(super) fn introduced(
         "for" | "with" | "setting" | "putting" | "inserting" if !begun && listed() >= 2 => {
             Some((case, Reach::List { left: listed() }))
         }
+        "if" if is_equivalence(&tokens[index..]) => None,
         "if" | "when" | "whenever" if is_condition(source, index, tokens) => {
             Some((case, Reach::Sentence))
         }
@@ -253,6 +256,9 @@ fn is_first(rest: &[Placed<'_>]) -> bool {
 /// $F' = 2 F$, it becomes".
 pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
     let rest = tokens.get(index..).unwrap_or_default();
+    if is_equivalence(rest) {
+        return is_condition(source, index + 3, tokens);
+    }
     let Some(((word, _), on)) = rest.split_first() else {
         return false;
     };
@@ -261,8 +267,9 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
         return false;
     }
     let before = index.checked_sub(1).map(|before| tokens[before].0);
-    // "The roots coincide if $D = 0$. Then"
-    let goes_on = goes_on_then(on);
+    // "The roots coincide if $D = 0$. Then", "if and only if $D = 0$, that is,"
+    let only = || follows(index, tokens, &["only"]);
+    let goes_on = goes_on_then(on) || only() && concludes_at_once(index, tokens);
     // A bullet.
     let after_bullet = matches!(before, Some(Token::Dash))
         && index
@@ -290,6 +297,12 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
         relates(own) && (is_if || is_bound(own) || differs(own))
     }));
     states && (begins && !on.iter().any(|(token, _)| token.is_stop()) || goes_on)
+}
+
+/// Whether these begin with the first "if" of "if and only if".
+fn is_equivalence(rest: &[Placed<'_>]) -> bool {
+    matches!(rest, [_, (and, _), (only, _), (own, _), ..]
+        if and.is_among(&["and"]) && only.is_among(&["only"]) && own.is_among(&["if"]))
 }
 
 /// Whether the next sentence, which is the last one, goes on from what these say: "Then", "In this case".
@@ -356,7 +369,9 @@ fn runs_on(rest: &[Placed<'_>]) -> bool {
 
 /// Whether a sentence goes on with these: "and".
 fn only_joins(before: &[Placed<'_>]) -> bool {
-    let joins = |token: &Placed<'_>| token.0.is_among(&["and", "but"]) || token.0.is_mark(',');
+    let joins = |token: &Placed<'_>| {
+        token.0.is_among(&["and", "but", "while", "whereas"]) || token.0.is_mark(',')
+    };
     let unit = before.iter().take_while(|token| !joins(token));
     let unit = unit.take_while(|(token, _)| is_unit_word(*token)).count();
     let before = &before[unit..];
