@@ -40,6 +40,7 @@ mod robust;
 mod solutions;
 mod solved;
 mod sorted;
+mod stationary;
 mod there;
 mod told;
 mod undeclared;

@@ -30,7 +30,10 @@ pub(super) fn tell_what_is_held(page: &mut Page, equations: &mut [Equation]) {
         let text = page.document.text(own.body);
         text.contains("partial") || text.contains("pdv")
     };
-    if !equations.iter().any(speaks) {
+    let mut supposed = page.locals.iter().flat_map(|local| &local.formulas);
+    let mut supposes =
+        || supposed.any(|own| own.terms().into_iter().any(|term| term.any(&is_partial)));
+    if !equations.iter().any(speaks) && !supposes() {
         let accelerates = |own: &Equation| page.document.text(own.body).contains("ddot");
         if equations.iter().any(accelerates) {
             tie_accelerations(page, equations);

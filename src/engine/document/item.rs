@@ -299,6 +299,14 @@ pub enum SuppositionKind {
     Contradicted,
     /// "Solving (14) for $w$": the cases are left that set that. It supposes nothing.
     SolvedFor,
+    /// "Setting the derivative with respect to $q$ to zero gives": the slope by what stands there of what is named or cited, or of what was
+    /// displayed last that is made of it.
+    StationaryBy {
+        /// What is named or cited.
+        of: Option<Span>,
+        /// Whether all else is held fixed: it is a partial derivative, or there are several.
+        partial: bool,
+    },
     /// "Both sides vanish": a condition that is not understood. It supposes nothing, and what follows cannot be refuted without it.
     Unread,
     /// "$\beta = 1/2$ for a cylinder and $\beta = 2/5$ for a ball": the value for what is named there. It holds where the text says "for a

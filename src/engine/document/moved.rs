@@ -136,7 +136,7 @@ fn move_supposition(supposition: &mut Supposition, by: usize) {
     use SuppositionKind::{
         Abbreviation, Alternative, Anew, Assume, Case, Common, Compared, Contradicted, Contrary,
         Define, Elsewhere, Equals, Fact, Figure, General, InAllCases, Initial, Known, Let, Meaning,
-        Moment, OfKind, Otherwise, SolvedFor, StandsStill, TakenUp, Unread, Vanishes,
+        Moment, OfKind, Otherwise, SolvedFor, StandsStill, StationaryBy, TakenUp, Unread, Vanishes,
     };
     let Supposition { kind, body } = supposition;
     shift(body, by);
@@ -144,6 +144,7 @@ fn move_supposition(supposition: &mut Supposition, by: usize) {
         Initial(place) | OfKind(place) | Abbreviation(place) | Equals(_, _, place) => {
             shift(place, by);
         }
+        StationaryBy { of, partial: _ } => shift_all(of, by),
         Compared { relation: _, to } => shift_all(to, by),
         Let
         | Case { .. }

@@ -24,6 +24,7 @@ mod neglected;
 mod reach;
 mod reason;
 mod retraction;
+mod stationary;
 mod telling;
 pub(super) mod titled;
 mod unknown;

@@ -254,6 +254,13 @@ impl Formula {
         Formula::sequences_of(std::iter::once(self))
     }
 
+    /// The same for a term.
+    pub fn sequences_in(term: &Expr) -> Set<Symbol> {
+        let mut found = Set::new();
+        collect_sequences(term, &mut found);
+        found
+    }
+
     /// The same for several formulas at once.
     pub fn sequences_of<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Set<Symbol> {
         let mut found = Set::new();

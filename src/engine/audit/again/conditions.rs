@@ -3,11 +3,11 @@
 use crate::algebra::{Expr, Formula, Function, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::{Assignment, Claim, Obligation};
-use crate::search::{self, Effort};
+use crate::search::{self, Effort, Stop};
 use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, condition, sources, step};
-use super::super::{Outcome, stated};
+use super::super::{Judged, Outcome, stated};
 
 impl Judge<'_> {
     /// Whether the step follows from a set where something is not 0, or is positive; or `still`, where something does not change.
@@ -88,14 +88,49 @@ impl Judge<'_> {
     ) -> bool {
         let still = search::still_in(posed);
         let mut own = Found::open(found.judged.clone());
-        let holds = !still.is_empty()
-            && self.holds_under(goal, set.to_vec(), &still, Effort::Full, &mut own)
+        let mut under = |conditions: &[Formula]| {
+            self.holds_under(goal, set.to_vec(), conditions, Effort::Full, &mut own)
+        };
+        let follows = !still.is_empty()
+            && (under(&still)
+                || (self.divided_where_still(goal, set, &still))
+                    .is_some_and(|conditions| under(&conditions)));
+        let (held, _): (Vec<Formula>, Vec<Formula>) =
+            (own.conditions.iter().cloned()).partition(stated::stands_still);
+        let holds = follows
             && search::is_possible(posed.claim(), &own.conditions)
-            && stated::constants(&own.judged, &own.conditions).is_some();
+            && stated::constants(&own.judged, &held).is_some();
         if holds {
             *found = own;
         }
         holds
+    }
+
+    /// What does not change, and what is divided by besides: `q = (a - c)/(2 b)` where the slope of `P = (a - b q) q - c q` is zero.
+    fn divided_where_still(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        still: &[Formula],
+    ) -> Option<Vec<Formula>> {
+        let held = still.iter().filter_map(|own| match own.as_equation()?.0 {
+            Expr::Derivative { body, .. } => match &**body {
+                Expr::Symbol(symbol) => Some(symbol.clone()),
+                _ => None,
+            },
+            _ => None,
+        });
+        let claim = self.derivation.claim(self.at, set, &goal.formula);
+        let claim = search::with_constants(claim, held);
+        let unbounded = unbounded(&claim);
+        let posed = self.pose_claim(claim).ok();
+        let mut found = Found::open(Judged {
+            goal: goal.clone(),
+            assumed: set.to_vec(),
+            outcome: Outcome::Open(Stop::default()),
+        });
+        let nonzero = self.nonzero(posed.as_deref(), &unbounded, None, Effort::Full, &mut found)?;
+        Some(still.iter().cloned().chain(nonzero).collect())
     }
 
     /// What must not vanish for the step to follow, where that is told of single symbols, or of what it is no equation for: who solves

@@ -1,6 +1,6 @@
 //! What the equations of a page say of what depends on what.
 
-use crate::algebra::{Expr, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::sorted::{Map, Set};
 
 use super::{is_partial, name_of};
@@ -8,9 +8,13 @@ use super::{is_partial, name_of};
 /// A formula for a name, `E = \frac12 m v^2`, or for a function, `y(x, t) = A \sin(k x - \omega t)`.
 pub(super) struct Given {
     pub of: Expr,
+    /// It stands behind the term, `p x + q y = m`.
+    is_last: bool,
     /// The chain of equations that it stands in.
     pub chain: usize,
     pub symbols: Set<Symbol>,
+    /// The sequences in it: `y_i` is not `y`.
+    pub sequences: Set<Symbol>,
     /// Those of them that are nothing but summands: `T` and `V` in `T - V`.
     pub summands: Set<Symbol>,
 }
@@ -47,8 +51,10 @@ impl Said {
                 if !says_nothing && !term.mentions(name) && !term.any(&is_partial) {
                     self.formulas.push(Given {
                         of: (*of).clone(),
+                        is_last: sides.len() == 2 && at == 1,
                         chain,
                         symbols: term.free_symbols(),
+                        sequences: Formula::sequences_in(term),
                         summands: summands(term),
                     });
                 }
@@ -77,6 +83,17 @@ impl Said {
     }
 
     pub(super) fn look_up(&mut self) {
+        // What ties several of the variables is a constraint, and no formula for what it keeps them at.
+        let independent = &self.independent;
+        let ties = |given: &Given| {
+            let mut variables = given
+                .symbols
+                .iter()
+                .filter(|own| independent.contains(*own));
+            variables.nth(1).is_some()
+        };
+        self.formulas
+            .retain(|given| !(given.is_last && ties(given)));
         for given in &self.formulas {
             let Some(name) = name_of(&given.of) else {
                 continue;

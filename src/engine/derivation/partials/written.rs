@@ -64,7 +64,11 @@ impl Said {
                 given.of == first.of && (is_same || given.chain == first.chain)
             })
         });
-        let meant = meant.map(|(given, symbols)| (given.of.clone(), symbols.clone()));
+        let meant = meant.map(|(given, symbols)| {
+            let sequences = given.sequences.iter().cloned();
+            let all = symbols.iter().cloned().chain(sequences);
+            (given.of.clone(), all.collect())
+        });
         if !is_clear && !own.is_empty() {
             let slopes = variables.iter().map(|own| (name.clone(), own.clone()));
             self.unclear.extend(slopes);

@@ -36,9 +36,16 @@ impl Reader<'_> {
         if !drawn {
             self.redefine(&read);
         }
-        if let Some(span) = said.slope
-            && let Some(slope) = slope_by(&read, &self.equations)
+        let slope = said
+            .slope
+            .map(|span| (span, slope_by(&read, &self.equations)));
+        // By what is differentiated nobody knows, if the display does not show it.
+        if let Some((span, None)) = slope
+            && !shows_a_slope(&read)
         {
+            said.unread.push(span);
+        }
+        if let Some((span, Some(slope))) = slope {
             let passage = self.equations.len();
             self.page
                 .begin_moment(passage, false, &[], &mut self.active);
@@ -294,6 +301,15 @@ impl Reader<'_> {
             section: self.section.clone(),
         }
     }
+}
+
+/// Whether a display speaks of a slope.
+fn shows_a_slope(read: &[Part]) -> bool {
+    let statements = read
+        .iter()
+        .flat_map(|part| part.statements.iter().flatten());
+    let mut said = statements.flat_map(formulas);
+    said.any(|own| own.speaks_of_slopes())
 }
 
 /// Whether a display says of something that it is zero.

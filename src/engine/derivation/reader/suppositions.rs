@@ -119,6 +119,16 @@ impl Reader<'_> {
                     _ => self.between.unread.push(body),
                 }
             }
+            SuppositionKind::StationaryBy { of, partial } => {
+                match page.slope_of((of, body, partial), &self.equations, cited) {
+                    Some(slope) => {
+                        page.begin_moment(passage, false, &[], active);
+                        let zero = Expr::integer(0);
+                        active.push(page.suppose_equal(slope, zero, body, Some(passage)));
+                    }
+                    None => self.between.unread.push(body),
+                }
+            }
             SuppositionKind::Alternative => self.count(body),
             SuppositionKind::TakenUp(place) => self.take_up_case(place),
             SuppositionKind::Contradicted => active.retain(|&at| !page.locals[at].is_contrary),

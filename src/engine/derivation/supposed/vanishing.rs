@@ -6,6 +6,7 @@ use crate::notation::{Clause, read_expr};
 
 use super::super::equation::{Equation, formulas};
 use super::super::page::Page;
+use super::super::qualities::named;
 use super::super::rows::Part;
 
 /// How many displays back is looked for what prose says to be zero.
@@ -66,6 +67,50 @@ impl Page {
                     .cloned()
             }
         }
+    }
+
+    /// The slope by a variable of what is named or cited, or of what was displayed last that is made of the variable.
+    pub(in crate::derivation) fn slope_of(
+        &self,
+        (of, variable, partial): (Option<Span>, Span, bool),
+        equations: &[Equation],
+        cited: &[Citation],
+    ) -> Option<Expr> {
+        let source = &self.document.source;
+        let [variable] = &named(source, variable)[..] else {
+            return None;
+        };
+        let of_citation = |span: Span| {
+            let cites = cited.iter().any(|own| own.span == span);
+            cites.then(|| self.vanishing(Vanishing::Cited, (span, equations, cited)))
+        };
+        let wanted = match of {
+            Some(span) => match of_citation(span) {
+                Some(cited) => Some(cited?),
+                None => Some(read_expr(source, span).ok()?),
+            },
+            None => None,
+        };
+        let mut before = equations.iter().rev().take(MOST_BEFORE);
+        let law = before.find_map(|own| {
+            let body = left_side(own).filter(|body| matches!(body, Expr::Symbol(_)))?;
+            let value = right_side(own)?;
+            let varies = *body != Expr::Symbol(variable.clone()) && value.mentions(variable);
+            let is_wanted = wanted.as_ref().is_none_or(|wanted| wanted == body);
+            (varies && is_wanted).then_some((body, value))
+        });
+        // Of a sum it is hardly meant that all that is summed up may change.
+        let partial = partial || law.is_some_and(|(_, value)| value.has_elements());
+        // What is cited or named and given otherwise has a slope, too.
+        let body = law.map(|(body, _)| body.clone()).or(wanted)?;
+        Some(match partial {
+            true => Expr::Partial {
+                body: body.into(),
+                variable: variable.clone(),
+                held: None,
+            },
+            false => body.differentiated_by(variable),
+        })
     }
 
     /// Whether the words that lead on to a display say what something is that has a name: "The velocity of the ball is".

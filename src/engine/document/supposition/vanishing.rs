@@ -11,6 +11,7 @@ use super::super::{Span, Supposition, SuppositionKind, Vanishing};
 use super::around::follows;
 use super::mathematics::{is_value, relates};
 use super::neglected;
+use super::stationary;
 use super::words::{DENYING, DOUBTFUL};
 
 /// In a longer sentence nothing is looked for that stands in its middle.
@@ -53,6 +54,8 @@ static PARTS: Words = Words::of(&[
 ]);
 /// What is zero or has a value is said with one of these, or with a "0".
 static PUTTING: Words = Words::of(&[
+    "over",
+    "respect",
     "setting",
     "set",
     "putting",
@@ -104,12 +107,20 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         let leads_over = leads || sentences.get(number + 1).is_some_and(next_leads);
         // "with $a > 0$. This vanishes": before it is the display.
         let is_first = number == 0 || number == 1 && is_tail(sentences[0]);
+        if leads_over {
+            let slopes = stationary::read(source, sentence);
+            if !slopes.is_empty() {
+                found.extend(slopes);
+                continue;
+            }
+        }
         let named = || leads.then(|| named(sentence)).flatten();
         let own = equated(source, sentence)
             .or_else(|| asserted(source, sentence, is_first, leads))
             .or_else(|| set(source, sentence))
             .or_else(|| neglected::read(source, sentence))
             .or_else(named);
+        found.extend(own.iter().flat_map(|first| also_set(sentence, first)));
         match own {
             Some(mut own) => {
                 if let SuppositionKind::Vanishes(what) = own.kind
@@ -177,6 +188,32 @@ fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
     };
     let kind = SuppositionKind::Vanishes(what);
     Some(Supposition { kind, body })
+}
+
+/// What is set to the same in one go: "Setting (4) and (5) to zero".
+fn also_set(sentence: &[Placed<'_>], first: &Supposition) -> Vec<Supposition> {
+    let SuppositionKind::Vanishes(what @ (Vanishing::Cited | Vanishing::Term)) = first.kind else {
+        return Vec::new();
+    };
+    let is_first = |at: &usize| thing(sentence, *at) == Some((what, first.body));
+    let Some(mut at) = (0..sentence.len()).find(is_first) else {
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    loop {
+        let joins = |at: usize| {
+            among(sentence, at, &["and"]) || sentence.get(at).is_some_and(|own| own.0.is_mark(','))
+        };
+        let next = at + 1 + (at + 1..sentence.len()).take_while(|&at| joins(at)).count();
+        match thing(sentence, next).filter(|own| own.0 == what && next > at + 1) {
+            Some((_, body)) => found.push(Supposition {
+                kind: first.kind,
+                body,
+            }),
+            None => return found,
+        }
+        at = next;
+    }
 }
 
 /// Where the number stands by which the equation is known that a word before speaks of: "the derivative (1)", "the slope in (1)".
