@@ -33,6 +33,21 @@ fn normal_equations_follow_from_the_sum_of_squares() {
     }
 }
 
+/// What comes of it is no more said of where the slopes are zero: slips are told.
+#[test]
+fn what_is_concluded_where_slopes_are_zero_stands() {
+    let page = |mean: &str| {
+        verdicts(&format!(
+            "The sum of squares is\n\n$$ S = \\sum_{{i=1}}^n (y_i - a - b x_i)^2. \\tag{{1}} $$\n\nThe means are\n\n\
+             $$ u = \\frac1n \\sum_{{i=1}}^n x_i, \\qquad v = \\frac1n \\sum_{{i=1}}^n y_i. \\tag{{2}} $$\n\n\
+             Setting the derivative of $S$ with respect to $a$ equal to zero gives\n\n$$ \\sum_{{i=1}}^n (y_i - a - b x_i) = 0. \\tag{{3}} $$\n\n\
+             By (2), (3) means\n\n$$ a = {mean}. \\tag{{4}} $$\n"
+        ))
+    };
+    assert_eq!(page("v - b u")[3..], ["holds", "holds"]);
+    assert_eq!(page("v + b u")[3..], ["holds", "fails"]);
+}
+
 #[test]
 fn multipliers_of_lagrange() {
     let page = |first: &str, last: &str| {

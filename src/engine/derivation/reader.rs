@@ -40,6 +40,8 @@ pub(super) struct Reader<'p> {
     pub(super) active: Vec<usize>,
     /// The cases that the text counted last, in order: "Either $x > 0$ or $x < 0$".
     pub(super) alternatives: Vec<Span>,
+    /// The slopes that are zero in the displays to which the words before them lead.
+    pub(super) stationary: Vec<usize>,
     /// What is told in passing.
     pub(super) told: Vec<usize>,
     /// What is said of symbols by adjectives.
@@ -94,6 +96,7 @@ impl<'p> Reader<'p> {
             begins: 0,
             active: Vec::new(),
             alternatives: Vec::new(),
+            stationary: Vec::new(),
             told: Vec::new(),
             sayings: Sayings::default(),
             running: Vec::new(),

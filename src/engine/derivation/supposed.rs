@@ -365,6 +365,14 @@ impl Page {
         at
     }
 
+    /// Supposes of a slope that it is zero, in the displays to which the words lead: what is concluded from it stands for what comes.
+    pub(super) fn suppose_stationary(&mut self, slope: Expr, span: Span) -> usize {
+        let at = self.suppose_equal(slope, Expr::integer(0), span, None);
+        let own = &mut self.locals[at];
+        (own.is_told, own.of_case, own.of_display) = (false, false, true);
+        at
+    }
+
     /// Whether the text has gone through cases since then of which no two can be so at once.
     pub(super) fn has_rival_cases(&self, since: usize) -> bool {
         let here = |own: &&Local| own.of_case && own.span.start >= since;

@@ -121,7 +121,9 @@ impl Reader<'_> {
         }
         self.running.clear();
         let locals = &self.page.locals;
-        self.active.retain(|&at| !locals[at].of_display);
+        let stationary = &self.stationary;
+        self.active
+            .retain(|at| !locals[*at].of_display || stationary.contains(at));
         self.leave_told(&said, before);
     }
 

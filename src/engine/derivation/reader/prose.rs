@@ -1,7 +1,7 @@
 //! What a piece of text says of the display before it and of the next one.
 
 use crate::algebra::Expr;
-use crate::document::{Inserted, Named, Prose, Span, SuppositionKind};
+use crate::document::{Extent, Inserted, Named, Prose, Span, SuppositionKind};
 use crate::notation::read_formulas;
 
 use super::super::equation::formulas;
@@ -13,6 +13,11 @@ pub(super) const MOST_MENTIONED: usize = 6;
 
 impl Reader<'_> {
     pub(super) fn prose(&mut self, prose: &Prose) {
+        // "Setting the derivatives to zero gives" is said of the displays up to the next words: those say what comes of it.
+        if !self.last.is_empty() && !matches!(prose.extent, None | Some(Extent::AsBefore)) {
+            let over = std::mem::take(&mut self.stationary);
+            self.active.retain(|at| !over.contains(at));
+        }
         let tail = if self.last.is_empty() { 0 } else { prose.tail };
         let (of_last, own) = prose.citations.split_at(tail);
         for equation in &mut self.equations[self.last.clone()] {

@@ -122,9 +122,9 @@ impl Reader<'_> {
             SuppositionKind::StationaryBy { of, partial } => {
                 match page.slope_of((of, body, partial), &self.equations, cited) {
                     Some(slope) => {
-                        page.begin_moment(passage, false, &[], active);
-                        let zero = Expr::integer(0);
-                        active.push(page.suppose_equal(slope, zero, body, Some(passage)));
+                        let slope = page.suppose_stationary(slope, body);
+                        self.stationary.push(slope);
+                        active.push(slope);
                     }
                     None => self.between.unread.push(body),
                 }
