@@ -8,6 +8,8 @@ use super::super::equation::formulas;
 use super::super::supposed::Local;
 use super::Reader;
 
+/// What supposes more between two displays is not taken in, and what comes next is not refuted without it.
+const MOST_SUPPOSED: usize = 256;
 /// Of the values that a piece of text names, so many are looked at.
 pub(super) const MOST_MENTIONED: usize = 6;
 
@@ -36,8 +38,13 @@ impl Reader<'_> {
         if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
             self.forget_cases();
         }
-        for supposition in &prose.suppositions {
-            mentioned.extend(self.supposition(supposition, &prose.citations));
+        match prose.suppositions.len() <= MOST_SUPPOSED {
+            true => {
+                for supposition in &prose.suppositions {
+                    mentioned.extend(self.supposition(supposition, &prose.citations));
+                }
+            }
+            false => self.between.unread.push(prose.span),
         }
         self.kind_of(prose.leading);
         self.page.leave_passages(&mut self.active);

@@ -311,13 +311,15 @@ pub(super) fn goes_on_then(rest: &[Placed<'_>]) -> bool {
         return false;
     };
     let next = &rest[end + 1..];
-    let goes_on = match next {
+    if next.iter().any(|(token, _)| token.is_stop()) {
+        return false;
+    }
+    match next {
         [(at, _), (this, _), (case, _), ..] if at.is_among(&["in"]) => {
             this.is_among(&["this", "that"]) && case.is_among(&["case"])
         }
         next => next.iter().any(|(token, _)| token.is_among(&["then"])),
-    };
-    goes_on && !next.iter().any(|(token, _)| token.is_stop())
+    }
 }
 
 /// Whether these words begin a sentence with the case that is looked at next: "consider the", "Let us now look at the special".

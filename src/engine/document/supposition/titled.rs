@@ -8,6 +8,8 @@ use super::compared;
 use super::mathematics::{differs, is_bound, is_number, is_value, relates};
 use super::words::DISPUTING;
 
+/// A heading that states more names no case.
+const MOST_NAMED: usize = 4;
 /// What a heading with one of these says is not only said of what is below it.
 static COMPARING: Words = Words::of(&[
     "or", "versus", "vs", "to", "from", "why", "not", "no", "than", "proof", "without", "excluded",
@@ -49,5 +51,9 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supp
             body,
         })
     });
-    found.collect()
+    let found: Vec<Supposition> = found.take(MOST_NAMED + 1).collect();
+    match found.len() > MOST_NAMED {
+        true => Vec::new(),
+        false => found,
+    }
 }
