@@ -8,6 +8,7 @@ mod families;
 mod induction;
 mod numeric;
 mod partial;
+mod shared;
 mod shifted;
 mod wording;
 

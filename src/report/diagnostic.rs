@@ -4,6 +4,7 @@ mod differing;
 mod dimensions;
 mod fails;
 mod notes;
+mod shared;
 
 use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
 
@@ -13,6 +14,8 @@ use crate::notation::plain_statement;
 
 use super::remark::{Known, Subject};
 use super::{Report, codes};
+
+pub(super) use shared::Shared;
 
 /// So much of a line is given to the renderer on either side of what is marked; it shows less.
 const MOST_BESIDE: usize = 512;
@@ -56,33 +59,17 @@ impl Report<'_> {
         grave.map(|(_, finding)| self.laid_out(&finding)).collect()
     }
 
-    /// For each entry which equations it rests on that fail, where no entry before rests on the same: these are told together.
-    pub(super) fn first_to_rest(&self, known: &Known) -> Vec<Vec<&[usize]>> {
-        let mut told: Vec<&[usize]> = Vec::new();
-        let entries = self.audit.entries.iter().enumerate();
-        let first = entries.map(|(at, entry)| {
-            let is_new = |note: &&Note| !known.contains(&(Subject::Entry(at), note.code()));
-            let mut own: Vec<&[usize]> = Vec::new();
-            for note in entry.notes.iter().filter(is_new) {
-                if let Note::RestsOn(on) = note
-                    && self.is_to_mend(entry, note)
-                    && !told.contains(&on.as_slice())
-                {
-                    told.push(on);
-                    own.push(on);
-                }
-            }
-            own
-        });
-        first.collect()
-    }
-
-    /// What is found in an entry, but for what is known, and what is found of that on which it is the first to rest.
-    pub(super) fn told_of_entry(&self, at: usize, on: &[&[usize]], known: &Known) -> Vec<LaidOut> {
+    /// What is found in an entry, but for what is known, and what it is the first to share with others.
+    pub(super) fn told_of_entry(
+        &self,
+        at: usize,
+        shared: &[Shared],
+        known: &Known,
+    ) -> Vec<LaidOut> {
         let is_new = |finding: &Finding| !known.contains(&(Subject::Entry(at), finding.code));
-        let resting = on.iter().map(|on| self.leveled(self.resting(on)));
+        let shared = shared.iter().map(|&own| self.leveled(self.sharing(own)));
         let own = self.of_entry(&self.audit.entries[at]).into_iter();
-        let all = resting.chain(own.filter(is_new));
+        let all = shared.chain(own.filter(is_new));
         all.map(|finding| self.laid_out(&finding)).collect()
     }
 
@@ -131,10 +118,10 @@ impl Report<'_> {
         finding
     }
 
-    /// What is to be mended about an entry, but for what it rests on, which is told together with others.
+    /// What is to be mended about an entry, but for what it shares with others, which is told once.
     pub(super) fn of_entry(&self, entry: &Entry) -> Vec<Finding> {
         let mut all = self.remarked(entry, codes::Level::Warning);
-        all.retain(|finding| finding.code != "rests-on");
+        all.retain(|finding| !Shared::is_code(finding.code));
         all
     }
 
@@ -150,9 +137,7 @@ impl Report<'_> {
         }
         let told = |note: &&Note| self.level_of_note(entry, note) >= Some(least);
         for note in entry.notes.iter().filter(told) {
-            if !matches!(note, Note::RestsOn(_)) {
-                all.extend(self.noted(entry, note));
-            }
+            all.extend(self.noted(entry, note));
         }
         for note in entry.notes.iter().filter(told) {
             all.extend(self.told_shortly(entry, note));

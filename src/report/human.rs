@@ -15,7 +15,7 @@ impl Report<'_> {
 
     /// The page without what is known of its findings.
     pub fn human_but(&self, show_understood: bool, known: &Known) -> String {
-        let first_to_rest = self.first_to_rest(known);
+        let first_to_share = self.first_to_share(known);
         let names = self.width_of_names();
         let entries = 0..self.audit.entries.len();
         let pieces = [Piece::Elsewhere, Piece::Summary].into_iter();
@@ -27,7 +27,7 @@ impl Report<'_> {
                 Piece::Summary => (self.summary(), Vec::new()),
                 Piece::Entry(at) => (
                     self.shown(at, names, show_understood),
-                    self.told_of_entry(at, &first_to_rest[at], known),
+                    self.told_of_entry(at, &first_to_share[at], known),
                 ),
             },
         )

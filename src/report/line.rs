@@ -385,8 +385,8 @@ impl Report<'_> {
                 format!("has the number of the equation at {}", self.place(*at))
             }
             Note::Unreadable(error) => format!("could not be read: {}", error.message),
-            Note::UnreadablePremise(at) => {
-                format!("{} could not be read", self.reference(*at))
+            Note::UnreadablePremise(unread) => {
+                format!("{} could not be read", self.references(unread))
             }
         })
     }

@@ -196,6 +196,10 @@ impl Report<'_> {
                 let on = self.references(on);
                 format!("{} rests on {on}, which {fails}", self.subject(entry))
             }
+            Note::UnreadablePremise(unread) => {
+                let (subject, unread) = (self.subject(entry), self.references(unread));
+                format!("{subject} is not judged: {unread} could not be read")
+            }
             Note::Uncited(sources) => {
                 let sources = self.sources(sources);
                 let (_, cites, _) = self.derivation.premises(entry.equation);
@@ -223,7 +227,11 @@ impl Report<'_> {
             }
             _ => return None,
         };
-        Some(self.in_a_sentence(entry, note.code(), title))
+        let mut finding = self.in_a_sentence(entry, note.code(), title);
+        if let Note::UnreadablePremise(unread) = note {
+            finding.said.splice(0..0, self.where_they_are(unread));
+        }
+        Some(finding)
     }
 
     /// That an entry is undecided, as a finding.

@@ -1,5 +1,7 @@
 //! How equations, places, sources and statements are named: alike in every view.
 
+use std::collections::BTreeSet;
+
 use crate::algebra::{Symbol, as_printed};
 use crate::audit::Entry;
 use crate::derivation::{Equation, Source};
@@ -69,7 +71,10 @@ impl<'a> Report<'a> {
     }
 
     pub(super) fn references(&self, equations: &[usize]) -> String {
-        list(equations.iter().map(|&at| self.reference(at)).collect())
+        // What bears the number of another is printed like it, and said once.
+        let mut told = BTreeSet::new();
+        let references = equations.iter().map(|&at| self.reference(at));
+        list(references.filter(|own| told.insert(own.clone())).collect())
     }
 
     /// A source of hypotheses, in a sentence.

@@ -178,8 +178,8 @@ pub enum Note {
     DuplicateTag(usize),
     /// It could not be read.
     Unreadable(SyntaxError),
-    /// It is said to follow from an equation that could not be read.
-    UnreadablePremise(usize),
+    /// It is said to follow from equations that could not be read.
+    UnreadablePremise(Vec<usize>),
     /// It, or an equation that it cites, can be read in another way, and the verdict is another one then.
     OtherReading(Box<OtherReading>),
     /// It follows from nothing that stands before, and nothing says that it should: it cites nothing, no word draws a

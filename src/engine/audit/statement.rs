@@ -84,9 +84,10 @@ impl Auditor<'_> {
         }
         self.open_in_doubt(equation, usable, &mut entry);
         if entry.verdict == Verdict::Undecided {
-            let unreadable = usable.unreadable.iter();
-            let unreadable = unreadable.map(|&p| Note::UnreadablePremise(p));
-            entry.notes.extend(unreadable);
+            if !usable.unreadable.is_empty() {
+                let unreadable = usable.unreadable.clone();
+                entry.notes.push(Note::UnreadablePremise(unreadable));
+            }
             if !usable.numeric.is_empty() && entry.numeric.is_none() {
                 let numeric = usable.numeric.clone();
                 entry.notes.push(Note::RestsOnUnproved(numeric));

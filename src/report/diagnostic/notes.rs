@@ -2,7 +2,7 @@
 
 use annotate_snippets::Level;
 
-use crate::audit::{Entry, Note, Verdict};
+use crate::audit::{Entry, Note};
 use crate::derivation::Source;
 use crate::document::Span;
 use crate::notation::Mark;
@@ -14,65 +14,6 @@ use super::fails::conditional;
 use super::{Finding, replay, unreadable};
 
 impl Report<'_> {
-    /// All that rests on the same failing equations, in one finding.
-    pub(in super::super) fn resting(&self, on: &[usize]) -> Finding {
-        let resting: Vec<usize> = self
-            .audit
-            .entries
-            .iter()
-            .filter(|e| e.rests_on == on)
-            .map(|e| e.equation)
-            .collect();
-        let mut equations = resting.clone();
-        equations.dedup();
-        let first = equations[0];
-        let verb = |number: usize| if number == 1 { "rests" } else { "rest" };
-        let fails = self.how_they_fail(on);
-        let is_borrowed = |note: &Note| matches!(note, Note::Miscited { .. } | Note::Uncited(_));
-        let own = |e: &&Entry| e.rests_on == on;
-        let mut notes = (self.audit.entries.iter().filter(own)).flat_map(|e| &e.notes);
-        let said = match notes.any(is_borrowed) {
-            true => "each step follows from what it was judged from; some of that is false",
-            false => "each step follows from what it cites; what it comes from is false",
-        };
-        let mut said = vec![(Level::NOTE, said.to_owned())];
-        for &at in &equations[1..] {
-            said.push((
-                Level::NOTE.with_name("likewise"),
-                format!("{} at {}", self.reference(at), self.place(at)),
-            ));
-        }
-        said.push(replay(self, on[0]));
-        Finding {
-            level: Level::WARNING,
-            code: "rests-on",
-            title: format!(
-                "{} {} on {}, which {fails}",
-                self.references(&equations),
-                verb(equations.len()),
-                self.references(on)
-            ),
-            page: self.equation(first).page,
-            primary: (self.equation(first).body, String::new()),
-            context: Vec::new(),
-            said,
-        }
-    }
-
-    /// The end of "… rests on …, which …".
-    pub(in super::super) fn how_they_fail(&self, on: &[usize]) -> &'static str {
-        let ill = |at: &usize| {
-            let mut wrong = self.audit.of_equation(*at).iter().filter(|e| e.is_wrong());
-            wrong.all(|e| e.verdict == Verdict::IllDimensioned)
-        };
-        match (on.iter().all(ill), on.len()) {
-            (true, 1) => "is ill-dimensioned",
-            (true, _) => "are ill-dimensioned",
-            (false, 1) => "fails",
-            (false, _) => "fail",
-        }
-    }
-
     /// One note of an entry.
     pub(super) fn noted(&self, entry: &Entry, note: &Note) -> Option<Finding> {
         let equation = self.equation(entry.equation);
@@ -88,7 +29,6 @@ impl Report<'_> {
             said: Vec::new(),
         };
         match note {
-            Note::RestsOn(on) => return Some(self.resting(on)),
             Note::Miscited { cited, instead } => {
                 finding.title = format!(
                     "{subject} does not follow from {}; it does from {}",
@@ -209,15 +149,9 @@ impl Report<'_> {
                 }
                 return Some(finding);
             }
-            Note::UnreadablePremise(at) => {
-                finding.title = format!(
-                    "{subject} is not judged: {} could not be read",
-                    self.reference(*at)
-                );
-                let text = format!("{} is at {}", self.reference(*at), self.place(*at));
-                finding.said.push((Level::NOTE, text));
-            }
-            Note::Uncited(_)
+            Note::RestsOn(_)
+            | Note::UnreadablePremise(_)
+            | Note::Uncited(_)
             | Note::OutOfScope(_)
             | Note::RestsOnUnproved(_)
             | Note::UnusedPremise(_)

@@ -1,11 +1,10 @@
 //! All that is to be mended, before anything else: a line each, with a way to the place.
 
-use std::collections::BTreeSet;
-
-use crate::audit::{Entry, Note};
+use crate::audit::Entry;
 use crate::notation::escape;
 use crate::report::codes::Level;
 use crate::report::diagnostic::Finding;
+use crate::report::remark::Known;
 use crate::sorted;
 
 use super::words;
@@ -15,7 +14,7 @@ use super::{Page, anchors};
 const TOLD_THERE: [&str; 3] = ["judged from", "counterexample", "replay"];
 
 impl Page<'_> {
-    /// The findings in reading order, those that rest on the same failing equation together.
+    /// The findings in reading order, those that share what is the matter with them together.
     pub(super) fn findings(&self) -> String {
         let mut text = String::from(
             "<section id=\"findings\" aria-labelledby=\"findings-title\">\n<h2 id=\"findings-title\">Findings</h2>\n",
@@ -37,16 +36,10 @@ impl Page<'_> {
         let elsewhere = elsewhere.filter(|(_, finding)| report.is_grave(finding));
         let mut found: Vec<(Finding, Option<&Entry>)> =
             elsewhere.map(|(_, finding)| (finding, None)).collect();
-        let mut told: BTreeSet<&[usize]> = BTreeSet::new();
-        for entry in &report.audit.entries {
-            for note in &entry.notes {
-                if let Note::RestsOn(on) = note
-                    && report.is_to_mend(entry, note)
-                    && told.insert(on)
-                {
-                    found.push((report.leveled(report.resting(on)), Some(entry)));
-                }
-            }
+        let first_to_share = report.first_to_share(&Known::new());
+        for (entry, shared) in report.audit.entries.iter().zip(first_to_share) {
+            let shared = shared.into_iter().map(|own| report.sharing(own));
+            found.extend(shared.map(|finding| (report.leveled(finding), Some(entry))));
             let own = report.of_entry(entry).into_iter();
             found.extend(own.map(|finding| (finding, Some(entry))));
         }
