@@ -414,8 +414,14 @@ impl Editor<'_> {
                         self.found
                             .push((Change::Coefficient, 1, Expr::Sum(others.into())));
                     }
+                    let before = self.found.len();
+                    let among_others = items.iter().any(nought);
                     self.inside(term, at, |editor, item| {
                         editor.whole(item);
+                        // That is the summand left out.
+                        let mut own = editor.found.split_off(before);
+                        own.retain(|(_, _, other)| among_others || !nought(other));
+                        editor.found.extend(own);
                         editor.sum_in_brackets(item);
                         editor.missing_factor(item);
                     });
