@@ -83,7 +83,10 @@ impl Report<'_> {
                 told.push(format!("{number} {word}"));
             }
         }
-        let first = format!("Of {total}, {}.", list(told));
+        let first = match entries.is_empty() {
+            true => "No displayed equation was read.".to_owned(),
+            false => format!("Of {total}, {}.", list(told)),
+        };
         let wrong = asserted(Verdict::Fails) + asserted(Verdict::IllDimensioned);
         let second = match (findings, open) {
             (0, _) if wrong > 0 => {

@@ -27,11 +27,16 @@ impl<'a> Report<'a> {
 
     /// How an equation is referred to in a sentence.
     pub(super) fn reference(&self, at: usize) -> String {
-        let equation = self.equation(at);
-        match (&equation.tag, &equation.name) {
-            (None, None) => format!("the equation at {}", self.place(at)),
-            _ => equation.reference(),
+        match self.is_named(at) {
+            false => format!("the equation at {}", self.place(at)),
+            true => self.equation(at).reference(),
         }
+    }
+
+    /// Whether it has a number or a name of its own.
+    pub(super) fn is_named(&self, at: usize) -> bool {
+        let equation = self.equation(at);
+        equation.tag.is_some() || equation.name.is_some()
     }
 
     /// `equation (23)`, `claim n-in-n-out`, with the part of a display that states several things.

@@ -72,3 +72,29 @@ fn the_page_for_a_browser_groups_them_in_the_same_way() {
     let found = page.matches(">unreadable-premise<").count();
     assert_eq!(found, 1, "{page}");
 }
+
+#[test]
+fn what_has_no_number_is_called_by_its_place_once() {
+    let page = r"
+$$ w = x \foo $$
+
+Hence
+
+$$ x = w $$
+
+and
+
+$$ y = w $$
+";
+    let derivation = Derivation::from_markdown("page.md", page);
+    let text = common::human(&derivation);
+    assert!(!text.contains("at page.md:2:4 is at"), "{text}");
+    assert!(!text.contains("at page.md:10:4 at"), "{text}");
+}
+
+#[test]
+fn where_nothing_was_read_the_sentence_says_so() {
+    let derivation = Derivation::from_markdown("page.md", "$$ a = b");
+    let text = common::human(&derivation);
+    assert!(text.contains("No displayed equation was read.\n"), "{text}");
+}

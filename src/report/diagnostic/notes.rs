@@ -40,8 +40,7 @@ impl Report<'_> {
                     .extend(self.repair(note).map(|r| (Level::HELP, r)));
                 for source in exchange(cited, instead).0 {
                     if let Source::Equation(at) = source {
-                        let text = format!("{} is at {}", self.reference(at), self.place(at));
-                        finding.said.push((Level::NOTE, text));
+                        finding.said.extend(self.where_they_are(&[at]));
                     }
                 }
             }
@@ -123,8 +122,7 @@ impl Report<'_> {
                     "{subject} cites {}, which is derived only later",
                     self.reference(*at)
                 );
-                let text = format!("{} is at {}", self.reference(*at), self.place(*at));
-                finding.said.push((Level::NOTE, text));
+                finding.said.extend(self.where_they_are(&[*at]));
             }
             Note::DuplicateTag(at) => {
                 finding.level = Level::ERROR;

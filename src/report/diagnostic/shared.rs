@@ -77,10 +77,12 @@ impl Report<'_> {
             Shared::Unjudged(unread) => self.where_they_are(unread),
         };
         for &at in &equations[1..] {
-            said.push((
-                Level::NOTE.with_name("likewise"),
-                format!("{} at {}", self.reference(at), self.place(at)),
-            ));
+            let place = match self.is_named(at) {
+                true => format!(" at {}", self.place(at)),
+                false => String::new(),
+            };
+            let text = format!("{}{place}", self.reference(at));
+            said.push((Level::NOTE.with_name("likewise"), text));
         }
         said.push(replay(self, replayed));
         let first = self.equation(equations[0]);
@@ -95,12 +97,13 @@ impl Report<'_> {
         }
     }
 
-    /// Where equations are that something is said of.
+    /// Where equations are that something is said of; what has no name is called by its place already.
     pub(in super::super) fn where_they_are(
         &self,
         equations: &[usize],
     ) -> Vec<(Level<'static>, String)> {
-        let told = equations.iter().map(|&at| {
+        let named = equations.iter().filter(|&&at| self.is_named(at));
+        let told = named.map(|&at| {
             let text = format!("{} is at {}", self.reference(at), self.place(at));
             (Level::NOTE, text)
         });
