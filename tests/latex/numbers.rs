@@ -145,7 +145,15 @@ by \eqref{a}--\eqref{d},
 by Eqs.~(1)--(2) and \autoref{nothing},
 \begin{equation} i = 1 \end{equation}
 by \crefrange{a}{b},
-\begin{equation} j = 1 \end{equation}",
+\begin{equation} j = 1 \end{equation}
+by Eqs.~(\ref{a})--(\ref{d}),
+\begin{equation} k = 1 \end{equation}
+by (\ref{a})\,--\,(\ref{d}),
+\begin{equation} l = 1 \end{equation}
+by equations (\ref{a}) to (\ref{d}),
+\begin{equation} m = 1 \end{equation}
+by (\ref*{a}), (\ref{b}) and \autoref*{d},
+\begin{equation} n = 1 \end{equation}",
     ));
     assert_eq!(premises(&derivation, "4"), ["1"]);
     assert_eq!(premises(&derivation, "5"), ["3a", "3b"]);
@@ -153,6 +161,10 @@ by \crefrange{a}{b},
     assert_eq!(premises(&derivation, "7"), ["1", "2", "3a", "3b"]);
     assert_eq!(premises(&derivation, "8"), ["1", "2", "unknown (nothing)"]);
     assert_eq!(premises(&derivation, "9"), ["1", "2"]);
+    for range in ["10", "11", "12"] {
+        assert_eq!(premises(&derivation, range), ["1", "2", "3a", "3b"]);
+    }
+    assert_eq!(premises(&derivation, "13"), ["1", "2", "3b"]);
 }
 
 #[test]

@@ -188,7 +188,7 @@ const ABBREVIATED: [&str; 14] = [
 const LATIN: [&str; 2] = ["i.e.", "e.g."];
 const LATIN_LENGTH: usize = 4;
 /// Commands that cite.
-const CITING: [&str; 8] = [
+const CITING: [&str; 11] = [
     "\\eqref{",
     "\\ref{",
     "\\cref{",
@@ -197,6 +197,9 @@ const CITING: [&str; 8] = [
     "\\cref*{",
     "\\vref{",
     "\\labelcref{",
+    "\\ref*{",
+    "\\autoref*{",
+    "\\Vref{",
 ];
 /// Commands that cite two equations and all between them.
 const CITING_RANGE: [&str; 2] = ["\\crefrange{", "\\Crefrange{"];
@@ -424,6 +427,8 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
             (Some(Token::Keys(key)), 1 + key.len())
         }
         '(' if let Some(length) = part_label(rest, last) => (None, length),
+        // The number in parentheses that `\eqref` sets.
+        '(' if let Some((keys, length)) = in_parentheses(rest) => (Some(Token::Keys(keys)), length),
         '(' => match parenthesis(rest) {
             Some(inside) if !glued(last, at) => (Some(Token::Tag(inside)), inside.len() + 2),
             _ => (Some(Token::Mark('(')), 1),
@@ -445,13 +450,8 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
             }
         }
         '\\' => {
-            for command in CITING {
-                if let Some(inside) = rest.strip_prefix(command)
-                    && let Some(end) = inside.find(['}', '\n', '{'])
-                    && inside[end..].starts_with('}')
-                {
-                    return (Some(Token::Keys(&inside[..end])), command.len() + end + 1);
-                }
+            if let Some((keys, length)) = CITING.iter().find_map(|command| keys(rest, command)) {
+                return (Some(Token::Keys(keys)), length);
             }
             for command in CITING_RANGE {
                 if let Some(inside) = rest.strip_prefix(command)
@@ -489,6 +489,23 @@ fn next<'a>(rest: &'a str, last: Option<&Placed<'a>>, at: usize) -> (Option<Toke
         }
         _ => (Some(Token::Mark(first)), width),
     }
+}
+
+/// The keys that a command cites, and where it ends.
+fn keys<'a>(rest: &'a str, command: &str) -> Option<(&'a str, usize)> {
+    let inside = rest.strip_prefix(command)?;
+    let end = inside.find(['}', '\n', '{'])?;
+    inside[end..]
+        .starts_with('}')
+        .then(|| (&inside[..end], command.len() + end + 1))
+}
+
+/// `(\ref{key})`, and how long it is.
+fn in_parentheses(rest: &str) -> Option<(&str, usize)> {
+    let (keys, length) = keys(rest.strip_prefix('(')?, "\\ref{")?;
+    rest[1 + length..]
+        .starts_with(')')
+        .then_some((keys, length + 2))
 }
 
 /// The length of a label before a part of an exercise, "(a) Energy conservation says", "(ii) Find": no citation.
