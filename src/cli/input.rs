@@ -224,16 +224,14 @@ fn ending(path: &Path) -> Option<String> {
 
 /// What a file holds, with the name that it is called by.
 fn bytes(path: &Path, stdin: &str) -> Result<(String, Vec<u8>), Failure> {
-    let mut bytes = Vec::new();
     let is_stdin = path == Path::new("-");
-    if is_stdin {
-        std::io::stdin()
-            .lock()
-            .read_to_end(&mut bytes)
-            .map_err(|error| Failure::new(format!("standard input cannot be read: {error}")))?;
-    } else {
-        bytes = std::fs::read(path).map_err(|error| unread(path, &error))?;
-    }
+    let bytes = match is_stdin {
+        true => start_of(std::io::stdin().lock())
+            .map_err(|error| Failure::new(format!("standard input cannot be read: {error}")))?,
+        false => std::fs::File::open(path)
+            .and_then(start_of)
+            .map_err(|error| unread(path, &error))?,
+    };
     let name = match is_stdin {
         true => stdin.to_owned(),
         false => path.display().to_string(),
@@ -241,7 +239,21 @@ fn bytes(path: &Path, stdin: &str) -> Result<(String, Vec<u8>), Failure> {
     Ok((name, bytes))
 }
 
+/// All of a document, and of what is longer, or has no end, so much that this can be told.
+fn start_of(from: impl Read) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 fn read(name: &str, bytes: &[u8], disk: &Disk) -> Result<Vec<Document>, Failure> {
+    if bytes.len() as u64 > MOST_BYTES {
+        let most = MOST_BYTES >> 20;
+        let failure = Failure::new(format!("`{name}` is longer than {most} MB"));
+        return Err(
+            failure.help("a document is a text that somebody writes; name the files that are")
+        );
+    }
     let text = decode(bytes).map_err(|error| {
         Failure::new(format!("`{name}` is {error}")).help("save it as UTF-8 and try again")
     })?;

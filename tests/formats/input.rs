@@ -13,7 +13,7 @@ use cradle_verify::cli::output::{Content, deliver};
 use cradle_verify::proofs;
 use cradle_verify::report::Report;
 
-use super::{code, command, err, json, out, piped, run, run_in, well};
+use super::{code, command, err, folder, json, out, piped, run, run_in, well};
 
 const FALSE: &str = "<!-- check: derived -->\n$$ 1 + 1 = 3 \\tag{1} $$";
 
@@ -226,6 +226,31 @@ fn a_link_that_leads_nowhere_is_told() {
         assert!(err(&output).contains(link), "{}", err(&output));
         std::fs::remove_file(folder.join(link)).unwrap();
     }
+}
+
+/// So long a file takes no room on the disk, but its length is read.
+#[test]
+fn what_is_too_long_is_told_and_keeps_nothing_else_of_a_directory_from_its_audit() {
+    let folder = folder("too-long");
+    let long = std::fs::File::create(folder.join("long.md")).unwrap();
+    long.set_len((256 << 20) + 1).unwrap();
+    let alone = run_in(&folder, &["check", "long.md"]);
+    assert_eq!(code(&alone), 2);
+    assert!(
+        err(&alone).contains("`long.md` is longer than 256 MB"),
+        "{}",
+        err(&alone)
+    );
+    std::fs::write(folder.join("short.md"), FALSE).unwrap();
+    let all = run_in(&folder, &["check", ".", "--format", "short"]);
+    assert_eq!(code(&all), 1);
+    assert!(
+        out(&all).contains("error[unreadable]: `./long.md`"),
+        "{}",
+        out(&all)
+    );
+    assert!(out(&all).contains("short.md:2:"), "{}", out(&all));
+    std::fs::remove_dir_all(folder).unwrap();
 }
 
 #[test]
