@@ -229,12 +229,19 @@ fn a_directory_is_read_with_all_kinds_of_documents_and_included_files_once() {
             ("c/part.tex", "\\[ c = \\foo \\]\n"),
             ("d.ipynb", NOTEBOOK),
             ("e.txt", "$$ a = 1 $$\n"),
+            ("f.qmd", "$$ a = 1 $$\n"),
         ],
     );
     let view = folder.check(&["."]);
     assert_eq!(
         paths(&view),
-        ["./a.md", "./b.markdown", "./c/main.tex", "./d.ipynb"]
+        [
+            "./a.md",
+            "./b.markdown",
+            "./c/main.tex",
+            "./d.ipynb",
+            "./f.qmd"
+        ]
     );
     let unread = &view["documents"][2]["equations"][0];
     assert_eq!(unread["file"], "./c/part.tex");

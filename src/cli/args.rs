@@ -182,8 +182,8 @@ pub enum Command {
     },
     /// Audit Markdown or LaTeX documents and Jupyter notebooks of your own, read together as one derivation.
     Check {
-        /// Files, directories (every `.md`, `.markdown`, `.tex` and `.ipynb` in them), or `-` for standard input; without any,
-        /// the `files` of `cradle.toml`.
+        /// Files, directories (every `.md`, `.markdown`, `.qmd`, `.tex` and `.ipynb` in them), or `-` for standard input; without
+        /// any, the `files` of `cradle.toml`.
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
         /// What standard input is called in findings.

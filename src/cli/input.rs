@@ -17,7 +17,7 @@ use crate::sorted::{self, Tree};
 /// What standard input is called where nothing else is said.
 const STANDARD_INPUT: &str = "standard input";
 /// The endings of documents.
-const ENDINGS: [&str; 4] = ["md", "markdown", "tex", "ipynb"];
+const ENDINGS: [&str; 5] = ["md", "markdown", "qmd", "tex", "ipynb"];
 /// Nobody writes a longer document.
 const MOST_BYTES: u64 = 256 << 20;
 
@@ -180,7 +180,9 @@ fn documents(path: &Path) -> Result<Vec<PathBuf>, Failure> {
             "there is no Markdown document in `{}`, no LaTeX document and no notebook",
             path.display()
         ))
-        .help("documents are files whose names end in `.md`, `.markdown`, `.tex` or `.ipynb`")),
+        .help(
+            "documents are files whose names end in `.md`, `.markdown`, `.qmd`, `.tex` or `.ipynb`",
+        )),
         false => Ok(found),
     }
 }
