@@ -91,6 +91,11 @@ impl Judge<'_> {
         }
         let combined = (set.iter().enumerate()).filter(|(at, _)| derived.combined.contains(at));
         let combined: Vec<Assumed> = combined.map(|(_, own)| own.clone()).collect();
+        // What comes from nothing that varies needs nothing to stand still.
+        let is_of_it = |own: &Formula| own.terms().iter().any(|term| term.mentions(variable));
+        if combined.is_empty() && !is_of_it(&goal.formula) {
+            return false;
+        }
         let few = with(&combined, &signs);
         let (kept, derived) = match proved(&few) {
             Some(derived) => (few, derived),
