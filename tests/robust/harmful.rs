@@ -62,6 +62,14 @@ pub fn made() -> Vec<(String, Vec<u8>)> {
             "many-implications.md",
             page(&[vec!["a = b"; 3_000].join(" \\Rightarrow ")]),
         ),
+        // Each of them may use all before it.
+        (
+            "many-statements.md",
+            page(&[
+                named(3_000).join(" = b, "),
+                "a_1 = b, \\qquad a_2 = a_1".into(),
+            ]),
+        ),
         (
             "many-equal-elements.md",
             page(&[

@@ -15,6 +15,8 @@ use super::{
 
 /// So many displays of moments that are left may stand between a step and what it goes on from.
 const MOST_MOMENTARY: usize = 8;
+/// So many statements of one display are judged: each may use all before it.
+const MOST_STATEMENTS: usize = 256;
 
 impl Auditor<'_> {
     pub(super) fn equation(&self, at: usize) -> Vec<Entry> {
@@ -58,6 +60,10 @@ impl Auditor<'_> {
                 };
                 entry.judged = goals(statement).into_iter().map(stated).collect();
                 entries.push(entry);
+                continue;
+            }
+            if part >= MOST_STATEMENTS {
+                entries.push(one_too_many(at, part, parts, equation.kind, statement));
                 continue;
             }
             let how = Circumstances {
@@ -233,4 +239,16 @@ impl Auditor<'_> {
 fn simply_holds(entry: &Entry) -> bool {
     let fine = |note: &Note| matches!(note, Note::TakenAsConstant(_));
     entry.verdict == Verdict::Holds && entry.notes.iter().all(fine)
+}
+
+/// A statement of a display that states too much.
+fn one_too_many(at: usize, part: usize, parts: usize, kind: Kind, statement: &Statement) -> Entry {
+    let mut entry = blank(at, part, parts, kind, Verdict::Undecided);
+    let open = |goal| Judged {
+        goal,
+        assumed: Vec::new(),
+        outcome: Outcome::open("its display states too much to be judged"),
+    };
+    entry.judged = goals(statement).into_iter().map(open).collect();
+    entry
 }
