@@ -114,6 +114,34 @@ fn what_may_move_is_not_taken_out() {
 }
 
 #[test]
+fn what_a_premise_says_throughout_does_not_move_is_taken_out() {
+    let goal = r"\int_a^b \frac{p}{x^2} \, dx = \frac{p}{a} - \frac{p}{b}";
+    let with = |premise: &str| Claim {
+        hypotheses: claim(&[premise], goal).hypotheses,
+        ..declared(goal)
+    };
+    let checked = |claim: Claim| {
+        let p = Proving::new(claim);
+        p.checked(p.combination(&[], 1, &[]))
+    };
+    let stands_still = r"\frac{dp}{dx} = 0";
+    assert_eq!(checked(with(stands_still)), Ok(()));
+    // At one point a slope may be 0 of what moves everywhere else.
+    assert_eq!(
+        checked(with(stands_still).at_point(0)),
+        Err(Reject::IdentityFails)
+    );
+    for other in [
+        r"\frac{dp}{dt} = 0",
+        r"\frac{dq}{dx} = 0",
+        r"\frac{dp}{dx} = 1",
+        r"\frac{dp}{dx} = q",
+    ] {
+        assert_eq!(checked(with(other)), Err(Reject::IdentityFails), "{other}");
+    }
+}
+
+#[test]
 fn improper_integrals_and_limits_of_exponentials() {
     told_apart(&[
         (
