@@ -378,6 +378,15 @@ fn what_is_held_must_not_change() {
 }
 
 #[test]
+fn what_is_constant_is_taken_out_of_a_slope() {
+    let own = claim(&["F = \\frac{d}{dx}\\left[k x^2\\right]"], "F \\sim k x");
+    // What may move has a slope of its own, and the whole is a sum then.
+    assert!(proved(&own, &[(0, "1")]).is_err());
+    let held = own.domain("k", constant());
+    assert_eq!(proved(&held, &[(0, "1")]), Ok(()));
+}
+
+#[test]
 fn what_stands_still_has_no_slope() {
     let premises = ["E = \\int_0^T x \\, dt", "v \\sim \\frac{dx}{dt}"];
     let claim = claim(&premises, "E \\sim v");
