@@ -139,6 +139,9 @@ fn what_a_premise_says_throughout_does_not_move_is_taken_out() {
     ] {
         assert_eq!(checked(with(other)), Err(Reject::IdentityFails), "{other}");
     }
+    // Where nothing is integrated it is a fact like others, which a certificate has to name.
+    let slope = claim(&[stands_still], r"\frac{d}{dx}\left[p^2\right] = 0");
+    assert_eq!(checked(slope), Err(Reject::IdentityFails));
 }
 
 #[test]
