@@ -292,3 +292,19 @@ fn a_counterexample_with_another_pi_is_none() {
     let same = Obligation::new(still, Vec::new()).expect("a claim");
     assert_eq!(same.refuted_by_fewer(&found), Ok(()));
 }
+
+#[test]
+fn elements_that_are_constant_say_nothing_of_a_symbol_of_their_name() {
+    let checked = |goal: &str| {
+        let mut own = claim(&[], goal);
+        own.sequences.insert(symbol("x"), constant());
+        let p = Proving::new(own);
+        p.checked(p.combination(&[], 1, &[]))
+    };
+    let slope = |of: &str| format!(r"\frac{{d}}{{dt}}\left[{of}\right] = 0");
+    let elements = r"\sum_{i=1}^{n} x_i^2";
+    assert_eq!(checked(&slope(elements)), Ok(()));
+    assert_eq!(checked(&slope("x")), Err(Reject::IdentityFails));
+    let both = format!("{elements} + x");
+    assert!(checked(&slope(&both)).is_err());
+}
