@@ -279,3 +279,23 @@ fn what_is_not_understood_is_said_of_displays_side_by_side() {
                 $$ \\sum_{i=1}^n x_i y_i = a \\sum_{i=1}^n x_i + b \\sum_{i=1}^n x_i^2. \\tag{3} $$\n";
     assert!(!verdicts(page).contains(&"fails"));
 }
+
+/// A value in words may be of anything: what follows is left open, and a slip beside it fails where it is no value's doing.
+#[test]
+fn values_of_what_has_no_symbol_refute_nothing() {
+    for words in [
+        "For an angle of $30^\\circ$, (1) gives",
+        "At an angle of 30 degrees we have by (1)",
+        "For an inclination of $30^\\circ$ we find",
+        "If the plane is inclined by $\\pi/6$, then by (1)",
+        "Thus at $30^\\circ$",
+    ] {
+        let page = format!(
+            "The acceleration is\n\n$$ a = g \\sin\\theta. \\tag{{1}} $$\n\n{words}\n\n$$ a = \\frac{{g}}{{2}}. \\tag{{2}} $$\n"
+        );
+        assert!(
+            matches!(verdicts(&page)[1], "given" | "undecided"),
+            "{words}"
+        );
+    }
+}

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use cradle_verify::algebra::{BigRational, Expr, Function, LimitPoint, Symbol};
+use cradle_verify::audit::Audit;
+use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Span;
 use cradle_verify::notation::{
     Clause, Precision, SyntaxError, latex, latex_statement, plain, read_display, read_expr,
@@ -1890,4 +1892,27 @@ fn names_on_a_terminal() {
     ] {
         assert_eq!(plain(&Expr::Symbol(Symbol::new(name))), shown);
     }
+}
+
+/// What the text calls a function is none of the factors: `f(x + 1)` beside "Let $f(x) = x^2$" is refused, and was a product.
+#[test]
+fn functions_of_the_text_are_no_factors() {
+    let verdict = |text: &str| {
+        let audit = Audit::of(&Derivation::from_markdown("a.md", text));
+        let last = audit.entries.last().map(|own| own.verdict.word());
+        last.unwrap_or_default()
+    };
+    let page = |words: &str| {
+        verdict(&format!(
+            "{words}\n\n$$ y = f(x + 1). \\tag{{1}} $$\n\nHence by (1)\n\n$$ y = f x + f. \\tag{{2}} $$\n"
+        ))
+    };
+    for words in [
+        "Let $f(x) = x^2$. Then",
+        "The function $f$ is shifted,",
+        "Here $f(t)$ is the force,",
+    ] {
+        assert_eq!(page(words), "undecided", "{words}");
+    }
+    assert_eq!(page("With the factor $f$,"), "holds");
 }

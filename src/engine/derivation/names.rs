@@ -3,8 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Formula, Symbol};
-use crate::notation::{Before, BeforeKind, SyntaxError};
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::document::{Inline, Span};
+use crate::notation::{Before, BeforeKind, SyntaxError, read_expr, read_symbol};
 
 use super::{Equation, formulas, slopes};
 
@@ -55,13 +56,41 @@ fn below(name: &Symbol, accent: &str) -> Option<Symbol> {
     is_script.then(|| Symbol::new(format!("{stem}{scripts}")))
 }
 
+/// What the text of a page names as functions: "Let $f(x) = x^2$", "the function $f$".
+pub(super) fn functions_in_text<'a>(
+    source: &str,
+    inline: impl Iterator<Item = &'a Inline>,
+) -> BTreeSet<Symbol> {
+    let named = inline.filter_map(|math| {
+        let text = source.get(math.body.range())?;
+        let said = text.split('=').next().unwrap_or(text);
+        let before = source.get(..math.span.start)?.trim_end();
+        match said.contains('(') {
+            true => match read_expr(said, Span::new(0, said.len())).ok()? {
+                Expr::Apply(name, arguments) => {
+                    let plain = |own: &Expr| matches!(own, Expr::Symbol(_));
+                    arguments.iter().all(plain).then_some(name)
+                }
+                _ => None,
+            },
+            false if before.ends_with("function") => read_symbol(said).ok(),
+            false => None,
+        }
+    });
+    named.collect()
+}
+
 /// Refuses the equations of a page in which a name is read as a factor before a parenthesis and elsewhere on the page as a function.
 ///
 /// `f(x + 1)` is a product by itself ([docs/notation.md](../../docs/notation.md)). Where the page has `f(x)` too, it is the
 /// value of a function at another place, and a product would be a misreading; not so `f (1 - f)`, for no argument holds its own function.
 /// The value at a number, `x(0)`, is read of what the page has as a function.
 /// What is read as a unit after a number is refused in the same way where the page has or declares a symbol of that name.
-pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> bool) {
+pub(super) fn refuse(
+    equations: &mut [Equation],
+    declared: impl Fn(&Symbol) -> bool,
+    in_text: impl Fn() -> BTreeSet<Symbol>,
+) {
     let all = || {
         let statements = equations.iter().flat_map(|equation| equation.statements());
         statements.flat_map(|statement| &statement.before)
@@ -70,7 +99,11 @@ pub(super) fn refuse(equations: &mut [Equation], declared: impl Fn(&Symbol) -> b
         let all = all().filter(|before| before.kind == kind);
         all.map(|before| before.name.clone()).collect()
     };
-    let functions = of(BeforeKind::Function);
+    let mut functions = of(BeforeKind::Function);
+    let factors = of(BeforeKind::Factor);
+    if !factors.is_subset(&functions) {
+        functions.extend(in_text().into_iter().filter(|own| factors.contains(own)));
+    }
     let mut symbols = of(BeforeKind::Unit);
     if !symbols.is_empty() {
         let statements = equations.iter().flat_map(|equation| equation.statements());

@@ -143,15 +143,17 @@ pub(super) fn read_page(
     }
     let declared =
         |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
-    names::refuse(&mut equations, declared);
-    let prose = items.iter().filter_map(|item| match item {
-        Item::Prose(prose) => Some(&prose.math),
-        _ => None,
-    });
+    let inline = || {
+        let prose = items.iter().filter_map(|item| match item {
+            Item::Prose(prose) => Some(&prose.math),
+            _ => None,
+        });
+        prose.flatten()
+    };
+    let in_text = || names::functions_in_text(&page.document.source, inline());
+    names::refuse(&mut equations, declared, in_text);
     // The same letters are named again and again.
-    let named = prose
-        .flatten()
-        .map(|math: &Inline| page.document.text(math.body));
+    let named = inline().map(|math: &Inline| page.document.text(math.body));
     let named: BTreeSet<&str> = named.collect();
     let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
     let spoken_of: Set<Symbol> = alone.collect();

@@ -28,6 +28,7 @@ mod stationary;
 mod telling;
 pub(super) mod titled;
 mod unknown;
+mod unnamed;
 mod vanishing;
 mod words;
 
@@ -86,6 +87,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     found.extend(contrary::read(source, &tokens[..end]));
     found.extend(alternatives::read(source, &tokens[..end]));
     found.extend(unknown::read(source, &tokens[..end]));
+    found.extend(unnamed::read(source, &tokens[..end]));
     found.extend(vanishing::read(source, &tokens[..end]));
     found.extend(common::read(source, &tokens[..end]));
     found.extend(abbreviation::read(source, &tokens[..end]));
