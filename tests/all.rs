@@ -30,6 +30,7 @@ mod latex;
 mod laws;
 mod markdown;
 mod notation;
+mod ordinary;
 mod pages;
 mod partial;
 mod properties;

@@ -6,7 +6,8 @@
 
 use crate::document::{Item, Layout, Row, Span};
 use crate::notation::{
-    Clause, Connective, Other, Statement, SyntaxError, Unit, read_display, read_rows,
+    Clause, Connective, Display, Other, Statement, SyntaxError, Unit, read_display, read_rows,
+    read_unaligned,
 };
 use crate::parallel::{in_order, threads};
 
@@ -49,7 +50,7 @@ pub(super) fn read_ahead(source: &str, items: &[Item]) -> Vec<Vec<Part>> {
 /// Reads a display.
 pub(super) fn read(source: &str, body: Span, layout: Option<&Layout>) -> Vec<Part> {
     let Some(layout) = layout else {
-        return vec![plain(source, body)];
+        return vec![plain(read_unaligned(source, body), body)];
     };
     let mut parts = of_layout(source, body, layout);
     for part in &mut parts {
@@ -67,8 +68,7 @@ pub(super) fn read(source: &str, body: Span, layout: Option<&Layout>) -> Vec<Par
 }
 
 /// A display whose mathematics says itself what its number is.
-fn plain(source: &str, body: Span) -> Part {
-    let display = read_display(source, body);
+fn plain(display: Display, body: Span) -> Part {
     Part {
         tag: display.tag.map(|tag| tag.value),
         keys: display.label.into_iter().map(|key| key.value).collect(),
@@ -84,7 +84,7 @@ fn of_layout(source: &str, body: Span, layout: &Layout) -> Vec<Part> {
         && row.pieces == [body]
         && !layout.columns
     {
-        let mut part = plain(source, body);
+        let mut part = plain(read_display(source, body), body);
         part.tag = row.number.clone().or(part.tag);
         part.keys.extend(row.keys.iter().cloned());
         return vec![part];

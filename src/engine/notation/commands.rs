@@ -2,6 +2,7 @@
 
 mod refused;
 
+use super::lexer::is_space;
 use crate::algebra::{Function, Relation};
 pub(super) use refused::complaint;
 use refused::is_refused;
@@ -85,19 +86,8 @@ pub(super) const SUBSCRIPTS: &[(&str, &str)] = &[
     ("oplus", "⊕"),
 ];
 
-/// Commands that only move ink about. They mean nothing, so ignoring them misreads nothing.
+/// Commands that only move ink about, besides those that leave space. They mean nothing, so ignoring them misreads nothing.
 pub(super) const SPACING: &[&str] = &[
-    ",",
-    ";",
-    ":",
-    "!",
-    " ",
-    ">",
-    "thinspace",
-    "medspace",
-    "thickspace",
-    "enspace",
-    "negthinspace",
     "displaystyle",
     "textstyle",
     "scriptstyle",
@@ -121,19 +111,6 @@ pub(super) const SPACING: &[&str] = &[
     "xspace",
     "allowbreak",
     "nobreak",
-];
-
-/// Those of them that leave a space on the page, as there is one between a number and its unit.
-pub(super) const PRINTED: &[&str] = &[
-    ",",
-    ";",
-    ":",
-    " ",
-    ">",
-    "thinspace",
-    "medspace",
-    "thickspace",
-    "enspace",
 ];
 
 /// Commands with a meaning of their own in the grammar.
@@ -317,6 +294,33 @@ pub(super) fn is_functional(name: &str) -> bool {
     letter.starts_with(['E', 'P']) || is_word(name)
 }
 
+/// Whether a command begins a factor: a name, a fraction, a delimiter, an operator with what it applies to.
+pub(super) fn begins_term(command: &str) -> bool {
+    matches!(
+        command,
+        "sqrt"
+            | "boxed"
+            | "underline"
+            | "underbrace"
+            | "overbrace"
+            | "sum"
+            | "int"
+            | "lim"
+            | "partial"
+            | "left"
+            | "lvert"
+            | "lceil"
+            | "lfloor"
+            | "{"
+            | "lbrace"
+            | "lbrack"
+    ) || is_fraction(command)
+        || is_binomial(command)
+        || is_function(command)
+        || find(LETTERS, command).is_some()
+        || find(ACCENTS, command).is_some()
+}
+
 /// Whether a command is three dots.
 pub(super) fn is_dots(command: &str) -> bool {
     matches!(
@@ -330,6 +334,7 @@ pub(crate) fn is_command(name: &str) -> bool {
     known().any(|own| own == name)
         || relation(name).is_some()
         || SPACING.contains(&name)
+        || is_space(name)
         || is_refused(name)
 }
 

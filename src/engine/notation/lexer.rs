@@ -5,11 +5,14 @@
 //! `\quad`, which separates statements, is kept. One pass, no backtracking.
 
 mod argument;
+mod space;
 mod switch;
 mod token;
 
+use self::space::Gap;
+pub(super) use self::space::is_space;
 use self::switch::Face;
-use super::commands::{PRINTED, SPACING};
+use super::commands::SPACING;
 use super::{Mark, SyntaxError};
 use crate::document::Span;
 pub use argument::is_constant_word;
@@ -29,6 +32,7 @@ pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
         at: body.start,
         end: body.end,
         spaced: false,
+        gap: Gap::default(),
         out: Lexed::default(),
         faces: vec![Face::Plain],
     };
@@ -68,6 +72,8 @@ struct Lexer<'s> {
     end: usize,
     /// Whether a space that is printed stands before the next token.
     spaced: bool,
+    /// How much space there is before it.
+    gap: Gap,
     out: Lexed<'s>,
     /// The typeface in each group that is open here, the whole formula first.
     faces: Vec<Face>,
@@ -86,6 +92,13 @@ impl<'s> Lexer<'s> {
     }
 
     fn push(&mut self, start: usize, kind: Kind<'s>) {
+        if let Some(span) = self.parting(kind) {
+            self.out.tokens.push(Token {
+                kind: Kind::Wide,
+                span,
+                spaced: false,
+            });
+        }
         self.out.tokens.push(Token {
             kind,
             span: Span::new(start, self.at),
@@ -95,6 +108,7 @@ impl<'s> Lexer<'s> {
 
     fn bad(&mut self, span: Span, message: String, help: Option<String>) {
         let number = self.out.errors.len();
+        self.gap = Gap::default();
         self.out.errors.push(SyntaxError {
             span,
             message,
@@ -232,10 +246,7 @@ impl<'s> Lexer<'s> {
                 self.take(|c| c != '\n');
                 return;
             }
-            '~' => {
-                self.spaced = true;
-                return;
-            }
+            '~' => return self.word_space(start),
             c if c.is_whitespace() => return,
             c if c.is_ascii_punctuation() => Kind::Char(c),
             c => {
@@ -271,14 +282,14 @@ impl<'s> Lexer<'s> {
             self.at += c.len_utf8();
             name = self.source.get(from..self.at).unwrap_or("");
             if c.is_whitespace() {
-                self.spaced = true;
-                return;
+                return self.word_space(start);
             }
         }
         match name {
             "\\" => self.row(start),
             "quad" | "qquad" => self.push(start, Kind::Wide),
-            _ if SPACING.contains(&name) => self.spaced |= PRINTED.contains(&name),
+            _ if is_space(name) => self.space(start, name),
+            _ if SPACING.contains(&name) => {}
             "tag" | "label" => self.reference(start, name),
             "text" | "textrm" | "textnormal" | "mbox" => {
                 if let Some(words) = self.argument(start, name) {

@@ -32,7 +32,9 @@ pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
     mathml_statement, plain, plain_formula, plain_statement, relation_latex, unbraced,
 };
-pub use read::{Unit, read_display, read_expr, read_formulas, read_rows, read_symbol};
+pub use read::{
+    Unit, read_display, read_expr, read_formulas, read_rows, read_symbol, read_unaligned,
+};
 pub use statement::{
     Before, BeforeKind, Choice, Clause, Connective, Display, Doubt, DoubtKind, Link, Mark, Other,
     Precision, Rounding, Run, Side, Spanned, Spelt, Statement, SyntaxError,

@@ -14,8 +14,18 @@ use crate::document::Span;
 ///
 /// The number and the key are found even if the rest cannot be read. A number typed by hand, `\quad (18)` at the very
 /// end, counts as a tag where there is no `\tag`.
+///
+/// It may be cut out of an alignment: what `&` aligns is nobody's concern.
 pub fn read_display(source: &str, body: Span) -> Display {
-    let mut lexed = lex(source, body);
+    display(source, body, lex(source, body))
+}
+
+/// Reads a displayed equation that stands in no alignment, so that an `&` in it, outside all environments, is a mistake.
+pub fn read_unaligned(source: &str, body: Span) -> Display {
+    display(source, body, unaligned(lex(source, body)))
+}
+
+fn display(source: &str, body: Span, mut lexed: Lexed<'_>) -> Display {
     if lexed.tags.is_empty()
         && let Some(tag) = typed_tag(source, &mut lexed)
     {
@@ -97,14 +107,38 @@ pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool) -> Vec<Unit> {
     units.into_iter().map(read).collect()
 }
 
+/// Makes a mistake of every `&` that aligns nothing.
+fn unaligned(mut lexed: Lexed<'_>) -> Lexed<'_> {
+    let mut depth = 0_usize;
+    for token in &mut lexed.tokens {
+        match token.kind {
+            Kind::Begin(_) => depth += 1,
+            Kind::Finish(_) => depth = depth.saturating_sub(1),
+            Kind::Char('&') if depth == 0 => {
+                token.kind = Kind::Bad(lexed.errors.len());
+                lexed.errors.push(SyntaxError {
+                    span: token.span,
+                    message: "this `&` aligns nothing here".to_owned(),
+                    help: Some(
+                        "put the rows into `\\begin{aligned} … \\end{aligned}`; for the word write `\\text{ and }`"
+                            .to_owned(),
+                    ),
+                });
+            }
+            _ => {}
+        }
+    }
+    lexed
+}
+
 /// Reads the formulas of a directive or of inline mathematics, separated by `,`, `;` or the word `and`.
 pub fn read_formulas(source: &str, body: Span) -> Result<Vec<Statement>, SyntaxError> {
-    parser(untagged(lex(source, body))?, body, true).statements()
+    parser(untagged(unaligned(lex(source, body)))?, body, true).statements()
 }
 
 /// Reads a single term.
 pub fn read_expr(source: &str, body: Span) -> Result<Expr, SyntaxError> {
-    parser(untagged(lex(source, body))?, body, true).whole_term()
+    parser(untagged(unaligned(lex(source, body)))?, body, true).whole_term()
 }
 
 /// Reads a symbol and gives it its canonical name.

@@ -230,7 +230,6 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     ),
     ("langle", "angle brackets are not read", None),
     ("over", "`\\over` is not read", Some("write `\\frac{…}{…}`")),
-    ("hspace", "`\\hspace` is not read", Some("write `\\quad`")),
     (
         "circ",
         "degrees are read only in the angle of a sine, a cosine or a tangent, as in `\\sin 30^\\circ`",

@@ -19,30 +19,7 @@ impl<'s> Parser<'s> {
             Kind::Number(_) | Kind::Quantity(..) | Kind::Open | Kind::Bad(_) => true,
             Kind::Char('(' | '[') => true,
             Kind::Char('|') => !self.bar,
-            Kind::Command(name) => {
-                matches!(
-                    name,
-                    "sqrt"
-                        | "boxed"
-                        | "underline"
-                        | "underbrace"
-                        | "overbrace"
-                        | "sum"
-                        | "int"
-                        | "lim"
-                        | "partial"
-                        | "left"
-                        | "lvert"
-                        | "lceil"
-                        | "lfloor"
-                        | "{"
-                        | "lbrace"
-                        | "lbrack"
-                ) || commands::is_fraction(name)
-                    || commands::is_binomial(name)
-                    || commands::is_function(name)
-                    || self.starts_name(self.at)
-            }
+            Kind::Command(name) => commands::begins_term(name),
             _ => self.starts_name(self.at),
         }
     }

@@ -321,7 +321,7 @@ impl<'s> Parser<'s> {
             Kind::Mark(_) => refuse(span, "a mark belongs at the end of a statement"),
             Kind::Wide => refuse(
                 span,
-                "`\\quad` separates statements, so it cannot stand inside one",
+                "a wide space, such as `\\quad`, separates statements, so it cannot stand inside one",
             ),
             Kind::Row => refuse(span, "a new row cannot start here"),
             Kind::Reference(_) => refuse_with(

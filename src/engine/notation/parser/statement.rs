@@ -347,14 +347,14 @@ impl<'s> Parser<'s> {
         }
         let span = self.since(start);
         if links.is_empty() {
-            return self.lone(span);
+            return self.lone(start, span);
         }
         let places = either(places, &links)?;
         self.chain(places, links, span)
     }
 
     /// The refusal of a term without a relation, or of what stopped the reader there.
-    fn lone<T>(&self, span: Span) -> Read<T> {
+    fn lone<T>(&self, start: usize, span: Span) -> Read<T> {
         match self.peek() {
             Kind::And if !self.words => self.unexpected(),
             Kind::End
@@ -366,7 +366,13 @@ impl<'s> Parser<'s> {
             | Kind::Mark(_)
             | Kind::Connective(_)
             | Kind::Char(',' | ';' | '.') => {
-                let help = "a statement needs a relation sign, such as `=`";
+                let parted = start > 1 && self.kind(start - 1) == Kind::Wide;
+                let help = match parted {
+                    true => {
+                        "the wide space before it parts it from what stands there; a statement needs a relation sign, such as `=`"
+                    }
+                    false => "a statement needs a relation sign, such as `=`",
+                };
                 refuse_with(span, "this is a term, not a statement", help)
             }
             _ => self.unexpected(),
