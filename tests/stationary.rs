@@ -48,6 +48,19 @@ fn what_is_concluded_where_slopes_are_zero_stands() {
     assert_eq!(page("v + b u")[3..], ["holds", "fails"]);
 }
 
+/// Another section is not about the places where the slopes are zero.
+#[test]
+fn a_heading_leaves_where_slopes_are_zero() {
+    for heading in ["# Prices", "## Prices", "### Prices"] {
+        let page = format!(
+            "# Profits\n\n## Quantities\n\nThe profit is\n\n$$ P = (a - b q) q - c q. \\tag{{1}} $$\n\n\
+             Setting the derivative with respect to $q$ to zero gives\n\n$$ a - 2 b q - c = 0. \\tag{{2}} $$\n\n{heading}\n\n\
+             A firm may sell any quantity. By (1)\n\n$$ a = 2 b q + c. \\tag{{3}} $$\n"
+        );
+        assert_ne!(verdicts(&page)[2], "holds", "{heading}");
+    }
+}
+
 #[test]
 fn multipliers_of_lagrange() {
     let page = |first: &str, last: &str| {

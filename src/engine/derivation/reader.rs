@@ -161,6 +161,7 @@ impl<'p> Reader<'p> {
         (self.elsewhere, self.anew) = (None, Set::new());
         (self.extent, self.told_extent) = (Extent::Throughout, Extent::Throughout);
         self.leave_section();
+        self.leave_stationary();
         self.begins = span.start;
         let locals = &self.page.locals;
         self.active.retain(|&at| locals[at].outlasts(level));

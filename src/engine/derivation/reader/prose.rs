@@ -17,8 +17,7 @@ impl Reader<'_> {
     pub(super) fn prose(&mut self, prose: &Prose) {
         // "Setting the derivatives to zero gives" is said of the displays up to the next words: those say what comes of it.
         if !self.last.is_empty() && !matches!(prose.extent, None | Some(Extent::AsBefore)) {
-            let over = std::mem::take(&mut self.stationary);
-            self.active.retain(|at| !over.contains(at));
+            self.leave_stationary();
         }
         let tail = if self.last.is_empty() { 0 } else { prose.tail };
         let (of_last, own) = prose.citations.split_at(tail);
@@ -67,6 +66,12 @@ impl Reader<'_> {
         self.leave_old_values(&named);
         self.between.named = named;
         self.between.named.extend(told_with_last);
+    }
+
+    /// What is stationary in the displays before is no longer meant.
+    pub(super) fn leave_stationary(&mut self) {
+        let over = std::mem::take(&mut self.stationary);
+        self.active.retain(|at| !over.contains(at));
     }
 
     /// Takes up what is put in elsewhere. "It" is what was put in before the display before, or what that says.
