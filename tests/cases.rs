@@ -299,3 +299,19 @@ fn values_of_what_has_no_symbol_refute_nothing() {
         );
     }
 }
+
+/// What was told of another case is told no more in one that is counted, or supposed for a contradiction.
+#[test]
+fn what_is_told_of_a_case_is_not_told_of_the_next() {
+    for words in [
+        "In the second case we have by (1)",
+        "Suppose, on the contrary, that $r > 2$. Then by (1)",
+        "For $r > 2$ we have by (1)",
+    ] {
+        let page = format!(
+            "The pressures obey\n\n$$ p_1 + r g h_1 = p_2 + r g h_2. \\tag{{1}} $$\n\nEither $r > 0$ or $r < 0$. \
+             For a horizontal pipe, $h_1 = h_2$, (1) becomes\n\n$$ p_1 = p_2. \\tag{{2}} $$\n\n{words}\n\n$$ p_1 = p_2. \\tag{{3}} $$\n"
+        );
+        assert_eq!(verdicts(&page), ["given", "holds", "fails"], "{words}");
+    }
+}

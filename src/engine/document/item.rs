@@ -358,12 +358,12 @@ pub enum Vanishing {
 impl SuppositionKind {
     /// Whether what was told of another special case is no longer meant.
     pub fn begins_a_case(self) -> bool {
-        use SuppositionKind::{Case, Compared, Fact};
-        let begins = matches!(
-            self,
-            Case { .. } | Compared { .. } | Fact { of_case: true, .. }
-        );
-        begins || self.leaves_cases()
+        use SuppositionKind::{Case, Compared, Contrary, Fact, TakenUp};
+        match self {
+            Case { .. } | Compared { .. } | Contrary | TakenUp(_) => true,
+            Fact { of_case, .. } => of_case,
+            other => other.leaves_cases(),
+        }
     }
 
     /// Whether special cases are left behind.
