@@ -4,16 +4,7 @@ use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Document;
 
-/// The verdicts of a text that declares nothing.
-fn of_documents(documents: Vec<Document>) -> Vec<&'static str> {
-    let audit = Audit::of(&Derivation::new(documents));
-    let entries = audit.entries.iter();
-    entries.map(|entry| entry.verdict.word()).collect()
-}
-
-fn verdicts(text: &str) -> Vec<&'static str> {
-    of_documents(vec![Document::markdown("a.md", text)])
-}
+use crate::common::{verdicts, verdicts_of};
 
 /// Of each pair the first names the case of a positive `x`, the second that of a negative one.
 const WAYS: &[[&str; 2]] = &[
@@ -126,7 +117,7 @@ fn lists_and_headings_in_latex_name_cases() {
             "\\documentclass{{article}}\n\\begin{{document}}\nWe consider\n\\begin{{equation}} y = x + c. \\end{{equation}}\n\
              {first}\n\\begin{{equation}} y > c. \\end{{equation}}\n{second}\n\\begin{{equation}} y < c. \\end{{equation}}\n\\end{{document}}\n"
         );
-        of_documents(Document::latex("a.tex", text, &()))
+        verdicts_of(Document::latex("a.tex", text, &()))
     };
     for [first, second] in [
         [

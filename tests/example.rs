@@ -1,15 +1,6 @@
 //! Numerical examples: the values that sentences list, how long they are put in, and what a cited equation is said of.
 
-use cradle_verify::audit::Audit;
-use cradle_verify::derivation::Derivation;
-use cradle_verify::document::Document;
-
-/// The verdicts of a text that declares nothing.
-fn verdicts(text: &str) -> Vec<&'static str> {
-    let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
-    let entries = audit.entries.iter();
-    entries.map(|entry| entry.verdict.word()).collect()
-}
+use crate::common::verdicts;
 
 /// The verdict of the last line of a page that begins with two laws of a spring.
 fn spring(text: &str) -> &'static str {

@@ -1,14 +1,6 @@
 //! Functions that a page defines, `f(x) = 3 x^2`, and what is said of them for other arguments and in integrals.
 
-use cradle_verify::audit::Audit;
-use cradle_verify::derivation::Derivation;
-use cradle_verify::document::Document;
-
-/// The verdict of the last statement of a text that declares nothing.
-fn last(text: &str) -> &'static str {
-    let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
-    audit.entries.last().unwrap().verdict.word()
-}
+use crate::common::last;
 
 #[test]
 fn a_definition_says_what_values_are() {

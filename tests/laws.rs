@@ -1,18 +1,9 @@
 //! Laws by their names, and for particular things, where nothing is declared.
 
-use cradle_verify::audit::Audit;
-use cradle_verify::derivation::Derivation;
-
-/// The verdict on the last statement of a text, and the codes of its notes.
-fn last(text: &str) -> (&'static str, Vec<&'static str>) {
-    let audit = Audit::of(&Derivation::from_markdown("page.md", text));
-    let last = audit.entries.last().unwrap();
-    let codes = last.notes.iter().map(|note| note.code()).collect();
-    (last.verdict.word(), codes)
-}
+use crate::common::last_noted;
 
 fn verdict(text: &str) -> &'static str {
-    last(text).0
+    last_noted(text).0
 }
 
 /// Who compares two cases gives an index to what differs between them.
@@ -86,14 +77,14 @@ fn definition_may_be_a_reason() {
 fn law_that_stands_nowhere_is_given() {
     let text = "The hot body gives off\n\n$$ Q_1 = M_1 c (T_1 - T) $$\n\nand the cold one takes up\n\n$$ Q_2 = M_2 c (T - T_2). $$\n\n\
                 Energy conservation gives\n\n$$ Q_1 = Q_2. $$\n";
-    assert_eq!(last(text), ("given", vec!["taken-as-given"]));
+    assert_eq!(last_noted(text), ("given", vec!["taken-as-given"]));
 }
 
 /// Only the first link can come from what is cited, and it defines something.
 #[test]
 fn beginning_of_a_chain_is_told() {
     let text = "The ball falls according to\n\n$$ m g h = E. \\tag{1} $$\n\nWith $h = 4 R$ the speed is, by (1),\n\n$$ u = \\sqrt{g h} = 2 \\sqrt{g R}. $$\n";
-    let (verdict, notes) = last(text);
+    let (verdict, notes) = last_noted(text);
     assert_eq!(verdict, "holds");
     assert!(notes.contains(&"taken-as-given"), "{notes:?}");
 }

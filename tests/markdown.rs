@@ -3,10 +3,11 @@
 use crate::common;
 use std::path::PathBuf;
 
-use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Document;
 use cradle_verify::notation::latex_statement;
+
+use crate::common::{verdicts, verdicts_of};
 
 fn read(source: &str) -> Derivation {
     Derivation::from_markdown("page.md", source)
@@ -333,13 +334,6 @@ fn text_in_utf_16_is_none_with_and_without_a_mark_at_its_beginning() {
 /// What the text of a later cell says is looked for there, and not at the same place of the first one.
 #[test]
 fn a_page_in_a_later_cell_is_judged_as_by_itself() {
-    let verdicts = |document: Document| {
-        let audit = Audit::of(&Derivation::new(vec![document]));
-        let entries = audit.entries.iter();
-        entries
-            .map(|entry| entry.verdict.word())
-            .collect::<Vec<_>>()
-    };
     let pages = [
         // By symmetry something is left open.
         "The best response of the first firm is\n\n$$ x = \\frac{a - b y}{2 b}. \\tag{1} $$\n\nBy symmetry we have\n\n$$ y = \\frac{a - b x}{2 b}. \\tag{2} $$\n",
@@ -352,8 +346,8 @@ fn a_page_in_a_later_cell_is_judged_as_by_itself() {
         let cell = |text: &str| serde_json::json!({ "cell_type": "markdown", "source": text });
         let cells = [cell(&"Notes taken on the way. ".repeat(4)), cell(page)];
         let notebook = serde_json::json!({ "nbformat": 4, "cells": cells }).to_string();
-        let alone = verdicts(Document::markdown("a.md", page));
-        let in_cell = verdicts(Document::notebook("a.ipynb", &notebook).unwrap());
+        let alone = verdicts(page);
+        let in_cell = verdicts_of(vec![Document::notebook("a.ipynb", &notebook).unwrap()]);
         assert_eq!(in_cell, alone, "{page}");
     }
 }

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use cradle_verify::algebra::{BigRational, Expr, Function, LimitPoint, Symbol};
-use cradle_verify::audit::Audit;
-use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Span;
 use cradle_verify::notation::{
     Clause, Precision, SyntaxError, latex, latex_statement, plain, read_display, read_expr,
     read_formulas, read_symbol,
 };
+
+use crate::common::last;
 use proptest::prelude::*;
 
 fn whole(text: &str) -> Span {
@@ -1897,13 +1897,8 @@ fn names_on_a_terminal() {
 /// What the text calls a function is none of the factors: `f(x + 1)` beside "Let $f(x) = x^2$" is refused, and was a product.
 #[test]
 fn functions_of_the_text_are_no_factors() {
-    let verdict = |text: &str| {
-        let audit = Audit::of(&Derivation::from_markdown("a.md", text));
-        let last = audit.entries.last().map(|own| own.verdict.word());
-        last.unwrap_or_default()
-    };
     let page = |words: &str| {
-        verdict(&format!(
+        last(&format!(
             "{words}\n\n$$ y = f(x + 1). \\tag{{1}} $$\n\nHence by (1)\n\n$$ y = f x + f. \\tag{{2}} $$\n"
         ))
     };

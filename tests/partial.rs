@@ -1,13 +1,6 @@
 //! Partial derivatives in texts that declare nothing: what is right holds, slips fail, and what may be meant in another way does neither.
 
-use cradle_verify::audit::Audit;
-use cradle_verify::derivation::Derivation;
-
-/// The verdict on the last statement.
-fn last(text: &str) -> &'static str {
-    let audit = Audit::of(&Derivation::from_markdown("page.md", text));
-    audit.entries.last().unwrap().verdict.word()
-}
+use crate::common::last;
 
 /// A step from laws.
 fn step(laws: &[&str], goal: &str) -> &'static str {

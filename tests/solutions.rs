@@ -3,15 +3,7 @@
 use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 
-fn verdicts(text: &str) -> Vec<&'static str> {
-    let audit = Audit::of(&Derivation::from_markdown("page.md", text));
-    let entries = audit.entries.iter();
-    entries.map(|entry| entry.verdict.word()).collect()
-}
-
-fn last(text: &str) -> &'static str {
-    verdicts(text).last().expect("a verdict")
-}
+use crate::common::{last, verdicts};
 
 /// Dots on what the text makes of others that have dots are slopes, as theirs are.
 #[test]

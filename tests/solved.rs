@@ -1,14 +1,6 @@
 //! What is solved for under a name of its own.
 
-use cradle_verify::audit::Audit;
-use cradle_verify::derivation::Derivation;
-use cradle_verify::document::Document;
-
-/// The verdict of the last statement of a text that declares nothing.
-fn last(text: &str) -> &'static str {
-    let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
-    audit.entries.last().unwrap().verdict.word()
-}
+use crate::common::last;
 
 const THROW: &str = "A stone is after the time $t$ at the height\n\n$$ y = w t - \\frac{1}{2} g t^2. \\tag{1} $$\n\n";
 

@@ -1,15 +1,6 @@
 //! Where slopes by what the text names are zero: least squares, Lagrange's multipliers, optimal prices.
 
-use cradle_verify::audit::Audit;
-use cradle_verify::derivation::Derivation;
-use cradle_verify::document::Document;
-
-/// The verdicts of a text that declares nothing.
-fn verdicts(text: &str) -> Vec<&'static str> {
-    let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
-    let entries = audit.entries.iter();
-    entries.map(|entry| entry.verdict.word()).collect()
-}
+use crate::common::{last_noted, verdicts};
 
 #[test]
 fn normal_equations_follow_from_the_sum_of_squares() {
@@ -83,13 +74,9 @@ fn multipliers_of_lagrange() {
 #[test]
 fn an_optimal_quantity_divides_by_what_must_not_vanish() {
     let page = |words: &str, quantity: &str| {
-        let text = format!(
+        last_noted(&format!(
             "The profit is\n\n$$ P = (a - b q) q - c q. \\tag{{1}} $$\n\n{words}\n\n$$ q = {quantity}. \\tag{{2}} $$\n"
-        );
-        let audit = Audit::of(&Derivation::from_markdown("a.md", &text));
-        let last = audit.entries.last().unwrap();
-        let codes: Vec<&str> = last.notes.iter().map(|note| note.code()).collect();
-        (last.verdict.word(), codes)
+        ))
     };
     for words in [
         "Setting the derivative with respect to $q$ to zero gives",

@@ -1,18 +1,11 @@
 //! What a quantity is at a place that the words name, and steps that are of something else than what stands just before them.
 
-use cradle_verify::audit::Audit;
-use cradle_verify::derivation::Derivation;
-use cradle_verify::document::Document;
+use crate::common::last_noted;
 
 /// The verdict of the last statement of a text that declares nothing, and whether it is told that it is not checked.
 fn last(text: &str) -> (&'static str, bool) {
-    let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
-    let last = audit.entries.last().unwrap();
-    let unchecked = last
-        .notes
-        .iter()
-        .any(|note| note.code() == "taken-as-given");
-    (last.verdict.word(), unchecked)
+    let (verdict, notes) = last_noted(text);
+    (verdict, notes.contains(&"taken-as-given"))
 }
 
 const CHECKED: (&str, bool) = ("holds", false);

@@ -4,20 +4,7 @@ use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Document;
 
-/// The verdicts of a text that declares nothing.
-fn verdicts(text: &str) -> Vec<&'static str> {
-    let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
-    let entries = audit.entries.iter();
-    entries.map(|entry| entry.verdict.word()).collect()
-}
-
-/// The findings of a text that declares nothing, by their codes, of the last statement.
-fn last(text: &str) -> (&'static str, Vec<&'static str>) {
-    let audit = Audit::of(&Derivation::new(vec![Document::markdown("a.md", text)]));
-    let last = audit.entries.last().unwrap();
-    let codes = last.notes.iter().map(|note| note.code()).collect();
-    (last.verdict.word(), codes)
-}
+use crate::common::{last_noted, verdicts};
 
 /// What the last sentence before a display names it may be drawn from, whatever time it is of.
 #[test]
@@ -37,7 +24,7 @@ fn laws_in_words_link_what_the_displays_say() {
 #[test]
 fn bounds_of_what_is_introduced_and_meanings_outlast_the_section() {
     let page = |setup: &str, between: &str| {
-        last(&format!(
+        last_noted(&format!(
             "# Setup\n\n{setup}\n\n# Laws\n\n$$ m v = m w \\tag{{1}} $$\n\n{between}Hence\n\n$$ v = w $$\n"
         ))
     };
@@ -115,7 +102,7 @@ fn several_laws_are_announced_together() {
 #[test]
 fn rival_cases_leave_one_another() {
     let page = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The current is\n\n$$ I = \\frac{{U}}{{R + r}} \\tag{{1}} $$\n\nIf $R = r$, (1) becomes\n\n$$ I = \\frac{{U}}{{2 r}} $$\n\n\
              {lead}\n\n$$ {end} $$\n"
         ))
@@ -136,7 +123,7 @@ fn rival_cases_leave_one_another() {
 #[test]
 fn bounds_and_names_in_passing() {
     let page = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "$$ M u = M v \\tag{{1}} $$\n\n{lead}\n\n$$ {end} $$\n"
         ))
     };
@@ -160,7 +147,7 @@ fn bounds_and_names_in_passing() {
 #[test]
 fn what_has_a_name_vanishes() {
     let page = |law: &str, lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "{law}\n\n$$ v = u - g t \\tag{{1}} $$\n\n{lead}\n\n$$ t = {end} $$\n"
         ))
         .0
@@ -196,7 +183,7 @@ fn letters_of_another_section_are_others() {
 #[test]
 fn this_vanishes_where() {
     let page = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The slope is\n\n$$ s = a (x - b) \\tag{{1}} $$\n\nwith $a > 0$. {lead}\n\n$$ x = {end} $$\n"
         ))
         .0
@@ -230,7 +217,7 @@ fn what_is_of_one_place() {
 #[test]
 fn the_sign_that_is_left_unsaid_is_the_step_s() {
     let page = |speed: &str| {
-        last(&format!(
+        last_noted(&format!(
             "A body of mass $m > 0$ at the distance $r > 0$ has\n\n$$ U = -\\frac{{k m}}{{r}} \\tag{{1}} $$\n\n$$ \\frac12 m w^2 + U = 0 \\tag{{2}} $$\n\n\
              By (1) and (2),\n\n$$ w = {speed} $$\n"
         ))
@@ -245,14 +232,14 @@ fn the_sign_that_is_left_unsaid_is_the_step_s() {
 fn a_power_that_is_given_changes() {
     let page = "$$ T^2 = \\frac{r^3}{k} \\tag{1} $$\n\nThe energy is\n\n$$ E = \\frac{k m}{r} \\tag{2} $$\n\nDifferentiating (2) with respect to $r$,\n\n\
                 $$ \\frac{dE}{dr} = -\\frac{k m}{r^2} $$\n";
-    assert_eq!(last(page), ("holds", vec!["taken-as-constant"]));
+    assert_eq!(last_noted(page), ("holds", vec!["taken-as-constant"]));
 }
 
 /// The side of the equation that is cited is set to zero, whatever stands last.
 #[test]
 fn sides_of_what_is_cited_vanish() {
     let slope = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The first derivative is\n\n$$ \\frac{{df}}{{dx}} = 3 x^2 - 12 x \\tag{{1}} $$\n\nand the second\n\n\
              $$ \\frac{{d^2 f}}{{dx^2}} = 6 x - 12. \\tag{{2}} $$\n\n{lead} for $x \\neq 0$,\n\n$$ x = {end}. $$\n"
         ))
@@ -289,7 +276,7 @@ fn sides_of_what_is_cited_vanish() {
 #[test]
 fn it_must_be_equal_to_something() {
     let page = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The integral is\n\n$$ N = \\frac{{A^2 L}}{{2}}. \\tag{{1}} $$\n\n{lead}\n\n$$ {end} $$\n"
         ))
         .0
@@ -315,7 +302,7 @@ fn it_must_be_equal_to_something() {
         "fails"
     );
     let profit = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The profit is\n\n$$ G = (a - c) q - b q^2. \\tag{{1}} $$\n\nThe derivative is\n\n\
              $$ \\frac{{dG}}{{dq}} = a - c - 2 b q. \\tag{{2}} $$\n\n{lead}\n\n$$ q = {end} $$\n"
         ))
@@ -334,7 +321,7 @@ fn it_must_be_equal_to_something() {
 #[test]
 fn equations_are_equated() {
     let page = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The kinetic energy is\n\n$$ K = \\frac12 m v^2 \\tag{{1}} $$\n\nand the potential energy\n\n$$ U = m g h. \\tag{{2}} $$\n\n\
              {lead}\n\n$$ h = {end} $$\n"
         ))
@@ -360,7 +347,7 @@ fn equations_are_equated() {
 #[test]
 fn conditions_that_are_not_understood_refute_nothing() {
     let page = |lead: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The force is\n\n$$ F = a x - b \\tag{{1}} $$\n\nand the torque\n\n$$ M = F c + d x. \\tag{{2}} $$\n\n{lead}\n\n$$ x = \\frac{{b}}{{a}} $$\n"
         ))
         .0
@@ -385,7 +372,7 @@ fn conditions_that_are_not_understood_refute_nothing() {
 #[test]
 fn words_that_only_lead_on() {
     let page = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "We have\n\n$$ T = \\frac{{m (2 n + M)}}{{m + n + M}}. \\tag{{1}} $$\n\n{lead}\n\n$$ T = {end} $$\n"
         ))
         .0
@@ -446,7 +433,7 @@ fn remarks_in_parentheses_cite_nothing() {
 #[test]
 fn values_of_kinds_are_told_apart() {
     let page = |said: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The heat capacity is\n\n$$ C = \\frac{{f}}{{2}} R \\tag{{1}} $$\n\n{said}\n\n$$ C = \\frac{{{end}}}{{2}} R $$\n"
         ))
         .0
@@ -475,7 +462,7 @@ fn values_of_kinds_are_told_apart() {
 #[test]
 fn what_is_so_for_a_moment() {
     let page = |clause: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The current is\n\n$$ I = I_0 + k t, \\tag{{1}} $$\n\n{clause} The power is\n\n$$ P = R I^2. \\tag{{2}} $$\n\n\
              Inserting (1) into (2) we get\n\n$$ P = {end} $$\n"
         ))
@@ -570,7 +557,7 @@ fn laws_that_words_go_on_to() {
 #[test]
 fn what_is_fixed_does_not_change() {
     let page = |said: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The surface is\n\n$$ A = 2 \\pi r^2 + \\frac{{2 V}}{{r}}. \\tag{{1}} $$\n\n{said}\n\n$$ \\frac{{dA}}{{dr}} = {end} $$\n"
         ))
     };
@@ -589,7 +576,7 @@ fn what_is_fixed_does_not_change() {
 #[test]
 fn slopes_with_a_slash() {
     let page = |lead: &str, end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The rate is\n\n$$ \\frac{{dc}}{{dt}} = k e s - n c. \\tag{{1}} $$\n\n{lead}\n\n$$ k e s = {end}. \\tag{{2}} $$\n"
         ))
         .0
@@ -624,7 +611,7 @@ fn what_is_fixed_may_be_given() {
 #[test]
 fn what_is_fixed_lets_what_it_is_made_of_keep_up() {
     let page = |said: &str, slope: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The volume is\n\n$$ V = \\pi r^2 h \\tag{{1}} $$\n\nand the surface\n\n$$ A = 2 \\pi r^2 + 2 \\pi r h \\tag{{2}} $$\n\n\
              {said}, differentiating (2) gives\n\n$$ \\frac{{dA}}{{dr}} = {slope} \\tag{{3}} $$\n"
         ))
@@ -668,7 +655,7 @@ fn what_was_constant_and_is_given_by_what_moves_is_constant_no_more() {
 #[test]
 fn what_words_draw_is_no_definition() {
     let end = |text: &str, right: &str, wrong: &str| {
-        let page = |formula: &str| last(&format!("{text}\n\n$$ {formula} $$\n")).0;
+        let page = |formula: &str| last_noted(&format!("{text}\n\n$$ {formula} $$\n")).0;
         (page(right), page(wrong))
     };
     let segment = "The area is\n\n$$ A = \\frac{r^2}{2} (\\varphi - \\sin\\varphi) \\tag{1} $$\n\nFor a half circle, $\\varphi = \\pi$, we recover";
@@ -688,7 +675,7 @@ fn what_words_draw_is_no_definition() {
 
     // What is told of another new letter says nothing of this one.
     let other = "The speed is\n\n$$ v^2 = 2 g h \\tag{1} $$\n\nThe kinetic energy is $K = \\frac12 m w^2$. By (1) we get";
-    let page = |formula: &str| last(&format!("{other}\n\n$$ {formula} $$\n")).0;
+    let page = |formula: &str| last_noted(&format!("{other}\n\n$$ {formula} $$\n")).0;
     assert_eq!(page(r"w = 2 g h"), "given");
 }
 
@@ -696,7 +683,7 @@ fn what_words_draw_is_no_definition() {
 #[test]
 fn a_slope_that_words_take_is_that_of_what_they_cite() {
     let page = |words: &str, value: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The position is\n\n$$ x = A \\cos(\\omega t) \\tag{{1}} $$\n\n{words}\n\n$$ v = {value} $$\n"
         ))
         .0
@@ -734,7 +721,7 @@ fn all_rows_define_what_is_defined_through_them() {
 #[test]
 fn this_that_something_is_compared_with_is_the_display_before() {
     let page = |height: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The volume is\n\n$$ V = \\pi r^2 h \\tag{{1}} $$\n\nand the area\n\n$$ A = 2 \\pi r^2 + \\frac{{2 V}}{{r}} \\tag{{2}} $$\n\n\
              Its derivative is\n\n$$ \\frac{{dA}}{{dr}} = 4 \\pi r - \\frac{{2 V}}{{r^2}} \\tag{{3}} $$\n\n\
              Setting (3) equal to zero gives\n\n$$ V = 2 \\pi r^3 \\tag{{4}} $$\n\nComparing this with (1), we see that\n\n$$ h = {height} $$\n"
@@ -775,7 +762,7 @@ fn what_is_beyond_a_special_case_does_not_rest_on_it() {
     }
 
     let lens = |begins: &str, ratio: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The lens equation and the magnification are\n\n\
              $$ \\frac1s + \\frac1t = \\frac1f, \\qquad M = \\frac{{t}}{{s}} \\tag{{1}} $$\n\n\
              Object and image have the same size where $s = t$. From (1) we find\n\n$$ s = 2 f \\tag{{2}} $$\n\n\
@@ -793,7 +780,7 @@ fn what_is_beyond_a_special_case_does_not_rest_on_it() {
 #[test]
 fn what_holds_anyway_is_in_force_for_what_speaks_of_all_of_it() {
     let page = |words: &str, speed: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The momentum is\n\n$$ p = m v + n w \\tag{{1}} $$\n\n{words}\n\n$$ p = (m + n) v \\tag{{2}} $$\n\n\
              The energy\n\n$$ E = \\frac12 m v^2 + \\frac12 n w^2 \\tag{{3}} $$\n\ntherefore is\n\n$$ E = {speed} $$\n"
         ))
@@ -812,7 +799,7 @@ fn what_holds_anyway_is_in_force_for_what_speaks_of_all_of_it() {
 #[test]
 fn a_step_goes_on_from_what_holds_under_a_condition() {
     let page = |power: u8| {
-        last(&format!(
+        last_noted(&format!(
             "The star gives off\n\n$$ L = 4 \\pi R^2 \\sigma T^4 \\tag{{1}} $$\n\nof which there arrives\n\n\
              $$ S = \\frac{{L}}{{4 \\pi d^2}} \\tag{{2}} $$\n\nA planet absorbs\n\n$$ P = \\pi r^2 S \\tag{{3}} $$\n\nand emits\n\n\
              $$ Q = 4 \\pi r^2 \\sigma U^4 \\tag{{4}} $$\n\nIn equilibrium, $P = Q$, so that from (3) and (4)\n\n\
@@ -829,7 +816,7 @@ fn a_step_goes_on_from_what_holds_under_a_condition() {
 #[test]
 fn what_is_found_is_no_new_meaning() {
     let page = |numerator: &str| {
-        last(&format!(
+        last_noted(&format!(
             "# One\n\n## Ratio\n\nTwo masses $m > 0$ and $n > 0$ collide. Let $r = n/m$ be their ratio. The share is\n\n\
              $$ s = \\frac{{4 m n}}{{(m + n)^2}} \\tag{{1}} $$\n\nwhich is\n\n$$ s = \\frac{{4 r}}{{(1 + r)^2}} \\tag{{2}} $$\n\n## Best\n\n\
              Differentiating (2),\n\n$$ \\frac{{ds}}{{dr}} = \\frac{{4 (1 - r)}}{{(1 + r)^3}} \\tag{{3}} $$\n\n\
@@ -846,7 +833,7 @@ fn what_is_found_is_no_new_meaning() {
 #[test]
 fn a_name_for_a_common_value_is_that_of_each() {
     let page = |words: &str, sum: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The bodies have the total momentum\n\n$$ p = m v + n w \\tag{{1}} $$\n\nIn the end they stick together:\n\n\
              $$ v = w \\tag{{2}} $$\n\n{words} from (1)\n\n$$ p = {sum} u \\tag{{3}} $$\n"
         ))
@@ -871,7 +858,7 @@ fn a_name_for_a_common_value_is_that_of_each() {
     );
 
     let balls = |result: &str| {
-        last(&format!(
+        last_noted(&format!(
             "<!-- check: symbols n: count, natural -->\n\nThe momentum is\n\n$$ n w = \\sum_{{i=1}}^n u_i \\tag{{1}} $$\n\n\
              and all velocities are the same:\n\n$$ u_1 = u_2 = \\dots = u_n \\tag{{2}} $$\n\nCalling the common value $u$, we read off from (1)\n\n\
              $$ n w = n u \\quad \\Rightarrow \\quad u = {result} $$\n"
@@ -901,7 +888,7 @@ fn a_step_goes_on_from_what_rests_on_something_false() {
 #[test]
 fn what_is_inserted_is_the_display_before() {
     let page = |area: &str| {
-        last(&format!(
+        last_noted(&format!(
             "Two tanks hold\n\n$$ A x + B y = V \\tag{{1}} $$\n\nand the flow between them is\n\n$$ Q = k (x - y) \\tag{{2}} $$\n\n\
              Solving (2) for $y$ gives\n\n$$ y = x - \\frac{{Q}}{{k}} \\tag{{3}} $$\n\nand inserting this into (1)\n\n\
              $$ x = \\frac{{V + {area} Q/k}}{{A + B}} \\tag{{4}} $$\n"
@@ -916,7 +903,7 @@ fn what_is_inserted_is_the_display_before() {
 #[test]
 fn a_case_is_set_in_the_sentence_before() {
     let page = |words: &str, result: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The height is\n\n$$ y = u t - \\frac12 g t^2 \\tag{{1}} $$\n\n{words}\n\n$$ g t^2 = {result} \\tag{{2}} $$\n"
         ))
         .0
@@ -951,7 +938,7 @@ fn a_sentence_goes_on_past_a_display() {
 #[test]
 fn what_a_symbol_is_said_to_be_leads_to_what_else_is_known() {
     let page = |factor: &str| {
-        last(&format!(
+        last_noted(&format!(
             "Altogether there are\n\n$$ n = n_0 (1 + \\alpha) \\tag{{1}} $$\n\nmoles. The equilibrium constant is\n\n\
              $$ K = \\frac{{4 \\alpha^2}}{{1 - \\alpha^2}} p \\tag{{2}} $$\n\n\
              If the degree of dissociation is $\\alpha = 1/2$, then by (2)\n\n$$ K = \\frac43 p \\tag{{3}} $$\n\n\
@@ -967,7 +954,7 @@ fn what_a_symbol_is_said_to_be_leads_to_what_else_is_known() {
 #[test]
 fn what_a_sentence_tells_is_so_in_a_counterexample() {
     let page = |result: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The field is\n\n$$ I = \\int_0^{{a}} f(x) \\, dx + \\int_0^{{b}} f(x) \\, dx $$\n\n\
              For equal lengths, $a = b = c$, so that (1) becomes\n\n$$ I = {result} \\int_0^c f(x) \\, dx $$\n"
         ))
@@ -981,7 +968,7 @@ fn what_a_sentence_tells_is_so_in_a_counterexample() {
 #[test]
 fn what_is_put_in_at_a_place_is_not_kept() {
     let page = |factor: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The drag is\n\n$$ F = \\frac12 \\rho A v^2 \\tag{{1}} $$\n\nand the equation of motion is\n\n\
              $$ m \\frac{{dv}}{{dt}} = m g - F \\tag{{2}} $$\n\nSetting $F = m g$ at $v = u$ in (1),\n\n\
              $$ u = \\sqrt{{\\frac{{2 m g}}{{\\rho A}}}} \\tag{{3}} $$\n\nWith (1) and (3), (2) can be rewritten as\n\n\
@@ -997,7 +984,7 @@ fn what_is_put_in_at_a_place_is_not_kept() {
 #[test]
 fn a_step_may_need_what_holds_under_a_condition() {
     let page = |factor: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The force keeps the proton on a circle:\n\n$$ q v B = \\frac{{m v^2}}{{r}} \\tag{{1}} $$\n\nOne turn takes\n\n\
              $$ T = \\frac{{2\\pi r}}{{v}} \\tag{{2}} $$\n\nso by (1)\n\n$$ T = \\frac{{2\\pi m}}{{q B}} \\tag{{3}} $$\n\n\
              The oscillator must run at\n\n$$ f = \\frac{{1}}{{T}} = \\frac{{q B}}{{2\\pi m}} \\tag{{4}} $$\n\n\
@@ -1014,7 +1001,7 @@ fn a_step_may_need_what_holds_under_a_condition() {
 #[test]
 fn a_condition_in_words_may_bring_in_symbols() {
     let page = |words: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The stress at the wall is\n\n$$ \\tau = \\frac{{4 \\eta Q}}{{\\pi r^3}} \\tag{{1}} $$\n\n{words}\n\n\
              $$ \\frac{{Q}}{{r_0^3}} = \\frac{{Q/2}}{{r_1^3}} \\tag{{2}} $$\n"
         ))
@@ -1031,7 +1018,7 @@ fn a_condition_in_words_may_bring_in_symbols() {
 #[test]
 fn a_quotient_is_weighed_as_it_stands() {
     let page = |value: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The hidden fraction is\n\n$$ \\frac{{V}}{{W}} = \\frac{{a}}{{b}} $$\n\n\
              With $a = 917\\,\\mathrm{{kg/m^3}}$ and $b = 1025\\,\\mathrm{{kg/m^3}}$ we get\n\n$$ \\frac{{V}}{{W}} = {value} $$\n"
         ))
@@ -1110,7 +1097,7 @@ fn solutions_are_not_of_the_moment_at_which_they_begin() {
 #[test]
 fn numbers_that_the_text_tells_are_not_overlooked() {
     let page = |words: &str, value: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The toll is\n\n$$ L = \\frac{{g + 3 h}}{{2}} \\tag{{1}} $$\n\n{words}\n\n$$ L = {value} $$\n"
         ))
         .0
@@ -1140,7 +1127,7 @@ fn numbers_that_the_text_tells_are_not_overlooked() {
 #[test]
 fn what_is_said_to_vanish_is_put_in() {
     let page = |words: &str, momentum: &str| {
-        last(&format!(
+        last_noted(&format!(
             "Momentum is conserved:\n\n$$ m v + n w = p \\tag{{1}} $$\n\n{words}\n\n$$ p = {momentum} $$\n"
         ))
         .0
@@ -1168,7 +1155,7 @@ fn what_is_said_to_vanish_is_put_in() {
 #[test]
 fn what_is_read_off_a_display_wrongly_supposes_nothing() {
     let page = |read_off: &str, energy: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The speed is\n\n$$ v = \\sqrt{{2 g h}} \\tag{{1}} $$\n\nand the energy\n\n$$ K = \\frac12 m v^2 . \\tag{{2}} $$\n\n\
              Using $v^2 = {read_off}$ from (1), we find\n\n$$ K = {energy} $$\n"
         ))
@@ -1183,7 +1170,7 @@ fn what_is_read_off_a_display_wrongly_supposes_nothing() {
 #[test]
 fn what_is_eliminated_is_not_held() {
     let page = |slope: &str| {
-        last(&format!(
+        last_noted(&format!(
             "A tin has\n\n$$ W = \\pi s^2 h , \\qquad B = 2 \\pi s^2 + 2 \\pi s h . \\tag{{1}} $$\n\n\
              Eliminating $h$ from (1) we get, for $s > 0$,\n\n$$ B = 2 \\pi s^2 + \\frac{{2 W}}{{s}} . \\tag{{2}} $$\n\n\
              Hence\n\n$$ \\frac{{dB}}{{ds}} = {slope} $$\n"
@@ -1198,7 +1185,7 @@ fn what_is_eliminated_is_not_held() {
 #[test]
 fn where_something_lies_is_a_condition() {
     let page = |end: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The flow is\n\n$$ Q = A v \\tag{{1}} $$\n\nand\n\n$$ Q = B w . \\tag{{2}} $$\n\nFrom (1) and (2)\n\n$$ {end} $$\n"
         ))
         .0
@@ -1215,7 +1202,7 @@ fn where_something_lies_is_a_condition() {
 #[test]
 fn an_identity_that_a_page_begins_with_is_checked() {
     let page = |right: &str| {
-        last(&format!(
+        last_noted(&format!(
             "For all $a$ and $b$ we have the identity\n\n$$ (a + b)^2 = {right} $$\n"
         ))
         .0
@@ -1228,7 +1215,7 @@ fn an_identity_that_a_page_begins_with_is_checked() {
 #[test]
 fn a_term_is_given_a_name_in_words() {
     let page = |words: &str, value: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The potential is\n\n$$ V = \\frac{{k z}}{{z^2 + a^2}} \\tag{{1}} $$\n\n{words}\n\n$$ V = {value} $$\n"
         ))
         .0
@@ -1248,7 +1235,7 @@ fn a_term_is_given_a_name_in_words() {
 #[test]
 fn a_rounded_link_beside_one_that_is_open_is_not_refuted() {
     let page = |value: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The way down is\n\n$$ z = \\frac{{1}}{{2}} b t^2 \\tag{{1}} $$\n\nWe found $z = 1.30\\,\\mathrm{{m}}$ and a time $t = 1.10\\,\\mathrm{{s}}$. \
              With $g = 9.81\\,\\mathrm{{m/s^2}}$ (1) yields\n\n\
              $$ b = \\frac{{2 \\cdot 1.30\\,\\mathrm{{m}}}}{{(1.10\\,\\mathrm{{s}})^2}} = {value}\\,\\mathrm{{m/s^2}} $$\n"
@@ -1262,7 +1249,7 @@ fn a_rounded_link_beside_one_that_is_open_is_not_refuted() {
 #[test]
 fn of_what_an_unreadable_display_speaks_nothing_else_is_refuted() {
     let page = |before: &str, step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The share is\n\n$$ q = \\frac{{u}}{{w}} \\tag{{1}} $$\n\nand the mean\n\n$$ {before} \\tag{{2}} $$\n\nIn the rates, by (1), this is\n\n$$ {step} $$\n"
         ))
         .0
@@ -1278,7 +1265,7 @@ fn of_what_an_unreadable_display_speaks_nothing_else_is_refuted() {
 #[test]
 fn what_is_told_of_a_case_is_no_premise_of_what_is_named_later() {
     let page = |words: &str, step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "A body moves by\n\n$$ x = v t. \\tag{{1}} $$\n\n{words} The square $q = x^2$ is, by (1),\n\n$$ {step} $$\n"
         ))
         .0
@@ -1307,7 +1294,7 @@ fn what_is_told_of_a_case_is_no_premise_of_what_is_named_later() {
 #[test]
 fn what_is_set_in_a_sentence_of_its_own_is_meant_for_the_next() {
     let page = |words: &str, number: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The speeds obey\n\n$$ m u = M w. \\tag{{1}} $$\n\n{words} The ratio $k = u/w$ is, by (1),\n\n$$ k = {number}. $$\n"
         ))
         .0
@@ -1329,7 +1316,7 @@ fn what_is_set_in_a_sentence_of_its_own_is_meant_for_the_next() {
 #[test]
 fn what_is_displayed_of_a_moment_is_no_premise_of_what_is_named_later() {
     let page = |step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "A body moves by\n\n$$ x = v t. \\tag{{1}} $$\n\nInitially, at $t = 0$, we have\n\n$$ x = 0. \\tag{{2}} $$\n\nThe square $q = x^2$ is, by (1),\n\n$$ {step} $$\n"
         ))
         .0
@@ -1346,7 +1333,7 @@ fn the_first_of_two_cases_is_over_with_the_second() {
         "Suppose instead that it accelerates with $a$.",
     ] {
         let page = |step: &str| {
-            last(&format!(
+            last_noted(&format!(
                 "Suppose first that the lift is at rest, $a = 0$. The floor pushes with\n\n$$ N = m g. \\tag{{1}} $$\n\n{second} Then\n\n\
                  $$ F = m (g + a). \\tag{{2}} $$\n\nThe ratio $k = F/N$ is, by (1) and (2),\n\n$$ {step} $$\n"
             ))
@@ -1360,7 +1347,7 @@ fn the_first_of_two_cases_is_over_with_the_second() {
 #[test]
 fn what_is_said_again_otherwise_is_meant_no_more() {
     let page = |step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "A cart has the momentum\n\n$$ p = m v. \\tag{{1}} $$\n\nIt starts from rest: $v = 0$ at $t = 0$. Later $v = a t$, and (1) becomes\n\n$$ {step} $$\n"
         ))
         .0
@@ -1372,7 +1359,7 @@ fn what_is_said_again_otherwise_is_meant_no_more() {
 #[test]
 fn what_is_neglected_is_zero() {
     let page = |words: &str, mass: &str| {
-        last(&format!(
+        last_noted(&format!(
             "Two bodies stick together:\n\n$$ m v + M w = (m + M) u \\tag{{1}} $$\n\n{words}\n\n$$ u = \\frac{{{mass} v}}{{m + M}} $$\n"
         ))
         .0
@@ -1403,7 +1390,7 @@ fn what_is_neglected_is_zero() {
 #[test]
 fn what_is_denied_says_what_is_so_in_other_words() {
     let page = |words: &str, mass: &str| {
-        last(&format!(
+        last_noted(&format!(
             "Two bodies have the momentum\n\n$$ p = m v + M w. \\tag{{1}} $$\n\n{words}\n\n$$ p = {mass} v. $$\n"
         ))
         .0
@@ -1442,7 +1429,7 @@ fn a_case_that_is_looked_at_is_left_again() {
         "Let us look at the special case $M = 0$, which gives",
     ] {
         let page = |step: &str| {
-            last(&format!(
+            last_noted(&format!(
                 "Two bodies have the momentum\n\n$$ p = m v + M w, \\quad m > 0. \\tag{{1}} $$\n\n{words}\n\n$$ p = m v. \\tag{{2}} $$\n\n\
                  In general, both bodies are heavy. From (1),\n\n$$ {step} $$\n"
             ))
@@ -1457,7 +1444,7 @@ fn a_case_that_is_looked_at_is_left_again() {
 #[test]
 fn a_case_ends_with_what_rules_it_out() {
     let page = |first: &str, second: &str, step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The quantity of interest is\n\n$$ y = x + c. \\tag{{1}} $$\n\n{first}\n\n$$ y > c. \\tag{{2}} $$\n\n{second}\n\n$$ {step} $$\n"
         ))
         .0
@@ -1489,7 +1476,7 @@ fn a_case_ends_with_what_rules_it_out() {
 #[test]
 fn what_is_concluded_in_one_case_is_not_so_in_the_other() {
     let page = |second: &str, sign: &str| {
-        last(&format!(
+        last_noted(&format!(
             "Let $y = |x|$.\n\nCase 1: $x \\geq 0$. Then\n\n$$ y = x. \\tag{{1}} $$\n\n{second}\n\n$$ y^2 = {sign} x y. $$\n"
         ))
         .0
@@ -1508,7 +1495,7 @@ fn a_supposition_is_left_in_words() {
     ] {
         for supposing in ["Suppose that", "Assume that", "Let"] {
             let page = |step: &str| {
-                last(&format!(
+                last_noted(&format!(
                     "The sum is\n\n$$ S = a + b. \\tag{{1}} $$\n\n{supposing} $a = -b$. Then\n\n$$ S = 0. \\tag{{2}} $$\n\n{leaving}\n\n$$ {step} $$\n"
                 ))
                 .0
@@ -1527,7 +1514,7 @@ fn a_supposition_is_left_in_words() {
 #[test]
 fn a_condition_is_meant_where_the_next_sentence_goes_on() {
     let page = |words: &str, step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The discriminant is, with $k > 0$ and $d > 0$,\n\n$$ D = s^2 - 4 k d. \\tag{{1}} $$\n\n{words}\n\n$$ {step} $$\n"
         ))
         .0
@@ -1552,7 +1539,7 @@ fn a_sentence_supposes_what_it_displays() {
         "It is given that",
     ] {
         let page = |step: &str| {
-            last(&format!(
+            last_noted(&format!(
                 "The flow in the first pipe is\n\n$$ q = A u, \\tag{{1}} $$\n\nthat in the second one\n\n$$ r = B v. \\tag{{2}} $$\n\n{words}\n\n\
                  $$ q = r. \\tag{{3}} $$\n\nHence\n\n$$ {step} $$\n"
             ))
@@ -1567,7 +1554,7 @@ fn a_sentence_supposes_what_it_displays() {
 #[test]
 fn a_name_for_a_factor_is_no_case() {
     let page = |step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The force is\n\n$$ F = \\frac{{I a}}{{R^2}}, \\quad I > 0, m > 0, R > 0, \\tag{{1}} $$\n\nWe write $I = \\beta m R^2$ with a number \
              $\\beta > 0$ that depends on the shape. The force of friction is, by (1),\n\n$$ {step} $$\n"
         ))
@@ -1579,7 +1566,7 @@ fn a_name_for_a_factor_is_no_case() {
 
 #[test]
 fn what_does_not_vanish_is_no_wrong_citation() {
-    let (verdict, notes) = last(
+    let (verdict, notes) = last_noted(
         "The wavelength is\n\n$$ L = \\frac{c}{h}. \\tag{1} $$\n\nWith $c > 0$ one hears\n\n$$ f = \\frac{c}{c - u} h, \\tag{2} $$\n\nand the change is\n\n\
          $$ \\frac{f - h}{h} = \\frac{u}{c - u}. \\tag{3} $$\n\nAfterwards one hears\n\n$$ g = \\frac{c}{c + u} h. \\tag{4} $$\n\n\
          The ratio is, by (2) and (4),\n\n$$ \\frac{f}{g} = \\frac{c + u}{c - u}. $$\n",
@@ -1591,7 +1578,7 @@ fn what_does_not_vanish_is_no_wrong_citation() {
 #[test]
 fn numbers_that_displays_come_to_are_not_overlooked() {
     let page = |current: &str| {
-        last(&format!(
+        last_noted(&format!(
             "At $U = 12$ the current is\n\n$$ I = \\frac{{U}}{{2}} = 6. \\tag{{1}} $$\n\nThe current through the first one is\n\n\
              $$ J = \\frac{{U}}{{6}} = 2, \\tag{{2}} $$\n\nhence that through the second one is\n\n$$ K = I - J = {current}. $$\n"
         ))
@@ -1618,7 +1605,7 @@ fn what_is_cited_and_comes_later_is_not_waited_for() {
 #[test]
 fn what_must_not_vanish_is_found_beside_pi() {
     let page = |speed: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The weight is\n\n$$ G = \\frac{{4}}{{3}} \\pi R^3 \\rho g, \\tag{{1}} $$\n\nthe buoyancy is\n\n$$ B = \\frac{{4}}{{3}} \\pi R^3 \\sigma g. \\tag{{2}} $$\n\n\
              At the terminal speed\n\n$$ G = B + 6 \\pi \\eta R u. \\tag{{3}} $$\n\nSubstituting (1) and (2) into (3) we find\n\n$$ u = {speed}. $$\n"
         ))
@@ -1635,14 +1622,14 @@ fn what_must_not_vanish_is_found_beside_pi() {
 #[test]
 fn what_may_be_meant_throughout_is_not_refuted_at_a_point() {
     let chain = |step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "With $y = x^2$ the chain rule gives\n\n$$ \\frac{{dy}}{{dt}} = 2 x \\frac{{dx}}{{dt}}. \\tag{{1}} $$\n\nWith $x = t^3$ it becomes\n\n$$ {step} $$\n"
         ))
         .0
     };
     assert_ne!(chain(r"\frac{dy}{dt} = 6 t^5"), "fails");
     assert_ne!(chain(r"\frac{dy}{dt} = 5 t^5"), "holds");
-    let (verdict, _) = last(
+    let (verdict, _) = last_noted(
         "The total mass is\n\n$$ M = m_1 + m_2 + m_3. \\tag{1} $$\n\nIf all are equal, $m_i = m$, then\n\n$$ M = 3 m. $$\n",
     );
     assert_ne!(verdict, "fails");
@@ -1652,7 +1639,7 @@ fn what_may_be_meant_throughout_is_not_refuted_at_a_point() {
 #[test]
 fn a_special_value_may_be_of_what_stands_farther_back() {
     let page = |radius: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The electron obeys\n\n$$ m v r = n h, \\tag{{1}} $$\n\n$$ m v^2 r = k. \\tag{{2}} $$\n\nBy (1) and (2) the radius is\n\n$$ r = \\frac{{n^2 h^2}}{{m k}}. \\tag{{3}} $$\n\n\
              The energy is\n\n$$ E = - \\frac{{m k^2}}{{2 n^2 h^2}}. \\tag{{4}} $$\n\nIn the ground state, $n = 1$, the radius is\n\n$$ a_0 = {radius}. $$\n"
         ))
@@ -1665,7 +1652,7 @@ fn a_special_value_may_be_of_what_stands_farther_back() {
 #[test]
 fn what_is_said_under_circumstances_may_be_meant_under_others() {
     let page = |step: &str| {
-        last(&format!(
+        last_noted(&format!(
             "Under random mating the genotypes have the frequencies\n\n$$ P = p^2, \\qquad H = 2 p q, \\tag{{1}} $$\n\nwhere\n\n$$ p + q = 1. \\tag{{2}} $$\n\n\
              In the next generation the frequency is\n\n$$ u = P + \\frac{{1}}{{2}} H = {step}. $$\n"
         ))
@@ -1678,7 +1665,7 @@ fn what_is_said_under_circumstances_may_be_meant_under_others() {
 #[test]
 fn what_is_so_by_symmetry_is_not_refuted() {
     let page = |words: &str, other: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The best response of the first firm is, with $b > 0$,\n\n$$ q_1 = \\frac{{a - c - b q_2}}{{2 b}}. \\tag{{1}} $$\n\n{words} the best response of the second firm is\n\n$$ q_2 = {other}. $$\n"
         ))
         .0
@@ -1702,7 +1689,7 @@ fn what_is_so_by_symmetry_is_not_refuted() {
 #[test]
 fn what_is_told_of_a_variable_is_left_where_it_grows() {
     let page = |value: &str| {
-        last(&format!(
+        last_noted(&format!(
             "The loss is, with $C_1 > 0$ and $C_2 > 0$,\n\n$$ W = \\frac{{C_1 C_2}}{{C_1 + C_2}} U^2. \\tag{{1}} $$\n\nFor equal capacitors, $C_1 = C_2$, this is\n\n\
              $$ W = \\frac{{1}}{{2}} C_1 U^2. \\tag{{2}} $$\n\nIf the second capacitor is very large, all is lost, for\n\n\
              $$ \\lim_{{C_2 \\to \\infty}} \\frac{{C_1 C_2}}{{C_1 + C_2}} U^2 = {value} U^2. $$\n"

@@ -5,6 +5,8 @@ use cradle_verify::audit::{Audit, Entry, Note, Verdict};
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Document;
 
+use crate::common::verdicts;
+
 const LECTURE: &str = include_str!("documents/lecture.tex");
 
 /// What is amiss: the number of the equation, and the verdict or the note.
@@ -86,12 +88,6 @@ fn a_law_with_the_wrong_sign_fails_where_it_is_used() {
 }
 
 /// The verdict on each statement.
-fn verdicts(text: &str) -> Vec<&'static str> {
-    let audit = Audit::of(&Derivation::from_markdown("page.md", text));
-    let entries = audit.entries.iter();
-    entries.map(|entry| entry.verdict.word()).collect()
-}
-
 #[test]
 fn a_page_does_not_begin_with_what_is_no_law() {
     let begins = |words: &str, formula: &str| verdicts(&format!("{words}\n\n$$ {formula} $$\n"))[0];

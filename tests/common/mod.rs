@@ -8,6 +8,7 @@ use std::sync::OnceLock;
 
 use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
+use cradle_verify::document::Document;
 use cradle_verify::report::Report;
 use serde_json::Value;
 
@@ -33,6 +34,31 @@ pub fn human(derivation: &Derivation) -> String {
 
 fn plain(report: &Report<'_>) -> String {
     anstream::adapter::strip_str(&report.human(false)).to_string()
+}
+
+/// The verdicts of documents, in a word each.
+pub fn verdicts_of(documents: Vec<Document>) -> Vec<&'static str> {
+    let audit = Audit::of(&Derivation::new(documents));
+    let entries = audit.entries.iter();
+    entries.map(|entry| entry.verdict.word()).collect()
+}
+
+/// The verdicts of a page in Markdown.
+pub fn verdicts(text: &str) -> Vec<&'static str> {
+    verdicts_of(vec![Document::markdown("page.md", text)])
+}
+
+/// The verdict on the last statement of a page in Markdown.
+pub fn last(text: &str) -> &'static str {
+    last_noted(text).0
+}
+
+/// The same, and the codes of its notes.
+pub fn last_noted(text: &str) -> (&'static str, Vec<&'static str>) {
+    let audit = Audit::of(&Derivation::from_markdown("page.md", text));
+    let last = audit.entries.last().expect("a statement");
+    let codes = last.notes.iter().map(|note| note.code()).collect();
+    (last.verdict.word(), codes)
 }
 
 /// A page of the tests, and what an audit of it alone says.

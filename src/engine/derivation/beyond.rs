@@ -3,7 +3,7 @@
 use crate::algebra::{Expr, Formula};
 
 use super::reader::Reader;
-use super::rows::Part;
+use super::rows::{self, Part};
 use super::supposed::Local;
 use super::{Derivation, formulas};
 use crate::document::Span;
@@ -124,11 +124,7 @@ impl Reader<'_> {
                 && local.is_equation()
                 && is_said_of_a_place(source, local.span)
         };
-        let said = || {
-            display
-                .iter()
-                .flat_map(|part| part.statements.iter().flatten())
-        };
+        let said = || rows::statements(display);
         self.active.retain(|&at| {
             let own = &locals[at];
             let is_before = own.span.start < before.span.start;

@@ -10,7 +10,7 @@ use crate::sorted::Set;
 
 use super::equation::formulas;
 use super::reader::Reader;
-use super::rows::Part;
+use super::rows::{self, Part};
 use super::supposed::Local;
 
 impl Reader<'_> {
@@ -39,13 +39,7 @@ impl Reader<'_> {
             drop(figures);
             return self.leave_other_figures(display);
         }
-        let statements = display
-            .iter()
-            .flat_map(|part| part.statements.iter().flatten());
-        let said: Set<Symbol> = statements
-            .flat_map(formulas)
-            .flat_map(|own| own.names())
-            .collect();
+        let said: Set<Symbol> = rows::said(display).flat_map(|own| own.names()).collect();
         if figures.any(|at| !locals[at].names().is_disjoint(&said)) {
             self.example = locals.len();
         }
@@ -73,10 +67,7 @@ impl Reader<'_> {
 
     /// Leaves what has another value from a display on: "If instead $w = 4$, then $$k = 48$$".
     fn leave_other_figures(&mut self, display: &[Part]) {
-        let statements = display
-            .iter()
-            .flat_map(|part| part.statements.iter().flatten());
-        let said: Vec<Formula> = statements.flat_map(formulas).collect();
+        let said: Vec<Formula> = rows::said(display).collect();
         let is_said = |symbol: &Symbol| {
             let mut left = said.iter().filter_map(|own| Some(own.as_equation()?.0));
             left.any(|own| matches!(own, Expr::Symbol(own) if own == symbol))

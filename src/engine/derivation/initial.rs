@@ -3,7 +3,7 @@
 
 use super::equation::{Equation, formulas};
 use super::page::Page;
-use super::rows::Part;
+use super::rows::{self, Part};
 use crate::algebra::{Formula, Symbol};
 use crate::document::{Span, SuppositionKind};
 use crate::notation::read_formulas;
@@ -25,13 +25,7 @@ impl Page {
         let written = |place: Span| self.document.source.get(place.range());
         let mut places = conditions.iter().map(|own| own.1);
         let other = places.find(|&own| written(own) != written(first));
-        let statements = display
-            .iter()
-            .flat_map(|part| part.statements.iter().flatten());
-        let names: Set<Symbol> = statements
-            .flat_map(formulas)
-            .flat_map(|formula| formula.names())
-            .collect();
+        let names: Set<Symbol> = rows::said(display).flat_map(|own| own.names()).collect();
         let (start, mut unused) = (self.locals.len(), Vec::new());
         let is_law_of_change = before.last().is_some_and(|law| {
             let mut said = law.statements().iter().flat_map(formulas);

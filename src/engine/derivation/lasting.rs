@@ -11,7 +11,7 @@ use super::equation::formulas;
 use super::page::Page;
 use super::qualities::spoken_of;
 use super::reader::Reader;
-use super::rows::Part;
+use super::rows::{self, Part};
 use super::supposed::Local;
 use crate::sorted::Set;
 
@@ -92,9 +92,7 @@ impl Reader<'_> {
 
     /// What a display says afresh of a letter, `E = \dots`, takes the place of the meaning that it had in sections above.
     pub(super) fn redefine(&mut self, display: &[Part]) {
-        let statements = display
-            .iter()
-            .flat_map(|part| part.statements.iter().flatten());
+        let statements = rows::statements(display);
         // Where an implication arrives, `\Rightarrow \mu = 1`, is what it finds.
         let first = |statement| formulas(statement).into_iter().next();
         // Few sections have meanings of sections above.

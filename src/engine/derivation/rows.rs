@@ -4,6 +4,7 @@
 //! together with it and then taken apart again: the second says `b = c`, and goes on with the first. A row without a number
 //! belongs to the next that has one.
 
+use crate::algebra::Formula;
 use crate::document::{Item, Layout, Row, Span};
 use crate::notation::{
     Clause, Connective, Display, Other, Statement, SyntaxError, Unit, read_display, read_rows,
@@ -21,6 +22,17 @@ pub(super) struct Part {
     pub body: Span,
     pub statements: Result<Vec<Statement>, SyntaxError>,
     pub continues: usize,
+}
+
+/// What the equations of a display state that could be read.
+pub(super) fn statements(display: &[Part]) -> impl Iterator<Item = &Statement> {
+    let read = display.iter().map(|part| part.statements.iter());
+    read.flatten().flatten()
+}
+
+/// The formulas of a display, conditions apart.
+pub(super) fn said(display: &[Part]) -> impl Iterator<Item = Formula> {
+    statements(display).flat_map(formulas)
 }
 
 /// A row goes on with so many rows before it, the nearest: with all of thousands, each would cost as much as they are.

@@ -14,10 +14,9 @@ use crate::kernel::Standing;
 use crate::sorted::Set;
 
 use super::definition::Known;
-use super::equation::formulas;
 use super::meanings::renamed;
 use super::page::Page;
-use super::rows::Part;
+use super::rows::{self, Part};
 
 use self::rivals::exclude_each_other;
 
@@ -388,12 +387,7 @@ impl Page {
     pub(super) fn leave_cases(&self, display: &[Part], running: &[usize], active: &mut Vec<usize>) {
         let is_left = |at: usize| {
             let set = &self.locals[at].set;
-            let statements = || {
-                display
-                    .iter()
-                    .flat_map(|part| part.statements.iter().flatten())
-            };
-            let mut spoken_of = statements().flat_map(formulas).flat_map(|f| f.names());
+            let mut spoken_of = rows::said(display).flat_map(|own| own.names());
             let is_plain = self.locals[at].moment.is_none();
             !set.is_empty()
                 && is_plain

@@ -10,7 +10,7 @@ use super::qualities;
 use super::slope;
 use super::supposition;
 use super::words::{Listed, Words};
-use super::{Citation, Inline, Prose, Span, Supposition};
+use super::{Citation, Inline, Prose, Span};
 
 /// A piece of prose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +43,12 @@ impl Token<'_> {
         matches!(self, Token::Stop)
     }
 
+    /// Whether it cites something: a tag, or the keys of labels.
+    #[inline]
+    pub(super) fn cites(self) -> bool {
+        matches!(self, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..))
+    }
+
     /// Whether it is this mark.
     #[inline]
     pub(super) fn is_mark(self, mark: char) -> bool {
@@ -73,6 +79,12 @@ pub(super) type Placed<'a> = (Token<'a>, Span);
 /// Whether a token ends a sentence, and not only a paragraph.
 pub(super) fn ends_sentence(source: &str, (token, span): &Placed<'_>) -> bool {
     token.is_stop() && matches!(source.get(span.range()), Some("." | "?" | "!"))
+}
+
+/// Whether one of these words stands at a place.
+pub(super) fn among(sentence: &[Placed<'_>], at: usize, words: &(impl Listed + ?Sized)) -> bool {
+    let own = sentence.get(at);
+    own.is_some_and(|(token, _)| token.is_among(words))
 }
 
 /// Whether the first word of a sentence is one of these.
@@ -259,47 +271,6 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         extent: circumstance::read(source, &tokens),
         of_places: circumstance::said_of_places(source, &tokens),
     }
-}
-
-/// The cases that a heading names.
-pub(super) fn cases_in_title(source: &str, title: Span) -> Vec<Supposition> {
-    let inline = inline_in_title(source, title);
-    if inline.is_empty() {
-        return Vec::new();
-    }
-    supposition::titled::read(source, &tokens(source, title, &inline, &[]))
-}
-
-/// The mathematics in a heading: `$…$`, `\(…\)`.
-fn inline_in_title(source: &str, title: Span) -> Vec<Inline> {
-    let mut found = Vec::new();
-    let mut at = title.start;
-    while let Some(rest) = source.get(at..title.end) {
-        let Some(open) = rest.find(['$', '\\']) else {
-            break;
-        };
-        let (begin, rest) = (at + open, &rest[open..]);
-        let closes = match rest {
-            _ if rest.starts_with("\\(") => "\\)",
-            _ if rest.starts_with('$') => "$",
-            // Another command, or a sign that is escaped.
-            _ => {
-                let escaped = rest[1..].chars().next().map_or(0, char::len_utf8);
-                at = begin + 1 + escaped;
-                continue;
-            }
-        };
-        let Some(length) = rest[closes.len()..].find(closes) else {
-            break;
-        };
-        let body = Span::new(begin + closes.len(), begin + closes.len() + length);
-        at = body.end + closes.len();
-        found.push(Inline {
-            span: Span::new(begin, at),
-            body,
-        });
-    }
-    found
 }
 
 /// What is said before the last sentence.

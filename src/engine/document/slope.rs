@@ -20,7 +20,7 @@ pub(super) fn read(last: &[Placed<'_>]) -> Option<Slope> {
         return None;
     };
     let rest = &rest[of + 1..];
-    let is_cited = |own: &Placed<'_>| matches!(own.0, Token::Tag(_) | Token::Keys(_));
+    let is_cited = |own: &Placed<'_>| own.0.cites();
     // "Differentiating (1) and inserting (2)" takes more than a slope.
     if rest.iter().any(is_cited) {
         return None;

@@ -47,7 +47,7 @@ use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
 use super::words::Words;
 use super::{Span, Supposition, SuppositionKind, conclusion};
 
-pub(super) use self::mathematics::relates;
+pub(super) use self::mathematics::{relates, stated};
 pub use self::reason::is_reason;
 
 /// The suppositions in prose, in order, and the values that it names besides.

@@ -3,11 +3,11 @@
 use crate::algebra::{Expr, Formula, Function, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::{Assignment, Claim, Obligation};
-use crate::search::{self, Effort, Stop};
+use crate::search::{self, Effort};
 use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, condition, sources, step};
-use super::super::{Judged, Outcome, stated};
+use super::super::{Outcome, stated};
 
 impl Judge<'_> {
     /// Whether the step follows from a set where something is not 0, or is positive; or `still`, where something does not change.
@@ -88,13 +88,13 @@ impl Judge<'_> {
     ) -> bool {
         let still = search::still_in(posed);
         let mut own = Found::open(found.judged.clone());
-        let mut under = |conditions: &[Formula]| {
-            self.holds_under(goal, set.to_vec(), conditions, Effort::Full, &mut own)
+        let under = |conditions: &[Formula], own: &mut Found| {
+            self.holds_under(goal, set.to_vec(), conditions, Effort::Full, own)
         };
         let follows = !still.is_empty()
-            && (under(&still)
-                || (self.divided_where_still(goal, set, &still))
-                    .is_some_and(|conditions| under(&conditions)));
+            && (under(&still, &mut own)
+                || (self.divided_where_still(goal, set, &still, &mut own))
+                    .is_some_and(|conditions| under(&conditions, &mut own)));
         let (held, _): (Vec<Formula>, Vec<Formula>) =
             (own.conditions.iter().cloned()).partition(stated::stands_still);
         let holds = follows
@@ -112,6 +112,7 @@ impl Judge<'_> {
         goal: &Goal,
         set: &[Assumed],
         still: &[Formula],
+        found: &mut Found,
     ) -> Option<Vec<Formula>> {
         let held = still.iter().filter_map(|own| match own.as_equation()?.0 {
             Expr::Derivative { body, .. } => match &**body {
@@ -124,12 +125,7 @@ impl Judge<'_> {
         let claim = search::with_constants(claim, held);
         let unbounded = unbounded(&claim);
         let posed = self.pose_claim(claim).ok();
-        let mut found = Found::open(Judged {
-            goal: goal.clone(),
-            assumed: set.to_vec(),
-            outcome: Outcome::Open(Stop::default()),
-        });
-        let nonzero = self.nonzero(posed.as_deref(), &unbounded, None, Effort::Full, &mut found)?;
+        let nonzero = self.nonzero(posed.as_deref(), &unbounded, None, Effort::Full, found)?;
         Some(still.iter().cloned().chain(nonzero).collect())
     }
 

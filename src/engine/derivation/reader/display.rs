@@ -307,19 +307,11 @@ impl Reader<'_> {
 
 /// Whether a display speaks of a slope.
 fn shows_a_slope(read: &[Part]) -> bool {
-    let statements = read
-        .iter()
-        .flat_map(|part| part.statements.iter().flatten());
-    let mut said = statements.flat_map(formulas);
-    said.any(|own| own.speaks_of_slopes())
+    rows::said(read).any(|own| own.speaks_of_slopes())
 }
 
 /// Whether a display says of something that it is zero.
 fn said_to_be_zero(read: &[Part]) -> bool {
-    let statements = read
-        .iter()
-        .flat_map(|part| part.statements.iter().flatten());
     let zero = Expr::integer(0);
-    let mut said = statements.flat_map(formulas);
-    said.any(|own| own.as_equation().is_some() && own.terms().contains(&&zero))
+    rows::said(read).any(|own| own.as_equation().is_some() && own.terms().contains(&&zero))
 }

@@ -10,7 +10,7 @@ use crate::sorted::Set;
 
 use super::super::equation::formulas;
 use super::super::page::Page;
-use super::super::rows::Part;
+use super::super::rows::{self, Part};
 use super::Local;
 
 /// That something is so at one moment, or at one point of a curve: "At the top of its flight $$v = 0$$".
@@ -158,11 +158,7 @@ impl Page {
         if active.iter().all(|&at| self.locals[at].moment.is_none()) {
             return;
         }
-        let said: Vec<Formula> = display
-            .iter()
-            .flat_map(|part| part.statements.iter().flatten())
-            .flat_map(formulas)
-            .collect();
+        let said: Vec<Formula> = rows::said(display).collect();
         let left: Set<usize> = active
             .iter()
             .filter_map(|&at| {

@@ -7,7 +7,7 @@ use crate::notation::{Clause, read_expr};
 use super::super::equation::{Equation, formulas};
 use super::super::page::Page;
 use super::super::qualities::named;
-use super::super::rows::Part;
+use super::super::rows::{self, Part};
 
 /// How many displays back is looked for what prose says to be zero.
 pub(in crate::derivation) const MOST_BEFORE: usize = 6;
@@ -133,10 +133,9 @@ impl Page {
 
 /// The derivative by what a display says the value of, `x = \\dots`, of what was last said to be made of that.
 pub(in crate::derivation) fn slope_by(display: &[Part], equations: &[Equation]) -> Option<Expr> {
-    let mut statements = display
-        .iter()
-        .flat_map(|part| part.statements.iter().flatten());
-    let first = formulas(statements.next()?).into_iter().next()?;
+    let first = formulas(rows::statements(display).next()?)
+        .into_iter()
+        .next()?;
     let (Expr::Symbol(variable), _) = first.as_equation()? else {
         return None;
     };

@@ -30,7 +30,7 @@ pub(in crate::document) fn announces_laws(last: &[Placed<'_>], concludes: Option
         Token::Word(word) => Some(*word),
         _ => None,
     });
-    let cites = |(token, _): &Placed<'_>| matches!(token, Token::Tag(_) | Token::Keys(_));
+    let cites = |(token, _): &Placed<'_>| token.cites();
     // "The semi-major axis $a$ and the eccentricity $e$ are defined through"
     let symbols = last.iter().filter(|own| matches!(own.0, Token::Math(_)));
     let defines = has(&["are"]) && has(&["defined"]) && symbols.count() > 1;
@@ -111,7 +111,7 @@ pub(in crate::document) fn supposes(last: &[Placed<'_>]) -> bool {
 /// Whether the last sentence says that what comes after it takes the place of what it cites: "With friction (1) is replaced by", "Instead of
 /// (1) we have".
 pub(in crate::document) fn replaces(last: &[Placed<'_>]) -> bool {
-    let cites = |(token, _): &Placed<'_>| matches!(token, Token::Tag(_) | Token::Keys(_));
+    let cites = |(token, _): &Placed<'_>| token.cites();
     let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
     let mut from_end = last.iter().rev().filter(words);
     let ends = |own: Option<&Placed<'_>>, words: &[&str]| {

@@ -75,9 +75,7 @@ fn works_on_it(last: &[Placed<'_>]) -> bool {
     let Some(means) = (0..rest.len()).find(|&at| is_means(at)) else {
         return false;
     };
-    let is_object = |(token, _): &Placed<'_>| {
-        matches!(token, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..))
-    };
+    let is_object = |(token, _): &Placed<'_>| token.cites();
     !rest[..means].iter().any(is_object)
 }
 
@@ -87,12 +85,8 @@ pub(in crate::document) fn goes_on_with_and(
     concludes: Option<bool>,
 ) -> bool {
     let begins = matches!(tokens.first(), Some((Token::Word("and" | "while"), _)));
-    let is_one = !tokens.iter().any(|(token, _)| {
-        matches!(
-            token,
-            Token::Stop | Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..)
-        )
-    });
+    let mut all = tokens.iter();
+    let is_one = !all.any(|(token, _)| token.is_stop() || token.cites());
     begins && is_one && concludes == Some(false)
 }
 

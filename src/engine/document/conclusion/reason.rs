@@ -2,7 +2,7 @@
 
 use super::super::Span;
 use super::super::prose::{Placed, Token};
-use super::super::supposition::relates;
+use super::super::supposition::stated;
 use super::draws_on;
 use super::outside;
 use super::words::{LAWS, OF_ALGEBRA, WORKED};
@@ -72,10 +72,7 @@ pub(in crate::document) fn reasons_in_words(
 
 /// Whether it is an equation, or cites one.
 fn is_equation(source: &str, (token, _): &Placed<'_>) -> bool {
-    match token {
-        Token::Math(body) => source.get(body.range()).is_some_and(relates),
-        token => matches!(token, Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..)),
-    }
+    token.cites() || stated(source, *token).is_some()
 }
 
 /// Whether a law is named that may be a reason. "This gives Snell's law" names what is concluded.

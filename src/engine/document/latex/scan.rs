@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::directive::{self, Comment};
 use super::super::prose;
+use super::super::supposition::titled;
 use super::super::{Item, Problem, Span};
 use super::ends::{bracketed, ends_paragraph};
 use super::names;
@@ -258,7 +259,7 @@ impl<'a> Scanner<'a> {
         self.items.push(Item::Heading {
             level,
             title: words(text),
-            cases: prose::cases_in_title(self.text, title),
+            cases: titled::read(self.text, title),
             span,
         });
     }

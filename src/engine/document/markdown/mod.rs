@@ -16,6 +16,7 @@ mod fences;
 mod inline;
 
 use super::outline::{Excluded, Kind, Outline, Title, front_matter};
+use super::supposition::titled;
 use super::{Inline, prose};
 use super::{Item, Problem, Span};
 use crate::sorted;
@@ -240,7 +241,7 @@ impl<'a> Scanner<'a> {
         self.items.push(Item::Heading {
             level: title.level,
             title: without_attributes(text.trim()).to_owned(),
-            cases: prose::cases_in_title(self.source, title.content),
+            cases: titled::read(self.source, title.content),
             span: self.trimmed(title.span),
         });
         for comment in comments {

@@ -1,9 +1,9 @@
 //! Cases that are counted: "Either $x > 0$ or $x < 0$. In the first case", "We distinguish two cases, $a = b$ and $a \neq b$."
 
-use super::super::prose::{Placed, Token, lead};
+use super::super::prose::{Placed, lead};
 use super::super::words::Words;
 use super::super::{Supposition, SuppositionKind};
-use super::mathematics::relates;
+use super::mathematics::stated;
 
 /// A sentence with one of these counts what is stated in it.
 static COUNTING: Words = Words::of(&["either", "cases", "possibilities", "alternatives", "or"]);
@@ -34,17 +34,14 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
 
 /// The relations of a sentence that counts some.
 fn counted(source: &str, sentence: &[Placed<'_>]) -> Vec<Supposition> {
-    let stated = sentence.iter().filter_map(|(token, _)| match token {
-        Token::Math(body) if source.get(body.range()).is_some_and(relates) => Some(Supposition {
-            kind: SuppositionKind::Alternative,
-            body: *body,
-        }),
-        _ => None,
-    });
-    let stated: Vec<Supposition> = stated.collect();
-    match stated.len() {
+    let stated = sentence
+        .iter()
+        .filter_map(|(token, _)| stated(source, *token));
+    let kind = SuppositionKind::Alternative;
+    let counted: Vec<Supposition> = stated.map(|body| Supposition { kind, body }).collect();
+    match counted.len() {
         0 | 1 => Vec::new(),
-        _ => stated,
+        _ => counted,
     }
 }
 

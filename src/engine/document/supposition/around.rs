@@ -134,5 +134,5 @@ pub(super) fn leads_to_citation(tokens: &[Placed<'_>], by: &[&str]) -> bool {
     };
     let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
     let cited = on.iter().take(MOST_DESCRIBING).find(|own| !words(own));
-    by.contains(word) && matches!(cited, Some((Token::Tag(_) | Token::Keys(_), _)))
+    by.contains(word) && cited.is_some_and(|(token, _)| token.cites())
 }

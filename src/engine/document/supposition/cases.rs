@@ -7,7 +7,7 @@ use super::super::prose::{Placed, Token, lead};
 use super::super::words::Words;
 use super::super::{Supposition, SuppositionKind};
 use super::denial::DENIALS;
-use super::mathematics::{is_value, relates};
+use super::mathematics::{is_value, stated};
 use super::words::{BESIDE, DISPUTING, KNOWN};
 
 /// A sentence about a case begins with one of these.
@@ -143,18 +143,13 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {
     };
     let goes_on = match rest.first() {
         None => comma,
-        Some((token, _)) => {
-            token.is_among(GOING_ON) || matches!(token, Token::Tag(_) | Token::Keys(_))
-        }
+        Some((token, _)) => token.is_among(GOING_ON) || token.cites(),
     };
     let among = |words: &Words| sentence.iter().any(|(token, _)| token.is_among(words));
     // "For equal springs, $a = b$, (1) says" disputes nothing.
     let mut named = sentence.iter().take(words + 1);
     let disputed = named.any(|(token, _)| token.is_among(&DISPUTING));
-    let states = |(token, _): &Placed<'_>| match token {
-        Token::Math(other) => source.get(other.range()).is_some_and(relates),
-        _ => false,
-    };
+    let states = |(token, _): &Placed<'_>| stated(source, *token).is_some();
     let is_case = first.is_among(BEGINNING) && (1..=MOST_WORDS).contains(&words);
     let is_sure = ![&COMPARED, &BESIDE, &KNOWN, &DENIALS]
         .into_iter()

@@ -2,10 +2,10 @@
 //!
 //! What is supposed for the sake of a contradiction is a case that ends with it.
 
-use super::super::prose::{Placed, Token, ends_sentence};
+use super::super::prose::{Placed, ends_sentence};
 use super::super::words::Words;
 use super::super::{Supposition, SuppositionKind};
-use super::mathematics::relates;
+use super::mathematics::stated;
 
 /// These suppose.
 const SUPPOSING: &[&str] = &["suppose", "assume", "assuming"];
@@ -32,10 +32,9 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         let among = |words: &[&str]| sentence.iter().any(|(token, _)| token.is_among(words));
         if among(SUPPOSING) {
             let doubted = among(&["or", "not", "cannot"]);
-            let mut stated = sentence.iter().filter_map(|(token, _)| match token {
-                Token::Math(body) if source.get(body.range()).is_some_and(relates) => Some(*body),
-                _ => None,
-            });
+            let mut stated = sentence
+                .iter()
+                .filter_map(|(token, _)| stated(source, *token));
             if let (Some(body), None) = (stated.next(), stated.next())
                 && among(CONTRARY)
                 && !doubted

@@ -7,7 +7,7 @@ use super::super::conclusion;
 use super::super::prose::{Placed, Token, ends_sentence};
 use super::super::words::Words;
 use super::super::{Span, Supposition, SuppositionKind};
-use super::mathematics::{is_figure, is_value, relates};
+use super::mathematics::{is_figure, is_value, relates, stated, text};
 use super::words::{DENYING, NEGATING, RETRACTING};
 
 /// A list of values follows one of these, with a few words between: "a slab with density $\rho = 2$".
@@ -150,10 +150,7 @@ fn listed(source: &str, sentence: &[Placed<'_>], leads: bool) -> Vec<Span> {
         let next = rest
             .iter()
             .take(MOST_BETWEEN)
-            .position(|(token, _)| match token {
-                Token::Math(body) => relates(text(source, *body)),
-                _ => false,
-            });
+            .position(|(token, _)| stated(source, *token).is_some());
         match next {
             Some(between) if goes_on(source, &rest[..between]) => last += between + 1,
             _ => break,
@@ -169,7 +166,7 @@ fn listed(source: &str, sentence: &[Placed<'_>], leads: bool) -> Vec<Span> {
         && is_sure(source, after)
         && !bodies
             .iter()
-            .any(|body| text(source, *body).ends_with("= 0"))
+            .any(|body| text(source, *body).trim_end().ends_with("= 0"))
         && !gives_two(source, &bodies);
     match is_list {
         true => bodies,
@@ -282,8 +279,4 @@ fn gives_two(source: &str, bodies: &[Span]) -> bool {
         rest = others;
     }
     false
-}
-
-fn text(source: &str, body: Span) -> &str {
-    source.get(body.range()).unwrap_or_default().trim_end()
 }

@@ -5,7 +5,7 @@ use super::super::prose::{Placed, Token};
 use super::super::words::Words;
 use super::super::{Span, SuppositionKind};
 use super::around::{follows, is_at_a_place, leads_to_citation};
-use super::mathematics::{differs, is_bound, is_value, relates};
+use super::mathematics::{differs, is_bound, is_value, relates, stated};
 use super::reach::Reach;
 use super::words::{COMPARING, CONCLUDING, DEFINING, NEGATING};
 
@@ -97,12 +97,9 @@ pub(super) fn introduced(
     let that = matches!(after(1), Some(Token::Word("that")));
     let comma = matches!(after(2), Some(Token::Mark(',')));
     // "For $u = c$ this gives": what comes is said of the case.
-    let referred = matches!(
-        after(2),
-        Some(
-            Token::Tag(_) | Token::Keys(_) | Token::Word("this" | "it" | "we" | "one" | "equation")
-        )
-    );
+    let referred = after(2).is_some_and(|token| {
+        token.cites() || token.is_among(&["this", "it", "we", "one", "equation"])
+    });
     let text = |body: Span| source.get(body.range()).unwrap_or_default();
     let next = |is: fn(&str) -> bool| match after(1) {
         Some(Token::Math(body)) => is(text(body)),
@@ -139,8 +136,7 @@ pub(super) fn introduced(
     let negated = || follows(index, tokens, &NEGATING);
     let by_us = || !begun || follows(index, tokens, &["we", "us", "now", "and"]);
     // "From (1) with $a = b$ …"
-    let cites =
-        |token: Option<&Placed<'_>>| matches!(token, Some((Token::Tag(_) | Token::Keys(_), _)));
+    let cites = |token: Option<&Placed<'_>>| token.is_some_and(|(token, _)| token.cites());
     let cited = || cites(tokens[..index].last());
     // "By (1), for $e = 1$, …"
     let cited_before = || {
@@ -346,9 +342,8 @@ fn is_compared(index: usize, tokens: &[Placed<'_>]) -> bool {
 fn leads_to_display(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
     let rest = tokens.get(index + 2..).unwrap_or_default();
     let says = |(token, _): &Placed<'_>| match token {
-        Token::Math(body) => source.get(body.range()).is_some_and(relates),
         Token::Word(word) => NEGATING.has(word) || matches!(*word, "and" | "or"),
-        token => token.is_stop(),
+        token => token.is_stop() || stated(source, *token).is_some(),
     };
     !rest.iter().any(says)
 }

@@ -2,7 +2,33 @@
 
 use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
+use crate::document::prose::Token;
 use crate::notation::read_expr;
+
+/// These say that something is zero.
+const ZERO: &[&str] = &["vanish", "vanishes", "zero", "nought"];
+
+/// What stands at a place in the source.
+pub(super) fn text(source: &str, span: Span) -> &str {
+    source.get(span.range()).unwrap_or_default()
+}
+
+/// The relation that a token is.
+pub(in crate::document) fn stated(source: &str, token: Token<'_>) -> Option<Span> {
+    match token {
+        Token::Math(body) if relates(text(source, body)) => Some(body),
+        _ => None,
+    }
+}
+
+/// Whether a token says that something is zero, in a word or a sign.
+pub(super) fn says_zero(source: &str, token: Token<'_>) -> bool {
+    match token {
+        Token::Number(number) => number == "0",
+        Token::Math(body) => text(source, body).trim() == "0",
+        word => word.is_among(ZERO),
+    }
+}
 
 /// Whether inline math says that something is a number: `x = 0`.
 pub(super) fn is_number(math: &str) -> bool {

@@ -150,7 +150,7 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
                 elsewhen = false;
                 denial = denial.past_mark(mark);
             }
-            Token::Tag(_) | Token::Keys(_) | Token::KeyRange(..) => is_drawn = true,
+            token if token.cites() => is_drawn = true,
             Token::Math(body) => {
                 // "The derivative at $t = 0$" is of that moment alone.
                 let is_place = follows(at, sentence, &NAMED_BEFORE) && is_number(text(body));

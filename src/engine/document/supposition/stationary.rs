@@ -2,18 +2,16 @@
 //! $E$ with respect to $x$ vanishes for", "Minimizing $K$ over $q$ yields".
 
 use super::super::conclusion;
-use super::super::prose::{Placed, Token};
-use super::super::words::{Listed, Words};
+use super::super::prose::{Placed, Token, among};
+use super::super::words::Words;
 use super::super::{Span, Supposition, SuppositionKind};
-use super::mathematics::is_letters;
+use super::mathematics::{is_letters, says_zero, text};
 use super::words::{DENYING, DOUBTFUL};
 
 /// What is zero is called so.
 const SLOPES: &[&str] = &["derivative", "derivatives", "slope", "slopes", "gradient"];
 /// A derivative with one of these is another one.
 const OTHERS: &[&str] = &["second", "third", "higher", "mixed", "total"];
-/// These say that it is zero.
-const VANISHING: &[&str] = &["vanish", "vanishes", "zero", "nought"];
 /// These look for where it is.
 static EXTREMIZING: Words = Words::of(&[
     "minimizing",
@@ -36,7 +34,6 @@ const MOST_BETWEEN: usize = 8;
 
 /// The slopes that a sentence says to be zero, one for each variable.
 pub(super) fn read(source: &str, sentence: &[Placed<'_>]) -> Vec<Supposition> {
-    let among = |at: usize, words: &[&str]| is_among(sentence, at, words);
     let Some((start, by)) =
         (0..sentence.len()).find_map(|at| Some((at, begin_of_list(sentence, at)?)))
     else {
@@ -49,27 +46,21 @@ pub(super) fn read(source: &str, sentence: &[Placed<'_>]) -> Vec<Supposition> {
         return Vec::new();
     }
     let near = start.saturating_sub(MOST_BETWEEN);
-    let slope = (near..start).rfind(|&at| among(at, SLOPES));
-    let other = (near..start).any(|at| among(at, OTHERS));
+    let slope = (near..start).rfind(|&at| among(sentence, at, SLOPES));
+    let other = (near..start).any(|at| among(sentence, at, OTHERS));
     let rest = (by..sentence.len()).take(MOST_BETWEEN);
     let mut rest = rest.take_while(|&at| !conclusion::draws_on(sentence[at].0));
-    let is_zero = |at: usize| match sentence[at].0 {
-        Token::Number(number) => number == "0",
-        Token::Math(body) => source
-            .get(body.range())
-            .is_some_and(|own| own.trim() == "0"),
-        _ => among(at, VANISHING),
-    };
+    let is_zero = |at: usize| says_zero(source, sentence[at].0);
     let extremizes = before.iter().any(|(token, _)| token.is_among(&EXTREMIZING));
-    let says_zero = slope.is_some() && !other && rest.any(is_zero);
-    if !says_zero && !extremizes {
+    let is_set = slope.is_some() && !other && rest.any(is_zero);
+    if !is_set && !extremizes {
         return Vec::new();
     }
     // "the derivative of (1)", "Minimizing $K$"
     let named = before[slope.unwrap_or(near)..].iter();
     let mut of = named.filter_map(|&(token, span)| match token {
-        Token::Tag(_) | Token::Keys(_) => Some(span),
-        Token::Math(body) if source.get(body.range()).is_some_and(is_letters) => Some(body),
+        token if token.cites() => Some(span),
+        Token::Math(body) if is_letters(text(source, body)) => Some(body),
         _ => None,
     });
     let of = of.next_back();
@@ -83,12 +74,10 @@ pub(super) fn read(source: &str, sentence: &[Placed<'_>]) -> Vec<Supposition> {
 
 /// Where the list of variables begins, if what comes before it begins at a place: "with respect to", "over".
 fn begin_of_list(sentence: &[Placed<'_>], at: usize) -> Option<usize> {
-    let among = |at: usize, words: &[&str]| is_among(sentence, at, words);
+    let says = |at: usize, word: &str| among(sentence, at, &[word]);
     match () {
-        () if among(at, &["with"]) && among(at + 1, &["respect"]) && among(at + 2, &["to"]) => {
-            Some(at + 3)
-        }
-        () if among(at, &["over"]) => Some(at + 1),
+        () if says(at, "with") && says(at + 1, "respect") && says(at + 2, "to") => Some(at + 3),
+        () if says(at, "over") => Some(at + 1),
         () => None,
     }
 }
@@ -98,9 +87,7 @@ fn listed(source: &str, rest: &[Placed<'_>]) -> Vec<Span> {
     let mut found = Vec::new();
     for (token, _) in rest {
         match token {
-            Token::Math(body) if source.get(body.range()).is_some_and(is_letters) => {
-                found.push(*body);
-            }
+            Token::Math(body) if is_letters(text(source, *body)) => found.push(*body),
             Token::Mark(',') => {}
             token if token.is_among(&["and", "both", "the", "parameters", "parameter"]) => {}
             _ => break,
@@ -108,9 +95,4 @@ fn listed(source: &str, rest: &[Placed<'_>]) -> Vec<Span> {
     }
     found.truncate(MOST_VARIABLES);
     found
-}
-
-fn is_among(sentence: &[Placed<'_>], at: usize, words: &(impl Listed + ?Sized)) -> bool {
-    let own = sentence.get(at);
-    own.is_some_and(|(token, _)| token.is_among(words))
 }

@@ -1,9 +1,9 @@
 //! Headings that name a case, which all below them is said of: "Case 2: $x < 0$", "The case $m_1 = m_2$", "Negative $x$",
 //! "Underdamped motion ($\gamma < \omega_0$)".
 
-use super::super::prose::{Placed, Token};
+use super::super::prose::{self, Placed, Token};
 use super::super::words::Words;
-use super::super::{Supposition, SuppositionKind};
+use super::super::{Inline, Span, Supposition, SuppositionKind};
 use super::compared;
 use super::mathematics::{differs, is_bound, is_number, is_value, relates};
 use super::words::DISPUTING;
@@ -21,7 +21,47 @@ const OF_A_CASE: &[&str] = &["case", "cases", "for", "if", "when", "regime", "wh
 const ALIKE: &[&str] = &["equal", "identical", "same", "like", "symmetric"];
 
 /// The cases that a heading names.
-pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
+pub(in crate::document) fn read(source: &str, title: Span) -> Vec<Supposition> {
+    let inline = inline(source, title);
+    match inline.is_empty() {
+        true => Vec::new(),
+        false => named(source, &prose::tokens(source, title, &inline, &[])),
+    }
+}
+
+/// The mathematics in a heading: `$…$`, `\(…\)`.
+fn inline(source: &str, title: Span) -> Vec<Inline> {
+    let mut found = Vec::new();
+    let mut at = title.start;
+    while let Some(rest) = source.get(at..title.end) {
+        let Some(open) = rest.find(['$', '\\']) else {
+            break;
+        };
+        let (begin, rest) = (at + open, &rest[open..]);
+        let closes = match rest {
+            _ if rest.starts_with("\\(") => "\\)",
+            _ if rest.starts_with('$') => "$",
+            // Another command, or a sign that is escaped.
+            _ => {
+                let escaped = rest[1..].chars().next().map_or(0, char::len_utf8);
+                at = begin + 1 + escaped;
+                continue;
+            }
+        };
+        let Some(length) = rest[closes.len()..].find(closes) else {
+            break;
+        };
+        let body = Span::new(begin + closes.len(), begin + closes.len() + length);
+        at = body.end + closes.len();
+        found.push(Inline {
+            span: Span::new(begin, at),
+            body,
+        });
+    }
+    found
+}
+
+fn named(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
     let has = |words: &[&str]| tokens.iter().any(|(token, _)| token.is_among(words));
     let doubted = tokens
         .iter()

@@ -5,11 +5,11 @@
 //! follow may follow from it.
 
 use super::super::conclusion;
-use super::super::prose::{Placed, Token, begins_with, lead};
-use super::super::words::{Listed, Words};
+use super::super::prose::{Placed, Token, among, begins_with, lead};
+use super::super::words::Words;
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
 use super::around::follows;
-use super::mathematics::{is_value, relates};
+use super::mathematics::{is_value, says_zero, stated, text};
 use super::neglected;
 use super::stationary;
 use super::words::{DENYING, DOUBTFUL};
@@ -24,8 +24,6 @@ const SETTING: &[&str] = &["setting", "set", "putting", "put", "equating", "equa
 const EQUATING: &[&str] = &["equating", "equate"];
 /// What is differentiated has one of these.
 const SLOPES: &[&str] = &["derivative", "slope", "gradient"];
-/// These say that something is zero.
-const VANISHES: &[&str] = &["vanish", "vanishes", "zero", "nought"];
 /// A sentence with one of these is about a state that lasts.
 const AT_REST: &[&str] = &["equilibrium", "equilibria", "steady", "stationary"];
 /// These are numbers.
@@ -93,7 +91,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         .map(|sentence| &sentence[lead(sentence)..])
         .filter(|sentence| !sentence.is_empty())
         .collect();
-    let puts = |(token, _): &Placed<'_>| token.is_among(&PUTTING) || is_zero(source, *token);
+    let puts = |(token, _): &Placed<'_>| token.is_among(&PUTTING) || says_zero(source, *token);
     for (number, &sentence) in sentences.iter().enumerate() {
         // Most sentences say nothing of the kind.
         if !sentence.iter().any(puts) {
@@ -165,7 +163,7 @@ fn is_sure(sentence: &[Placed<'_>]) -> bool {
 
 /// "Setting $F$ to zero", "Setting the derivative equal to zero", "where the derivative vanishes".
 fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
-    let zero = (0..sentence.len()).find(|&at| is_zero(source, sentence[at].0))?;
+    let zero = (0..sentence.len()).find(|&at| says_zero(source, sentence[at].0))?;
     if !is_sure(sentence) {
         return None;
     }
@@ -224,7 +222,7 @@ fn by_number(sentence: &[Placed<'_>], after: usize) -> Option<usize> {
 }
 
 fn cites(sentence: &[Placed<'_>], at: usize) -> bool {
-    matches!(sentence.get(at), Some((Token::Tag(_) | Token::Keys(_), _)))
+    sentence.get(at).is_some_and(|(token, _)| token.cites())
 }
 
 /// What a token is that names something with a value: mathematics, a pronoun, a number of an equation.
@@ -283,7 +281,7 @@ fn equated(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
     let (mut says_equal, mut sides) = (equates, None);
     for at in sets + 1..sentence.len() {
         match sentence[at].0 {
-            token if is_zero(source, token) => return None,
+            token if says_zero(source, token) => return None,
             Token::Word(_) if among(sentence, at, &["equal"]) => says_equal = true,
             token @ Token::Word(_) => {
                 let ends = among(sentence, at, &["into", "in", "for", "we", "then", "where"]);
@@ -359,7 +357,7 @@ fn asserted(
             return None;
         }
         let leads_where = |at: usize| among(sentence, at, WHERE);
-        match is_zero(source, sentence.get(value)?.0) {
+        match says_zero(source, sentence.get(value)?.0) {
             // "$v$ is zero" tells of a moment what others read; where "it" is zero, may come after it.
             true if !must && what == Vanishing::Term => None,
             true if !must && among(sentence, at, &["which"]) => None,
@@ -426,7 +424,7 @@ fn verb(sentence: &[Placed<'_>], at: usize) -> Option<(bool, usize)> {
 fn value_at(source: &str, sentence: &[Placed<'_>], at: usize) -> Option<(Vanishing, Span)> {
     let (token, span) = *sentence.get(at)?;
     match token {
-        Token::Math(body) if relates(text(source, body)) => None,
+        token if stated(source, token).is_some() => None,
         Token::Number(number) if number.bytes().all(|b| b.is_ascii_digit()) => {
             Some((Vanishing::Term, span))
         }
@@ -512,10 +510,8 @@ fn of_display(source: &str, sentence: &[Placed<'_>], leads: bool) -> Vec<Supposi
 /// What a sentence puts as a condition in words, where these are not understood: "Both sides vanish", "Equating coefficients".
 fn not_understood(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
     let says = |at: usize, words: &[&str]| among(sentence, at, words);
-    let is_written = sentence.iter().any(|(token, _)| match token {
-        Token::Math(body) => relates(text(source, *body)),
-        _ => false,
-    });
+    let mut tokens = sentence.iter();
+    let is_written = tokens.any(|(token, _)| stated(source, *token).is_some());
     let denies = (0..sentence.len()).any(|at| {
         says(
             at,
@@ -529,7 +525,7 @@ fn not_understood(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> 
     }
     const BEING: &[&str] = &["is", "are", "be", "being", "becomes", "become"];
     let puts = |at: usize| {
-        let zero = || is_zero(source, sentence[at].0) && !says(at, &["vanish", "vanishes"]);
+        let zero = || says_zero(source, sentence[at].0) && !says(at, &["vanish", "vanishes"]);
         let after = |words: &[&str]| follows(at, sentence, words);
         let last = at + 1 == sentence.len();
         says(at, &["vanish", "vanishes"])
@@ -556,23 +552,4 @@ fn not_understood(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> 
     let body = sentence[begin].1.to(sentence[end - 1].1);
     let kind = SuppositionKind::Unread;
     Some(Supposition { kind, body })
-}
-
-fn among(sentence: &[Placed<'_>], at: usize, words: &(impl Listed + ?Sized)) -> bool {
-    sentence
-        .get(at)
-        .is_some_and(|(token, _)| token.is_among(words))
-}
-
-fn is_zero(source: &str, token: Token<'_>) -> bool {
-    match token {
-        Token::Word(_) => token.is_among(VANISHES),
-        Token::Number(number) => number == "0",
-        Token::Math(body) => text(source, body).trim() == "0",
-        _ => false,
-    }
-}
-
-fn text(source: &str, span: Span) -> &str {
-    source.get(span.range()).unwrap_or_default()
 }

@@ -70,17 +70,23 @@ pub(in crate::notation) fn is_space(command: &str) -> bool {
     width(command).is_some() || length(command).is_some()
 }
 
-/// Whether a gap before or after such a token parts something: these end and begin what may be a factor.
+/// Whether such a token may be a factor by itself.
+fn is_factor(kind: Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Letter(_)
+            | Kind::Number(_)
+            | Kind::Quantity(..)
+            | Kind::Upright(_)
+            | Kind::Operator(_)
+            | Kind::Text(_)
+    )
+}
+
+/// Whether a gap after such a token parts something: it ends what may be a factor.
 fn ends_factor(kind: Kind) -> bool {
     match kind {
-        Kind::Letter(_)
-        | Kind::Number(_)
-        | Kind::Quantity(..)
-        | Kind::Upright(_)
-        | Kind::Operator(_)
-        | Kind::Text(_)
-        | Kind::Close
-        | Kind::Finish(_) => true,
+        Kind::Close | Kind::Finish(_) => true,
         Kind::Char(c) => ")]'!".contains(c),
         Kind::Command(name) => {
             matches!(
@@ -88,23 +94,17 @@ fn ends_factor(kind: Kind) -> bool {
                 "}" | "rbrace" | "rbrack" | "rvert" | "rceil" | "rfloor"
             ) || commands::find(commands::LETTERS, name).is_some()
         }
-        _ => false,
+        _ => is_factor(kind),
     }
 }
 
+/// Whether a gap before such a token parts something.
 fn begins_factor(kind: Kind) -> bool {
     match kind {
-        Kind::Letter(_)
-        | Kind::Number(_)
-        | Kind::Quantity(..)
-        | Kind::Upright(_)
-        | Kind::Operator(_)
-        | Kind::Text(_)
-        | Kind::Open
-        | Kind::Begin(_) => true,
+        Kind::Open | Kind::Begin(_) => true,
         Kind::Char(c) => "([".contains(c),
         Kind::Command(name) => commands::begins_term(name),
-        _ => false,
+        _ => is_factor(kind),
     }
 }
 
