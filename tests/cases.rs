@@ -4,7 +4,7 @@ use cradle_verify::audit::Audit;
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::Document;
 
-use crate::common::{verdicts, verdicts_of};
+use crate::common::{last, verdicts, verdicts_of};
 
 /// Of each pair the first names the case of a positive `x`, the second that of a negative one.
 const WAYS: &[[&str; 2]] = &[
@@ -13,6 +13,22 @@ const WAYS: &[[&str; 2]] = &[
     ["If $x$ is positive, then", "If $x$ is negative, then"],
     ["For positive $x$ we get", "For negative $x$ we get"],
     ["For $x$ positive we get", "For $x$ negative we get"],
+    ["For a positive $x$,", "For a negative $x$,"],
+    [
+        "For any positive number $x$ we get",
+        "For any negative number $x$ we get",
+    ],
+    ["For $x$ greater than zero", "For $x$ less than zero"],
+    [
+        "If $x$ is larger than zero,",
+        "If $x$ is smaller than zero,",
+    ],
+    ["Where $x$ is positive,", "Where $x$ is negative,"],
+    ["Should $x$ be positive,", "Should $x$ be negative,"],
+    [
+        "With $c$ positive and $x$ positive,",
+        "For a positive $c$ and a negative $x$,",
+    ],
     ["For positive values of $x$,", "For negative values of $x$,"],
     [
         "In the case that $x$ is positive,",
@@ -62,6 +78,28 @@ fn a_case_is_left_for_the_next_however_it_is_named() {
         };
         assert_eq!(page(">", "<"), ["given", "holds", "holds"], "{negative}");
         assert_eq!(page("<", ">"), ["given", "fails", "fails"], "{negative}");
+    }
+}
+
+/// "Not positive" is nought or less, and no more than that.
+#[test]
+fn a_sign_that_is_denied_is_the_other_one_or_nought() {
+    let page = |words: &str, relation: &str| {
+        last(&format!(
+            "We consider\n\n$$ y = x + c. \\tag{{1}} $$\n\nIf $x > 0$, then\n\n$$ y > c. \\tag{{2}} $$\n\n\
+             {words}\n\n$$ y {relation} c. \\tag{{3}} $$\n"
+        ))
+    };
+    for words in [
+        "When $x$ is not positive,",
+        "If $x$ is not strictly positive, then",
+        "If $x$ is non-positive, then",
+        "For non-positive $x$ we get",
+        "In the case that $x$ is not positive,",
+    ] {
+        assert_eq!(page(words, "\\leq"), "holds", "{words}");
+        assert_eq!(page(words, "<"), "fails", "{words}");
+        assert_eq!(page(words, ">"), "fails", "{words}");
     }
 }
 

@@ -80,9 +80,7 @@ impl Reader<'_> {
             })
             .collect();
         for symbol in &named {
-            if quality.of_case {
-                self.leave_other_signs(symbol, &attributes);
-            }
+            self.leave_other_signs(symbol, &attributes);
             for attribute in &attributes {
                 let of_case = quality.of_case;
                 let introduces = !of_case && !self.displayed.speaks_of(symbol);

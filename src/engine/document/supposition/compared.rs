@@ -13,7 +13,7 @@ use super::words::DISPUTING;
 use crate::algebra::Relation;
 
 /// These begin a clause that says what is so in a case: "If $x$ is negative".
-const BEFORE_CLAUSE: &[&str] = &["if", "when", "whenever"];
+const BEFORE_CLAUSE: &[&str] = &["if", "when", "whenever", "should"];
 /// These suppose what the clause after them says, and what comes in other sentences is said of that.
 const SUPPOSING: &[&str] = &["suppose", "assume", "let"];
 /// These may stand between that and the clause: "Suppose now that".
@@ -26,6 +26,8 @@ const GOING_ON: &[&str] = &[
 ];
 /// Words between "if" and what is spoken of: "If the charge $q$ is negative".
 const MOST_DESCRIBING: usize = 3;
+/// These may stand before a kind of thing.
+const ARTICLES: &[&str] = &["a", "an", "the", "any", "every", "all", "some"];
 /// So many things are said to be greater than nought at once.
 const MOST_LISTED: usize = 4;
 /// No more tokens stand before what a case is, "Special case (2):".
@@ -61,7 +63,11 @@ pub(super) fn of_title(tokens: &[Placed<'_>]) -> Vec<Supposition> {
         ) || before.is_some_and(|token| token.is_among(&["of", "for", "case", "if", "when"]))
     });
     let said = |at: usize| {
-        let mut clause = Clause { tokens, at };
+        let mut clause = Clause {
+            tokens,
+            at,
+            denied: false,
+        };
         let kinds = clause.kinds().filter(|_| clause.ends());
         clause.at = at;
         kinds.or_else(|| clause.clauses().filter(|_| clause.ends()))
@@ -104,26 +110,30 @@ fn of_sentence(source: &str, start: usize, end: usize, tokens: &[Placed<'_>]) ->
     let mut clause = Clause {
         tokens: &tokens[..end],
         at: begin,
+        denied: false,
     };
     let leads = end == tokens.len() || goes_on_then(&tokens[begin..]);
-    let (said, lasts) = if clause.skips(BEFORE_CLAUSE) || clause.skips_case() {
-        (clause.clauses(), false)
-    } else if clause.skips(&["now"]) | clause.skips(SUPPOSING) && clause.at > begin {
-        while clause.skips(AFTER_SUPPOSING) {}
-        (clause.clauses(), true)
-    } else if clause.skips(BEFORE_KIND) || clause.skips_words(&["in", "the", "case", "of"]) {
-        (clause.kinds(), false)
-    } else if clause.skips_words(&["the", "case", "of"]) || is_label {
-        let said = clause.kinds().or_else(|| clause.clauses());
-        (said.filter(|_| clause.is_over()), true)
-    } else {
-        return Vec::new();
-    };
+    let (said, lasts) =
+        if clause.skips(BEFORE_CLAUSE) || clause.skips_where() || clause.skips_case() {
+            (clause.clauses(), false)
+        } else if clause.skips(&["now"]) | clause.skips(SUPPOSING) && clause.at > begin {
+            while clause.skips(AFTER_SUPPOSING) {}
+            (clause.clauses(), true)
+        } else if clause.skips(BEFORE_KIND) || clause.skips_words(&["in", "the", "case", "of"]) {
+            (clause.kinds(), false)
+        } else if clause.skips_words(&["the", "case", "of"]) || is_label {
+            let said = clause.kinds().or_else(|| clause.clauses());
+            (said.filter(|_| clause.is_over()), true)
+        } else {
+            return Vec::new();
+        };
     let said = said.unwrap_or_default();
+    let denied = clause.denied;
     let doubted = sentence[begin - start + 1..].iter().any(|(token, _)| {
         [&DOUBTED, &DENIALS, &COMPARED, &DISPUTING]
             .iter()
             .any(|words| token.is_among(*words) && !compares(*token))
+            && !(denied && token.is_among(&["not"]))
     });
     match (lasts || is_label || leads) && !doubted {
         true => said,
@@ -140,6 +150,8 @@ fn compares(token: Token<'_>) -> bool {
 struct Clause<'t, 'a> {
     tokens: &'t [Placed<'a>],
     at: usize,
+    /// Whether a sign that was read is denied: "not positive".
+    denied: bool,
 }
 
 impl<'a> Clause<'_, 'a> {
@@ -162,6 +174,11 @@ impl<'a> Clause<'_, 'a> {
             self.at += phrase.len();
         }
         skips
+    }
+
+    /// "Where" at the beginning of a sentence: in the middle of one it says what is so.
+    fn skips_where(&mut self) -> bool {
+        self.next() == Some(Token::Word("Where")) && self.skips(&["where"])
     }
 
     /// "In the case that", "in case".
@@ -229,33 +246,36 @@ impl<'a> Clause<'_, 'a> {
 
     /// "positive", "non-negative", "strictly positive".
     fn sign(&mut self) -> Option<Relation> {
+        let start = self.at;
+        let denied = self.skips(&["not"]);
         self.skips(&["strictly"]);
-        let before = self.at;
         let non = self.skips(&["non"]);
         if non && self.next() == Some(Token::Dash) {
             self.at += 1;
         }
-        let Some(Token::Word(word)) = self.next() else {
-            self.at = before;
-            return None;
+        let word = match self.next() {
+            Some(Token::Word(word)) => word.to_ascii_lowercase(),
+            _ => String::new(),
         };
         self.at += 1;
-        let word = word.to_ascii_lowercase();
-        match (non, word.as_str()) {
+        let non = non || denied;
+        let relation = match (non, word.as_str()) {
             (false, "positive") => Some(Relation::Greater),
             (false, "negative") => Some(Relation::Less),
             (true, "negative") | (false, "nonnegative") => Some(Relation::GreaterOrEqual),
             (true, "positive") | (false, "nonpositive") => Some(Relation::LessOrEqual),
             (true, "zero") | (false, "nonzero") => Some(Relation::NotEqual),
-            _ => {
-                self.at = before;
-                None
-            }
+            _ => None,
+        };
+        match relation {
+            Some(_) => self.denied |= denied,
+            None => self.at = start,
         }
+        relation
     }
 
     /// "greater than", "equal to", and what stands after it.
-    fn than(&mut self) -> Option<(Relation, Span)> {
+    fn than(&mut self) -> Option<(Relation, Option<Span>)> {
         let before = self.at;
         let relation = match () {
             () if self.skips(&["greater", "larger", "bigger", "higher"]) => Relation::Greater,
@@ -277,30 +297,30 @@ impl<'a> Clause<'_, 'a> {
         Some((relation, other?))
     }
 
-    /// Mathematics or a number.
-    fn value(&mut self) -> Option<Span> {
-        match self.tokens.get(self.at)? {
-            (Token::Math(body), _) => {
-                self.at += 1;
-                Some(*body)
-            }
-            (Token::Number(_), span) => {
-                self.at += 1;
-                Some(*span)
-            }
-            _ => None,
-        }
+    /// Mathematics or a number; none for nought in words.
+    fn value(&mut self) -> Option<Option<Span>> {
+        let value = match self.tokens.get(self.at)? {
+            (Token::Math(body), _) => Some(*body),
+            (Token::Number(_), span) => Some(*span),
+            (token, _) if token.is_among(&["zero", "nought"]) => None,
+            _ => return None,
+        };
+        self.at += 1;
+        Some(value)
     }
 
-    /// "the charge $q$ is negative", "$a$ and $b$ are equal", "$m$ exceeds $M$", one or several.
-    fn clauses(&mut self) -> Option<Vec<Supposition>> {
-        let mut found = self.clause()?;
+    /// What is said once or more often, with "and" between; after it the case ends.
+    fn joined(
+        &mut self,
+        one: fn(&mut Self) -> Option<Vec<Supposition>>,
+    ) -> Option<Vec<Supposition>> {
+        let mut found = one(self)?;
         loop {
             let before = self.at;
             if self.next().is_some_and(|token| token.is_mark(',')) {
                 self.at += 1;
             }
-            match self.skips(&["and"]).then(|| self.clause()).flatten() {
+            match self.skips(&["and"]).then(|| one(self)).flatten() {
                 Some(more) => found.extend(more),
                 None => {
                     self.at = before;
@@ -310,6 +330,12 @@ impl<'a> Clause<'_, 'a> {
         }
     }
 
+    /// "the charge $q$ is negative and $a$ exceeds $b$", one or several.
+    fn clauses(&mut self) -> Option<Vec<Supposition>> {
+        self.joined(Clause::clause)
+    }
+
+    /// "the charge $q$ is negative", "$a$ and $b$ are equal", "$m$ exceeds $M$".
     fn clause(&mut self) -> Option<Vec<Supposition>> {
         let mut described = 0;
         while !matches!(self.next()?, Token::Math(_)) {
@@ -330,18 +356,18 @@ impl<'a> Clause<'_, 'a> {
         };
         if self.skips(&["exceeds", "exceed"]) {
             let to = self.value()?;
-            return Some(all(Relation::Greater, Some(to)));
+            return Some(all(Relation::Greater, to));
         }
         if self.skips(&["equals", "equal"]) {
             let to = self.value()?;
-            return Some(all(Relation::Equal, Some(to)));
+            return Some(all(Relation::Equal, to));
         }
         if !self.skips(&["is", "are", "be"]) {
             return None;
         }
         self.skips(&["both", "all", "itself"]);
         if let Some((relation, to)) = self.than() {
-            return Some(all(relation, Some(to)));
+            return Some(all(relation, to));
         }
         if self.skips(&["equal"]) {
             let (first, rest) = of.split_first()?;
@@ -353,33 +379,36 @@ impl<'a> Clause<'_, 'a> {
         Some(all(relation, None))
     }
 
-    /// "positive $x$ and negative $y$", "negative charges $q$", "$x$ positive".
+    /// "positive $x$ and negative $y$", one or several.
     fn kinds(&mut self) -> Option<Vec<Supposition>> {
-        let mut found = Vec::new();
-        loop {
-            let (relation, of) = match self.sign() {
-                Some(relation) => {
-                    // "values of", "charges"
-                    for _ in 0..MOST_DESCRIBING {
-                        match self.next() {
-                            Some(Token::Word(word)) if !GOING_ON.contains(&word) => self.at += 1,
-                            _ => break,
-                        }
+        self.joined(Clause::kind)
+    }
+
+    /// "a negative charge $q$", "positive values of $x$", "$x$ positive", "$x$ less than 1".
+    fn kind(&mut self) -> Option<Vec<Supposition>> {
+        self.skips(ARTICLES);
+        let (relation, to, of) = match self.sign() {
+            Some(relation) => {
+                // "values of", "charges"
+                for _ in 0..MOST_DESCRIBING {
+                    match self.next() {
+                        Some(Token::Word(word)) if !GOING_ON.contains(&word) => self.at += 1,
+                        _ => break,
                     }
-                    (relation, self.listed()?)
                 }
-                None => {
-                    let of = self.listed()?;
-                    (self.sign()?, of)
-                }
-            };
-            found.extend(of.into_iter().map(|body| compared(body, relation, None)));
-            let before = self.at;
-            if !self.skips(&["and"]) || !self.next().is_some_and(is_sign) {
-                self.at = before;
-                return self.is_over().then_some(found);
+                (relation, None, self.listed()?)
             }
-        }
+            None => {
+                let of = self.listed()?;
+                let (relation, to) = match self.sign() {
+                    Some(relation) => (relation, None),
+                    None => self.than()?,
+                };
+                (relation, to, of)
+            }
+        };
+        let said = of.into_iter().map(|body| compared(body, relation, to));
+        Some(said.collect())
     }
 }
 
