@@ -103,6 +103,80 @@ fn a_sign_that_is_denied_is_the_other_one_or_nought() {
     }
 }
 
+/// However a text says that it has turned to what cannot be so in the case before, that case is over.
+#[test]
+fn what_rules_out_a_case_is_the_next_one() {
+    for words in [
+        "If instead $x < 0$ then",
+        "If, on the other hand, $x < 0$, then",
+        "In the opposite case, $x < 0$,",
+        "Otherwise, $x < 0$ and",
+        "Else, if $x < 0$,",
+        "By contrast, $x < 0$ gives",
+        "Now take $x < 0$. Then",
+        "Had we $x < 0$,",
+        "As soon as $x < 0$,",
+        "In the regime $x < 0$",
+        "To the left of the origin, $x < 0$,",
+        "For the other sign of $x$, $x < 0$,",
+        "The second possibility is $x < 0$. Then",
+        "It remains to consider $x < 0$. Then",
+        "The remaining case is $x < 0$. Here",
+        "Given $x < 0$,",
+        "Next, $x < 0$ gives",
+        "Regime II, $x < 0$:",
+        "Yet when $x < 0$,",
+        "whereas if $x < 0$,",
+        "Likewise, if $x$ is negative,",
+        "Once $x$ becomes negative,",
+        "As soon as $x$ turns negative,",
+        "If $x$ negative,",
+        "If $x$ were negative, then",
+        "Were $x$ negative, then",
+        "Choosing $x$ negative,",
+        "In the regime of negative $x$",
+        "For values of $x$ below zero",
+        "For $x$ below $-1$",
+        "If $x$ is at most $-2$, then",
+    ] {
+        let page = |relation: &str| {
+            verdicts(&format!(
+                "We consider\n\n$$ y = x + c. \\tag{{1}} $$\n\nIf $x > 0$, then\n\n$$ y > c. \\tag{{2}} $$\n\n\
+                 {words}\n\n$$ y {relation} c, \\tag{{3}} $$\n\nand therefore\n\n$$ |x| = -x. \\tag{{4}} $$\n"
+            ))
+        };
+        assert_eq!(page("<"), ["given", "holds", "holds", "holds"], "{words}");
+        assert_eq!(page(">")[2], "fails", "{words}");
+    }
+}
+
+/// "Otherwise" it is not so, and neither is what was so in the cases before.
+#[test]
+fn otherwise_none_of_the_cases_before_is_so() {
+    let page = |cases: &[&str], words: &str, formula: &str| {
+        let mut text = "We consider\n\n$$ y = x + c. \\tag{1} $$\n\n".to_owned();
+        for case in cases {
+            text.push_str(&format!("If {case}, then\n\n$$ (y - c)^2 = x^2. $$\n\n"));
+        }
+        last(&format!("{text}{words} by (1)\n\n$$ {formula}. $$\n"))
+    };
+    for words in [
+        "Otherwise",
+        "Otherwise we have",
+        "Else",
+        "In the opposite case",
+    ] {
+        assert_eq!(page(&["$x > 0$"], words, "y \\leq c"), "holds", "{words}");
+        assert_eq!(page(&["$x > 0$"], words, "y < c"), "fails", "{words}");
+        let two = ["$x > 0$", "$x = 0$"];
+        assert_eq!(page(&two, words, "y < c"), "holds", "{words}");
+        assert_eq!(page(&two, words, "y > c"), "fails", "{words}");
+        // Which of two things is not so is not said.
+        let both = ["$x > 0$ and $c > 0$"];
+        assert_eq!(page(&both, words, "y \\leq c"), "undecided", "{words}");
+    }
+}
+
 /// What a sentence says that has come to its end is not supposed of what comes after it; and what it doubts is no case.
 #[test]
 fn what_is_only_said_of_a_sign_is_no_case() {

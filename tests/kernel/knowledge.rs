@@ -52,6 +52,30 @@ fn even_powers_and_positive_numbers_need_no_hypothesis() {
 }
 
 #[test]
+fn what_is_not_negative_and_does_not_vanish_is_positive() {
+    let k = known(&[
+        "x \\leq y",
+        "x \\neq y",
+        "z \\leq 0",
+        "x z \\leq 0",
+        "x \\neq 0",
+    ]);
+    k.are(POSITIVE, &["y - x", "2 y - 2 x"]);
+    // It is not said of `z` that it does not vanish, nor of `x` that it is positive.
+    k.are(NOT_NEGATIVE, &["-z", "-x z"]);
+    k.are(NOT_ZERO, &["x", "x - y"]);
+    let k = known(&[
+        "z \\leq 0",
+        "z \\neq 0",
+        "x^2 z \\geq 0",
+        "x z - y z \\leq 0",
+        "x - y \\neq 0",
+    ]);
+    k.are(POSITIVE, &["-z", "y z - x z"]);
+    k.are(NOT_NEGATIVE, &["x^2 z"]);
+}
+
+#[test]
 fn terms_of_positive_symbols_are_positive() {
     let k = known(&["x > 0", "y > 0"]);
     k.are(

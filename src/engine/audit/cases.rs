@@ -30,7 +30,11 @@ impl Judge<'_> {
         for (conditions, case) in &self.usable.cases {
             if conditions.iter().all(known) {
                 assumed.push(case.clone());
-            } else if !conditions.iter().filter_map(denied).any(|d| known(&d)) {
+            } else if !conditions
+                .iter()
+                .filter_map(|own| own.denied())
+                .any(|d| known(&d))
+            {
                 left_out.push((conditions, case));
             }
         }
@@ -59,22 +63,4 @@ impl Judge<'_> {
         }
         found
     }
-}
-
-/// The relation that holds just where another does not.
-fn denied(formula: &Formula) -> Option<Formula> {
-    let Formula::Relation {
-        left,
-        relation,
-        right,
-    } = formula
-    else {
-        return None;
-    };
-    let relation = relation.denied()?;
-    Some(Formula::Relation {
-        left: left.clone(),
-        relation,
-        right: right.clone(),
-    })
 }

@@ -58,6 +58,26 @@ pub struct Local {
 }
 
 impl Local {
+    /// What is said there, and nothing more is known of it.
+    pub(super) fn said(formulas: impl IntoIterator<Item = Formula>, span: Span) -> Local {
+        Local {
+            formulas: formulas.into_iter().map(Arc::new).collect(),
+            is_let: false,
+            span,
+            set: Set::new(),
+            of_case: false,
+            is_told: false,
+            is_special: false,
+            is_figure: false,
+            is_contrary: false,
+            means: false,
+            lasts: false,
+            of_display: false,
+            moment: None,
+            level: 0,
+        }
+    }
+
     /// Gives its symbols other names, what it supposes apart.
     pub(super) fn rename(&mut self, own: &impl Fn(&Symbol) -> Symbol) {
         self.set = self.set.iter().map(own).collect();
@@ -259,19 +279,12 @@ impl Page {
             active.push(self.locals.len());
             self.locals.push(Local {
                 set,
-                formulas: formulas.into_iter().map(Arc::new).collect(),
                 is_let,
-                span,
                 of_case: is_case || matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
                 is_told: is_fact,
-                is_special: false,
-                is_figure: false,
                 is_contrary: kind == Contrary,
-                means: false,
-                lasts: false,
-                of_display: false,
-                moment: None,
                 level,
+                ..Local::said(formulas, span)
             });
         }
     }
@@ -305,20 +318,10 @@ impl Page {
     /// Takes up what a display shows to be meant by names in it, for good.
     pub(super) fn suppose_meant(&mut self, said: Vec<Formula>, span: Span) -> usize {
         self.locals.push(Local {
-            set: Set::new(),
-            moment: None,
-            formulas: said.into_iter().map(Arc::new).collect(),
-            is_let: false,
-            span,
-            of_case: false,
             is_told: true,
-            is_special: false,
-            is_figure: false,
-            is_contrary: false,
             means: true,
             lasts: true,
-            of_display: false,
-            level: 0,
+            ..Local::said(said, span)
         });
         self.locals.len() - 1
     }
@@ -334,25 +337,63 @@ impl Page {
         let equal = Formula::equal(subject.clone(), value);
         self.locals.push(Local {
             set: set_to_a_number(&equal).into_iter().collect(),
-            formulas: vec![Arc::new(equal)],
-            is_let: false,
-            span,
             of_case: true,
             is_told: passage.is_none(),
-            is_special: false,
-            is_figure: false,
-            is_contrary: false,
-            means: false,
-            lasts: false,
-            of_display: false,
             moment: passage.map(|passage| Moment {
                 passage,
                 display: None,
                 subject,
             }),
-            level: 0,
+            ..Local::said([equal], span)
         });
         self.locals.len() - 1
+    }
+
+    /// Supposes what is so in a case.
+    pub(super) fn suppose_case(&mut self, formulas: Vec<Formula>, span: Span) -> usize {
+        self.locals.push(Local {
+            is_let: true,
+            of_case: true,
+            ..Local::said(formulas, span)
+        });
+        self.locals.len() - 1
+    }
+
+    /// Takes away the condition that was supposed last, and returns what is so otherwise: neither that, nor any of the cases before it since
+    /// then. Of things that were supposed together nobody knows which of them is not so.
+    pub(super) fn opposite(
+        &self,
+        active: &mut Vec<usize>,
+        since: usize,
+    ) -> Option<Option<Vec<Formula>>> {
+        let locals = &self.locals;
+        let here = |own: &Local| own.is_condition() && own.span.start >= since;
+        // A display may have left the case already.
+        let case = locals.iter().rposition(|own| own.of_case && here(own));
+        let assumed = active
+            .last()
+            .copied()
+            .filter(|&at| locals[at].is_condition());
+        let at = case.max(assumed)?;
+        let last = &locals[at];
+        let source = &self.document.source;
+        let with_it = |own: &Local| {
+            own.is_condition()
+                && own.span != last.span
+                && !parts_sentences(source, own.span, last.span)
+        };
+        let is_one = !active.iter().any(|&at| with_it(&locals[at]));
+        active.retain(|&own| own != at && !with_it(&locals[own]));
+        let is_before = |own: &&Local| own.of_case && here(own) && own.is_another_case_than(last);
+        let cases = locals[..at].iter().filter(is_before).chain([last]);
+        let denied = |own: &Local| match own.formulas.as_slice() {
+            [own] => own.denied(),
+            _ => None,
+        };
+        Some(match is_one {
+            true => cases.map(denied).collect(),
+            false => None,
+        })
     }
 
     /// Supposes of what says how fast something changes that it is zero: what the next display concludes from it is so as long as the text

@@ -81,6 +81,22 @@ impl Formula {
         }
     }
 
+    /// What is true of numbers where this is not, if that is a relation, too.
+    pub fn denied(&self) -> Option<Formula> {
+        match self {
+            Formula::Relation {
+                left,
+                relation,
+                right,
+            } => Some(Formula::Relation {
+                left: left.clone(),
+                relation: relation.denied()?,
+                right: right.clone(),
+            }),
+            _ => None,
+        }
+    }
+
     /// `one = other`, of two symbols.
     pub fn same(one: &Symbol, other: &Symbol) -> Formula {
         Formula::equal(Expr::Symbol(one.clone()), Expr::Symbol(other.clone()))

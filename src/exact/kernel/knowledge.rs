@@ -114,7 +114,11 @@ impl Knowledge {
 
     /// Whether a polynomial is known to be positive.
     pub fn is_positive(&self, polynomial: &Polynomial) -> bool {
-        if self.inspect(polynomial).1 || self.positive.contains(&*normal(polynomial)) {
+        let positive = normal(polynomial);
+        if self.inspect(polynomial).1
+            || self.positive.contains(&*positive)
+            || self.nonnegative.contains(&*positive) && self.is_said_not_to_vanish(polynomial)
+        {
             return true;
         }
         let (content, rest) = polynomial.without_content();
@@ -139,11 +143,18 @@ impl Knowledge {
             return false;
         }
         let (content, rest) = polynomial.without_content();
+        self.is_said_not_to_vanish(polynomial)
+            || self.monomial_is_nonzero(&content)
+                && (self.is_positive(&rest) || self.is_positive(&rest.negated()))
+    }
+
+    /// Whether facts say so of it, or of its factors.
+    fn is_said_not_to_vanish(&self, polynomial: &Polynomial) -> bool {
+        let (content, rest) = polynomial.without_content();
         self.nonzero.contains(&*polynomial.as_monic())
             || self.monomial_is_nonzero(&content)
                 && (self.nonzero.contains(&*rest.as_monic())
-                    || self.is_positive(&rest)
-                    || self.is_positive(&rest.negated()))
+                    || rest.as_constant().is_some_and(|own| !own.is_zero()))
     }
 }
 

@@ -2,7 +2,7 @@
 //! `e^{k t} = 2`, or `\ln 3 < \ln 2`.
 
 use super::{Consistency, Decision, Effort, consistency_posed, prove_unconditionally};
-use crate::algebra::{Atom, Expr, Formula, Function};
+use crate::algebra::{Atom, Expr, Function};
 use crate::kernel::{Assignment, Obligation};
 
 /// Refutes a relation where logarithms are spoken of: the opposite is proved, and a point is found at which the hypotheses are true.
@@ -13,10 +13,7 @@ pub(super) fn decide(obligation: &Obligation, hints: &[Assignment]) -> Option<De
         return None;
     }
     let mut claim = obligation.claim().clone();
-    match &mut claim.goal {
-        Formula::Relation { relation, .. } => *relation = relation.denied()?,
-        Formula::AllEqual { .. } => return None,
-    }
+    claim.goal = claim.goal.denied()?;
     let opposite = prove_unconditionally(claim.clone(), Effort::Full)?;
     let premises = Obligation::of_premises(claim, obligation.unfold().to_vec()).ok()?;
     let Consistency::Model(model) = consistency_posed(&premises, hints) else {

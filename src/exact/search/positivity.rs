@@ -31,7 +31,8 @@ pub struct Decomposition {
     pub equations: Vec<(usize, Polynomial)>,
 }
 
-fn plain(coefficient: Rational) -> PositiveTerm {
+/// A number, to be multiplied by what else is not negative.
+pub fn plain(coefficient: Rational) -> PositiveTerm {
     PositiveTerm {
         coefficient,
         factors: Vec::new(),
@@ -39,6 +40,14 @@ fn plain(coefficient: Rational) -> PositiveTerm {
         series: Vec::new(),
         bounded: Vec::new(),
         facts: Vec::new(),
+    }
+}
+
+/// What is seen by inspection not to be negative.
+pub fn factor(polynomial: Polynomial) -> PositiveTerm {
+    PositiveTerm {
+        factors: vec![(polynomial, 1)],
+        ..plain(Rational::one())
     }
 }
 

@@ -5,6 +5,7 @@ mod sign;
 
 use super::elements;
 use super::ideal::Ideal;
+use super::positivity;
 use super::roots::root_of;
 use super::tracked::{Reduced, Tracked, cofactors, expand, listed};
 use crate::algebra::{Monomial, Polynomial, TooLarge};
@@ -79,8 +80,32 @@ impl Prover {
             has_bounded: false,
             has_simplified: false,
         };
+        prover.sharpen();
         prover.take_roots(problem.takes_powers_apart())?;
         Ok(prover)
+    }
+
+    /// What is not negative and does not vanish is positive: `x ≤ 1` and `x ≠ 1` say `x < 1`.
+    fn sharpen(&mut self) {
+        let is_sharper = |own: &&Fact| {
+            let mut terms = own.polynomial.terms();
+            let is_plain = terms.all(|(_, coefficient)| coefficient.is_positive());
+            own.sign == Sign::NonNegative
+                && !is_plain
+                && self.knowledge.is_positive(&own.polynomial)
+        };
+        let found: Vec<Polynomial> = (self.facts.iter().filter(is_sharper))
+            .map(|own| own.polynomial.clone())
+            .collect();
+        for polynomial in found {
+            let proof = Proof::Positivity {
+                multiplier: Vec::new(),
+                terms: vec![positivity::factor(polynomial.clone())],
+                cofactors: Vec::new(),
+            };
+            let sign = Sign::Positive;
+            self.add(Fact { polynomial, sign }, proof);
+        }
     }
 
     /// Adds what equations say of positive unknowns below a common power: `v² = 2 t²` gives `v = √2 t`.

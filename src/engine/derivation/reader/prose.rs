@@ -32,6 +32,7 @@ impl Reader<'_> {
             false => Vec::new(),
         };
         let before = self.page.locals.len();
+        let cases = self.cases_before();
         self.qualities(prose);
         let mut mentioned = prose.mentions.clone();
         if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
@@ -62,8 +63,9 @@ impl Reader<'_> {
         let left = left.map(|own| own.body.start).max().unwrap_or_default();
         let named = prose.named.iter().filter(|own| own.body.start >= left);
         self.between.named = self.named(named, before, prose.leading);
-        let named = std::mem::take(&mut self.between.named);
+        let mut named = std::mem::take(&mut self.between.named);
         self.leave_old_values(&named);
+        self.turn_to_other_cases(before, &cases, &mut named);
         self.between.named = named;
         self.between.named.extend(told_with_last);
     }
@@ -128,6 +130,32 @@ impl Reader<'_> {
             }
         }
         named
+    }
+
+    /// The cases before the last display that are in effect.
+    fn cases_before(&self) -> Vec<usize> {
+        let Some(last) = self.equations.last() else {
+            return Vec::new();
+        };
+        let is_before = |&at: &usize| self.page.locals[at].is_case_before(last.span);
+        self.active.iter().copied().filter(is_before).collect()
+    }
+
+    /// What is told or named since then and cannot be so in one of the cases before is the case that the text has turned to, however it says
+    /// so: "To the left of the origin, $x < 0$, we have", "The remaining case is $x < 0$. Here".
+    fn turn_to_other_cases(&mut self, since: usize, cases: &[usize], named: &mut Vec<usize>) {
+        let locals = &self.page.locals;
+        let is_other = |&own: &usize| {
+            let rules_out = |&old: &usize| locals[old].is_another_case_than(&locals[own]);
+            own >= since && cases.iter().any(rules_out)
+        };
+        let told = self.told.extract_if(.., |own| is_other(own));
+        let mut turned: Vec<usize> = told.collect();
+        turned.extend(named.extract_if(.., |own| is_other(own)));
+        for own in turned {
+            let body = self.page.locals[own].span;
+            self.suppose(SuppositionKind::Case { runs_on: true }, body);
+        }
     }
 
     /// Whether a text says that something is a number, or what another symbol is: "for equal masses, $m_1 = m_2$,".

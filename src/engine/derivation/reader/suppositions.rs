@@ -41,10 +41,16 @@ impl Reader<'_> {
                 if kind == SuppositionKind::InAllCases && page.has_rival_cases(self.begins) {
                     self.between.unread.push(body);
                 }
-                if kind == SuppositionKind::Otherwise {
-                    active.pop_if(|at| page.locals[*at].is_condition());
-                }
+                let opposite = match kind {
+                    SuppositionKind::Otherwise => page.opposite(active, self.begins),
+                    _ => None,
+                };
                 active.retain(|&at| !page.locals[at].is_left_by(all));
+                match opposite {
+                    Some(Some(formulas)) => active.push(page.suppose_case(formulas, body)),
+                    Some(None) => self.between.unread.push(body),
+                    None => {}
+                }
                 page.general.push(body.start);
                 self.forget_cases();
                 // "Inside, $E = k Q r/R^3$. Outside" leaves what was said of the place before.

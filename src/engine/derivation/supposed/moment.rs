@@ -1,7 +1,6 @@
 //! What is so at one moment, or at one point of a curve: "At the top of its flight $$v = 0$$". All that is said of one moment is left together.
 
 use std::ops::{Range, RangeFrom};
-use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Extent, Span};
@@ -122,24 +121,13 @@ impl Page {
         for formula in said {
             let subject = formula.as_equation().map(|(subject, _)| subject.clone());
             self.locals.push(Local {
-                set: Set::new(),
                 moment: subject.map(|subject| Moment {
                     passage,
                     display: Some(display),
                     subject,
                 }),
-                formulas: vec![Arc::new(formula)],
-                is_let: false,
-                span,
                 of_case: true,
-                is_told: false,
-                is_special: false,
-                is_figure: false,
-                is_contrary: false,
-                means: false,
-                lasts: false,
-                of_display: false,
-                level: 0,
+                ..Local::said([formula], span)
             });
         }
         let own = start..self.locals.len();

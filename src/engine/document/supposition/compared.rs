@@ -13,19 +13,39 @@ use super::words::DISPUTING;
 use crate::algebra::Relation;
 
 /// These begin a clause that says what is so in a case: "If $x$ is negative".
-const BEFORE_CLAUSE: &[&str] = &["if", "when", "whenever", "should"];
+const BEFORE_CLAUSE: &[&str] = &["if", "when", "whenever", "once", "should", "were"];
 /// These suppose what the clause after them says, and what comes in other sentences is said of that.
 const SUPPOSING: &[&str] = &["suppose", "assume", "let"];
 /// These may stand between that and the clause: "Suppose now that".
 const AFTER_SUPPOSING: &[&str] = &["that", "now", "next", "first", "then", "instead", "also"];
 /// These begin a sentence about a kind of thing: "For positive $x$".
-const BEFORE_KIND: &[&str] = &["for", "with"];
+const BEFORE_KIND: &[&str] = &["for", "with", "taking", "choosing"];
+/// With one of these a sentence goes on from the case before: "whereas if", "Yet for".
+const JOINING: &[&str] = &[
+    "and",
+    "or",
+    "but",
+    "yet",
+    "while",
+    "whereas",
+    "else",
+    "similarly",
+    "likewise",
+    "conversely",
+    "however",
+    "instead",
+];
 /// What comes after the name of a case: "For negative $x$ this is".
 const GOING_ON: &[&str] = &[
     "this", "we", "one", "it", "then", "the", "equation", "and", "but", "so", "they", "that",
 ];
 /// Words between "if" and what is spoken of: "If the charge $q$ is negative".
 const MOST_DESCRIBING: usize = 3;
+/// These stand between what is spoken of and what is said of it.
+const LINKING: &[&str] = &[
+    "is", "are", "be", "was", "were", "becomes", "become", "turns", "turn", "gets", "get",
+    "remains", "remain", "stays", "stay", "goes",
+];
 /// These may stand before a kind of thing.
 const ARTICLES: &[&str] = &["a", "an", "the", "any", "every", "all", "some"];
 /// So many things are said to be greater than nought at once.
@@ -63,11 +83,7 @@ pub(super) fn of_title(tokens: &[Placed<'_>]) -> Vec<Supposition> {
         ) || before.is_some_and(|token| token.is_among(&["of", "for", "case", "if", "when"]))
     });
     let said = |at: usize| {
-        let mut clause = Clause {
-            tokens,
-            at,
-            denied: false,
-        };
+        let mut clause = Clause { tokens, at };
         let kinds = clause.kinds().filter(|_| clause.ends());
         clause.at = at;
         kinds.or_else(|| clause.clauses().filter(|_| clause.ends()))
@@ -94,6 +110,10 @@ static SIGNS: Words = Words::of(&[
     "less",
     "smaller",
     "lower",
+    "above",
+    "below",
+    "least",
+    "most",
     "exceeds",
     "exceed",
     "equals",
@@ -110,48 +130,49 @@ fn of_sentence(source: &str, start: usize, end: usize, tokens: &[Placed<'_>]) ->
     let mut clause = Clause {
         tokens: &tokens[..end],
         at: begin,
-        denied: false,
     };
     let leads = end == tokens.len() || goes_on_then(&tokens[begin..]);
-    let (said, lasts) =
-        if clause.skips(BEFORE_CLAUSE) || clause.skips_where() || clause.skips_case() {
-            (clause.clauses(), false)
-        } else if clause.skips(&["now"]) | clause.skips(SUPPOSING) && clause.at > begin {
-            while clause.skips(AFTER_SUPPOSING) {}
-            (clause.clauses(), true)
-        } else if clause.skips(BEFORE_KIND) || clause.skips_words(&["in", "the", "case", "of"]) {
-            (clause.kinds(), false)
-        } else if clause.skips_words(&["the", "case", "of"]) || is_label {
-            let said = clause.kinds().or_else(|| clause.clauses());
-            (said.filter(|_| clause.is_over()), true)
-        } else {
-            return Vec::new();
-        };
+    clause.skip_joints();
+    let (said, lasts) = if clause.skips(BEFORE_CLAUSE)
+        || clause.skips_words(&["as", "soon", "as"])
+        || clause.skips_where()
+        || clause.skips_case()
+    {
+        clause.skip_joints();
+        (clause.clauses(), false)
+    } else if clause.skips(&["now"]) | clause.skips(SUPPOSING) && clause.at > begin {
+        while clause.skips(AFTER_SUPPOSING) {}
+        (clause.clauses(), true)
+    } else if clause.skips(BEFORE_KIND) || clause.skips_words(&["in", "the", "case", "of"]) {
+        (clause.kinds(), false)
+    } else if clause.skips_words(&["the", "case", "of"]) || is_label {
+        let said = clause.kinds().or_else(|| clause.clauses());
+        (said.filter(|_| clause.is_over()), true)
+    } else {
+        return Vec::new();
+    };
     let said = said.unwrap_or_default();
-    let denied = clause.denied;
-    let doubted = sentence[begin - start + 1..].iter().any(|(token, _)| {
-        [&DOUBTED, &DENIALS, &COMPARED, &DISPUTING]
-            .iter()
-            .any(|words| token.is_among(*words) && !compares(*token))
-            && !(denied && token.is_among(&["not"]))
-    });
+    let rest = &clause.tokens[clause.at..];
+    let doubted = rest.iter().any(|(token, _)| is_doubtful(*token));
     match (lasts || is_label || leads) && !doubted {
         true => said,
         false => Vec::new(),
     }
 }
 
-/// "greater than" and "exceeds" compare what is in the case, and no cases.
-fn compares(token: Token<'_>) -> bool {
-    token.is_among(&["than", "exceeds", "exceed"])
+/// Whether a word around the case says that it is none: "greater than" and "exceeds" compare what is so, and no cases.
+fn is_doubtful(token: Token<'_>) -> bool {
+    let compares = || token.is_among(&["than", "exceeds", "exceed"]);
+    [&DOUBTED, &DENIALS, &COMPARED, &DISPUTING]
+        .iter()
+        .any(|words| token.is_among(*words))
+        && !compares()
 }
 
 /// Reads on in a sentence.
 struct Clause<'t, 'a> {
     tokens: &'t [Placed<'a>],
     at: usize,
-    /// Whether a sign that was read is denied: "not positive".
-    denied: bool,
 }
 
 impl<'a> Clause<'_, 'a> {
@@ -173,6 +194,26 @@ impl<'a> Clause<'_, 'a> {
         if skips {
             self.at += phrase.len();
         }
+        skips
+    }
+
+    /// "whereas", "on the other hand,"
+    fn skip_joints(&mut self) {
+        let before = self.at;
+        let is_joint = |own: &mut Self| {
+            own.skips(JOINING)
+                || own.skips_words(&["on", "the", "other", "hand"])
+                || own.skips_words(&["by", "contrast"])
+                || own.skips_words(&["in", "contrast"])
+                || own.at > before && own.skips_mark(',')
+        };
+        self.skips_mark(',');
+        while is_joint(self) {}
+    }
+
+    fn skips_mark(&mut self, mark: char) -> bool {
+        let skips = self.next().is_some_and(|token| token.is_mark(mark));
+        self.at += usize::from(skips);
         skips
     }
 
@@ -207,9 +248,7 @@ impl<'a> Clause<'_, 'a> {
         let mut found = vec![self.math()?];
         while found.len() < MOST_LISTED {
             let before = self.at;
-            if self.next().is_some_and(|token| token.is_mark(',')) {
-                self.at += 1;
-            }
+            self.skips_mark(',');
             self.skips(&["and"]);
             match self.math() {
                 Some(next) => found.push(next),
@@ -267,27 +306,28 @@ impl<'a> Clause<'_, 'a> {
             (true, "zero") | (false, "nonzero") => Some(Relation::NotEqual),
             _ => None,
         };
-        match relation {
-            Some(_) => self.denied |= denied,
-            None => self.at = start,
+        if relation.is_none() {
+            self.at = start;
         }
         relation
     }
 
-    /// "greater than", "equal to", and what stands after it.
+    /// "greater than", "equal to", "below", "at least", and what stands after it.
     fn than(&mut self) -> Option<(Relation, Option<Span>)> {
         let before = self.at;
-        let relation = match () {
-            () if self.skips(&["greater", "larger", "bigger", "higher"]) => Relation::Greater,
-            () if self.skips(&["less", "smaller", "lower"]) => Relation::Less,
-            () if self.skips(&["equal"]) => Relation::Equal,
+        let (relation, joins) = match () {
+            () if self.skips(&["greater", "larger", "bigger", "higher"]) => {
+                (Relation::Greater, "than")
+            }
+            () if self.skips(&["less", "smaller", "lower"]) => (Relation::Less, "than"),
+            () if self.skips(&["equal"]) => (Relation::Equal, "to"),
+            () if self.skips(&["above"]) => (Relation::Greater, ""),
+            () if self.skips(&["below"]) => (Relation::Less, ""),
+            () if self.skips_words(&["at", "least"]) => (Relation::GreaterOrEqual, ""),
+            () if self.skips_words(&["at", "most"]) => (Relation::LessOrEqual, ""),
             () => return None,
         };
-        let word = match relation {
-            Relation::Equal => "to",
-            _ => "than",
-        };
-        let other = match self.skips(&[word]) {
+        let other = match joins.is_empty() || self.skips(&[joins]) {
             true => self.value(),
             false => None,
         };
@@ -317,9 +357,7 @@ impl<'a> Clause<'_, 'a> {
         let mut found = one(self)?;
         loop {
             let before = self.at;
-            if self.next().is_some_and(|token| token.is_mark(',')) {
-                self.at += 1;
-            }
+            self.skips_mark(',');
             match self.skips(&["and"]).then(|| one(self)).flatten() {
                 Some(more) => found.extend(more),
                 None => {
@@ -339,9 +377,10 @@ impl<'a> Clause<'_, 'a> {
     fn clause(&mut self) -> Option<Vec<Supposition>> {
         let mut described = 0;
         while !matches!(self.next()?, Token::Math(_)) {
-            let Some(Token::Word(_)) = self.next() else {
+            let word = self.next();
+            if !matches!(word, Some(own @ Token::Word(_)) if !is_doubtful(own)) {
                 return None;
-            };
+            }
             described += 1;
             self.at += 1;
             if described > MOST_DESCRIBING {
@@ -362,9 +401,7 @@ impl<'a> Clause<'_, 'a> {
             let to = self.value()?;
             return Some(all(Relation::Equal, to));
         }
-        if !self.skips(&["is", "are", "be"]) {
-            return None;
-        }
+        self.skips(LINKING);
         self.skips(&["both", "all", "itself"]);
         if let Some((relation, to)) = self.than() {
             return Some(all(relation, to));
@@ -387,25 +424,21 @@ impl<'a> Clause<'_, 'a> {
     /// "a negative charge $q$", "positive values of $x$", "$x$ positive", "$x$ less than 1".
     fn kind(&mut self) -> Option<Vec<Supposition>> {
         self.skips(ARTICLES);
-        let (relation, to, of) = match self.sign() {
-            Some(relation) => {
-                // "values of", "charges"
-                for _ in 0..MOST_DESCRIBING {
-                    match self.next() {
-                        Some(Token::Word(word)) if !GOING_ON.contains(&word) => self.at += 1,
-                        _ => break,
-                    }
-                }
-                (relation, None, self.listed()?)
+        let sign = self.sign();
+        // "values of", "charges"
+        for _ in 0..MOST_DESCRIBING {
+            match self.next() {
+                Some(Token::Word(word)) if !GOING_ON.contains(&word) => self.at += 1,
+                _ => break,
             }
-            None => {
-                let of = self.listed()?;
-                let (relation, to) = match self.sign() {
-                    Some(relation) => (relation, None),
-                    None => self.than()?,
-                };
-                (relation, to, of)
-            }
+        }
+        let of = self.listed()?;
+        let (relation, to) = match sign {
+            Some(relation) => (relation, None),
+            None => match self.sign() {
+                Some(relation) => (relation, None),
+                None => self.than()?,
+            },
         };
         let said = of.into_iter().map(|body| compared(body, relation, to));
         Some(said.collect())

@@ -51,7 +51,12 @@ pub(super) fn generalizes(
         ),
         "case" => {
             let each = is_one(last, &["either", "any", "each", "every"]);
-            is(each && is_one(second, &["in"]), InAllCases)
+            let opposite = is_one(last, &["opposite", "contrary", "converse"]);
+            let in_the = is_one(second, &["the"]) && is_one(before(3), &["in"]);
+            match each && is_one(second, &["in"]) {
+                true => Some(InAllCases),
+                false => is(opposite && in_the, Otherwise),
+            }
         }
         "reality" | "practice" => is(after("in") && second.is_empty(), General),
         "all" | "any" | "every" if after("at") => is(second.is_empty(), Elsewhere),
@@ -59,7 +64,12 @@ pub(super) fn generalizes(
         "between" => is(after("in"), Elsewhere),
         "otherwise" | "else" => is(last.is_empty(), Otherwise),
         "later" | "elsewhere" | "meanwhile" => is(last.is_empty(), Elsewhere),
-        word if REGIMES.has(word) => is(last.is_empty(), Elsewhere),
+        // "For $x$ below zero" is no place.
+        word if REGIMES.has(word) => {
+            let before = index.checked_sub(1).map(|before| tokens[before].0);
+            let after_math = matches!(before, Some(Token::Math(_)));
+            is(last.is_empty() && !after_math, Elsewhere)
+        }
         _ => None,
     }
 }

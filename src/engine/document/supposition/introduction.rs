@@ -277,7 +277,8 @@ pub(super) fn is_condition(source: &str, index: usize, tokens: &[Placed<'_>]) ->
             index,
             tokens,
             &[
-                "so", "that", "and", "but", "hence", "thus", "then", "allowed",
+                "so", "that", "and", "but", "hence", "thus", "then", "allowed", "whereas", "while",
+                "yet", "or", "else",
             ],
         );
     let describes = |(token, _): &&Placed<'_>| match token {

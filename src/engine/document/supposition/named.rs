@@ -18,7 +18,6 @@ static ELSEWHERE: Words = Words::of(&[
     "either",
     "neither",
     "nor",
-    "otherwise",
     "longer",
     "excluded",
     "excluding",

@@ -1,6 +1,6 @@
 //! Signs: sums of squares and products of what is known not to be negative, with the unknowns removed that equations give.
 
-use super::super::positivity::{Known, decompose};
+use super::super::positivity::{Known, decompose, plain};
 use super::super::tracked::{Nonzero, Reduced, cofactors, listed};
 use super::{Ideal, LIGHT_REDUCTIONS, Prover, negated};
 use crate::algebra::{Atom, Expr, Function, Monomial, Polynomial, Rational, TooLarge, Var};
@@ -174,12 +174,9 @@ impl Prover {
         Some(Proof::Positivity {
             multiplier: listed(&reduced.multiplier),
             terms: vec![PositiveTerm {
-                coefficient: Rational::one(),
                 factors: listed(&reduced.outer),
-                squares: Vec::new(),
-                series: Vec::new(),
-                bounded: Vec::new(),
                 facts: vec![position],
+                ..plain(Rational::one())
             }],
             cofactors: cofactors(&reduced.cofactors),
         })
@@ -330,12 +327,8 @@ impl Prover {
                 sign: Sign::NonNegative,
             };
             let term = PositiveTerm {
-                coefficient: Rational::one(),
-                factors: Vec::new(),
-                squares: Vec::new(),
-                series: Vec::new(),
                 bounded: vec![series],
-                facts: Vec::new(),
+                ..plain(Rational::one())
             };
             let proof = Proof::Positivity {
                 multiplier: Vec::new(),
@@ -373,12 +366,9 @@ impl Prover {
         let proof = Proof::Positivity {
             multiplier,
             terms: vec![PositiveTerm {
-                coefficient: Rational::one(),
                 factors: listed(&reduced.multiplier),
-                squares: Vec::new(),
-                series: Vec::new(),
-                bounded: Vec::new(),
                 facts: vec![position],
+                ..plain(Rational::one())
             }],
             cofactors: negated(&reduced.cofactors),
         };
