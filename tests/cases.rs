@@ -150,6 +150,60 @@ fn what_rules_out_a_case_is_the_next_one() {
     }
 }
 
+/// What is so in a case alone is not concluded from it where the text says that the case is over.
+#[test]
+fn what_was_a_case_may_be_anything_again() {
+    for words in [
+        "For general $x$",
+        "For an arbitrary $x$ we have",
+        "For any $x$",
+        "For other values of $x$",
+        "Let now $x$ be arbitrary. Then",
+        "Now let $x$ vary. Then",
+        "As a function of $x$,",
+        "Independent of the value of $x$,",
+        "Regardless of $x$,",
+        "Whatever $x$ is,",
+        "With $x$ kept general,",
+        "When $x$ is left open,",
+        "When $x$ is not 1,",
+        "Away from $x = 1$,",
+        "Unless $x = 1$,",
+        "Apart from this special case,",
+        "Except for this case,",
+        "In all other cases",
+        "If this condition is not met,",
+        "If it does not hold,",
+        "If not,",
+        "Removing the condition,",
+        "Relaxing $x = 1$,",
+        "We now drop the condition $x = 1$. Then",
+    ] {
+        let page = |formula: &str| {
+            last(&format!(
+                "We consider\n\n$$ y = x + c. \\tag{{1}} $$\n\nIf $x = 1$, then\n\n$$ y = c + 1. \\tag{{2}} $$\n\n\
+                 {words}\n\n$$ {formula}. \\tag{{3}} $$\n"
+            ))
+        };
+        assert_ne!(page("y - c = 1"), "holds", "{words}");
+        assert_eq!(page("y - x = c"), "holds", "{words}");
+    }
+    // What may be anything is another letter, or the case goes on.
+    for words in [
+        "For general $c$",
+        "With $c$ left open",
+        "In this case",
+        "If this condition is met,",
+        "If this is so,",
+    ] {
+        let page = format!(
+            "We consider\n\n$$ y = x + c. \\tag{{1}} $$\n\nIf $x = 1$, then\n\n$$ y = c + 1. \\tag{{2}} $$\n\n\
+             {words}\n\n$$ y - c = 1. \\tag{{3}} $$\n"
+        );
+        assert_eq!(last(&page), "holds", "{words}");
+    }
+}
+
 /// "Otherwise" it is not so, and neither is what was so in the cases before.
 #[test]
 fn otherwise_none_of_the_cases_before_is_so() {

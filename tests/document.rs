@@ -246,8 +246,8 @@ fn citations() {
 #[test]
 fn suppositions() {
     use SuppositionKind::{
-        Alternative, Assume, Case, Contrary, Define, Elsewhere, Fact, General, Known, Let, Unread,
-        Vanishes,
+        Alternative, Arbitrary, Assume, Case, Contrary, Define, Elsewhere, Fact, General, Known,
+        Let, Unread, Vanishes,
     };
     let told = Fact {
         runs_on: false,
@@ -407,7 +407,10 @@ fn suppositions() {
         ),
         ("Without this assumption,", vec![(General, "assumption")]),
         ("In between, by (1)", vec![(Elsewhere, "between")]),
-        ("For arbitrary $w$ we have", vec![(Elsewhere, "arbitrary")]),
+        (
+            "For arbitrary $w$ we have",
+            vec![(Elsewhere, "arbitrary"), (Arbitrary, "w")],
+        ),
         (
             "Setting the derivative to zero gives",
             vec![(Vanishes(Vanishing::Slope), "derivative")],

@@ -320,7 +320,9 @@ pub enum SuppositionKind {
     Abbreviation(Span),
     /// "In general": all special cases are left. It supposes nothing.
     General,
-    /// "Otherwise": what was supposed last is left, too.
+    /// "For general $x$": the cases are left that speak of that. It supposes nothing.
+    Arbitrary,
+    /// "Otherwise": what was supposed last is left, and is not so.
     Otherwise,
     /// "Later", "In between": the cases that were gone through and the moments are left, but not what was let.
     Elsewhere,
@@ -358,9 +360,9 @@ pub enum Vanishing {
 impl SuppositionKind {
     /// Whether what was told of another special case is no longer meant.
     pub fn begins_a_case(self) -> bool {
-        use SuppositionKind::{Case, Compared, Contrary, Fact, TakenUp};
+        use SuppositionKind::{Arbitrary, Case, Compared, Contrary, Fact, TakenUp};
         match self {
-            Case { .. } | Compared { .. } | Contrary | TakenUp(_) => true,
+            Case { .. } | Compared { .. } | Contrary | TakenUp(_) | Arbitrary => true,
             Fact { of_case, .. } => of_case,
             other => other.leaves_cases(),
         }

@@ -134,9 +134,10 @@ fn move_citation(citation: &mut Citation, by: usize) {
 
 fn move_supposition(supposition: &mut Supposition, by: usize) {
     use SuppositionKind::{
-        Abbreviation, Alternative, Anew, Assume, Case, Common, Compared, Contradicted, Contrary,
-        Define, Elsewhere, Equals, Fact, Figure, General, InAllCases, Initial, Known, Let, Meaning,
-        Moment, OfKind, Otherwise, SolvedFor, StandsStill, StationaryBy, TakenUp, Unread, Vanishes,
+        Abbreviation, Alternative, Anew, Arbitrary, Assume, Case, Common, Compared, Contradicted,
+        Contrary, Define, Elsewhere, Equals, Fact, Figure, General, InAllCases, Initial, Known,
+        Let, Meaning, Moment, OfKind, Otherwise, SolvedFor, StandsStill, StationaryBy, TakenUp,
+        Unread, Vanishes,
     };
     let Supposition { kind, body } = supposition;
     shift(body, by);
@@ -161,6 +162,7 @@ fn move_supposition(supposition: &mut Supposition, by: usize) {
         | Contrary
         | Contradicted
         | SolvedFor
+        | Arbitrary
         | Anew
         | Common
         | General

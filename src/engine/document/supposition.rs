@@ -21,6 +21,7 @@ mod introduction;
 mod mathematics;
 pub(super) mod named;
 mod neglected;
+mod over;
 mod reach;
 mod reason;
 mod retraction;
@@ -86,6 +87,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     found.extend(compared::read(source, &tokens[..end]));
     found.extend(contrary::read(source, &tokens[..end]));
     found.extend(alternatives::read(source, &tokens[..end]));
+    found.extend(over::read(source, &tokens[..end]));
     found.extend(unknown::read(source, &tokens[..end]));
     found.extend(unnamed::read(source, &tokens[..end]));
     found.extend(vanishing::read(source, &tokens[..end]));

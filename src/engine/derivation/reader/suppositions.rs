@@ -142,6 +142,7 @@ impl Reader<'_> {
                 let unknown = qualities::named(&page.document.source, body);
                 active.retain(|&at| !page.locals[at].sets(&unknown));
             }
+            SuppositionKind::Arbitrary => self.leave_rivals(body),
             SuppositionKind::Unread => self.between.conditions.push(body),
             // "Let $x$ be positive" introduces it.
             SuppositionKind::Compared { to: None, .. } if !self.is_compared(body) => {}

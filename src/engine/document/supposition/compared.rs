@@ -118,6 +118,7 @@ static SIGNS: Words = Words::of(&[
     "exceed",
     "equals",
     "equal",
+    "not",
 ]);
 
 fn of_sentence(source: &str, start: usize, end: usize, tokens: &[Placed<'_>]) -> Vec<Supposition> {
@@ -405,6 +406,15 @@ impl<'a> Clause<'_, 'a> {
         self.skips(&["both", "all", "itself"]);
         if let Some((relation, to)) = self.than() {
             return Some(all(relation, to));
+        }
+        // "$x$ is not 1", "$a$ is not equal to $b$"
+        let before = self.at;
+        if self.skips(&["not"]) {
+            self.skips_words(&["equal", "to"]);
+            if let Some(to) = self.value() {
+                return Some(all(Relation::NotEqual, to));
+            }
+            self.at = before;
         }
         if self.skips(&["equal"]) {
             let (first, rest) = of.split_first()?;

@@ -30,8 +30,20 @@ pub(super) fn generalizes(
             is(after("in") || the(), General)
         }
         "generally" => Some(General),
-        "assumption" | "restriction" | "supposition" => {
-            const DROPPING: &[&str] = &["dropping", "drop", "lifting", "relaxing", "without"];
+        "assumption" | "restriction" | "supposition" | "condition" | "constraint" => {
+            const DROPPING: &[&str] = &[
+                "dropping",
+                "drop",
+                "lifting",
+                "lift",
+                "relaxing",
+                "relax",
+                "removing",
+                "remove",
+                "abandoning",
+                "abandon",
+                "without",
+            ];
             let one = is_one(last, &["this", "that", "the", "our"]);
             is(one && is_one(second, DROPPING), General)
         }
