@@ -1699,3 +1699,40 @@ fn what_is_told_of_a_variable_is_left_where_it_grows() {
     assert_eq!(page("C_1"), "holds");
     assert_ne!(page("C_2"), "holds");
 }
+
+/// A name for a term may be given in many words; what is only put in the place of something is not understood.
+#[test]
+fn names_for_terms_are_given_in_many_words() {
+    let page = |words: &str, formula: &str| {
+        crate::common::last(&format!(
+            "We consider\n\n$$ y = \\frac{{a}}{{b}} + c. \\tag{{1}} $$\n\n{words}\n\n$$ y = {formula}. \\tag{{2}} $$\n"
+        ))
+    };
+    for words in [
+        "Let $k$ denote $a/b$. Then",
+        "Let $k$ denote the ratio $a/b$. Then",
+        "Let $k$ be the ratio $a/b$. Then",
+        "Let $k$ stand for $a/b$. We get",
+        "We call $a/b$ the gain $k$. Then",
+        "Denoting the ratio $a/b$ by $k$ we find",
+        "Replacing $a/b$ by $k$ gives",
+        "Let $k \\equiv a/b$. Then",
+        "With $k \\equiv a/b$",
+    ] {
+        assert_eq!(page(words, "k + c"), "holds", "{words}");
+        assert_eq!(page(words, "2 k + c"), "fails", "{words}");
+    }
+    for words in [
+        "Replacing $a$ by $2 a$ gives",
+        "Exchanging $a$ and $b$ gives",
+    ] {
+        assert_eq!(page(words, "\\frac{2 a}{b} + c"), "undecided", "{words}");
+    }
+    // What it is a part of is not what it is.
+    for words in [
+        "Let $k$ be a root of $a/b$. Then",
+        "Let $k$ not be $a/b$. Then",
+    ] {
+        assert_ne!(page(words, "k + c"), "holds", "{words}");
+    }
+}

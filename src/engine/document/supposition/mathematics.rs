@@ -110,7 +110,9 @@ pub(in crate::document) fn relates(math: &str) -> bool {
         match c {
             '{' => depth += 1,
             '}' => depth = depth.saturating_sub(1),
-            '=' | '<' | '>' | '≠' | '≤' | '≥' | '⩽' | '⩾' => relation |= depth == 0,
+            '=' | '≡' | '<' | '>' | '≠' | '≤' | '≥' | '⩽' | '⩾' => {
+                relation |= depth == 0
+            }
             '⇒' | '⇔' => return false,
             '\\' => {
                 let name = &math[at + 1..];
@@ -118,8 +120,8 @@ pub(in crate::document) fn relates(math: &str) -> bool {
                     .find(|c: char| !c.is_ascii_alphabetic())
                     .unwrap_or(name.len())];
                 match name {
-                    "neq" | "ne" | "le" | "leq" | "ge" | "geq" | "lt" | "gt" | "leqslant"
-                    | "geqslant" => relation |= depth == 0,
+                    "equiv" | "coloneqq" | "neq" | "ne" | "le" | "leq" | "ge" | "geq" | "lt"
+                    | "gt" | "leqslant" | "geqslant" => relation |= depth == 0,
                     "Rightarrow" | "implies" | "iff" | "Leftrightarrow" | "therefore" => {
                         return false;
                     }
