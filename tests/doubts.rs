@@ -108,6 +108,9 @@ fn letters_that_spell_something_are_refused() {
         ),
         (r"F = mass \cdot a", "mass", r"write `\mathrm{mass}`"),
         (r"x = y for all z", "for", r"write `\mathrm{for}`"),
+        (r"x = a (mod 3)", "mod", "the notation has no remainders"),
+        (r"m = 5\,kg", "kg", r"write `\,\mathrm{kg}`"),
+        (r"v = 36 km/h", "km", r"write `\,\mathrm{km}`"),
     ];
     for (math, place, help) in refused {
         let derivation = Derivation::new(vec![Document::markdown("page.md", display(math))]);
@@ -132,10 +135,14 @@ fn letters_side_by_side_are_products() {
         "y = bcghk",
         "W = m a x",
         "W = m if + n or = 1",
+        "F = 2 mg + 3 kT + kg",
     ];
     for math in read {
         assert_eq!(last(&display(math)), Ok(()), "{math}");
     }
+    let energy = display("E = 3 kg");
+    assert!(last(&energy).is_err());
+    assert_eq!(last(&format!("{}\n{energy}", display("k = 2 g"))), Ok(()));
     let force = display("F = max");
     assert!(last(&force).is_err());
     assert_eq!(last(&format!("{}\n{force}", display("m + a = x"))), Ok(()));
@@ -262,4 +269,50 @@ fn the_summary_counts_what_is_unreadable() {
     let told = crate::common::human(&derivation);
     let counted = "Of 3 statements, 1 given, 1 undecided and 1 unreadable.";
     assert!(told.contains(counted), "{told}");
+}
+
+#[test]
+fn what_the_text_calls_a_function_is_no_factor() {
+    let wave = display("u = f(x - v t)");
+    let told = [
+        "The wave is a function $f$ of $x - v t$.",
+        "where $f$ and $g$ are arbitrary functions of one variable",
+        "For any functions $g$ and $f$,",
+        "Here $f$ denotes a smooth function.",
+        "The operator $f$ is linear.",
+    ];
+    for words in told {
+        let error = last(&format!("{words}\n{wave}")).expect_err(words);
+        assert!(
+            error.starts_with("f(x - v t): whether the function"),
+            "{words}: {error}"
+        );
+    }
+    let read = [
+        "where $f$ is a function of $t$",
+        "where $f$ is a known function of $t$",
+        "where $f$ is the frequency. The function $g$ is smooth",
+        "The function is $f$",
+        "As functions, $g$ and",
+    ];
+    for words in read {
+        assert_eq!(last(&format!("{words}\n{wave}")), Ok(()), "{words}");
+    }
+}
+
+#[test]
+fn what_an_operator_acts_on_is_no_factor() {
+    let said = "Let $\\hat H$ be the operator of energy.\n\n";
+    let said_of_both = "with the operators $\\hat H$ and $L$\n\n";
+    for math in [r"\hat H \psi = E \psi", r"a = 2 \hat H^2 b + c"] {
+        let error = last(&format!("{said}{}", display(math))).expect_err(math);
+        assert!(
+            error.contains("the text calls `\\hat{H}` an operator"),
+            "{error}"
+        );
+        assert_eq!(last(&display(math)), Ok(()), "{math}");
+    }
+    assert!(last(&format!("{said_of_both}{}", display("L y = f"))).is_err());
+    let sum = display(r"\hat H = \frac{p^2}{2 m} + V + 2 \hat H");
+    assert_eq!(last(&format!("{said}{sum}")), Ok(()));
 }

@@ -75,7 +75,9 @@ fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
         DoubtKind::Letters { word, spelt } => {
             let mut own = word.chars().map(|letter| Symbol::new(letter.to_string()));
             let product = match spelt {
-                Spelt::Word => own.all(|letter| letters.is_known(&letter)),
+                Spelt::Word | Spelt::Unit | Spelt::Remainder => {
+                    own.all(|letter| letters.is_known(&letter))
+                }
                 Spelt::Function(_) | Spelt::Between => {
                     own.all(|letter| letters.is_declared(&letter))
                 }
@@ -121,6 +123,10 @@ fn no_product(word: &str, spelt: &Spelt, span: Span) -> SyntaxError {
         Spelt::Function("sqrt") => "write `\\sqrt{…}`".to_owned(),
         Spelt::Function(name) => format!("write `\\{name}`"),
         Spelt::Between => format!("write `\\text{{ {word} }}`"),
+        Spelt::Unit => format!("write `\\,\\mathrm{{{word}}}` for a unit"),
+        Spelt::Remainder => {
+            "the notation has no remainders: write `a = b + n m` with a whole number `n`".to_owned()
+        }
         Spelt::Word => format!("write `\\mathrm{{{word}}}` for a name, `\\text{{…}}` for words"),
     };
     SyntaxError {

@@ -9,6 +9,7 @@ mod arguments;
 mod assumed;
 mod beside;
 mod beyond;
+mod called;
 mod chain;
 mod checker;
 mod citations;

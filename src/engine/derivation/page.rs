@@ -13,6 +13,7 @@ use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
 use crate::sorted::{self, Set, Tree};
 
 use super::beside::{Beside, Clash, Place};
+use super::called::{self, Called};
 use super::equation::each_side;
 use super::meanings::Meanings;
 use super::reader::Reader;
@@ -150,8 +151,18 @@ pub(super) fn read_page(
         });
         prose.flatten()
     };
-    let in_text = || names::functions_in_text(&page.document.source, inline());
+    let prose = items.iter().filter_map(|item| match item {
+        Item::Prose(prose) => Some(&**prose),
+        _ => None,
+    });
+    let called = Called::of(&page.document.source, prose);
+    let in_text = || {
+        let mut named = names::functions_in_text(&page.document.source, inline());
+        named.extend(called.functions.iter().chain(&called.operators).cloned());
+        named
+    };
     names::refuse(&mut equations, declared, in_text);
+    called::refuse_products(&mut equations, &called.operators);
     // The same letters are named again and again.
     let named = inline().map(|math: &Inline| page.document.text(math.body));
     let named: BTreeSet<&str> = named.collect();

@@ -76,19 +76,45 @@ pub(super) fn read(tokens: &[Placed<'_>]) -> Vec<Citation> {
     citations
 }
 
-/// The equations that are cited above the relation signs of a display: `\overset{\eqref{law}}{=}`.
+/// The equations that are cited above the relation signs of a display, `\overset{\eqref{law}}{=}`, and beside its rows, `&& \text{by (1)}`.
 pub(crate) fn above_signs(source: &str, body: Span) -> Vec<Citation> {
     let text = source.get(body.start..body.end).unwrap_or("");
+    let mut end = 0;
     let remarks = text.match_indices('{').filter_map(|(brace, _)| {
         let before = &text[..brace];
         let above = before.ends_with("\\overset") || before.ends_with("\\stackrel");
-        let length = above.then(|| closed_within(&text[brace + 1..]))??;
-        let start = body.start + brace + 1;
-        Some(Span::new(start, start + length))
+        let beside = brace >= end && is_reason(before, &text[brace + 1..]);
+        let length = (above || beside).then(|| closed_within(&text[brace + 1..]))??;
+        end = brace + 1 + length;
+        while beside && let Some(reference) = text.get(end + 1..).and_then(length_of_reference) {
+            end += reference;
+        }
+        let own = usize::from(end > brace + 1 + length);
+        Some(Span::new(body.start + brace + 1, body.start + end + own))
     });
     remarks
         .flat_map(|remark| read(&prose::tokens(source, remark, &[], &[])))
         .collect()
+}
+
+/// Whether words in braces begin as a reason does that cites something.
+fn is_reason(before: &str, words: &str) -> bool {
+    const TEXT: [&str; 4] = ["\\text", "\\textrm", "\\mbox", "\\hbox"];
+    const CITING: [&str; 7] = ["by", "from", "using", "see", "with", "via", "cf."];
+    let words = words.trim_start().trim_start_matches(['(', '[']);
+    let first = words.split([' ', '~', '}']).next().unwrap_or("");
+    TEXT.iter().any(|text| before.ends_with(text))
+        && CITING.contains(&first.to_lowercase().as_str())
+}
+
+/// How long the reference is that a text begins with.
+fn length_of_reference(text: &str) -> Option<usize> {
+    const COMMANDS: [&str; 3] = ["\\eqref{", "\\ref{", "\\cref{"];
+    let inside = text.trim_start_matches([' ', '~']);
+    let named = COMMANDS.iter().find_map(|own| inside.strip_prefix(own))?;
+    let length = named.chars().take(LONGEST_REMARK).position(|c| c == '}')?;
+    let after = named.char_indices().nth(length)?.0 + 1;
+    Some(text.len() - named.len() + after)
 }
 
 /// Where the brace that is open here is closed, if that is not far away.

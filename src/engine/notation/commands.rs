@@ -1,6 +1,7 @@
 //! The vocabulary: which LaTeX commands mean something here.
 
 mod refused;
+mod unread;
 
 use super::lexer::is_space;
 use crate::algebra::{Function, Relation};
@@ -65,6 +66,9 @@ pub(super) const ACCENTS: &[(&str, &str)] = &[
     ("tilde", "\u{303}"),
     ("widetilde", "\u{303}"),
     ("vec", "\u{20d7}"),
+    ("check", "\u{30c}"),
+    ("breve", "\u{306}"),
+    ("mathring", "\u{30a}"),
     ("mathbf", ""),
     ("boldsymbol", ""),
     ("bm", ""),
@@ -72,6 +76,8 @@ pub(super) const ACCENTS: &[(&str, &str)] = &[
     ("mathit", ""),
     ("mathsf", ""),
     ("mathbb", ""),
+    ("mathscr", ""),
+    ("mathfrak", ""),
 ];
 
 /// Commands that may stand in a subscript, beside the letters.
@@ -111,6 +117,8 @@ pub(super) const SPACING: &[&str] = &[
     "xspace",
     "allowbreak",
     "nobreak",
+    "qed",
+    "qedhere",
 ];
 
 /// Commands with a meaning of their own in the grammar.
@@ -193,14 +201,14 @@ pub(super) fn relation(command: &str) -> Option<Relation> {
         "neq" | "ne" => Relation::NotEqual,
         "lt" => Relation::Less,
         "gt" => Relation::Greater,
-        "le" | "leq" | "leqslant" => Relation::LessOrEqual,
-        "ge" | "geq" | "geqslant" => Relation::GreaterOrEqual,
+        "le" | "leq" | "leqslant" | "leqq" => Relation::LessOrEqual,
+        "ge" | "geq" | "geqslant" | "geqq" => Relation::GreaterOrEqual,
         "sim" => Relation::Scales,
         "propto" => Relation::Proportional,
-        "approx" | "simeq" => Relation::Approximately,
+        "approx" | "simeq" | "approxeq" => Relation::Approximately,
         "ll" => Relation::MuchLess,
         "gg" => Relation::MuchGreater,
-        "equiv" | "coloneqq" => Relation::Equal,
+        "equiv" | "coloneqq" | "coloneq" | "triangleq" => Relation::Equal,
         _ => return None,
     })
 }
@@ -225,13 +233,22 @@ pub(super) fn function(command: &str) -> Option<Function> {
     })
 }
 
-/// Whether a command names a function: one of these, or one that is made of them.
+/// Whether a command names a function: one of these, or one that is made of them, as `\cot` is.
 pub(super) fn is_function(command: &str) -> bool {
-    function(command).is_some() || matches!(command, "sinh" | "cosh" | "tanh" | "lg")
+    function(command).is_some()
+        || is_hyperbolic(command)
+        || matches!(command, "cot" | "sec" | "csc" | "lg")
+}
+
+/// Whether a command names a hyperbolic function, which is read as what it is in exponentials.
+pub(super) fn is_hyperbolic(command: &str) -> bool {
+    let names = ["sinh", "cosh", "tanh", "coth", "sech", "csch"];
+    names.contains(&command)
 }
 
 const FUNCTIONS: &[&str] = &[
-    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "log", "sinh", "cosh", "tanh", "lg",
+    "sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "exp", "log", "sinh",
+    "cosh", "tanh", "coth", "sech", "csch", "lg",
 ];
 
 /// Looks a command up in one of the tables of this page.

@@ -41,10 +41,14 @@ pub(super) fn fold<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
     folder.run()
 }
 
-/// `{\rm d}` stands where `\mathrm{d}` would: the braces around a single word go, but where a command takes them.
+/// `{\rm d}` stands where `\mathrm{d}` would: the braces around a single word go, but where a command takes them. So do braces around
+/// nothing, `{}-a`, unless they hold apart indices, `T^a{}_b`.
 fn bare_words<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
     // Only what stands in braces by itself, or comes to, is one.
-    let is_last = |pair: &[Token]| is_word(pair[0].kind) && matches!(pair[1].kind, Kind::Close);
+    let is_last = |pair: &[Token]| {
+        let is_inner = is_word(pair[0].kind) || matches!(pair[0].kind, Kind::Open);
+        is_inner && matches!(pair[1].kind, Kind::Close)
+    };
     if !raw.windows(2).any(is_last) {
         return raw.to_vec();
     }
@@ -52,7 +56,7 @@ fn bare_words<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
     let mut open = Vec::new();
     // For each token that is kept, where its group opens.
     let mut groups = Vec::with_capacity(raw.len());
-    for token in raw {
+    for (place, token) in raw.iter().enumerate() {
         let at = out.len();
         groups.push(match token.kind {
             Kind::Close => open.pop().unwrap_or(at),
@@ -62,6 +66,16 @@ fn bare_words<'s>(raw: &[Token<'s>]) -> Vec<Token<'s>> {
             open.push(at);
         }
         out.push(*token);
+        let next = raw.get(place + 1).map(|next| next.kind);
+        if let [.., first, last] = out.as_slice()
+            && matches!((first.kind, last.kind), (Kind::Open, Kind::Close))
+            && !is_argument(&out, &groups, at - 1)
+            && !matches!(next, Some(Kind::Char('_' | '^' | '\'')))
+        {
+            out.truncate(at - 1);
+            groups.truncate(at - 1);
+            continue;
+        }
         if let [.., first, word, last] = out.as_slice()
             && matches!((first.kind, last.kind), (Kind::Open, Kind::Close))
             && is_word(word.kind)
@@ -353,10 +367,11 @@ impl<'s> Folder<'_, 's> {
     /// The relation that starts here, and over how many tokens it runs.
     fn relation(&self, at: usize) -> Option<(Kind<'s>, usize)> {
         if let Some(relation) = self.plain_relation(at) {
-            return Some((Kind::Relation(relation, false), 1));
+            let defines = relation == Relation::Equal && self.kind(at + 1) == Kind::Char(':');
+            return Some((Kind::Relation(relation, false), 1 + usize::from(defines)));
         }
         match self.kind(at) {
-            Kind::Char(':') if self.kind(at + 1) == Kind::Char('=') => {
+            Kind::Char(':') | Kind::Command("colon") if self.kind(at + 1) == Kind::Char('=') => {
                 Some((Kind::Relation(Relation::Equal, false), 2))
             }
             Kind::Command("not") if self.kind(at + 1) == Kind::Char('=') => {

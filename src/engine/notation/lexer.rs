@@ -8,12 +8,13 @@ mod argument;
 mod space;
 mod switch;
 mod token;
+mod unicode;
 
 use self::space::Gap;
 pub(super) use self::space::is_space;
 use self::switch::Face;
+use super::SyntaxError;
 use super::commands::SPACING;
-use super::{Mark, SyntaxError};
 use crate::document::Span;
 pub use argument::is_constant_word;
 pub(super) use argument::two_groups_follow;
@@ -33,6 +34,7 @@ pub(super) fn lex(source: &str, body: Span) -> Lexed<'_> {
         end: body.end,
         spaced: false,
         gap: Gap::default(),
+        outside: Gap::default(),
         out: Lexed::default(),
         faces: vec![Face::Plain],
     };
@@ -74,6 +76,8 @@ struct Lexer<'s> {
     spaced: bool,
     /// How much space there is before it.
     gap: Gap,
+    /// The space before the last brace that opens.
+    outside: Gap,
     out: Lexed<'s>,
     /// The typeface in each group that is open here, the whole formula first.
     faces: Vec<Face>,
@@ -92,6 +96,7 @@ impl<'s> Lexer<'s> {
     }
 
     fn push(&mut self, start: usize, kind: Kind<'s>) {
+        let gap = self.gap;
         if let Some(span) = self.parting(kind) {
             self.out.tokens.push(Token {
                 kind: Kind::Wide,
@@ -104,6 +109,7 @@ impl<'s> Lexer<'s> {
             span: Span::new(start, self.at),
             spaced: std::mem::take(&mut self.spaced),
         });
+        self.go_on(gap);
     }
 
     fn bad(&mut self, span: Span, message: String, help: Option<String>) {
@@ -232,16 +238,6 @@ impl<'s> Lexer<'s> {
         let kind = match c {
             '{' => Kind::Open,
             '}' => Kind::Close,
-            '−' => Kind::Char('-'),
-            '·' => Kind::Command("cdot"),
-            '×' => Kind::Command("times"),
-            '…' | '⋯' => Kind::Command("dots"),
-            '′' | '’' => Kind::Char('\''),
-            '≠' => Kind::Command("neq"),
-            '≤' => Kind::Command("leq"),
-            '≥' => Kind::Command("geq"),
-            '✓' | '✔' => Kind::Mark(Mark::Tick),
-            '✗' | '✘' => Kind::Mark(Mark::Cross),
             '%' => {
                 self.take(|c| c != '\n');
                 return;
@@ -249,20 +245,7 @@ impl<'s> Lexer<'s> {
             '~' => return self.word_space(start),
             c if c.is_whitespace() => return,
             c if c.is_ascii_punctuation() => Kind::Char(c),
-            c => {
-                let mut letters = super::commands::LETTERS.iter();
-                let help = match c {
-                    '°' => Some(
-                        "write `^\\circ` in the angle of a sine, and a temperature in kelvin"
-                            .into(),
-                    ),
-                    c => letters
-                        .find(|(_, shown)| shown.chars().eq([c]) || (c == 'µ' && *shown == "μ"))
-                        .map(|(name, _)| format!("write `\\{name}`")),
-                };
-                let span = Span::new(start, self.at);
-                return self.bad(span, format!("the character `{c}` is not known"), help);
-            }
+            c => return self.unusual(start, c),
         };
         self.push(start, kind);
     }
@@ -291,7 +274,7 @@ impl<'s> Lexer<'s> {
             _ if is_space(name) => self.space(start, name),
             _ if SPACING.contains(&name) => {}
             "tag" | "label" => self.reference(start, name),
-            "text" | "textrm" | "textnormal" | "mbox" => {
+            "text" | "textrm" | "textnormal" | "mbox" | "hbox" => {
                 if let Some(words) = self.argument(start, name) {
                     self.words(start, words);
                 }
@@ -304,6 +287,16 @@ impl<'s> Lexer<'s> {
             _ if name.starts_with('q') && WORDS_APART.contains(&name) => {
                 self.words_apart(start, &name[1..])
             }
+            "color" => self.colour(start, name),
+            "textcolor" | "mathcolor" => {
+                self.push(start, Kind::Command(name));
+                self.colour(start, name);
+            }
+            "degree" => {
+                self.push(start, Kind::Char('^'));
+                self.push(start, Kind::Command("circ"));
+            }
+            "hslash" => self.push(start, Kind::Command("hbar")),
             "mathrm" | "operatorname" => self.upright(start, name),
             "eqref" | "ref" | "cref" | "Cref" | "autoref" => {
                 if let Some(keys) = self.argument(start, name) {

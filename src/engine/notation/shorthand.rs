@@ -68,6 +68,10 @@ enum Meaning {
     Command(&'static str, &'static str),
     /// `\mathop{…}`: spacing around a group.
     Spacing,
+    /// `\mathrel{…}`: the same around a sign.
+    Sign,
+    /// `\textcolor{red}{…}`: ink of another colour.
+    Colour,
 }
 
 fn meaning(command: &str) -> Option<Meaning> {
@@ -87,7 +91,9 @@ fn meaning(command: &str) -> Option<Meaning> {
         "vdot" | "dotproduct" => Meaning::Command("cdot", "cdot"),
         "cross" | "crossproduct" | "cp" => Meaning::Command("times", "times"),
         "flatfrac" => Meaning::Command("frac", "frac"),
-        "mathop" | "mathbin" | "mathord" | "mathopen" | "mathclose" => Meaning::Spacing,
+        "mathop" | "mathbin" | "mathord" | "mathopen" | "mathclose" | "smash" => Meaning::Spacing,
+        "mathrel" => Meaning::Sign,
+        "textcolor" | "mathcolor" => Meaning::Colour,
         _ => return None,
     })
 }
@@ -142,7 +148,20 @@ impl<'s> Changes<'_, 's> {
                 true
             }
             (Meaning::Spacing, Some(group)) => self.spacing(at, group),
-            (Meaning::Fences(_) | Meaning::Evaluated | Meaning::Spacing, None) => false,
+            (Meaning::Sign, Some((open, close))) => {
+                [at, open, close].into_iter().all(|at| self.leave_out(at))
+            }
+            (Meaning::Colour, Some(group)) => self.coloured(at, group),
+            // `\mathrel{\mathop:}=`
+            (Meaning::Spacing, None) if self.kind(after) == Kind::Char(':') => self.leave_out(at),
+            (
+                Meaning::Fences(_)
+                | Meaning::Evaluated
+                | Meaning::Spacing
+                | Meaning::Sign
+                | Meaning::Colour,
+                None,
+            ) => false,
         };
         if starred && written {
             self.leave_out(at + 1);
@@ -270,6 +289,31 @@ impl<'s> Changes<'_, 's> {
             };
         }
         at == end
+    }
+
+    /// The braces of what is coloured do not show, so where they cannot be those of a term they go: `\textcolor{red}{= b}`, `\textcolor{red}{- b}`.
+    fn coloured(&mut self, at: usize, (open, close): Braces) -> bool {
+        self.leave_out(at);
+        let is_sign = |kind: Kind| match kind {
+            Kind::Char(c) => "+-*/=<>,;.&".contains(c),
+            Kind::Command(name) => {
+                commands::relation(name).is_some() || matches!(name, "cdot" | "times" | "pm" | "mp")
+            }
+            _ => false,
+        };
+        let is_relation = |kind: Kind| match kind {
+            Kind::Char(c) => "=<>".contains(c),
+            Kind::Command(name) => commands::relation(name).is_some(),
+            _ => false,
+        };
+        let ends = [open + 1, close - 1];
+        let mut inside = open + 1;
+        let mut states = ends.into_iter().any(|at| is_sign(self.kind(at)));
+        while inside < close && !states {
+            states = is_relation(self.kind(inside));
+            inside = self.group(inside).map_or(inside, |group| group.1) + 1;
+        }
+        !states || self.leave_out(open) && self.leave_out(close)
     }
 
     /// `\mathop{}`, `\mathop{\mathrm{d}}`: no more than room around a sign. A word is the name of an operator.

@@ -140,6 +140,10 @@ pub enum Spelt {
     Function(&'static str),
     /// A word between two statements: `or`, `if`.
     Between,
+    /// A unit after a number: `5 kg`.
+    Unit,
+    /// `mod`.
+    Remainder,
     /// A word.
     Word,
 }

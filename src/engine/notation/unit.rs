@@ -225,6 +225,12 @@ fn by_symbol(text: &str) -> Option<Unit> {
     prefixed.into_iter().next()
 }
 
+/// A unit by the command that is spelt as its symbol, a `u` for the sign of a millionth: `\kg`, `\m`, `\um`.
+fn abbreviated(command: &str) -> Option<Unit> {
+    let spelt = command.strip_prefix('u').map(|rest| format!("µ{rest}"));
+    by_symbol(command).or_else(|| by_symbol(&spelt?))
+}
+
 /// The symbol of a prefix that is spelt as a command: `k` for `kilo`.
 pub(super) fn prefix(command: &str) -> Option<&'static str> {
     let found = PREFIXES.iter().find(|own| own.1 == command);
@@ -420,10 +426,12 @@ impl<'a> Reader<'a> {
                     other => other,
                 };
                 let row = UNITS.iter().find(|row| row.1 == spelt);
-                let unit = match (row, spelt) {
-                    (Some(row), _) => row_unit(row, power),
-                    (None, "kilogram") if power == 0 => row_unit(&UNITS[1], 3),
-                    _ => return Err(format!("the unit `\\{own}` is not read")),
+                let unit = match row {
+                    Some(row) => row_unit(row, power),
+                    None if power == 0 && spelt == "kilogram" => row_unit(&UNITS[1], 3),
+                    None => abbreviated(spelt)
+                        .filter(|_| power == 0)
+                        .ok_or_else(|| format!("the unit `\\{own}` is not read"))?,
                 };
                 self.take(&unit)?;
             }

@@ -1,6 +1,6 @@
 //! What to say about commands that are not read.
 
-use super::{known, relation};
+use super::{known, relation, unread};
 use crate::notation::shorthand::is_abbreviation;
 
 /// Commands that are understood and refused: what they are called, and what to do instead.
@@ -37,143 +37,8 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         Some("write `\\frac{\\partial f}{\\partial x}`, or `\\partial_x f`"),
     ),
     (
-        "nabla",
-        "`\\nabla` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "grad",
-        "`\\grad` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "gradient",
-        "`\\gradient` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "curl",
-        "`\\curl` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "divergence",
-        "`\\divergence` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "laplacian",
-        "`\\laplacian` is not read: the notation has no vector calculus",
-        Some("write it with partial derivatives by coordinates"),
-    ),
-    (
-        "var",
-        "`\\var` is not read: the notation has no variations",
-        None,
-    ),
-    (
-        "variation",
-        "`\\variation` is not read: the notation has no variations",
-        None,
-    ),
-    (
-        "fdv",
-        "`\\fdv` is not read: the notation has no variations",
-        None,
-    ),
-    (
-        "functionalderivative",
-        "`\\functionalderivative` is not read: the notation has no variations",
-        None,
-    ),
-    (
-        "ket",
-        "`\\ket` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "bra",
-        "`\\bra` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "braket",
-        "`\\braket` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "ketbra",
-        "`\\ketbra` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "expval",
-        "`\\expval` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "ev",
-        "`\\ev` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "mel",
-        "`\\mel` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "dyad",
-        "`\\dyad` is not read: the notation has no states and operators",
-        None,
-    ),
-    (
-        "comm",
-        "`\\comm` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "commutator",
-        "`\\commutator` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "acomm",
-        "`\\acomm` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "anticommutator",
-        "`\\anticommutator` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "pb",
-        "`\\pb` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "poissonbracket",
-        "`\\poissonbracket` is not read: the notation has no brackets of operators",
-        None,
-    ),
-    (
-        "order",
-        "`\\order` is not read: the notation has no orders of magnitude",
-        None,
-    ),
-    (
         "prod",
         "products over an index (`\\prod`) are not read",
-        None,
-    ),
-    (
-        "oint",
-        "`\\oint` is not read: only definite integrals `\\int_a^b` are",
-        None,
-    ),
-    (
-        "iint",
-        "`\\iint` is not read: write two definite integrals, one inside the other",
         None,
     ),
     (
@@ -182,21 +47,6 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         None,
     ),
     ("to", "`\\to` is read only inside `\\lim_{x \\to a}`", None),
-    (
-        "rightarrow",
-        "`\\rightarrow` states no relation that can be checked",
-        Some("for an implication write `\\Rightarrow`, for a limit `\\lim_{x \\to a}`"),
-    ),
-    (
-        "color",
-        "`\\color` is not read: colours do not belong to the mathematics",
-        Some("remove the colour"),
-    ),
-    (
-        "textcolor",
-        "`\\textcolor` is not read: colours do not belong to the mathematics",
-        Some("remove the colour"),
-    ),
     (
         "colorbox",
         "`\\colorbox` is not read: colours do not belong to the mathematics",
@@ -207,7 +57,6 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         "`\\cancel` is not read: whether what is crossed out counts is not clear",
         Some("write the equation after cancelling"),
     ),
-    ("in", "`\\in` is not read: the notation has no sets", None),
     (
         "forall",
         "`\\forall` is read before a statement or behind it, and not in it",
@@ -216,16 +65,6 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     (
         "exists",
         "`\\exists` is not read: state the quantifier in the text",
-        None,
-    ),
-    (
-        "max",
-        "`\\max` is read only as a subscript, as in `\\eta_{\\max}`",
-        None,
-    ),
-    (
-        "min",
-        "`\\min` is read only as a subscript, as in `\\eta_{\\min}`",
         None,
     ),
     ("langle", "angle brackets are not read", None),
@@ -245,33 +84,39 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         "`\\mid` is not read: the notation has no conditional probabilities",
         Some("give it a name of its own"),
     ),
-    (
-        "coth",
-        "`\\coth` is not read",
-        Some("write `\\frac{\\cosh x}{\\sinh x}`"),
-    ),
-    (
-        "cot",
-        "`\\cot` is not read",
-        Some("write `\\frac{\\cos x}{\\sin x}`"),
-    ),
     ("middle", "`\\middle` is not read", None),
     (
         "ang",
         "angles in degrees (`\\ang`) are not read",
         Some("write the angle in radians"),
     ),
+    (
+        "max",
+        "`\\max` is read only as a subscript, as in `\\eta_{\\max}`",
+        Some("write the cases as two statements, each with its condition"),
+    ),
+    (
+        "min",
+        "`\\min` is read only as a subscript, as in `\\eta_{\\min}`",
+        Some("write the cases as two statements, each with its condition"),
+    ),
 ];
 
 /// Whether a command is refused with a reason of its own.
 pub(super) fn is_refused(command: &str) -> bool {
-    REFUSED.iter().any(|(own, ..)| *own == command)
+    REFUSED.iter().any(|(own, ..)| *own == command) || unread::reason(command).is_some()
 }
 
 /// What to say about a command that cannot stand where it stands: message and help.
 pub(in crate::notation) fn complaint(command: &str) -> (String, Option<String>) {
     if let Some((_, message, help)) = REFUSED.iter().find(|(name, ..)| *name == command) {
         return ((*message).to_owned(), help.map(str::to_owned));
+    }
+    if let Some((why, help)) = unread::reason(command) {
+        return (
+            format!("`\\{command}` is not read: {why}"),
+            help.map(str::to_owned),
+        );
     }
     if known().any(|name| name == command)
         || relation(command).is_some()

@@ -5,6 +5,9 @@ use crate::algebra::Symbol;
 use crate::document::Span;
 use crate::notation::{Spanned, commands, unit};
 
+/// The most characters of an option in brackets.
+const LONGEST_OPTION: usize = 100;
+
 /// What stands in the place of a constant that has no name.
 const CONSTANT: [&str; 6] = [
     "const", "Const", "constant", "Constant", "konst", "konstant",
@@ -185,6 +188,23 @@ impl<'s> Lexer<'s> {
             false => Kind::Quantity(number, unit),
         };
         self.push(start, kind);
+    }
+
+    /// The name of a colour, which means nothing: `{red}`, `[rgb]{1,0,0}`.
+    pub(super) fn colour(&mut self, start: usize, name: &str) {
+        self.take(char::is_whitespace);
+        let near = self
+            .rest()
+            .chars()
+            .take(LONGEST_OPTION)
+            .position(|c| c == ']');
+        if self.peek() == Some('[')
+            && let Some(length) = near
+        {
+            let after = self.rest().char_indices().nth(length + 1);
+            self.at = after.map_or(self.end, |(offset, _)| self.at + offset);
+        }
+        self.argument(start, name);
     }
 
     pub(super) fn upright(&mut self, start: usize, name: &'s str) {

@@ -60,7 +60,7 @@ fn length(command: &str) -> Option<Length> {
         "hspace" | "mspace" => Length::Braces,
         "hskip" | "kern" | "mkern" | "mskip" => Length::Plain,
         "phantom" | "hphantom" => Length::Content,
-        "vphantom" => Length::None,
+        "vphantom" | "vspace" => Length::None,
         _ => return None,
     })
 }
@@ -103,9 +103,19 @@ fn begins_factor(kind: Kind) -> bool {
     match kind {
         Kind::Open | Kind::Begin(_) => true,
         Kind::Char(c) => "([".contains(c),
+        // What is coloured may begin with a factor.
+        Kind::Command("textcolor" | "mathcolor" | "smash") => true,
         Kind::Command(name) => commands::begins_term(name),
         _ => is_factor(kind),
     }
+}
+
+/// Whether a command sets what it applies to as a sign, and nothing where that is nothing.
+fn is_spacing(kind: Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Command("mathrel" | "mathbin" | "mathop" | "mathord")
+    )
 }
 
 impl<'s> Lexer<'s> {
@@ -147,6 +157,9 @@ impl<'s> Lexer<'s> {
                 }
             }
             Length::Content | Length::None => {
+                if self.rest().starts_with('*') {
+                    self.at += 1;
+                }
                 let Some(text) = self.argument(start, name) else {
                     return;
                 };
@@ -168,11 +181,39 @@ impl<'s> Lexer<'s> {
         Some(by)
     }
 
+    /// Goes on with the gap before the token that was pushed, where that closes braces around nothing but space: they part it no more than
+    /// they show.
+    pub(super) fn go_on(&mut self, gap: Gap) {
+        let mut kinds = self.out.tokens.iter().rev().map(|token| token.kind);
+        match (kinds.next(), kinds.next()) {
+            // A wide one stands there as a token.
+            (Some(Kind::Open), Some(Kind::Wide)) => self.outside = Gap::default(),
+            (Some(Kind::Open), _) => self.outside = gap,
+            (Some(Kind::Close), Some(Kind::Open)) => {
+                self.gap.width = (self.outside.width + gap.width).clamp(-WIDEST, WIDEST);
+                self.gap.span = match (self.outside.span, gap.span) {
+                    (Some(before), Some(own)) => Some(before.to(own)),
+                    (before, own) => before.or(own),
+                };
+            }
+            _ => {}
+        }
+    }
+
     /// The wide space that stands for the gap before a token of this kind, if it parts that from what stands before.
     pub(super) fn parting(&mut self, next: Kind) -> Option<Span> {
         let Gap { width, span } = std::mem::take(&mut self.gap);
         let span = span.filter(|_| width >= PARTING)?;
-        let before = self.out.tokens.last()?.kind;
+        let mut tokens = self.out.tokens.as_slice();
+        while let [rest @ .., open, close] = tokens
+            && (open.kind, close.kind) == (Kind::Open, Kind::Close)
+        {
+            tokens = match rest {
+                [rest @ .., sign] if is_spacing(sign.kind) => rest,
+                _ => rest,
+            };
+        }
+        let before = tokens.last()?.kind;
         let least = match before {
             Kind::Number(_) => PARTING_NUMBER,
             _ => PARTING,

@@ -40,13 +40,17 @@ impl Parser<'_> {
             self.quantified.clear();
             self.at = start + 1;
         }
+        let names = self.shared_names();
         let clause = self.inside(false, Self::clause).ok();
-        if let Some(Clause::Chain { sides, links }) = clause
+        let shared = clause.as_ref().map(|clause| self.share(&names, clause));
+        if let Some(Ok(shared)) = shared
+            && let Some(Clause::Chain { sides, links }) = clause
             && about.clauses.len() == 1
             && links.iter().all(|link| !link.questioned)
             && self.cases.is_empty()
             && self.ends_aside(true)
         {
+            about.under.extend(shared);
             about.under.push(Clause::Chain { sides, links });
             return true;
         }

@@ -14,6 +14,9 @@ use crate::notation::commands;
 /// The highest derivative that is read.
 const ORDER: usize = 9;
 
+/// So far the point of a limit is looked through.
+const FAR: usize = 40;
+
 impl Parser<'_> {
     pub(super) fn is_d(&self, at: usize) -> bool {
         matches!(
@@ -421,6 +424,7 @@ impl Parser<'_> {
             );
         }
         self.advance();
+        self.refuse_one_side()?;
         let signed = matches!(self.peek(), Kind::Char('+' | '-'));
         let point = if self.kind(self.at + usize::from(signed)) == Kind::Command("infty") {
             let minus = self.peek() == Kind::Char('-');
@@ -443,5 +447,22 @@ impl Parser<'_> {
             variable,
             point,
         })
+    }
+
+    /// `\lim_{x \to 0^+}`, `a^{-}`: a mark of the place, not of its name.
+    fn refuse_one_side(&mut self) -> Read<()> {
+        let from = self.at;
+        let is_end = |at: usize| matches!(self.kind(at), Kind::Close | Kind::End);
+        let inside = (from..from + FAR).take_while(|&at| !is_end(at));
+        let Some(raised) = inside.filter(|&at| self.kind(at) == Kind::Char('^')).last() else {
+            return Ok(());
+        };
+        let sign = raised + 1 + usize::from(self.kind(raised + 1) == Kind::Open);
+        if !matches!(self.kind(sign), Kind::Char('+' | '-')) || !is_end(sign + 1) {
+            return Ok(());
+        }
+        self.at = sign + 1 + (sign - raised - 1);
+        let message = "limits from one side are not read";
+        refuse_with(self.since(from), message, "give its value a name")
     }
 }

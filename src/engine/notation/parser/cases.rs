@@ -120,7 +120,9 @@ impl Parser<'_> {
     fn conditions(&mut self, under: &mut Vec<Clause>) -> Read<()> {
         loop {
             let start = self.at;
+            let names = self.shared_names();
             let clause = self.clause()?;
+            under.extend(self.share(&names, &clause)?);
             let plain = match &clause {
                 Clause::Chain { links, .. } => links.iter().all(|link| !link.questioned),
                 Clause::AllEqual { .. } => false,

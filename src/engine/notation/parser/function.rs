@@ -207,11 +207,16 @@ impl Parser<'_> {
 
     /// `\sin(x)`, or `\sin 2\pi x`: without parentheses the argument is the run of plain factors, side by side.
     pub(super) fn call(&mut self, name: &str) -> Read<Expr> {
-        let angle = matches!(name, "sin" | "cos" | "tan");
-        let doubles = matches!(name, "sinh" | "cosh" | "tanh");
+        let angle = matches!(name, "sin" | "cos" | "tan" | "cot" | "sec" | "csc");
+        let doubles = commands::is_hyperbolic(name) || name == "cot";
         if doubles && self.doubled {
             // Each would double what is in it.
-            let message = "a hyperbolic function of another one is not read";
+            let message = match name {
+                "cot" => {
+                    "a cotangent inside of another one, or of a hyperbolic function, is not read"
+                }
+                _ => "a hyperbolic function of another one is not read",
+            };
             return refuse_with(self.span(), message, "give the inner one a name");
         }
         let outside = (self.angle, self.doubled);
@@ -235,6 +240,18 @@ impl Parser<'_> {
             script.refuse_order()?;
             power = match script.power {
                 Some(Expr::Number(n)) if n.is_integer() => Some(Expr::Number(n)),
+                Some(exponent) if is_minus_one(&exponent) => {
+                    let message = format!(
+                        "this may be the inverse function of `\\{name}`, or one divided by its value"
+                    );
+                    let help = match commands::function(&format!("arc{name}")) {
+                        Some(_) => {
+                            format!("write `\\arc{name}`, or `\\frac{{1}}{{\\{name} …}}`")
+                        }
+                        None => format!("for a quotient write `\\frac{{1}}{{\\{name} …}}`"),
+                    };
+                    return refuse_with(self.since(start), message, help);
+                }
                 _ => {
                     let help = "put the whole function value in parentheses and raise that";
                     return refuse_with(
@@ -379,8 +396,8 @@ impl Parser<'_> {
         let next_is_function =
             matches!(self.kind(self.at + 1), Kind::Command(name) if commands::is_function(name));
         let ambiguous = match self.peek() {
-            Kind::Char('/') => true,
-            Kind::Command("cdot" | "times") | Kind::Char('*') => !next_is_function,
+            // Nobody takes `\sin x/\cos x` for the sine of a quotient.
+            Kind::Command("cdot" | "times") | Kind::Char('*' | '/') => !next_is_function,
             _ => self.at_delimiter(),
         };
         if ambiguous && !factors.is_empty() {
@@ -490,7 +507,8 @@ pub(crate) fn angle_of(term: &Expr) -> Option<&Symbol> {
     }
 }
 
-/// The value of a function, a logarithm perhaps to a base. Hyperbolic functions are what they are in exponentials.
+/// The value of a function, a logarithm perhaps to a base. Hyperbolic functions are what they are in exponentials, a cotangent and its like
+/// what they are in sines and cosines.
 fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
     let call = |function, argument: Expr| Expr::Call(function, argument.into());
     let over = |over: Expr, under: Expr| Expr::Quotient(over.into(), under.into());
@@ -504,6 +522,16 @@ fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
     if let Some(function) = commands::function(name) {
         return call(function, argument);
     }
+    let one = || Expr::integer(1);
+    match name {
+        "cot" => {
+            let cosine = call(Function::Cos, argument.clone());
+            return over(cosine, call(Function::Sin, argument));
+        }
+        "sec" => return over(one(), call(Function::Cos, argument)),
+        "csc" => return over(one(), call(Function::Sin, argument)),
+        _ => {}
+    }
     let up = call(Function::Exp, argument.clone());
     let down = call(Function::Exp, negative(argument.clone()));
     let difference = Expr::Sum([up.clone(), negative(down.clone())].into());
@@ -511,6 +539,9 @@ fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
     match name {
         "sinh" => over(difference, Expr::integer(2)),
         "cosh" => over(sum, Expr::integer(2)),
+        "coth" => over(sum, difference),
+        "sech" => over(Expr::integer(2), sum),
+        "csch" => over(Expr::integer(2), difference),
         _ => over(difference, sum),
     }
 }

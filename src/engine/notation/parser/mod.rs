@@ -1,6 +1,6 @@
 //! From tokens to statements, by recursive descent: one file per kind of thing that is read.
 //!
-//! `statement` reads what is said, `cases` what is said under conditions, `quantifier` of what all it is said, `aside` remarks beside it, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
+//! `statement` reads what is said, `cases` what is said under conditions, `quantifier` of what all it is said, `aside` remarks beside it, `reason` what it cites there, `shared` what is said of several names at once, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
 //! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits, `partial` partial derivatives, `primitive` integrals without limits,
 //! `between` what a term grows by from one limit to another, `both` what is said with `\pm`, `rounding` how near a number is meant.
 //!
@@ -22,8 +22,10 @@ mod partial;
 mod primitive;
 mod quantifier;
 mod quantity;
+mod reason;
 mod rounding;
 mod series;
+mod shared;
 mod statement;
 mod term;
 mod unit;
@@ -166,6 +168,15 @@ fn refuse_with<T>(span: Span, message: impl Into<String>, help: impl Into<String
         message: message.into(),
         help: Some(help.into()),
     })
+}
+
+/// The refusal of a matrix.
+fn no_matrix<T>(span: Span) -> Read<T> {
+    refuse_with(
+        span,
+        "the notation has no matrices",
+        "write the equations of their entries",
+    )
 }
 
 impl<'s> Parser<'s> {
@@ -339,12 +350,21 @@ impl<'s> Parser<'s> {
                 "the word `and` stands in the mathematics, where TeX sets it as a product of three symbols",
                 "write `\\text{ and }`",
             ),
+            Kind::Text(words) if reason::gives_reason(words) => refuse_with(
+                span,
+                format!(
+                    "the reason `{}` is not read beside a statement",
+                    words.trim()
+                ),
+                "give it in the text; what is cited is read, as in `\\text{by (1)}`",
+            ),
             Kind::Text(words) => refuse_with(
                 span,
                 format!("the words `{}` cannot be read here", words.trim()),
                 "words are read as a label in front (`\\text{Initial: }`), as `\\text{and}` between statements, \
                  or as a name",
             ),
+            Kind::Begin(name) if name.ends_with("matrix") => no_matrix(span),
             Kind::Begin(name) => {
                 refuse(span, format!("the environment `{name}` cannot start here"))
             }

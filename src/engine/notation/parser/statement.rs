@@ -3,7 +3,7 @@
 use super::both::{self, either};
 use super::rounding::loosen;
 use super::series::hole_of;
-use super::{Kind, Parser, Read, refuse, refuse_with};
+use super::{Kind, Parser, Read, no_matrix, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
 use crate::document::Span;
 use crate::notation::commands;
@@ -121,6 +121,9 @@ impl<'s> Parser<'s> {
         loop {
             self.skip_wide();
             while let Kind::Begin(name) = self.peek() {
+                if name.ends_with("matrix") {
+                    return no_matrix(self.span());
+                }
                 if !ENVIRONMENTS.contains(&name) {
                     return refuse(self.span(), format!("the environment `{name}` is not read"));
                 }
@@ -139,6 +142,7 @@ impl<'s> Parser<'s> {
             };
             if !remarked {
                 let start = self.at;
+                let names = self.shared_names();
                 let statement = self.statement()?;
                 let comma = start
                     .checked_sub(1)
@@ -152,6 +156,9 @@ impl<'s> Parser<'s> {
                         "whether both lie between these bounds is not clear",
                         "write the bounds of each, as in `0 < a < 1, \\quad 0 < b < 1`",
                     );
+                }
+                if !names.is_empty() {
+                    statements.extend(self.of_each(&names, &statement)?);
                 }
                 statements.extend(self.by_cases(statement)?);
             }
@@ -193,6 +200,13 @@ impl<'s> Parser<'s> {
     /// Takes what separates two statements; says whether there was anything.
     fn separator(&mut self) -> Read<bool> {
         let mut separated = self.skip_wide();
+        // The sign at the end of a proof.
+        if separated
+            && matches!(self.peek(), Kind::Command("square" | "blacksquare" | "Box"))
+            && matches!(self.kind(self.at + 1), Kind::End | Kind::Char('.'))
+        {
+            self.advance();
+        }
         match self.peek() {
             Kind::Char(',' | ';') => {
                 self.advance();
@@ -217,6 +231,11 @@ impl<'s> Parser<'s> {
             Kind::Text(words) if separates(words) => {
                 self.advance();
                 separated = true;
+            }
+            Kind::Text(_) if separated && self.reason() => {
+                if matches!(self.peek(), Kind::Char(',' | ';' | '.')) {
+                    self.advance();
+                }
             }
             Kind::And if self.words => {
                 self.advance();
@@ -317,7 +336,9 @@ impl<'s> Parser<'s> {
         let mut links = Vec::new();
         loop {
             let end = self.at;
-            self.skip_wide();
+            if self.skip_wide() && self.reason() {
+                self.skip_wide();
+            }
             let Kind::Relation(relation, questioned) = self.peek() else {
                 self.at = end;
                 break;

@@ -19,6 +19,11 @@ const WORDS: [&str; 37] = [
 ];
 /// Words that are hardly factors where the author sets them off by plain spaces, which do not print: `a if c > 0`.
 const JOINING: [&str; 3] = ["if", "iff", "or"];
+/// Units that are hardly products of single letters after a number: `5\,kg`.
+const UNITS: [&str; 27] = [
+    "kg", "km", "cm", "mm", "nm", "Hz", "kHz", "MHz", "GHz", "Pa", "hPa", "kPa", "MPa", "GPa",
+    "kJ", "MJ", "kW", "MW", "GW", "kWh", "kN", "kV", "eV", "keV", "MeV", "GeV", "mol",
+];
 /// So many letters with a vowel among them are a word.
 const LONG: usize = 5;
 
@@ -78,6 +83,8 @@ impl Parser<'_> {
             None if PROSE.contains(&word.as_str()) && self.is_apart(from, after) => {
                 Some(Spelt::Between)
             }
+            None if UNITS.contains(&word.as_str()) && self.is_counted(from) => Some(Spelt::Unit),
+            None if word == "mod" => Some(Spelt::Remainder),
             None => is_word(&word).then_some(Spelt::Word),
         };
         if let (Some(spelt), Some(first), Some(last)) =
@@ -87,6 +94,12 @@ impl Parser<'_> {
             let kind = DoubtKind::Letters { word, spelt };
             self.doubts.push(Doubt { span, kind });
         }
+    }
+
+    /// Whether a number stands before what begins here.
+    fn is_counted(&self, from: usize) -> bool {
+        let before = from.checked_sub(1).map(|before| self.kind(before));
+        matches!(before, Some(Kind::Number(_)))
     }
 
     /// Whether spaces of any kind part what stands from `from` up to `after` from letters or numbers on both sides.

@@ -1,0 +1,151 @@
+//! What prose calls a function or an operator: "where $f$ and $g$ are arbitrary functions", "the operator $\hat H$".
+//!
+//! `f(x - v t)` is then no product, and in `\hat H \psi` the order matters. Nothing else is drawn from such words, so where they are
+//! misunderstood a product is refused, and no more.
+
+use crate::algebra::{Expr, Symbol};
+use crate::document::{Inline, Prose, Span};
+use crate::notation::{Clause, SyntaxError, read_symbol};
+use crate::sorted::Set;
+
+use super::Equation;
+
+const FUNCTIONS: [&str; 2] = ["function", "functions"];
+const OPERATORS: [&str; 2] = ["operator", "operators"];
+/// Between names that are called the same.
+const JOINING: [&str; 5] = ["and", "or", ",", ", and", ", or"];
+/// After names these say what they are.
+const LINKING: [&str; 7] = ["is", "are", "be", "being", "denotes", "denote", "as"];
+/// Such are functions, and no quantities: "$v$ is a known function of $t$" says what `v` depends on.
+const ANY: [&str; 3] = ["any", "arbitrary", "some"];
+/// So many words may stand there.
+const MOST_BETWEEN: usize = 5;
+
+/// The symbols that prose calls so.
+#[derive(Default)]
+pub(super) struct Called {
+    pub functions: Set<Symbol>,
+    pub operators: Set<Symbol>,
+}
+
+impl Called {
+    pub(super) fn of<'a>(source: &str, all: impl Iterator<Item = &'a Prose>) -> Called {
+        let mut called = Called::default();
+        for prose in all {
+            let text = source.get(prose.span.range()).unwrap_or("");
+            // Most prose speaks of neither.
+            if text.contains("unction") || text.contains("perator") {
+                called.look(source, prose);
+            }
+        }
+        called
+    }
+
+    fn look(&mut self, source: &str, prose: &Prose) {
+        let between = |from: usize, to: usize| source.get(from..to).unwrap_or("").trim();
+        let mut start = prose.span.start;
+        let mut names: Vec<&Inline> = Vec::new();
+        let mut before = "";
+        for (at, math) in prose.math.iter().enumerate() {
+            let gap = between(start, math.span.start);
+            if names.is_empty() || !JOINING.contains(&gap) {
+                names.clear();
+                before = gap;
+            }
+            names.push(math);
+            start = math.span.end;
+            let next = prose.math.get(at + 1);
+            let after = between(start, next.map_or(prose.span.end, |next| next.span.start));
+            if JOINING.contains(&after) && next.is_some() {
+                continue;
+            }
+            let own = |words: &[&str]| ends_with(before, words) || are(after, words);
+            let (functions, operators) = (own(&FUNCTIONS), own(&OPERATORS));
+            if functions || operators {
+                let symbols = names.iter().filter_map(|name| symbol(source, name.body));
+                let list = if operators {
+                    &mut self.operators
+                } else {
+                    &mut self.functions
+                };
+                list.extend(symbols);
+            }
+        }
+    }
+}
+
+fn symbol(source: &str, body: Span) -> Option<Symbol> {
+    read_symbol(source.get(body.range())?).ok()
+}
+
+/// Whether the last word of what stands before names is one of these.
+fn ends_with(before: &str, words: &[&str]) -> bool {
+    let last = before.split_whitespace().next_back();
+    last.is_some_and(|last| words.contains(&last.to_lowercase().as_str()))
+}
+
+/// Whether what stands after names begins with words that say that they are such: "are arbitrary functions".
+fn are(after: &str, words: &[&str]) -> bool {
+    let clause = after.split([',', '.', ';', ':', '(']).next().unwrap_or("");
+    let mut spoken = clause.split_whitespace();
+    if !spoken.next().is_some_and(|word| LINKING.contains(&word)) {
+        return false;
+    }
+    let mut any = false;
+    let mut spoken = spoken.take(MOST_BETWEEN + 1).peekable();
+    while let Some(word) = spoken.next() {
+        if words.contains(&word) {
+            return any || words == OPERATORS || spoken.peek() != Some(&"of");
+        }
+        any |= ANY.contains(&word);
+    }
+    false
+}
+
+/// Refuses the equations in which an operator is multiplied by what it acts on.
+pub(super) fn refuse_products(equations: &mut [Equation], operators: &Set<Symbol>) {
+    if operators.is_empty() {
+        return;
+    }
+    for equation in equations {
+        let statements = equation.statements().iter();
+        let mut sides = statements
+            .flat_map(|own| own.clauses.iter().chain(&own.under))
+            .flat_map(|clause| match clause {
+                Clause::Chain { sides, .. } => sides.as_slice(),
+                Clause::AllEqual { value, .. } => value.as_slice(),
+            });
+        let found =
+            sides.find_map(|side| Some((side.span, acting(&side.expr, operators)?.clone())));
+        if let Some((span, name)) = found {
+            equation.statements = Err(SyntaxError {
+                span,
+                message: format!(
+                    "the text calls `{name}` an operator, so what stands after it is no factor"
+                ),
+                help: Some(
+                    "the notation has no states and operators: write what comes of it".to_owned(),
+                ),
+            });
+        }
+    }
+}
+
+/// The operator after which something other than a number stands in a product.
+fn acting<'a>(term: &'a Expr, operators: &Set<Symbol>) -> Option<&'a Symbol> {
+    if let Expr::Product(factors) = term {
+        for pair in factors.windows(2) {
+            let operator = match &pair[0] {
+                Expr::Power(base, _) => &**base,
+                factor => factor,
+            };
+            if let Expr::Symbol(name) = operator
+                && operators.contains(name)
+                && !matches!(pair[1], Expr::Number(_))
+            {
+                return Some(name);
+            }
+        }
+    }
+    term.children().find_map(|part| acting(part, operators))
+}
