@@ -1,7 +1,6 @@
 //! What a text takes back: what it tells and then calls wrong, disputes, or says otherwise.
 
 use super::super::prose::{Placed, Token, begins_with, ends_sentence};
-use super::super::words::Words;
 use super::super::{Span, Supposition, SuppositionKind};
 use super::mathematics::{is_bound, is_number};
 use super::words::{BESIDE, DISPUTING, HEADING, REFERRING, RETRACTING};
@@ -165,9 +164,8 @@ pub(super) fn take_back(
         if own.is_empty() {
             continue;
         }
-        let has = |among: &Words| sentence.iter().any(|(token, _)| token.is_among(among));
         let denied = sentences.peek().copied().is_some_and(retracts);
-        let disputed = denied || heads(heading) || has(&DISPUTING);
+        let disputed = denied || heads(heading) || disputes(sentence);
         // "Points above the line $y = 2 x$".
         let beside = |body: Span| {
             let before = sentence.partition_point(|(_, span)| span.end <= body.start);
@@ -195,6 +193,22 @@ pub(super) fn take_back(
     }
     found.extend(said);
     sorted::sort(mentions);
+}
+
+/// Whether a sentence says of what it tells that others say it, or that it is to be shown. "The ratio $k = a/b$ is called the gain" only
+/// gives a name.
+fn disputes(sentence: &[Placed<'_>]) -> bool {
+    let names = |at: usize| {
+        let word = |at: Option<usize>| at.and_then(|at| sentence.get(at)).map(|(token, _)| token);
+        let is =
+            |at: Option<usize>, among: &[&str]| word(at).is_some_and(|own| own.is_among(among));
+        is(Some(at), &["called"])
+            && is(at.checked_sub(1), &["is", "are"])
+            && is(Some(at + 1), &["the", "a", "an"])
+    };
+    let disputing =
+        |(at, (token, _)): (usize, &Placed<'_>)| token.is_among(&DISPUTING) && !names(at);
+    sentence.iter().enumerate().any(disputing)
 }
 
 fn supposes(own: &Supposition) -> bool {
