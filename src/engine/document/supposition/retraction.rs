@@ -1,7 +1,8 @@
 //! What a text takes back: what it tells and then calls wrong, disputes, or says otherwise.
 
-use super::super::prose::{Placed, Token, begins_with, ends_sentence};
+use super::super::prose::{Placed, Token, among, begins_with, ends_sentence};
 use super::super::{Span, Supposition, SuppositionKind};
+use super::around::follows;
 use super::mathematics::{is_bound, is_number};
 use super::words::{BESIDE, DISPUTING, HEADING, REFERRING, RETRACTING};
 use super::{is_fact, is_no_meaning};
@@ -199,16 +200,11 @@ pub(super) fn take_back(
 /// gives a name.
 fn disputes(sentence: &[Placed<'_>]) -> bool {
     let names = |at: usize| {
-        let word = |at: Option<usize>| at.and_then(|at| sentence.get(at)).map(|(token, _)| token);
-        let is =
-            |at: Option<usize>, among: &[&str]| word(at).is_some_and(|own| own.is_among(among));
-        is(Some(at), &["called"])
-            && is(at.checked_sub(1), &["is", "are"])
-            && is(Some(at + 1), &["the", "a", "an"])
+        among(sentence, at, &["called"])
+            && follows(at, sentence, &["is", "are"])
+            && among(sentence, at + 1, &["the", "a", "an"])
     };
-    let disputing =
-        |(at, (token, _)): (usize, &Placed<'_>)| token.is_among(&DISPUTING) && !names(at);
-    sentence.iter().enumerate().any(disputing)
+    (0..sentence.len()).any(|at| among(sentence, at, &DISPUTING) && !names(at))
 }
 
 fn supposes(own: &Supposition) -> bool {
