@@ -1,6 +1,6 @@
 //! Intervals contain what they stand for, and the report's numeric claim agrees with the integration of the impact.
 
-use cradle_verify::algebra::BigRational;
+use cradle_verify::algebra::{BigRational, Function};
 use cradle_verify::cradle::contact::energies::RADIATION_FACTOR;
 use cradle_verify::cradle::contact::{Air, Interval as Range, Material, heat_against_sound};
 use cradle_verify::interval::Interval;
@@ -46,6 +46,81 @@ proptest! {
         let own = (a.high() - a.low()) / a.low();
         prop_assert!(!own.is_zero() || wide < ratio(1, 1 << 30), "{} is {} wide", root, wide);
     }
+}
+
+type Float = fn(f64) -> f64;
+
+/// The functions, and what the processor makes of them.
+const FUNCTIONS: [(Function, Float); 8] = [
+    (Function::Sin, f64::sin),
+    (Function::Cos, f64::cos),
+    (Function::Tan, f64::tan),
+    (Function::ArcSin, f64::asin),
+    (Function::ArcCos, f64::acos),
+    (Function::ArcTan, f64::atan),
+    (Function::Exp, f64::exp),
+    (Function::Ln, f64::ln),
+];
+
+proptest! {
+    #[test]
+    fn functions_are_rounded_outwards((a, x) in with_a_point(), scale in prop_oneof![Just(1i64), Just(50), Just(4000)]) {
+        let scaled = |end: &BigRational| end / ratio(scale, 1);
+        let a = Interval::new(scaled(a.low()), scaled(a.high())).unwrap();
+        let x = scaled(&x);
+        for (function, float) in FUNCTIONS {
+            let (Some(all), Some(one)) = (a.under(function), Interval::exactly(x.clone()).under(function)) else {
+                continue;
+            };
+            let value = float(x.to_f64().unwrap());
+            let (low, high) = (one.low().to_f64().unwrap(), one.high().to_f64().unwrap());
+            let error = 1e-14 * (1.0 + value.abs() * value.abs());
+            prop_assert!(low - error <= value && value <= high + error, "{function:?} of {x}: {value} in {one}");
+            prop_assert!(high - low <= 1e-8 * (1.0 + value.abs()), "{function:?} of {x}: {one} is wide");
+            prop_assert!(all.low() <= one.high() && one.low() <= all.high(), "{function:?} of {a} and {x}");
+        }
+    }
+
+    #[test]
+    fn a_logarithm_is_undone_by_the_exponential((a, x) in with_a_point()) {
+        if a.is_positive() {
+            let back = a.under(Function::Ln).unwrap().under(Function::Exp).unwrap();
+            prop_assert!(back.contains(&x));
+        }
+    }
+}
+
+#[test]
+fn a_function_has_no_value_where_it_has_none() {
+    let at = |p: i64, q: i64| Interval::exactly(ratio(p, q));
+    let none = [
+        (Function::Ln, at(0, 1)),
+        (Function::Ln, at(-1, 2)),
+        (Function::ArcSin, at(3, 2)),
+        (Function::ArcCos, at(-3, 2)),
+        (Function::Exp, at(1_000_000, 1)),
+        (Function::Sin, at(i64::MAX, 1)),
+        // A cosine that may be 0.
+        (
+            Function::Tan,
+            Interval::new(ratio(1, 1), ratio(2, 1)).unwrap(),
+        ),
+    ];
+    for (function, argument) in none {
+        assert_eq!(argument.under(function), None, "{function:?} of {argument}");
+    }
+    let sine = Interval::new(ratio(0, 1), ratio(10, 1))
+        .unwrap()
+        .under(Function::Sin);
+    assert_eq!(sine, Interval::new(ratio(-1, 1), ratio(1, 1)));
+    assert_eq!(
+        at(1, 1)
+            .under(Function::ArcCos)
+            .map(|own| own.contains(&ratio(0, 1))),
+        Some(true)
+    );
+    assert_eq!(at(-7, 2).under(Function::Ceiling), Some(at(-3, 1)));
+    assert_eq!(at(-7, 2).under(Function::Floor), Some(at(-4, 1)));
 }
 
 #[test]

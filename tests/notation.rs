@@ -1558,11 +1558,6 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "an equation is cited in the mathematics",
     ),
     (
-        r"\alpha = 30^\circ",
-        r"\circ",
-        "degrees are read only in the angle",
-    ),
-    (
         r"a = \ln \sin x \cos y",
         r"\cos",
         "where the argument of this function ends is not clear",
@@ -1575,12 +1570,12 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         r"a = \theta^\circ",
         r"\circ",
-        "degrees are read only in the angle",
+        "degrees are read only right after a number",
     ),
     (
         r"a = \sin E^\circ",
         r"\circ",
-        "degrees are read only in the angle",
+        "degrees are read only right after a number",
     ),
     (
         r"T = 25\,^\circ\mathrm{C}",

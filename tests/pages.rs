@@ -8,7 +8,7 @@
 //! <!-- expect: holds | fails -->
 //! ```
 //!
-//! first the verdict, then the code of every note. A comment anywhere on the page expects a problem of
+//! first the verdict, then the code of every note, and `supported` where its figures support it. A comment anywhere on the page expects a problem of
 //! reading:
 //!
 //! ```markdown
@@ -37,6 +37,9 @@ use std::path::{Path, PathBuf};
 
 use cradle_verify::audit::{Audit, Verdict};
 use cradle_verify::derivation::Derivation;
+
+/// What an answer says of a statement that its figures support.
+const SUPPORTED: &str = "supported";
 
 /// A page with what it asks for.
 struct Page {
@@ -67,7 +70,12 @@ impl Answer {
     fn found(audit: &Audit, equation: usize) -> Answer {
         let entries = audit.of_equation(equation).iter().map(|entry| {
             let notes = entry.notes.iter().map(|note| note.code().to_owned());
-            (entry.verdict.word().to_owned(), notes.collect())
+            let supported = entry.numeric.iter().filter(|own| own.is_supported());
+            let supported = supported.map(|_| SUPPORTED.to_owned());
+            (
+                entry.verdict.word().to_owned(),
+                notes.chain(supported).collect(),
+            )
         });
         Answer(entries.collect())
     }
@@ -100,7 +108,7 @@ impl Answer {
         for (word, notes) in &self.0 {
             wrong.extend(Some(word.as_str()).filter(|word| !verdict(word)));
             let notes = notes.iter().map(String::as_str);
-            wrong.extend(notes.filter(|note| !NOTES.contains(note)));
+            wrong.extend(notes.filter(|note| !NOTES.contains(note) && *note != SUPPORTED));
         }
         wrong
     }
@@ -296,7 +304,10 @@ impl Page {
     fn failing(&self) -> BTreeSet<usize> {
         let audit = Audit::of(&self.derivation);
         let entries = audit.entries.iter();
-        let failing = entries.filter(|entry| entry.is_wrong());
+        let failing = entries.filter(|entry| {
+            let mut codes = entry.notes.iter().map(|note| note.code());
+            entry.is_wrong() || codes.any(|code| code == "numeric-not-supported")
+        });
         failing.map(|entry| entry.equation).collect()
     }
 }

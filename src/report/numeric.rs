@@ -41,11 +41,11 @@ fn compared(link: &Link) -> Option<String> {
     })
 }
 
-/// `9.7949`, of what is one number.
+/// `9.7949`, of what is one number, or as good as one.
 fn nearly(interval: &Interval) -> String {
-    match interval.low() == interval.high() {
-        true => about(interval.low()),
-        false => between(interval),
+    match (about(interval.low()), about(interval.high())) {
+        (low, high) if low == high => low,
+        _ => between(interval),
     }
 }
 

@@ -6,7 +6,9 @@ mod rounded;
 
 use num_traits::{One, Zero};
 
-use crate::algebra::{BigRational, Expr, Formula, Function, Relation, Symbol};
+use crate::algebra::{
+    BigRational, Expr, Formula, Function, Relation, Symbol, element_parts, split_subscript,
+};
 use crate::derivation::{Assumed, Datum, Derivation, Goal, Printed, Source, goals};
 use crate::document::Span;
 use crate::interval::{Compared, Figures, Interval, NoInterval};
@@ -19,6 +21,8 @@ pub(super) use self::rounded::open_by_figures;
 pub const FAR: i32 = 10;
 /// How many definitions are tried before a symbol is given up.
 const MOST_TRIED: usize = 4000;
+/// How many symbols without a value may cancel.
+const MOST_FREE: usize = 4;
 
 /// A numeric claim, evaluated over its figures. It is no proof: it is as good as they are.
 #[derive(Clone, Debug)]
@@ -127,6 +131,7 @@ fn weigh_rounded(
         taken,
         said,
         tried: 0,
+        free: Set::new(),
         data: Map::new(),
         put_in: Vec::new(),
     };
@@ -149,6 +154,8 @@ struct Known<'a> {
     taken: Taken,
     said: &'a [Printed],
     tried: usize,
+    /// What nothing gives a value, and which may be cancelled.
+    free: Set<Symbol>,
     data: Map<Symbol, (usize, Datum)>,
     put_in: Vec<(Expr, Expr, Source)>,
 }
@@ -188,6 +195,7 @@ impl Known<'_> {
         }
         let found = self
             .sides(&left, &right)
+            .or_else(|error| self.sides_but_free(&left, &right, &error).ok_or(error))
             .or_else(|error| self.sides_by_whole(&left, &right).ok_or(error));
         let Compared {
             left,
@@ -218,7 +226,27 @@ impl Known<'_> {
                 Some((symbol.clone(), interval))
             })
             .collect();
-        figures.compared(&left, &right)
+        figures.but_free(&self.free).compared(&left, &right)
+    }
+
+    /// The same where symbols without a value cancel, as `p_0` does in `p/p_0` after `p = 0.7 p_0`.
+    fn sides_but_free(
+        &mut self,
+        left: &Expr,
+        right: &Expr,
+        error: &NoInterval,
+    ) -> Option<Compared> {
+        let mut error = error.clone();
+        while let NoInterval::Unknown(symbol) = error
+            && self.free.len() < MOST_FREE
+            && self.free.insert(symbol)
+        {
+            match self.sides(left, right) {
+                Ok(found) => return Some(found),
+                Err(next) => error = next,
+            }
+        }
+        None
     }
 
     /// The same where a premise says what all of the left side is, and nothing what its symbols are: `V/W` after `V/W = a/b`.
@@ -294,6 +322,9 @@ impl Known<'_> {
             open.pop();
             return result;
         }
+        if self.free.contains(symbol) {
+            return Ok(Expr::Symbol(symbol.clone()));
+        }
         let unknown = NoInterval::Unknown(symbol.clone());
         if open.contains(symbol) {
             return Err(unknown);
@@ -307,7 +338,9 @@ impl Known<'_> {
                 return Ok(Expr::Symbol(symbol.clone()));
             }
             for assumed in self.assumed {
-                let Some(value) = self.solved(&assumed.formula, symbol, plain) else {
+                let solved = self.solved(&assumed.formula, symbol, plain);
+                let element = || of_element(&assumed.formula, symbol).filter(|_| plain);
+                let Some(value) = solved.or_else(element) else {
                     continue;
                 };
                 self.tried += 1;
@@ -465,6 +498,12 @@ impl Known<'_> {
                 let inverse = over(one, (**exponent).clone());
                 positive.then(|| Expr::Power(value.into(), inverse.into()))
             }
+            Expr::Call(Function::Exp, inner) => {
+                self.isolate(inner, Expr::Call(Function::Ln, value.into()), symbol)
+            }
+            Expr::Call(Function::Ln, inner) => {
+                self.isolate(inner, Expr::Call(Function::Exp, value.into()), symbol)
+            }
             _ => None,
         }
     }
@@ -482,6 +521,25 @@ impl Known<'_> {
     }
 }
 
+/// What an equation says of an element, of which it speaks with an index: `E_3` by `E_n = E_1/n^2`.
+fn of_element(formula: &Formula, symbol: &Symbol) -> Option<Expr> {
+    let (Expr::Symbol(general), value) = formula.as_equation()? else {
+        return None;
+    };
+    let (stem, index) = split_subscript(general.name())?;
+    let index = Symbol::new(index);
+    let (own, position) = element_parts(symbol)?;
+    if own.name() != stem || !value.mentions(&index) {
+        return None;
+    }
+    let is_other = |other: &Symbol| {
+        let inner = split_subscript(other.name()).map(|(_, inner)| inner);
+        inner.is_some_and(|inner| inner.contains(index.name()))
+    };
+    let has_others = value.free_symbols().iter().any(is_other) || value.has_elements();
+    (!has_others).then(|| value.substitute(&index, &Expr::integer(position)))
+}
+
 /// A term with its units left out, for figures are in those of the SI.
 fn in_si(term: &Expr) -> Expr {
     let units: Vec<Symbol> = term
@@ -497,7 +555,7 @@ fn in_si(term: &Expr) -> Expr {
 
 /// Whether a term is made of what intervals know.
 fn is_evaluable(term: &Expr) -> bool {
-    let here = term.is_arithmetic() || matches!(term, Expr::Call(Function::Abs, _));
+    let here = term.is_arithmetic() || matches!(term, Expr::Call(..));
     here && term.children().all(is_evaluable)
 }
 

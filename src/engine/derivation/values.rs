@@ -1,7 +1,7 @@
 //! What the text says that a symbol is the value of: `v(0) = v_0`, "$q = q_0$ at $t = 0$".
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::document::{Document, Span};
+use crate::document::{Document, Item, Span};
 use crate::notation::{Statement, read_formulas};
 
 use super::Derivation;
@@ -86,6 +86,12 @@ impl Derivation {
             Some(next) => next.span.start,
             None => document.source.len(),
         };
+        // What stands below the next heading is said of something else.
+        let mut headings = document.items.iter().filter_map(|item| match item {
+            Item::Heading { span, .. } if span.start >= own.span.end => Some(span.start),
+            _ => None,
+        });
+        let until = headings.next().map_or(until, |heading| heading.min(until));
         let bodies = document.inline().map(|math| math.body);
         let bodies = bodies.take_while(|body| body.end <= until);
         let may_be_figure = |body: &Span| {

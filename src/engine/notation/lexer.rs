@@ -303,6 +303,11 @@ impl<'s> Lexer<'s> {
                     self.push(start, Kind::Reference(keys));
                 }
             }
+            "ang" => {
+                self.quantity(start, name, true, false);
+                self.push(start, Kind::Char('^'));
+                self.push(start, Kind::Command("circ"));
+            }
             "num" => self.quantity(start, name, true, false),
             // The `physics` package has a command of that name for parentheses that grow.
             "qty" if !two_groups_follow(self.rest()) => self.push(start, Kind::Command(name)),

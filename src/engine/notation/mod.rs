@@ -14,6 +14,7 @@
 //! - `f = \begin{cases} a & x < 0 \\ b & x \geq 0 \end{cases}` is two statements, each under its condition.
 //! - `\frac12` is a quotient of two numbers; a decimal is one number; `\sqrt[n]{x}` is `x` to the number `1/n`.
 
+mod beside;
 mod commands;
 mod fold;
 mod lexer;

@@ -6,7 +6,7 @@ use super::commands;
 use super::fold::{continues, fold, part_columns};
 use super::lexer::{Kind, Lexed, Token, lex};
 use super::parser::Parser;
-use super::{Display, Spanned, Statement, SyntaxError};
+use super::{Display, Spanned, Statement, SyntaxError, beside};
 use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
 
@@ -131,9 +131,13 @@ fn unaligned(mut lexed: Lexed<'_>) -> Lexed<'_> {
     lexed
 }
 
-/// Reads the formulas of a directive or of inline mathematics, separated by `,`, `;` or the word `and`.
+/// Reads the formulas of a directive or of inline mathematics, separated by `,`, `;` or the word `and`. The last number of these is in
+/// the units of the SI where the text goes on with another one.
 pub fn read_formulas(source: &str, body: Span) -> Result<Vec<Statement>, SyntaxError> {
-    parser(untagged(unaligned(lex(source, body)))?, body, true).statements()
+    let mut statements =
+        parser(untagged(unaligned(lex(source, body)))?, body, true).statements()?;
+    beside::in_si(source, body, &mut statements);
+    Ok(statements)
 }
 
 /// Reads a single term.

@@ -1,25 +1,37 @@
 //! Intervals with exact rational ends.
 //!
 //! An interval stands for all real numbers between its ends. Every operation gives one that contains each value that the operation
-//! can take; sums, products and quotients are exact, roots are rounded outwards. Nothing here is a proof in the sense of the kernel: what
+//! can take; sums, products and quotients are exact, roots and elementary functions are rounded outwards. Nothing here is a proof in the sense of the kernel: what
 //! comes out is as good as the figures that go in.
 
+mod function;
 mod power;
 mod term;
 
 use std::cmp::Ordering;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
+use std::sync::LazyLock;
 
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
-use crate::algebra::{BigInt, BigRational};
+use crate::algebra::{BigInt, BigRational, Function};
 
 pub use term::{Compared, Figures, NoInterval};
 
 /// Ends are rounded outwards by at most one part in 2 to this power, where they are rounded at all.
 pub const PRECISION: u64 = 40;
+
+/// What is known of π.
+static PI: LazyLock<Interval> = LazyLock::new(|| {
+    let digits = BigInt::from(314_159_265_358_979_323_u64);
+    let unit = BigInt::from(100_000_000_000_000_000_u64);
+    Interval {
+        high: BigRational::new(&digits + 1, unit.clone()),
+        low: BigRational::new(digits, unit),
+    }
+});
 
 /// All real numbers from one rational number to another.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -97,6 +109,11 @@ impl Interval {
     /// A power with a rational exponent; nothing where it may have no real value, or the exponent is out of all proportion.
     pub fn power(&self, exponent: &BigRational) -> Option<Interval> {
         power::power(self, exponent)
+    }
+
+    /// The values of a function; nothing where it may have none, or its argument is out of all proportion.
+    pub fn under(&self, function: Function) -> Option<Interval> {
+        function::call(function, self)
     }
 
     /// Ends of bounded length: a little wider where they have grown too long.

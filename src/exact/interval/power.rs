@@ -8,6 +8,12 @@ use crate::algebra::{BigInt, BigRational};
 /// Exponents whose numerator or denominator is larger are not evaluated.
 const LARGEST: u32 = 64;
 
+/// Whether a power with this exponent is one of roots and products.
+pub(super) fn is_plain(exponent: &BigRational) -> bool {
+    let fits = |n: &BigInt| n.abs().to_u32().is_some_and(|n| n <= LARGEST);
+    fits(exponent.numer()) && fits(exponent.denom())
+}
+
 pub(super) fn power(base: &Interval, exponent: &BigRational) -> Option<Interval> {
     let size = |n: &BigInt| n.abs().to_u32().filter(|&n| n <= LARGEST);
     let (over, under) = (size(exponent.numer())?, size(exponent.denom())?);

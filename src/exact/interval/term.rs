@@ -4,27 +4,16 @@
 //! in which equal factors are put together; then each factor takes its values. Sums are not multiplied out: a sum that is a
 //! factor counts as one.
 
-use std::sync::LazyLock;
-
 use num_traits::Zero;
 
-use super::Interval;
-use crate::algebra::{BigInt, BigRational, Expr, Function, Rational, Symbol};
-use crate::sorted::Map;
+use super::{Interval, PI, power};
+use crate::algebra::{BigRational, Expr, Function, Rational, Symbol};
+use crate::sorted::{Map, Set};
 
 /// Longer sums are not put together.
 const MOST_TERMS: usize = 256;
 /// Deeper terms are not evaluated.
 const DEEPEST: usize = 64;
-
-static PI: LazyLock<Interval> = LazyLock::new(|| {
-    let digits = BigInt::from(314_159_265_358_979_323_u64);
-    let unit = BigInt::from(100_000_000_000_000_000_u64);
-    Interval {
-        high: BigRational::new(&digits + 1, unit.clone()),
-        low: BigRational::new(digits, unit),
-    }
-});
 
 /// Why a term has no interval.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +30,10 @@ pub enum NoInterval {
 
 /// What is known of symbols.
 #[derive(Clone, Debug, Default)]
-pub struct Figures(Map<Symbol, Interval>);
+pub struct Figures {
+    known: Map<Symbol, Interval>,
+    free: Set<Symbol>,
+}
 
 /// Factors with their exponents, which are not 0.
 type Powers = Map<Expr, Rational>;
@@ -65,15 +57,26 @@ pub struct Compared {
 
 impl FromIterator<(Symbol, Interval)> for Figures {
     fn from_iter<T: IntoIterator<Item = (Symbol, Interval)>>(figures: T) -> Self {
-        Figures(figures.into_iter().collect())
+        Figures {
+            known: figures.into_iter().collect(),
+            free: Set::new(),
+        }
     }
 }
 
 impl Figures {
+    /// The same with symbols of which nothing is known but that they are not 0: a term has a value where they cancel.
+    pub fn but_free(self, free: &Set<Symbol>) -> Figures {
+        Figures {
+            free: free.clone(),
+            ..self
+        }
+    }
+
     /// What is known of a symbol; π is known to everybody.
     pub fn of(&self, symbol: &Symbol) -> Option<Interval> {
         let pi = || (symbol.name() == "\\pi").then(|| PI.clone());
-        self.0.get(symbol).cloned().or_else(pi)
+        self.known.get(symbol).cloned().or_else(pi)
     }
 
     /// An interval with all values of a term.
@@ -187,18 +190,29 @@ impl Figures {
             Expr::Symbol(symbol) => self
                 .of(symbol)
                 .ok_or_else(|| NoInterval::Unknown(symbol.clone())),
-            Expr::Call(Function::Abs, inner) => Ok(self
-                .interval(&self.terms(inner, depth + 1)?, depth + 1)?
-                .abs()),
-            Expr::Power(base, exponent) => {
-                let base = self.interval(&self.terms(base, depth + 1)?, depth + 1)?;
-                let exponent =
-                    number(exponent).ok_or_else(|| NoInterval::Unsupported(factor.clone()))?;
-                base.power(&exponent)
-                    .ok_or_else(|| NoInterval::Undefined(factor.clone()))
+            Expr::Call(function, inner) => {
+                let inner = self.deeper(inner, depth)?;
+                let value = inner.under(*function);
+                value.ok_or_else(|| NoInterval::Undefined(factor.clone()))
             }
-            _ => self.interval(&self.terms(factor, depth + 1)?, depth + 1),
+            Expr::Power(base, exponent) => {
+                let undefined = || NoInterval::Undefined(factor.clone());
+                let base = self.deeper(base, depth)?;
+                if let Some(power) = number(exponent).and_then(|number| base.power(&number)) {
+                    return Ok(power);
+                }
+                // `b^x = exp(x ln b)`
+                let logarithm = base.under(Function::Ln).ok_or_else(undefined)?;
+                let exponent = self.deeper(exponent, depth)?;
+                let value = (&exponent * &logarithm).under(Function::Exp);
+                value.ok_or_else(undefined)
+            }
+            _ => self.deeper(factor, depth),
         }
+    }
+
+    fn deeper(&self, term: &Expr, depth: usize) -> Result<Interval, NoInterval> {
+        self.interval(&self.terms(term, depth + 1)?, depth + 1)
     }
 
     fn terms(&self, term: &Expr, depth: usize) -> Result<Terms, NoInterval> {
@@ -208,7 +222,7 @@ impl Figures {
         let deeper = |inner: &Expr| self.terms(inner, depth + 1);
         match term {
             Expr::Number(value) => Ok(constant(value.into())),
-            Expr::Symbol(_) | Expr::Call(Function::Abs, _) => Ok(single(term, Rational::one())),
+            Expr::Symbol(_) | Expr::Call(..) => Ok(single(term, Rational::one())),
             Expr::Sum(parts) => {
                 let mut sum = Terms::new();
                 for part in parts.iter() {
@@ -236,11 +250,12 @@ impl Figures {
                 let inverse = self.raised(deeper(below)?, below, &Rational::from(-1), depth)?;
                 Ok(times(whole(deeper(above)?, above), inverse))
             }
-            Expr::Power(base, exponent) => {
-                let exponent =
-                    number(exponent).ok_or_else(|| NoInterval::Unsupported(term.clone()))?;
-                self.raised(deeper(base)?, base, &exponent.into(), depth)
-            }
+            Expr::Power(base, exponent) => match number(exponent) {
+                Some(exponent) if power::is_plain(&exponent) => {
+                    self.raised(deeper(base)?, base, &exponent.into(), depth)
+                }
+                _ => Ok(single(term, Rational::one())),
+            },
             _ => Err(NoInterval::Unsupported(term.clone())),
         }
     }
@@ -268,6 +283,10 @@ impl Figures {
         };
         // `(x²)^(1/2)` is not `x` for all `x`, and `1/x` not `x/x²` where `x` may be 0.
         for factor in powers.keys() {
+            let is_free = matches!(factor, Expr::Symbol(own) if self.free.contains(own));
+            if is_free && exponent.is_integer() {
+                continue;
+            }
             let value = self.factor(factor, depth + 1)?;
             let known = match exponent.is_integer() {
                 true => exponent.is_positive() || value.recip().is_some(),

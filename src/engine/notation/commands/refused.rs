@@ -71,7 +71,7 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
     ("over", "`\\over` is not read", Some("write `\\frac{…}{…}`")),
     (
         "circ",
-        "degrees are read only in the angle of a sine, a cosine or a tangent, as in `\\sin 30^\\circ`",
+        "degrees are read only right after a number, as in `30^\\circ`",
         Some("write the angle in radians: `30^\\circ` is `\\pi/6`"),
     ),
     (
@@ -85,11 +85,6 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         Some("give it a name of its own"),
     ),
     ("middle", "`\\middle` is not read", None),
-    (
-        "ang",
-        "angles in degrees (`\\ang`) are not read",
-        Some("write the angle in radians"),
-    ),
     (
         "max",
         "`\\max` is read only as a subscript, as in `\\eta_{\\max}`",

@@ -34,7 +34,7 @@ impl<'s> Parser<'s> {
             Kind::Number(text) => {
                 let number = number(text, self.span())?;
                 self.advance();
-                if self.angle && self.at_degrees() {
+                if self.at_degrees() && !self.at_scale() {
                     return Ok(self.degrees(start, number));
                 }
                 let number = match self.peek() {

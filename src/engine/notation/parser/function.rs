@@ -317,10 +317,28 @@ impl Parser<'_> {
 
     /// Whether `^\circ` stands here.
     pub(super) fn at_degrees(&self) -> bool {
+        self.are_degrees_at(self.at)
+    }
+
+    /// Whether `^\circ` begins at a token.
+    pub(super) fn are_degrees_at(&self, at: usize) -> bool {
         let circ = Kind::Command("circ");
-        let next = (self.kind(self.at + 1), self.kind(self.at + 2));
-        let braced = next == (Kind::Open, circ) && self.kind(self.at + 3) == Kind::Close;
-        self.peek() == Kind::Char('^') && (next.0 == circ || braced)
+        let next = (self.kind(at + 1), self.kind(at + 2));
+        let braced = next == (Kind::Open, circ) && self.kind(at + 3) == Kind::Close;
+        self.kind(at) == Kind::Char('^') && (next.0 == circ || braced)
+    }
+
+    /// Whether the degrees that stand here are those of a temperature, `25^\circ\mathrm{C}`.
+    pub(super) fn at_scale(&self) -> bool {
+        self.is_scale(self.at + self.length_of_degrees())
+    }
+
+    /// Whether a scale of temperatures is named at a token.
+    pub(super) fn is_scale(&self, at: usize) -> bool {
+        matches!(
+            self.kind(at),
+            Kind::Upright("C" | "F") | Kind::Letter('C' | 'F')
+        )
     }
 
     /// How many tokens `^\circ` is.

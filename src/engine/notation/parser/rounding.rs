@@ -16,12 +16,12 @@ impl Parser<'_> {
             Expr::Negate(inner) => inner,
             own => own,
         };
-        if !counted(bare) {
-            return None;
-        }
         let mut at = start;
         if self.kind(at) == Kind::Char('-') {
             at += 1;
+        }
+        if !(counted(bare) || is_degrees(bare) && self.are_degrees_at(at + 1)) {
+            return None;
         }
         let text = match self.kind(at) {
             Kind::Number(text) => text,
@@ -86,6 +86,15 @@ impl Parser<'_> {
             ..upper
         })
     }
+}
+
+/// Whether a term is what so many degrees come to: `30 \pi/180`.
+fn is_degrees(term: &Expr) -> bool {
+    let Expr::Quotient(over, under) = term else {
+        return false;
+    };
+    let is_number = |factors: &[Expr]| matches!(factors, [Expr::Number(_), Expr::Symbol(_)]);
+    **under == Expr::integer(180) && matches!(&**over, Expr::Product(own) if is_number(own))
 }
 
 /// Half a unit of the last digit of a number, as a share of it. Of a whole number the noughts at its end say nothing.

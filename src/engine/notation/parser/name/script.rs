@@ -124,13 +124,9 @@ impl Parser<'_> {
         !self.angle && !is_angle
     }
 
-    /// What to say of degrees that are none of an angle.
+    /// What to say of degrees that are none of an angle, where `\circ` stands.
     fn degrees_elsewhere<T>(&mut self) -> Read<T> {
-        let scale = matches!(
-            self.kind(self.at + 1),
-            Kind::Upright("C" | "F") | Kind::Letter('C' | 'F')
-        );
-        if scale {
+        if self.is_scale(self.at + 1) {
             return refuse_with(
                 self.span(),
                 "temperatures on a scale of degrees are not read: their zero is another than that of the kelvin",

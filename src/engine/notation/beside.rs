@@ -1,0 +1,250 @@
+//! Units that stand in the text right after a formula: "with $v = 20$ km/s", "$a = 1.0$ mm", "at $\theta = 30$ degrees".
+//!
+//! The page leaves them out of its mathematics, and calculates without them. So a number is brought to the units of the SI, of which
+//! all others are products, and no unit is added to it: `a = 1.0` of "1.0 mm" is `a = 0.001`.
+
+use num_traits::{One, Zero};
+
+use super::{Before, BeforeKind, Clause, Statement, unit};
+use crate::algebra::{BigRational, Expr, Symbol};
+use crate::document::Span;
+
+/// Between a formula and its unit, and between units.
+const SPACES: &[&str] = &[" ", "~", "\u{a0}", "\u{202f}", "\\,", "\\ ", "\\;", "\n"];
+/// Words that spell units, too: attoseconds, attometres, picohenries.
+const ORDINARY: &[&str] = &["as", "am", "a", "pH", "d"];
+const DEGREES: &[&str] = &["°", "degree", "degrees", "deg"];
+/// No unit has more letters, or parts.
+const LONGEST: usize = 24;
+const MOST_PARTS: usize = 6;
+const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/// What the number of a formula is multiplied by.
+enum Factor {
+    /// How much of the SI the unit is.
+    Unit(BigRational),
+    Degrees,
+}
+
+/// Brings the number that statements end in to the units of the SI, if the text goes on with another one.
+pub(super) fn in_si(source: &str, body: Span, statements: &mut [Statement]) {
+    let Some(statement) = statements.last_mut() else {
+        return;
+    };
+    let Some(Clause::Chain { sides, .. }) = statement.clauses.last_mut() else {
+        return;
+    };
+    let Some(side) = sides.last_mut() else {
+        return;
+    };
+    let is_number = |term: &Expr| match term {
+        Expr::Number(value) => !value.is_zero(),
+        _ => false,
+    };
+    let is_counted = match &side.expr {
+        Expr::Negate(inner) => is_number(inner.as_ref()),
+        Expr::Product(factors) => factors.iter().all(|own| match own {
+            Expr::Power(base, _) => is_number(base),
+            own => is_number(own),
+        }),
+        own => is_number(own),
+    };
+    if !is_counted {
+        return;
+    }
+    let by = match factor_after(source, body.end) {
+        Some(Factor::Unit(number)) if !number.is_one() => number,
+        Some(Factor::Degrees) => {
+            let pi = Symbol::new("\\pi");
+            let over = Expr::Product([side.expr.clone(), Expr::Symbol(pi.clone())].into());
+            side.expr = Expr::Quotient(over.into(), Expr::integer(180).into());
+            let before = Before {
+                name: pi,
+                span: side.span,
+                kind: BeforeKind::Degrees,
+            };
+            return statement.before.push(before);
+        }
+        _ => return,
+    };
+    side.expr = match &side.expr {
+        Expr::Number(value) => Expr::Number(value * by),
+        Expr::Negate(inner) => match inner.as_ref() {
+            Expr::Number(value) => Expr::Negate(Expr::Number(value * by).into()),
+            _ => return,
+        },
+        own => Expr::Product([own.clone(), Expr::Number(by)].into()),
+    };
+}
+
+fn factor_after(source: &str, end: usize) -> Option<Factor> {
+    let rest = source.get(end..)?;
+    let rest = match rest.strip_prefix('$') {
+        Some(rest) => (!rest.starts_with('$')).then_some(rest)?,
+        None => rest.strip_prefix("\\)")?,
+    };
+    let (spaced, spaces) = without_spaces(rest);
+    let word = &spaced[..length_of_name(spaced)];
+    if DEGREES.contains(&word) {
+        let scale = without_spaces(&spaced[word.len()..]).0;
+        let is_scale = word == "°" && scale.starts_with(['C', 'F']);
+        return (!is_scale).then_some(Factor::Degrees);
+    }
+    let is_sign = spaced.starts_with(['%', '\\']);
+    if spaces == 0 && !is_sign {
+        return None;
+    }
+    unit_at(spaced).map(Factor::Unit)
+}
+
+/// How much of the SI the unit is that a text begins with.
+fn unit_at(text: &str) -> Option<BigRational> {
+    let (mut rest, mut spelt, mut found) = (text, String::new(), None);
+    let one = BigRational::one();
+    for _ in 0..MOST_PARTS {
+        let length = length_of_name(rest);
+        let (name, after) = rest.split_at(length);
+        if name.is_empty() || ORDINARY.contains(&name) {
+            break;
+        }
+        let Some(symbol) = symbol_of(name) else {
+            break;
+        };
+        spelt.push_str(&symbol);
+        let (power, after) = power_at(after);
+        spelt.push_str(&power);
+        let open = spelt.matches('(').count() > spelt.matches(')').count();
+        let after = match after.strip_prefix(')') {
+            Some(after) if open => {
+                spelt.push(')');
+                after
+            }
+            _ => after,
+        };
+        // Whether K stands below the stroke in `kJ/kg K` is not clear, and makes no odds.
+        let is_one = unit::read(&symbol).is_ok_and(|own| own.number == one);
+        match unit::read(&spelt) {
+            Ok(unit) => found = Some(unit.number),
+            Err(_) if found.is_some() && is_one => {}
+            Err(_) => return None,
+        }
+        let (next, spaces) = without_spaces(after);
+        rest = match next.strip_prefix('/') {
+            Some(below) => {
+                let below = without_spaces(below).0;
+                spelt.push('/');
+                match below.strip_prefix('(') {
+                    Some(inner) => {
+                        spelt.push('(');
+                        inner
+                    }
+                    None => below,
+                }
+            }
+            None => match next.strip_prefix("per ") {
+                Some(below) if spaces > 0 => {
+                    spelt.push('/');
+                    below
+                }
+                _ => {
+                    spelt.push('.');
+                    let dot = next.strip_prefix('·').or(next.strip_prefix("$\\cdot$"));
+                    match dot {
+                        Some(next) => without_spaces(next).0,
+                        None if spaces > 0 => next,
+                        None => break,
+                    }
+                }
+            },
+        };
+    }
+    found
+}
+
+/// The letters of a unit, or its sign.
+fn length_of_name(text: &str) -> usize {
+    let sign = ["\\%", "%", "°"]
+        .into_iter()
+        .find(|sign| text.starts_with(sign));
+    if let Some(sign) = sign {
+        return sign.len();
+    }
+    let end = text.find(|c: char| !c.is_alphabetic());
+    match end.unwrap_or(text.len()) {
+        length if length <= LONGEST => length,
+        _ => 0,
+    }
+}
+
+/// The symbol of a unit that is written as such or as a word: `km` of "kilometres".
+fn symbol_of(name: &str) -> Option<String> {
+    if name == "\\%" || name == "%" {
+        return Some("%".to_owned());
+    }
+    if unit::is_symbol(&name.replace('μ', "µ")) {
+        return Some(name.to_owned());
+    }
+    let spelt = |word: &str| unit::symbol(word).map(str::to_owned);
+    let plural = |word: &str| {
+        spelt(word)
+            .or_else(|| spelt(word.strip_suffix('s')?))
+            .or_else(|| {
+                spelt(&format!(
+                    "{}re",
+                    word.strip_suffix('s').unwrap_or(word).strip_suffix("er")?
+                ))
+            })
+    };
+    let word = name.to_lowercase();
+    plural(&word).or_else(|| {
+        let split = (4..=5).filter_map(|at| Some((word.get(..at)?, word.get(at..)?)));
+        let mut split = split.filter_map(|(prefix, rest)| Some((unit::prefix(prefix)?, rest)));
+        let (prefix, rest) = split.next()?;
+        Some(format!("{prefix}{}", plural(rest)?))
+    })
+}
+
+/// The power of a unit, `²`, `^{-1}`, `$^{-1}$`, as siunitx writes it, and what follows it.
+fn power_at(text: &str) -> (String, &str) {
+    let raised = |c: char| RAISED.chars().position(|own| own == c);
+    let digits = text.strip_prefix('⁻').unwrap_or(text);
+    let length = digits.find(|c| raised(c).is_none()).unwrap_or(digits.len());
+    if length > 0 {
+        let number: String = digits[..length]
+            .chars()
+            .filter_map(|c| raised(c).map(|digit| digit.to_string()))
+            .collect();
+        let sign = if digits.len() < text.len() { "-" } else { "" };
+        return (format!("^{{{sign}{number}}}"), &digits[length..]);
+    }
+    let inner = match text.strip_prefix("$^") {
+        Some(inner) => inner.split_once('$'),
+        None => text.strip_prefix('^').map(|inner| {
+            let end = match inner.strip_prefix('{') {
+                Some(braced) => braced.find('}').map_or(0, |at| at + 2),
+                None => inner
+                    .find(|c: char| c != '-' && !c.is_ascii_digit())
+                    .unwrap_or(inner.len()),
+            };
+            inner.split_at(end)
+        }),
+    };
+    match inner {
+        Some((power, after)) => {
+            let bare = power.trim_start_matches('{').trim_end_matches('}');
+            (format!("^{{{bare}}}"), after)
+        }
+        None => match text.strip_prefix(" squared") {
+            Some(after) => ("^{2}".to_owned(), after),
+            None => (String::new(), text),
+        },
+    }
+}
+
+fn without_spaces(text: &str) -> (&str, usize) {
+    let (mut rest, mut count) = (text, 0);
+    while let Some(after) = SPACES.iter().find_map(|space| rest.strip_prefix(space)) {
+        (rest, count) = (after, count + 1);
+    }
+    (rest, count)
+}
