@@ -1000,18 +1000,18 @@ fn a_step_may_need_what_holds_under_a_condition() {
 /// "If …, then" puts a condition in words: of new symbols nobody knows what they are under it.
 #[test]
 fn a_condition_in_words_may_bring_in_symbols() {
-    let page = |words: &str| {
+    let page = |words: &str, radius: &str| {
         last_noted(&format!(
             "The stress at the wall is\n\n$$ \\tau = \\frac{{4 \\eta Q}}{{\\pi r^3}} \\tag{{1}} $$\n\n{words}\n\n\
-             $$ \\frac{{Q}}{{r_0^3}} = \\frac{{Q/2}}{{r_1^3}} \\tag{{2}} $$\n"
+             $$ \\frac{{Q}}{{{radius}_0^3}} = \\frac{{Q/2}}{{{radius}_1^3}} \\tag{{2}} $$\n"
         ))
         .0
     };
-    assert_eq!(
-        page("If the stress is to be the same in all of them, then by (1)"),
-        "undecided"
-    );
-    assert_eq!(page("By (1)"), "fails");
+    let condition = "If the stress is to be the same in all of them, then by (1)";
+    assert_eq!(page(condition, "r"), "undecided");
+    // Which radii they are nobody says.
+    assert_eq!(page("By (1)", "r"), "undecided");
+    assert_eq!(page("By (1)", "s"), "fails");
 }
 
 /// Figures are put in for all of a side that an equation speaks of as one.

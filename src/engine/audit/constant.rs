@@ -93,7 +93,9 @@ impl Judge<'_> {
         let Some((constant, what)) = isolated(left, right, is_known) else {
             return self.integrated_from_a_number(goal, given, right, assumed, premises);
         };
-        let begins = self.derivation.values_said(equation.page, &constant)?;
+        let begins = self
+            .derivation
+            .values_said(equation.page, &constant, given)?;
         if begins.is_empty() && !equation.introduces.contains(&constant) {
             return None;
         }

@@ -93,6 +93,10 @@ impl Judge<'_> {
         if equation.law_stands && equation.introduces.is_empty() && is_value {
             return None;
         }
+        // What comes of an approximation is no law.
+        if !self.approximations().is_empty() {
+            return None;
+        }
         // What could not be read may speak of all of it.
         if !self.usable.unreadable.is_empty() {
             return None;
@@ -186,7 +190,13 @@ impl Judge<'_> {
         let in_others = !equation.drawn && !others.is_empty() && others.iter().all(is_new);
         let is_value = matches!(left, Expr::Symbol(symbol) if !is_new(symbol)) && !in_others;
         let brings = !is_value && symbols.iter().any(is_new);
-        let may_be_law = || equation.meant || !symbols.is_empty() || is_law() || is_case || put;
+        let throughout = equation.extent == Extent::Throughout;
+        let is_elsewhere =
+            || silent && throughout && !equation.drawn && self.is_of_another_section(judged);
+        let may_be_law = || {
+            let meant = equation.meant || !symbols.is_empty() || put;
+            meant || is_law() || is_case || is_elsewhere()
+        };
         if !(brings || equation.bare && may_be_law()) {
             return None;
         }
@@ -221,6 +231,17 @@ impl Judge<'_> {
         let is_out =
             is_step && (self.leaves_nothing(&all, &goal) || self.gives_otherwise(&all, &goal));
         (!is_out && !self.is_contradictory(&all, &goal)).then_some(named)
+    }
+
+    /// Whether all equations that a link was judged from stand in sections before: another circuit has another output.
+    fn is_of_another_section(&self, judged: &Judged) -> bool {
+        let own = &self.derivation.equations[self.at];
+        let start = self.derivation.equations_of(own.page).start + own.section_start;
+        let mut from = judged.assumed.iter().filter_map(|own| match own.source {
+            Source::Equation(premise) => Some(premise),
+            _ => None,
+        });
+        self.at == start && from.all(|premise| premise < start)
     }
 
     /// Whether a link was refuted from what fails itself.

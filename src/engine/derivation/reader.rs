@@ -1,6 +1,7 @@
 //! A document read from top to bottom: what headings, text and directives between two displays say of the next one.
 
 mod adjectives;
+mod asides;
 mod between;
 mod by_name;
 mod display;
@@ -79,11 +80,14 @@ pub(super) struct Reader<'p> {
     pub(super) spoken_of: Known,
     /// What displays speak of so far.
     pub(super) displayed: Known,
+    /// The words that are numbers of displays.
+    names: asides::Names,
 }
 
 impl<'p> Reader<'p> {
     /// At the top of a page whose declarations are read.
     pub fn new(page: &'p mut Page, number: usize, items: &[Item]) -> Self {
+        let names = asides::Names::of(&page.document.source);
         Reader {
             ahead: rows::read_ahead(&page.document.source, items).into_iter(),
             page,
@@ -116,6 +120,7 @@ impl<'p> Reader<'p> {
             known: Known::default(),
             spoken_of: Known::default(),
             displayed: Known::default(),
+            names,
         }
     }
 
@@ -144,7 +149,10 @@ impl<'p> Reader<'p> {
                 // What comes next need not be all that is said of the case.
                 self.running.clear();
             }
-            Item::Prose(prose) => self.prose(prose),
+            Item::Prose(prose) => match self.names.without_asides(prose) {
+                Some(prose) => self.prose(&prose),
+                None => self.prose(prose),
+            },
             Item::Directives { clauses, .. } => {
                 for clause in clauses {
                     self.directive(&clause.value, clause.span);

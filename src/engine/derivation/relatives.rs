@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::Symbol;
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::document::Inline;
+use crate::notation::read_expr;
 use crate::sorted::Set;
 
 use super::Derivation;
@@ -15,9 +17,49 @@ impl Derivation {
 
     /// Whether an equation of the same page that stands before another speaks of a symbol.
     pub fn is_spoken_of_before(&self, at: usize, symbol: &Symbol) -> bool {
+        self.speaking_before(at, symbol).next().is_some()
+    }
+
+    /// The equations of the same page that stand before another and speak of a symbol.
+    pub fn speaking_before(&self, at: usize, symbol: &Symbol) -> impl Iterator<Item = usize> {
         let all = self.mentions[self.equations[at].page].get(symbol);
-        all.and_then(|all| all.first())
-            .is_some_and(|&first| first < at)
+        let all = all.into_iter().flatten().copied();
+        all.take_while(move |&other| other < at)
+    }
+
+    /// Whether the text between a display and the one before it names a symbol, and nothing is understood that it says of it: "for a loan of
+    /// size $L$", "the angle $\gamma$", or "friction $f = \mu N$" where nothing else speaks of `f`. What does is `spoken_of`.
+    pub fn is_named_in_words(&self, at: usize, symbol: &Symbol, spoken_of: &Set<Symbol>) -> bool {
+        let own = &self.equations[at];
+        let document = &self.pages[own.page].document;
+        let is_other = |side: &Expr| match side {
+            Expr::Symbol(own) => own != symbol && !spoken_of.contains(own),
+            _ => false,
+        };
+        let of_other = |formula: &Formula| {
+            let sides = formula.as_equation();
+            sides.is_some_and(|(left, right)| is_other(left) || is_other(right))
+        };
+        let locals = own.locals.iter().chain(&own.told).chain(&own.named);
+        let said = locals.flat_map(|&local| &self.local(own.page, local).formulas);
+        let mut said = said.filter(|said| said.names().contains(symbol)).peekable();
+        if said.peek().is_some() {
+            return said.all(|said| of_other(said));
+        }
+        self.inline_before(at).any(|math| {
+            let named = read_expr(&document.source, math.body);
+            matches!(named, Ok(Expr::Symbol(own)) if own == *symbol)
+        })
+    }
+
+    /// The mathematics in the text between a display and the one before it.
+    pub fn inline_before(&self, at: usize) -> impl Iterator<Item = &Inline> {
+        let own = &self.equations[at];
+        let displays = &self.equations[self.equations_of(own.page).start..at];
+        let mut before = displays.iter().rev().map(|other| other.span.end);
+        let from = before.find(|&end| end <= own.span.start).unwrap_or(0);
+        let document = &self.pages[own.page].document;
+        document.inline_between(from, own.span.start)
     }
 
     /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a

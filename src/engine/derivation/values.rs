@@ -125,17 +125,25 @@ impl Derivation {
 
     /// What the text of a page says that a symbol is the value of. `None` where it says something of the symbol that is no such thing,
     /// or too much to look through.
-    pub fn values_said(&self, page: usize, symbol: &Symbol) -> Option<Vec<ValueSaid>> {
+    pub fn values_said(&self, page: usize, symbol: &Symbol, of: &Symbol) -> Option<Vec<ValueSaid>> {
         let document = &self.pages[page].document;
         if document.inline().count() > MOST_SAID {
             return None;
         }
         let all: Vec<Span> = document.inline().map(|math| math.body).collect();
         let value_of = Expr::Symbol(symbol.clone());
+        // "Setting $N = N_0/2$" and "what has decayed is $D = N_0 - N$" say nothing of what `N_0` is.
+        let is_other = |formula: &Formula| match formula.as_equation() {
+            Some((left, right)) => {
+                let values = [left, right].into_iter().all(|side| *side != value_of);
+                values && formula.terms().iter().any(|term| term.mentions(of))
+            }
+            None => false,
+        };
         let mut values = Vec::new();
         for (at, &body) in all.iter().enumerate() {
             for formula in said(document, body) {
-                if formula.names().contains(symbol) {
+                if formula.names().contains(symbol) && !is_other(&formula) {
                     let place = || place(document, &all, at);
                     let value = value(&formula, &value_of);
                     values.push(value.or_else(|| value_at(&formula, &value_of, &place()?))?);

@@ -86,6 +86,18 @@ impl Document {
         self.prose().flat_map(|prose| &prose.math)
     }
 
+    /// The mathematics in the text from one place to another, in source order.
+    pub fn inline_between(&self, from: usize, to: usize) -> impl Iterator<Item = &Inline> {
+        let first = self.items.partition_point(|item| item.span().end <= from);
+        let within = self.items[first..].iter();
+        let within = within.take_while(move |item| item.span().start < to);
+        let math = within.flat_map(|item| match item {
+            Item::Prose(prose) => prose.math.as_slice(),
+            _ => &[],
+        });
+        math.filter(move |math| from <= math.span.start && math.span.end <= to)
+    }
+
     /// Reads a Markdown document. Never fails: what is amiss is in [`Document::problems`].
     pub fn markdown(path: impl Into<String>, source: impl Into<Arc<str>>) -> Document {
         let source = source.into();

@@ -22,6 +22,7 @@ mod parser;
 mod printer;
 mod read;
 mod shorthand;
+mod signs;
 mod statement;
 mod typeset;
 mod unit;

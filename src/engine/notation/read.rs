@@ -6,7 +6,7 @@ use super::commands;
 use super::fold::{continues, fold, part_columns};
 use super::lexer::{Kind, Lexed, Token, lex};
 use super::parser::Parser;
-use super::{Display, Spanned, Statement, SyntaxError, beside};
+use super::{Display, Spanned, Statement, SyntaxError, beside, signs};
 use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
 
@@ -168,7 +168,7 @@ fn letter_without_backslash(text: &str) -> Option<String> {
 }
 
 fn parser(lexed: Lexed<'_>, body: Span, words: bool) -> Parser<'_> {
-    Parser::new(fold(&lexed.tokens), lexed.errors, body, words)
+    Parser::new(signs::apart(fold(&lexed.tokens)), lexed.errors, body, words)
 }
 
 fn untagged(lexed: Lexed<'_>) -> Result<Lexed<'_>, SyntaxError> {

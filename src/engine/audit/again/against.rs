@@ -10,6 +10,9 @@ use super::super::Outcome;
 use super::super::judge::{Found, Judge, NEARBY};
 use super::borrowed::speaks_of_all;
 
+/// What an equation is only written in another form by.
+const REARRANGING: [&str; 4] = ["rearranging", "rearranged", "rearrange", "inverting"];
+
 impl Judge<'_> {
     /// Looks for a counterexample at which what stands before is true too: it convinces more, and nothing that
     /// stands before can then be what the step follows from.
@@ -97,7 +100,8 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) {
-        if self.names_its_premises() || found.mended.is_some() {
+        // Who only writes an equation in another form needs no other one.
+        if self.names_its_premises() || found.mended.is_some() || self.says(&REARRANGING) {
             return;
         }
         let mut open = self.open_on_this_page(premises);

@@ -63,14 +63,18 @@ impl Judge<'_> {
     /// What stands before on the page and is not cited, with what is left open or holds under conditions; empty, where nothing is.
     pub(super) fn open_on_this_page(&self, premises: &[usize]) -> Vec<usize> {
         let Before { all, open, .. } = self.before(premises);
-        // Other pages may mean other things by the same letters.
-        let page = |at: usize| self.derivation.equations[at].page;
         let mut here = open.clone();
-        here.retain(|&other| page(other) == page(self.at));
+        here.retain(|&other| self.is_on_this_page(other));
         match here.iter().all(|other| all.contains(other)) {
             true => Vec::new(),
             false => here,
         }
+    }
+
+    /// Other pages may mean other things by the same letters.
+    pub(super) fn is_on_this_page(&self, other: usize) -> bool {
+        let page = |at: usize| self.derivation.equations[at].page;
+        page(other) == page(self.at)
     }
 
     /// What that says.

@@ -5,21 +5,24 @@
 //! value of a variable ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]). What is proved only with
 //! premises that no author joins is judged again without them ([`joined`]), or left open where they are of a case that may be over
 //! ([`lingering`]), and what refutes a step is held against what else stands before
-//! ([`against`]). In which order all this is tried is said where a goal is judged.
+//! ([`against`]) and what the text calls near something ([`approximated`]). Nothing is refuted that words say more of than was understood ([`in_words`]),
+//! or that speaks of what nothing before does ([`silent`]). In which order all this is tried is said where a goal is judged.
 
 mod against;
+mod approximated;
 pub(super) mod borrowed;
 pub(super) mod conditions;
 mod going_on;
+mod in_words;
 mod joined;
 pub(super) mod limiting;
 mod lingering;
 mod named;
 mod overlooked;
 mod rescue;
+mod silent;
 mod solution;
 mod solved;
-mod symmetric;
 pub(super) mod there;
 pub(super) mod throughout;
 mod unitless;

@@ -255,7 +255,7 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) -> bool {
-        if !self.names_its_premises() || self.is_directed() || !self.failing(premises).is_empty() {
+        if self.is_directed() || !self.failing(premises).is_empty() {
             return false;
         }
         let mut conditional = self.open_on_this_page(premises);
@@ -263,8 +263,27 @@ impl Judge<'_> {
             let on = self.auditor.unproved(self.at, &Set::from([own]));
             !self.is_undecided(own) && !on.iter().any(|&other| self.is_undecided(other))
         });
+        // So does what speaks of some symbol on which what is cited is silent.
+        let mut silent = goal.formula.names();
+        silent.retain(|own| !own.is_unit());
+        for cited in assumed {
+            let spoken_of = cited.formula.names();
+            silent.retain(|own| !spoken_of.contains(own));
+        }
+        let speaks = |own: &&usize| {
+            let mut all = self.derivation.equations[**own].symbols().into_iter();
+            self.is_on_this_page(**own) && all.any(|symbol| silent.contains(&symbol))
+        };
+        conditional.extend(self.before(premises).sound.iter().filter(speaks));
+        let with = || {
+            let near = self.gathered(&conditional).into_iter();
+            let all = assumed.iter().cloned().chain(near.take(NEARBY[1].0));
+            all.collect::<Vec<_>>()
+        };
         self.rescue_from(&conditional, goal, assumed, premises, found)
-            || !conditional.is_empty() && self.follows_with(&conditional, goal, assumed, found)
+            || !conditional.is_empty()
+                && (self.follows_with(&conditional, goal, assumed, found)
+                    || self.follows_where_positive(goal, &with(), false, found))
     }
 
     /// The same, where symbols that could be anything are not 0.

@@ -121,7 +121,7 @@ impl Judge<'_> {
     /// values speak against it.
     ///
     /// That a symbol is negative nobody leaves unsaid.
-    fn follows_where_positive(
+    pub(super) fn follows_where_positive(
         &self,
         goal: &Goal,
         assumed: &[Assumed],

@@ -198,8 +198,14 @@ impl Judge<'_> {
             self.heed_values_told(goal, all, found);
             self.heed_what_is_said_of_all(goal, all, found);
             self.heed_symmetry(goal, found);
+            self.heed_what_is_new(goal, all, found);
+            self.heed_contrast(goal, all, found);
+            if !strong {
+                self.heed_induction(found);
+            }
             self.heed_what_varies(goal, all, premises, found);
             self.heed_what_is_open(goal, all, premises, found);
+            self.heed_approximations(goal, all, found);
         }
     }
 
@@ -267,6 +273,9 @@ impl Judge<'_> {
         found.judged.outcome = Outcome::Open(stop);
         let rescued = !hopeless && self.follows_otherwise(own, found);
         found.may_follow = rescued;
+        if !rescued {
+            self.heed_approximations(goal, assumed, found);
+        }
         if !rescued && !hopeless && self.cites_loosely() {
             let told_before = self.told_before(goal, assumed, premises);
             if !told_before.is_empty()

@@ -244,10 +244,6 @@ pub(super) static HEADING: Words = Words::of(&[
     "corollary",
     "hypothesis",
     "conjecture",
-    "exercise",
-    "problem",
-    "task",
-    "question",
 ]);
 /// In a sentence with one of these a fact is told of one moment or place.
 pub(super) static MOMENTARY: Words = Words::of(&[

@@ -1,7 +1,8 @@
-//! What is said of one thing and then of another in the same words: "By symmetry the best response of firm 2 is".
+//! What words before a step say of where it comes from, and is not checked: "By symmetry the best response of firm 2 is", "By induction",
+//! "whereas equal work needs".
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
-use crate::derivation::{Goal, formulas, renamed};
+use crate::derivation::{Assumed, Goal, Source, formulas, renamed};
 use crate::sorted::Map;
 
 use super::super::judge::{Found, Judge};
@@ -19,6 +20,9 @@ const ALIKE: [&str; 10] = [
     "similar",
     "same",
 ];
+/// With one of these it sets something against what stands before.
+const SET_AGAINST: [&str; 5] = ["whereas", "while", "contrast", "instead", "rather"];
+const INDUCTION: [&str; 1] = ["induction"];
 /// So many equations before are looked at.
 const MOST_BEFORE: usize = 6;
 
@@ -26,7 +30,7 @@ impl Judge<'_> {
     /// Leaves open what was refuted and says of others what an equation before says, where the words give that as the reason. Whether all
     /// that it came from is so of these, too, nobody has shown.
     pub(in crate::audit) fn heed_symmetry(&self, goal: &Goal, found: &mut Found) {
-        if !found.judged.outcome.is_refuted() || !self.says_alike() {
+        if !found.judged.outcome.is_refuted() || !self.says(&ALIKE) {
             return;
         }
         let page = self.derivation.equations[self.at].page;
@@ -44,12 +48,44 @@ impl Judge<'_> {
         }
     }
 
-    fn says_alike(&self) -> bool {
+    /// Leaves open another value of what the display before gives a value of, where words set one against the other: "whereas equal work from
+    /// both engines needs".
+    pub(in crate::audit) fn heed_contrast(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        if !found.judged.outcome.is_refuted() || !self.cites_loosely() || !self.says(&SET_AGAINST) {
+            return;
+        }
+        let Some((Expr::Symbol(of), _)) = goal.formula.as_equation() else {
+            return;
+        };
+        let is_value = |own: &Assumed| {
+            let sides = own.formula.as_equation();
+            matches!(own.source, Source::Equation(_))
+                && matches!(sides, Some((Expr::Symbol(own), _)) if own == of)
+        };
+        if assumed.iter().any(is_value) {
+            found.leave_open("words set it against another value that stands before");
+        }
+    }
+
+    /// Leaves open what is said to be so by induction, and was refuted as if it followed at once.
+    pub(in crate::audit) fn heed_induction(&self, found: &mut Found) {
+        if found.judged.outcome.is_refuted() && found.mended.is_none() && self.says(&INDUCTION) {
+            found.leave_open("it is said to be so by induction, and that was not understood");
+        }
+    }
+
+    /// Whether the last sentence before the step has one of these words.
+    pub(in crate::audit) fn says(&self, such: &[&str]) -> bool {
         let own = &self.derivation.equations[self.at];
         let source = &self.derivation.pages[own.page].document.source;
         let said = own.said_last.and_then(|last| source.get(last.range()));
         let mut words = said.unwrap_or_default().split(|c: char| !c.is_alphabetic());
-        words.any(|word| ALIKE.contains(&&*word.to_lowercase()))
+        words.any(|word| such.contains(&&*word.to_lowercase()))
     }
 }
 

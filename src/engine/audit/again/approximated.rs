@@ -1,0 +1,99 @@
+//! Steps after an approximation in words: "the liquid takes negligible room, $\Delta v \approx v_g$", "for small angles
+//! $\sin\theta \approx \theta$".
+//!
+//! What is near something is not that, so nothing is proved by it; nor is anything refuted that follows where one is put for the other.
+
+use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::derivation::{Assumed, Goal, formulas};
+use crate::notation::{plain, read_formulas};
+use crate::search::Decision;
+
+use super::super::judge::{Found, Judge};
+
+/// More approximations than this are not put in.
+const MOST: usize = 4;
+
+impl Judge<'_> {
+    /// Leaves open, and tells why, what follows where what the text before it calls near something is taken for that.
+    pub(in crate::audit) fn heed_approximations(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        if found.judged.outcome.is_proven() {
+            return;
+        }
+        let near = self.approximations();
+        if near.is_empty() || near.len() > MOST {
+            return;
+        }
+        let put = |formula: &Formula| {
+            let own = |term: &Expr| {
+                near.iter()
+                    .fold(term.clone(), |term, (a, b)| term.replace(a, b))
+            };
+            formula.map_terms(own)
+        };
+        let told = self.derivation.told(self.at);
+        let all = assumed.iter().chain(&told).map(|own| Assumed {
+            formula: put(&own.formula).into(),
+            ..own.clone()
+        });
+        let all: Vec<Assumed> = all.collect();
+        let changed = |own: &Assumed| {
+            assumed
+                .iter()
+                .chain(&told)
+                .all(|o| o.formula != own.formula)
+        };
+        let goal = Goal {
+            formula: put(&goal.formula),
+            ..goal.clone()
+        };
+        if !all.iter().any(changed) || self.is_contradictory(&all, &goal) {
+            return;
+        }
+        if let Some(Decision::Proven { .. }) = self.decide_from(&all, &goal.formula) {
+            let said: Vec<String> = near
+                .iter()
+                .map(|(a, b)| format!("`{} ≈ {}`", plain(a), plain(b)))
+                .collect();
+            found.leave_open(format!(
+                "it follows where {} is taken for equal, and how near it is was not judged",
+                said.join(" and ")
+            ));
+        }
+    }
+
+    /// What the text between the display before and this one says is near something else.
+    pub(in crate::audit) fn approximations(&self) -> Vec<(Expr, Expr)> {
+        let own = &self.derivation.equations[self.at];
+        let document = &self.derivation.pages[own.page].document;
+        let bodies = self.derivation.inline_before(self.at).map(|math| math.body);
+        let mut found = Vec::new();
+        for body in bodies {
+            let text = document.source.get(body.range()).unwrap_or_default();
+            if !["\\approx", "\\simeq", "≈", "\\sim"]
+                .iter()
+                .any(|sign| text.contains(sign))
+            {
+                continue;
+            }
+            let read = read_formulas(&document.source, body).unwrap_or_default();
+            for said in read.iter().flat_map(formulas) {
+                if let Formula::Relation {
+                    left,
+                    relation: Relation::Approximately,
+                    right,
+                } = said
+                    && !matches!(left, Expr::Number(_))
+                    && !right.free_symbols().iter().all(Symbol::is_unit)
+                {
+                    found.push((left, right));
+                }
+            }
+        }
+        found
+    }
+}

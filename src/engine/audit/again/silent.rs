@@ -1,0 +1,106 @@
+//! Steps that speak of what no equation before does: with any value of that they are refuted, which says nothing of the author's.
+
+use crate::algebra::{Expr, Formula, Symbol, split_subscript};
+use crate::derivation::{Assumed, Goal, Source};
+use crate::search::Decision;
+use crate::sorted::Set;
+
+use super::super::judge::{Found, Judge};
+use super::super::stated::quantities;
+
+const INTEGRATING: [&str; 3] = ["integrating", "integrate", "integration"];
+
+impl Judge<'_> {
+    /// Leaves open a step that brings in on one side what no equation before speaks of, and of which words say something: "for a loan of size
+    /// $L$", "two measurements $(f_1, V_1)$" of `f` and `V`. With any value of that it is refuted, which says nothing of the author's.
+    pub(in crate::audit) fn heed_what_is_new(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        let Some((left, right)) = goal.formula.as_equation() else {
+            return;
+        };
+        if !found.judged.outcome.is_refuted() {
+            return;
+        }
+        let introduced = &self.derivation.equations[self.at].introduces;
+        let said = |own: &&Assumed| !own.source.is_of_statement();
+        let before = assumed.iter().filter(said);
+        let before: Set<Symbol> = before.flat_map(|own| own.formula.names()).collect();
+        let (whole, value) = (left, right);
+        let (left, right) = (quantities(left), quantities(right));
+        let is_silent = |symbol: &&Symbol| !before.contains(*symbol);
+        // What has another index there and is not in the step as well may be meant for this.
+        let is_general = |symbol: &Symbol| {
+            let stem = stem(symbol);
+            let mut speaking = self.derivation.speaking_before(self.at, symbol);
+            if found.mended.is_some() || !speaking.all(|other| self.is_undecided(other)) {
+                return false;
+            }
+            let mut others = before.iter().filter(|own| self::stem(own) == stem);
+            others.clone().count() == 1
+                && others.all(|own| !left.contains(own) && !right.contains(own))
+        };
+        // Of an identity both sides speak of the same.
+        let is_new = |symbol: &Symbol| {
+            introduced.contains(symbol) && left.contains(symbol) != right.contains(symbol)
+        };
+        let mut spoken_of: Set<Symbol> = before.union(&goal.formula.names()).cloned().collect();
+        let near = self.approximations();
+        spoken_of.extend(
+            near.iter()
+                .flat_map(|(one, other)| Formula::equal(one.clone(), other.clone()).names()),
+        );
+        let is_named = |symbol: &Symbol| {
+            self.derivation
+                .is_named_in_words(self.at, symbol, &spoken_of)
+        };
+        let is_integral = || {
+            let says = found.mended.is_none() && self.says(&INTEGRATING);
+            says && self.is_integral(whole, value, assumed)
+        };
+        let mut silent = left.union(&right).filter(is_silent);
+        if is_integral() || silent.any(|own| is_general(own) || is_new(own) && is_named(own)) {
+            found.leave_open("no equation before says what some symbol in it is");
+        }
+    }
+
+    /// Whether a term changes as a premise says that something does: what it is an integral of. "Integrating (6), the distance fallen is"
+    /// says of a new symbol what it is but for where it begins.
+    fn is_integral(&self, new: &Expr, term: &Expr, assumed: &[Assumed]) -> bool {
+        let variable = match new {
+            Expr::Apply(own, arguments) => match &arguments[..] {
+                [Expr::Symbol(variable)] => Some((own, variable.clone())),
+                _ => None,
+            },
+            Expr::Symbol(own) => self.variable().map(|variable| (own, variable)),
+            _ => None,
+        };
+        let Some((own, variable)) = variable else {
+            return false;
+        };
+        if self.derivation.is_spoken_of_before(self.at, own) {
+            return false;
+        }
+        let slope = Expr::Derivative {
+            body: term.clone().into(),
+            variable,
+        };
+        let cited = assumed
+            .iter()
+            .filter(|own| matches!(own.source, Source::Equation(_)));
+        let mut values = cited.filter_map(|own| Some(own.formula.as_equation()?.1));
+        values.any(|value| {
+            let formula = Formula::equal(slope.clone(), value.clone());
+            let still = self.decide_from(assumed, &formula);
+            matches!(still, Some(Decision::Proven { .. }))
+        })
+    }
+}
+
+/// A name without its index.
+fn stem(symbol: &Symbol) -> &str {
+    split_subscript(symbol.name()).map_or(symbol.name(), |(stem, _)| stem)
+}

@@ -1,0 +1,92 @@
+//! What is said of two things at once, `x_\pm = a \pm b` or `x_{1,2} = a \pm b`, as two statements: one with all upper signs, and one
+//! with all lower ones.
+
+use super::lexer::{Kind, Token};
+
+/// Tokens in which what is said with signs in an index is said twice, once with either.
+pub(super) fn apart(tokens: Vec<Token<'_>>) -> Vec<Token<'_>> {
+    if !tokens.iter().any(is_sign) {
+        return tokens;
+    }
+    let mut all = Vec::with_capacity(2 * tokens.len());
+    let mut depth = 0_usize;
+    let parts = tokens.split_inclusive(|token| {
+        match token.kind {
+            Kind::Open | Kind::Begin(_) | Kind::Char('(' | '[') => depth += 1,
+            Kind::Close | Kind::Finish(_) | Kind::Char(')' | ']') => {
+                depth = depth.saturating_sub(1);
+            }
+            _ => {}
+        }
+        depth == 0 && matches!(token.kind, Kind::Wide | Kind::And | Kind::Char(',' | ';'))
+    });
+    for part in parts {
+        let relates = |token: &Token<'_>| matches!(token.kind, Kind::Relation(..));
+        let (upper, lower) = (with(part, false), with(part, true));
+        match (upper, lower, part.last()) {
+            (Some(upper), Some(lower), Some(&last)) if part.iter().any(relates) => {
+                all.extend(upper);
+                all.push(Token {
+                    kind: Kind::Wide,
+                    ..last
+                });
+                all.extend(lower);
+            }
+            _ => all.extend(part),
+        }
+    }
+    all
+}
+
+fn is_sign(token: &Token<'_>) -> bool {
+    matches!(token.kind, Kind::Command("pm" | "mp"))
+}
+
+/// A statement with one of both signs throughout; `None` where no index tells them apart.
+fn with<'s>(part: &[Token<'s>], lower: bool) -> Option<Vec<Token<'s>>> {
+    let (mut read, mut at, mut indexed) = (Vec::with_capacity(part.len()), 0, false);
+    let has_sign = part.iter().any(is_sign);
+    while let Some(&token) = part.get(at) {
+        let signed = |token: Token<'s>| {
+            let minus = (token.kind == Kind::Command("mp")) != lower;
+            let kind = Kind::Char(if minus { '-' } else { '+' });
+            Token { kind, ..token }
+        };
+        let braced = |kind: Kind<'s>| Token { kind, ..token };
+        let kinds: Vec<Kind<'s>> = part[at..].iter().take(6).map(|own| own.kind).collect();
+        let is_index = matches!(token.kind, Kind::Char('_' | '^'));
+        match kinds[..] {
+            [_, Kind::Command("pm" | "mp"), ..] if is_index => {
+                let index = [token, braced(Kind::Open), signed(part[at + 1])];
+                read.extend(index);
+                read.push(braced(Kind::Close));
+                (indexed, at) = (true, at + 2);
+            }
+            [_, Kind::Open, Kind::Command("pm" | "mp"), Kind::Close, ..] if is_index => {
+                let index = [token, part[at + 1], signed(part[at + 2]), part[at + 3]];
+                read.extend(index);
+                (indexed, at) = (true, at + 4);
+            }
+            [
+                Kind::Char('_'),
+                Kind::Open,
+                Kind::Number("1"),
+                Kind::Char(','),
+                Kind::Number("2"),
+                Kind::Close,
+            ] if has_sign => {
+                let number = part[at + if lower { 4 } else { 2 }];
+                read.extend([token, part[at + 1], number, part[at + 5]]);
+                (indexed, at) = (true, at + 6);
+            }
+            _ => {
+                read.push(match is_sign(&token) {
+                    true => signed(token),
+                    false => token,
+                });
+                at += 1;
+            }
+        }
+    }
+    indexed.then_some(read)
+}
