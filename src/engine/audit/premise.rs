@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{
-    Assumed, Derivation, Kind, Local, Running, Source, conditions, formulas, is_open,
+    Approach, Assumed, Derivation, Kind, Local, Running, Source, conditions, formulas, is_open,
 };
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
@@ -100,7 +100,11 @@ impl Offer {
                     judged.goal.formula.as_equation(),
                     Some((Expr::Limit { .. }, _))
                 );
-                if (!proven || is_limit) && !derivation.approached(at).is_empty() {
+                let is_approached = |formula: &Formula| {
+                    let all = derivation.approached(at);
+                    !all.is_empty() && !names_value_there(derivation, at, formula, &all)
+                };
+                if (!proven || is_limit) && is_approached(&judged.goal.formula) {
                     offer.in_limit = true;
                     if !proven {
                         continue;
@@ -145,6 +149,23 @@ impl Offer {
         }
         offer
     }
+}
+
+/// Whether a display gives a new name to something that it says without what moves: "Barely escaping means $v_r \to 0$ as $r \to \infty$:
+/// $$v_e = \sqrt{2 G M/R}$$" is so wherever `v_e` is spoken of.
+fn names_value_there(
+    derivation: &Derivation,
+    at: usize,
+    formula: &Formula,
+    all: &[Approach],
+) -> bool {
+    let is_new = |side: &Expr| match side {
+        Expr::Symbol(own) => derivation.equations[at].introduces.contains(own),
+        _ => false,
+    };
+    let names = formula.names();
+    formula.as_equation().is_some_and(|(left, _)| is_new(left))
+        && !all.iter().any(|own| names.contains(&own.variable))
 }
 
 /// What an equation says of one moment alone is said under itself.

@@ -5,6 +5,7 @@ use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::{Assignment, Claim, Obligation};
 use crate::search::{self, Effort};
 use crate::sorted::Set;
+use num_traits::Signed;
 
 use super::super::judge::{Found, Judge, condition, sources, step};
 use super::super::{Outcome, stated};
@@ -224,6 +225,9 @@ impl Judge<'_> {
         };
         let posed = self.pose_claim(under(&conditions)).ok()?;
         conditions.extend(search::divided_beside_roots(posed.problem()));
+        if without_definitions(set, unbounded).is_empty() {
+            return Some(conditions);
+        }
         let claim = under(&conditions);
         let possible = search::consistency(&claim, &self.auditor.hints());
         matches!(possible, search::Consistency::Model(_)).then_some(conditions)
@@ -264,6 +268,44 @@ impl Judge<'_> {
         found.judged.assumed = kept;
         found.judged.outcome = Outcome::Proven(least.into());
         true
+    }
+}
+
+/// Hypotheses without those that only say what a symbol is, by a term that is positive wherever some symbols are: for any positive values of
+/// the others these can be met, `M = \frac{4}{3} \pi R^3 \rho` and `v = \sqrt{2 G M/R}`.
+fn without_definitions<'a>(set: &'a [Assumed], positive: &[Symbol]) -> Vec<&'a Formula> {
+    let mut rest: Vec<&Formula> = set.iter().map(|own| &*own.formula).collect();
+    loop {
+        let is_free = |at: usize| {
+            let Some((Expr::Symbol(own), term)) = rest[at].as_equation() else {
+                return false;
+            };
+            let others = rest.iter().enumerate().filter(|(other, _)| *other != at);
+            !term.mentions(own)
+                && positive.contains(own)
+                && is_positive(term, positive)
+                && !others
+                    .flat_map(|(_, own)| own.terms())
+                    .any(|term| term.mentions(own))
+        };
+        match (0..rest.len()).find(|&at| is_free(at)) {
+            Some(at) => rest.remove(at),
+            None => return rest,
+        };
+    }
+}
+
+/// Whether a term is seen at once to be positive where some symbols are.
+fn is_positive(term: &Expr, positive: &[Symbol]) -> bool {
+    let inner = |part: &Expr| is_positive(part, positive);
+    match term {
+        Expr::Number(value) => value.is_positive(),
+        Expr::Symbol(own) => positive.contains(own) || own.name() == "\\pi",
+        Expr::Sum(parts) | Expr::Product(parts) => parts.iter().all(inner),
+        Expr::Quotient(above, below) => inner(above) && inner(below),
+        Expr::Power(base, _) => inner(base),
+        Expr::Call(Function::Exp, _) => true,
+        _ => false,
     }
 }
 
