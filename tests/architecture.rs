@@ -12,7 +12,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("kernel", &["algebra"]),
     ("interval", &["algebra"]),
     ("document", &["algebra", "notation"]),
-    ("notation", &["algebra", "document"]),
+    ("notation", &["algebra", "interval", "document"]),
     ("dimension", &["algebra", "kernel"]),
     (
         "derivation",

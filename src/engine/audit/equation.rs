@@ -1,9 +1,10 @@
 //! One equation: what it may use, its statements one after another, and whether the page begins with it.
 
-use crate::algebra::effort;
-use crate::derivation::{Assumed, Kind, Source, goals};
+use crate::algebra::{Expr, Formula, Symbol, effort};
+use crate::derivation::{Assumed, Goal, Kind, Source, formulas, goals};
 use crate::kernel::Standing;
 use crate::notation::Statement;
+use crate::sorted::Set;
 
 use super::cited::unused;
 use super::entry::blank;
@@ -17,8 +18,43 @@ use super::{
 const MOST_MOMENTARY: usize = 8;
 /// So many statements of one display are judged: each may use all before it.
 const MOST_STATEMENTS: usize = 256;
+/// So many statements after one are looked at for what its symbols mean.
+const MOST_MEANINGS: usize = 4;
 
 impl Auditor<'_> {
+    /// What may be used for a statement with what those after it in the display say that its new symbols are:
+    /// `K = E \frac{x}{1 + x}, \qquad x = E/E_0`. Nothing where they say no such thing.
+    fn with_meanings(&self, at: usize, part: usize, usable: &Usable) -> Option<Usable> {
+        let equation = &self.derivation.equations[at];
+        let (own, later) = equation.statements()[part..].split_first()?;
+        let spoken_of: Set<Symbol> = formulas(own).iter().flat_map(Formula::names).collect();
+        let begun = goals(own).into_iter().next();
+        let defines = |new: &Symbol| {
+            let begun = begun.as_ref().and_then(|goal| goal.formula.as_equation());
+            matches!(begun, Some((Expr::Symbol(own), _)) if own == new)
+        };
+        let means = |goal: &Goal| match goal.formula.as_equation() {
+            Some((Expr::Symbol(new), term)) => {
+                let is_new = equation.introduces.contains(new) && spoken_of.contains(new);
+                is_new && !defines(new) && goal.rounding.is_none() && !term.mentions(new)
+            }
+            _ => false,
+        };
+        let first = |own: &Statement| goals(own).into_iter().next();
+        let later = later
+            .iter()
+            .take(MOST_MEANINGS)
+            .filter(|own| own.under.is_empty());
+        let meanings: Vec<Goal> = later.filter_map(first).filter(means).collect();
+        if meanings.is_empty() {
+            return None;
+        }
+        let mut usable = usable.clone();
+        let said = meanings.iter().map(|goal| judge::step(&goal.formula));
+        usable.assumed.extend(said);
+        Some(usable)
+    }
+
     pub(super) fn equation(&self, at: usize) -> Vec<Entry> {
         let equation = &self.derivation.equations[at];
         let statements = match &equation.statements {
@@ -66,10 +102,11 @@ impl Auditor<'_> {
                 entries.push(one_too_many(at, part, parts, equation.kind, statement));
                 continue;
             }
+            let with_meanings = self.with_meanings(at, part, &usable);
             let how = Circumstances {
                 at,
                 part,
-                usable: &usable,
+                usable: with_meanings.as_ref().unwrap_or(&usable),
                 premises: &premises,
                 says_so,
                 defines: equation.defines.contains(&part),

@@ -12,10 +12,10 @@ use crate::algebra::{
 use crate::derivation::{Assumed, Datum, Derivation, Goal, Printed, Source, goals};
 use crate::document::Span;
 use crate::interval::{Compared, Figures, Interval, NoInterval};
-use crate::notation::{Precision, Rounding, measured, read_formulas};
+use crate::notation::{Precision, Rounding, measured, read_formulas, without_units};
 use crate::sorted::{Map, Set};
 
-pub(super) use self::rounded::open_by_figures;
+pub(super) use self::rounded::{is_measured, open_by_figures};
 
 /// "Much greater" is taken for: at least so many times.
 pub const FAR: i32 = 10;
@@ -212,7 +212,31 @@ impl Known<'_> {
         link.outcome = weigh(relation, &difference, ratio.as_ref(), link.near.as_ref());
         link.sides = Some((left, right));
         link.ratio = ratio;
+        if link.outcome != Weighed::Supported {
+            self.leave_units(relation, &mut link);
+        }
         link
+    }
+
+    /// Weighs a link of which one side has units and the other none again without them, `\frac{320 \cdot 480}{800} = 192\,\Omega`, if that
+    /// supports it: they were left out until the end.
+    fn leave_units(&mut self, relation: Relation, link: &mut Link) {
+        let Formula::Relation { left, right, .. } = &link.goal.formula else {
+            return;
+        };
+        let has_units = |term: &Expr| term.free_symbols().iter().any(Symbol::is_unit);
+        if has_units(left) == has_units(right) {
+            return;
+        }
+        let Ok(found) = self.sides(&without_units(left), &without_units(right)) else {
+            return;
+        };
+        let near = link.near.as_ref();
+        let outcome = weigh(relation, &found.difference, found.ratio.as_ref(), near);
+        if outcome == Weighed::Supported {
+            link.outcome = outcome;
+            (link.sides, link.ratio) = (Some((found.left, found.right)), found.ratio);
+        }
     }
 
     fn sides(&mut self, left: &Expr, right: &Expr) -> Result<Compared, NoInterval> {
@@ -554,7 +578,7 @@ fn in_si(term: &Expr) -> Expr {
 }
 
 /// Whether a term is made of what intervals know.
-fn is_evaluable(term: &Expr) -> bool {
+pub(super) fn is_evaluable(term: &Expr) -> bool {
     let here = term.is_arithmetic() || matches!(term, Expr::Call(..));
     here && term.children().all(is_evaluable)
 }

@@ -14,7 +14,7 @@ use crate::notation::measured;
 use crate::search;
 
 use super::judge::{Judge, step};
-use super::{Entry, Judged, Note, Outcome, Verdict, identity};
+use super::{Entry, Judged, Note, Outcome, Verdict, identity, numeric};
 use crate::sorted::Set;
 
 impl Judge<'_> {
@@ -73,7 +73,12 @@ impl Judge<'_> {
             return None;
         };
         // "Momentum is conserved: $n v_0 = u_1 + \dots + u_k = \sum_i u_i$" goes on with what is so anyway.
-        if !rest.iter().all(|judged| judged.outcome.is_proven()) {
+        // So does `E = E_c - E_a = 0.34\,\mathrm{V} + 0.76\,\mathrm{V}`, and says how great these are.
+        let goes_on = |own: &Judged| {
+            let open = matches!(own.outcome, Outcome::Open(_) | Outcome::Refuted(_));
+            own.outcome.is_proven() || open && numeric::is_measured(&own.goal)
+        };
+        if !rest.iter().all(goes_on) {
             return None;
         }
         // `\eta = E_2 / E_0 = m_2 w^2 / (m_1 v^2)` says what `E_2` is as well.

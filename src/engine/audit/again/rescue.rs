@@ -266,7 +266,7 @@ impl Judge<'_> {
         // So does what speaks of some symbol on which what is cited is silent.
         let mut silent = goal.formula.names();
         silent.retain(|own| !own.is_unit());
-        for cited in assumed {
+        for cited in assumed.iter().filter(|own| !own.source.is_of_statement()) {
             let spoken_of = cited.formula.names();
             silent.retain(|own| !spoken_of.contains(own));
         }

@@ -1,7 +1,8 @@
 //! Steps that speak of what no equation before does: with any value of that they are refuted, which says nothing of the author's.
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
-use crate::derivation::{Assumed, Goal, Source};
+use crate::derivation::{Assumed, Goal, Source, goals};
+use crate::notation::Statement;
 use crate::search::Decision;
 use crate::sorted::Set;
 
@@ -53,6 +54,18 @@ impl Judge<'_> {
             near.iter()
                 .flat_map(|(one, other)| Formula::equal(one.clone(), other.clone()).names()),
         );
+        // "`r_n = … = n^2 a_0, \qquad a_0 = 0.529\,\mathrm{Å}`"
+        let is_said_beside = |symbol: &Symbol| {
+            let statements = self.derivation.equations[self.at].statements().iter();
+            let is_own = |own: &Goal| own.formula == goal.formula;
+            let others = statements.filter(|own| !goals(own).iter().any(is_own));
+            let begins = |own: &Statement| goals(own).into_iter().next();
+            let mut begun = others.filter_map(begins);
+            begun.any(|own| match own.formula.as_equation() {
+                Some((Expr::Symbol(own), _)) => own == symbol,
+                _ => false,
+            })
+        };
         let is_named = |symbol: &Symbol| {
             self.derivation
                 .is_named_in_words(self.at, symbol, &spoken_of)
@@ -62,7 +75,10 @@ impl Judge<'_> {
             says && self.is_integral(whole, value, assumed)
         };
         let mut silent = left.union(&right).filter(is_silent);
-        if is_integral() || silent.any(|own| is_general(own) || is_new(own) && is_named(own)) {
+        if is_integral()
+            || silent
+                .any(|own| is_general(own) || is_new(own) && (is_said_beside(own) || is_named(own)))
+        {
             found.leave_open("no equation before says what some symbol in it is");
         }
     }

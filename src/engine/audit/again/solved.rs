@@ -15,6 +15,17 @@ use super::super::stated::quantities;
 use super::conditions::takes_root;
 use super::there::{Asked, MayFail, Side, There, join, whole};
 
+/// What a new name for something that is solved for comes after.
+const SOLVING: [&str; 8] = [
+    "solve",
+    "solving",
+    "solved",
+    "solution",
+    "solutions",
+    "root",
+    "roots",
+    "zero",
+];
 /// So many laws that stand farther back are looked at.
 const MOST_LAWS: usize = 8;
 /// So many symbols may be what is solved for.
@@ -63,6 +74,7 @@ impl Judge<'_> {
         assumed.retain(|own| !self.is_of_case_before(own));
         // The name may say what it is that is solved for: `\omega_0`.
         let by_name = whole(new);
+        let is_by_name = set.is_empty();
         let gone = match set.is_empty() {
             true => by_name
                 .filter(|own| self.is_drawn_from(own, &assumed))
@@ -123,6 +135,10 @@ impl Judge<'_> {
         });
         if by_law.is_some() {
             return by_law;
+        }
+        // "A soap bubble has two surfaces, so `\Delta p_s = 4\gamma/R`" is no value of `\Delta p` for all its name.
+        if is_by_name && !self.says(&SOLVING) {
+            return None;
         }
         let mut told = others.into_iter().filter_map(|unknown| {
             let asked = Asked {

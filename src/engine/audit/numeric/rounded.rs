@@ -85,7 +85,7 @@ impl Auditor<'_> {
             }
             match entry.verdict == Verdict::Fails && is_near() {
                 true => leave_open(entry, ROUNDED),
-                false => self.leave_possible(at, entry),
+                false => self.leave_possible(judge, premises, entry),
             }
             return;
         }
@@ -136,7 +136,7 @@ impl Auditor<'_> {
             }
             // Where figures are cited, they may have told it.
             (Weighed::NoValue(_), _) if usable.numeric.is_empty() => {
-                return self.leave_possible(at, entry);
+                return self.leave_possible(judge, premises, entry);
             }
             _ => return,
         }
@@ -192,18 +192,38 @@ impl Auditor<'_> {
     }
 
     /// Leaves open what fails only for rounded numbers that may be so, as far as what it was judged from tells: somebody measured them.
-    fn leave_possible(&self, at: usize, entry: &mut Entry) {
+    ///
+    /// A whole number, `400\,\Omega`, must be possible as far as anything before tells.
+    fn leave_possible(&self, judge: &Judge, premises: &[usize], entry: &mut Entry) {
+        let at = judge.at;
         let is_possible = |own: &Judged| {
             let so = [judge::step(&own.goal.formula)];
-            let all: Vec<Assumed> = own.assumed.iter().cloned().chain(so).collect();
+            let [others, _] = judge.others(premises);
+            let is_whole = !is_weighed(&own.goal) && is_quantity(&own.goal);
+            let others = others.iter().filter(|_| is_whole);
+            let all = own.assumed.iter().chain(others).cloned().chain(so);
+            let all: Vec<Assumed> = all.collect();
             let claim = self.derivation.claim(at, &all, &own.goal.formula);
             let found = search::consistency(&claim, &self.hints());
             !matches!(found, search::Consistency::Contradictory(_))
         };
+        // `x_1 = \frac{5 + 7}{6} = 2`
+        let is_evaluated = |own: &Judged| {
+            let value = own.goal.formula.as_equation();
+            let is_figure = |term: &Expr| term.free_symbols().iter().all(Symbol::is_unit);
+            entry
+                .judged
+                .iter()
+                .any(|next| match (value, &next.goal.formula) {
+                    (Some((_, value)), Formula::Relation { left, right, .. }) => {
+                        value == left && is_figure(left) && is_figure(right)
+                    }
+                    _ => false,
+                })
+        };
+        let may_be = |own: &Judged| says_how_great(&own.goal) || is_evaluated(own);
         let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
-        if entry.verdict == Verdict::Fails
-            && refuted.all(|own| is_weighed(&own.goal) && is_possible(own))
-        {
+        if entry.verdict == Verdict::Fails && refuted.all(|own| may_be(own) && is_possible(own)) {
             leave_open(
                 entry,
                 "it says how great something is, and nothing before tells that",
@@ -241,6 +261,51 @@ impl Auditor<'_> {
 /// Whether a goal that is not proved is weighed: it ends in a rounded number, and is asserted as it stands.
 fn is_weighed(goal: &Goal) -> bool {
     goal.rounding.is_some() && goal.suppositions.is_empty() && !goal.questioned
+}
+
+/// Whether a goal says how great something is: it ends in a rounded number, or in figures from which that is worked out.
+fn says_how_great(goal: &Goal) -> bool {
+    let asserts = goal.suppositions.is_empty() && !goal.questioned;
+    is_weighed(goal) || asserts && is_measured(goal)
+}
+
+/// Whether a goal ends in figures, units or decimals among them, and begins with what is no figure.
+pub(in crate::audit) fn is_measured(goal: &Goal) -> bool {
+    let is_number = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
+    let has_units = |term: &Expr| term.free_symbols().iter().any(Symbol::is_unit);
+    let Some((left, right)) = goal.formula.as_equation() else {
+        return false;
+    };
+    let named = |term: &Expr| !term.free_symbols().iter().all(is_number);
+    let of_figures = !named(right) && (has_units(right) || has_decimals(right));
+    named(left)
+        && (of_figures || has_units(right) && !has_units(left))
+        && numeric::is_evaluable(right)
+}
+
+/// Whether a goal ends in a number with units beside it, and in nothing that is worked out.
+fn is_quantity(goal: &Goal) -> bool {
+    let is_unit = |own: &Expr| {
+        let symbols = own.free_symbols();
+        !symbols.is_empty() && symbols.iter().all(Symbol::is_unit)
+    };
+    match goal.formula.as_equation() {
+        Some((_, Expr::Product(factors))) => match factors.split_first() {
+            Some((Expr::Number(_), units)) => units.iter().all(is_unit),
+            _ => false,
+        },
+        Some((_, right)) => matches!(right, Expr::Number(_)),
+        None => false,
+    }
+}
+
+/// Whether a decimal stands in a term; a root has none in its exponent.
+fn has_decimals(term: &Expr) -> bool {
+    match term {
+        Expr::Number(own) => !own.is_integer(),
+        Expr::Power(base, _) => has_decimals(base),
+        own => own.children().any(has_decimals),
+    }
 }
 
 /// Leaves open what was refuted, and figures speak against: that is told instead.

@@ -20,6 +20,7 @@ mod group;
 mod name;
 mod partial;
 mod primitive;
+mod progression;
 mod quantifier;
 mod quantity;
 mod reason;
@@ -35,6 +36,7 @@ mod word;
 pub(crate) use function::angle_of;
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;
+pub(crate) use rounding::without_units;
 
 use std::convert::Infallible;
 

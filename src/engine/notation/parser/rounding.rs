@@ -5,8 +5,9 @@ use num_traits::{Signed, Zero};
 use super::both::refuse_signs;
 use super::term::counted;
 use super::{Kind, Parser, Read, refuse_with};
-use crate::algebra::{BigInt, BigRational, Expr, Relation};
+use crate::algebra::{BigInt, BigRational, Expr, Relation, Symbol};
 use crate::document::Span;
+use crate::interval::{Figures, Interval};
 use crate::notation::{Link, Precision, Rounding, Side};
 
 impl Parser<'_> {
@@ -45,7 +46,11 @@ impl Parser<'_> {
     pub(super) fn may_have_unit(&self, factor: &Expr) -> bool {
         let is_sum = |term: &Expr| matches!(term, Expr::Sum(terms) if terms.iter().all(counted));
         let has_signs = self.signs.as_ref().is_some_and(|signs| signs.met.is_some());
-        counted(factor) || has_signs && is_sum(factor)
+        // `\frac{4\pi \cdot 10^{-7}}{0.2}\ \mathrm{H}`, `\sqrt{2 \cdot 9.81}\ \mathrm{m/s}`
+        let is_number = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
+        let calculated = factor.free_symbols().iter().all(is_number)
+            && factor.any(&|part| matches!(part, Expr::Number(_)));
+        counted(factor) || calculated || has_signs && is_sum(factor)
     }
 
     /// Whether a number stands in an exponent: `^2`, `^{-19}`.
@@ -164,15 +169,85 @@ fn in_units(term: &Expr) -> Option<(BigRational, &[Expr])> {
     }
 }
 
-/// What has an uncertainty is nothing exactly.
+/// What has an uncertainty is nothing exactly, and what is worked out in numbers, `\frac{1361}{1.524^2} = 586`, is what it is rounded to.
 pub(super) fn loosen(sides: &[Side], links: &mut [Link]) {
     let is_loose = |side: &Side| {
         let rounding = side.rounding.as_ref();
         rounding.is_some_and(|own| own.precision == Precision::Stated)
     };
     for (link, pair) in links.iter_mut().zip(sides.windows(2)) {
-        if link.relation == Relation::Equal && pair.iter().any(is_loose) {
+        if link.relation == Relation::Equal && (pair.iter().any(is_loose) || is_rounded(pair)) {
             link.relation = Relation::Approximately;
         }
+    }
+}
+
+/// Whether a side is a number that the side before comes to when it is rounded, and is not that number.
+fn is_rounded(pair: &[Side]) -> bool {
+    let [worked_out, result] = pair else {
+        return false;
+    };
+    let Some(rounding) = &result.rounding else {
+        return false;
+    };
+    if matches!(worked_out.expr, Expr::Number(_) | Expr::Symbol(_)) {
+        return false;
+    }
+    // Of a whole number all digits are meant.
+    let share = match (rounding.precision, without_units(&result.expr)) {
+        (Precision::Whole, Expr::Number(whole)) if !whole.is_zero() => {
+            let own = (whole.abs() * BigRational::from_integer(2.into())).recip();
+            own.min(rounding.share.clone())
+        }
+        (Precision::Whole, _) => return false,
+        _ => rounding.share.clone(),
+    };
+    let (one, other) = (has_units(&worked_out.expr), has_units(&result.expr));
+    // `\frac{320 \cdot 480}{800} = 192\,\Omega` leaves the units out until the end.
+    let both = |side: &Side| match one == other {
+        true => value(&side.expr),
+        false => value(&without_units(&side.expr)),
+    };
+    let (Some(found), Some(result)) = (both(worked_out), both(result)) else {
+        return false;
+    };
+    let difference = (&found - &result).abs();
+    !difference.high().is_zero() && *difference.high() <= result.abs().high() * share
+}
+
+/// The value of what is made of numbers and units of the SI.
+fn value(term: &Expr) -> Option<Interval> {
+    let units: Vec<Symbol> = term.free_symbols().into_iter().collect();
+    let one = Interval::exactly(BigRational::from_integer(1.into()));
+    let is_known = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
+    if !units.iter().all(is_known) {
+        return None;
+    }
+    let units = units.into_iter().filter(Symbol::is_unit);
+    let figures: Figures = units.map(|unit| (unit, one.clone())).collect();
+    figures.value(term).ok()
+}
+
+fn has_units(term: &Expr) -> bool {
+    term.free_symbols().iter().any(Symbol::is_unit)
+}
+
+/// A number without the units that stand beside it.
+pub(crate) fn without_units(term: &Expr) -> Expr {
+    match term {
+        Expr::Product(factors) => {
+            let rest: Vec<Expr> = factors
+                .iter()
+                .filter(|own| !has_units(own))
+                .cloned()
+                .collect();
+            match rest.len() {
+                0 => Expr::integer(1),
+                1 => rest[0].clone(),
+                _ => Expr::Product(rest.into()),
+            }
+        }
+        Expr::Negate(inner) => Expr::Negate(without_units(inner).into()),
+        own => own.clone(),
     }
 }

@@ -2,11 +2,13 @@
 //!
 //! The summand of a `\sum` is the product that follows it, up to the next `+`, `-`, relation or closing delimiter.
 //! For a sum with dots, the term before the dots and the one after them must be the same but for a subscript; the
-//! terms before them must run up from 1 in the same pattern. What does not match is refused, never guessed at.
+//! terms before them must run up from 1 in the same pattern; or they are a [`progression`](super::progression). What does not match is
+//! refused, never guessed at.
 
 use std::sync::Arc;
 
 use super::name::with_subscript;
+use super::progression::{Progression, progression};
 use super::{Kind, Parser, Read, Term, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
 use crate::document::Span;
@@ -81,7 +83,14 @@ impl Parser<'_> {
     }
 
     /// Makes one term of `… + u_1 + u_2 + \cdots + u_k`, taking back from `terms` what belongs to it.
-    pub(super) fn dotted(&mut self, terms: &mut Vec<Term>, last: Term, dots: Span) -> Read<Term> {
+    ///
+    /// A sign before the dots is that of the terms that they stand for: of a progression, whose terms alternate, or are all negative.
+    pub(super) fn dotted(
+        &mut self,
+        terms: &mut Vec<Term>,
+        last: Term,
+        (dots, negative): (Span, bool),
+    ) -> Read<Term> {
         let Some(first) = terms.last() else {
             return refuse(dots, "nothing stands before these dots");
         };
@@ -94,8 +103,10 @@ impl Parser<'_> {
                 ),
             }
         };
-        let Some((low, high)) = hole(&first.expr, &last.expr) else {
-            return Err(mismatch(dots));
+        let hole = hole(&first.expr, &last.expr).filter(|_| !negative);
+        let Some((low, high)) = hole else {
+            let found = progression(terms, &last).ok_or_else(|| mismatch(dots))?;
+            return Ok(written_out(terms, last, &found));
         };
         let first_span = first.span;
         let Some(count) = low.parse::<usize>().ok().filter(|&count| count > 0) else {
@@ -197,6 +208,31 @@ impl Parser<'_> {
                 format!("the subscript `{text}` is no number of elements"),
             ),
         }
+    }
+}
+
+/// The sum of a progression, its terms taken back from `terms`.
+fn written_out(terms: &mut Vec<Term>, last: Term, found: &Progression) -> Term {
+    let to = Expr::Symbol(found.letter.clone());
+    let index = fresh_index(&[&last.expr]);
+    let own = match last.negative {
+        true => Expr::Negate(last.expr.clone().into()),
+        false => last.expr.clone(),
+    };
+    let body = own.substitute(&found.letter, &Expr::Symbol(index.clone()));
+    let taken = terms.drain(terms.len() - found.count..);
+    let span = taken.fold(last.span, |span, term| span.to(term.span));
+    let expr = Expr::Series {
+        index,
+        from: Expr::integer(found.from).into(),
+        to: to.into(),
+        body: body.into(),
+    };
+    Term {
+        expr,
+        span,
+        negative: false,
+        ..last
     }
 }
 

@@ -48,15 +48,13 @@ impl Parser<'_> {
                 && commands::is_dots(name)
                 && !terms.is_empty()
             {
-                if negative || dots.is_some() {
-                    return refuse(
-                        self.span(),
-                        "dots are read only once, and only after a `+` sign",
-                    );
+                if dots.is_some() {
+                    return refuse(self.span(), "dots are read only once");
                 }
-                dots = Some(self.span());
+                dots = Some((self.span(), negative));
                 self.advance();
-                if self.peek() != Kind::Char('+') {
+                let subtracts = negative && self.peek() == Kind::Char('-');
+                if self.peek() != Kind::Char('+') && !subtracts {
                     return refuse(
                         self.since(self.at - 1),
                         "after the dots, `+` and the last term are missing",
