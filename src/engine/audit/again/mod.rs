@@ -5,7 +5,7 @@
 //! value of a variable ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]). What is proved only with
 //! premises that no author joins is judged again without them ([`joined`]), or left open where they are of a case that may be over
 //! ([`lingering`]), and what refutes a step is held against what else stands before
-//! ([`against`]) and what the text calls near something ([`approximated`]). Nothing is refuted that words say more of than was understood ([`in_words`]),
+//! ([`against`]) what the text calls near something ([`approximated`]) and what it may say with a stroke ([`slashes`]). Nothing is refuted that words say more of than was understood ([`in_words`]),
 //! or that speaks of what nothing before does ([`silent`]). In which order all this is tried is said where a goal is judged.
 
 mod against;
@@ -21,6 +21,7 @@ mod named;
 mod overlooked;
 mod rescue;
 mod silent;
+mod slashes;
 mod solution;
 mod solved;
 pub(super) mod there;

@@ -206,6 +206,7 @@ impl Judge<'_> {
             self.heed_what_varies(goal, all, premises, found);
             self.heed_what_is_open(goal, all, premises, found);
             self.heed_approximations(goal, all, found);
+            self.heed_other_readings(goal, all, found);
         }
     }
 

@@ -1,0 +1,66 @@
+//! Formulas in the text with a stroke that may be meant otherwise: "with the Compton wavelength $\lambda_C = h/mc$".
+//!
+//! They are read as displays are, `h/mc` as `(h/m) c`. What follows where the other reading is taken is not refuted by this one.
+
+use crate::algebra::Formula;
+use crate::derivation::{Assumed, Goal, Source, formulas};
+use crate::notation::read_formulas;
+use crate::search::Decision;
+
+use super::super::judge::{Found, Judge};
+
+impl Judge<'_> {
+    /// Leaves open, and tells why, what follows where a formula in the text is read in its other way.
+    pub(in crate::audit) fn heed_other_readings(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        if !found.judged.outcome.is_refuted() {
+            return;
+        }
+        for (at, own) in assumed.iter().enumerate() {
+            for other in self.read_otherwise(own) {
+                let mut all = assumed.to_vec();
+                all[at].formula = other.into();
+                let decided = self.decide_from(&all, &goal.formula);
+                if matches!(decided, Some(Decision::Proven { .. }))
+                    && !self.is_contradictory(&all, goal)
+                {
+                    let told = self.text_of(own).unwrap_or_default();
+                    return found.leave_open(format!(
+                        "it follows where `{told}` is read with all that comes after the stroke below it"
+                    ));
+                }
+            }
+        }
+    }
+
+    fn text_of(&self, own: &Assumed) -> Option<&str> {
+        let Source::Local(page, local) = own.source else {
+            return None;
+        };
+        let source = &self.derivation.pages[page].document.source;
+        source.get(self.derivation.local(page, local).span.range())
+    }
+
+    /// What a hypothesis that the text states says where it is read in its other way.
+    fn read_otherwise(&self, own: &Assumed) -> Vec<Formula> {
+        let Source::Local(page, local) = own.source else {
+            return Vec::new();
+        };
+        if !self.text_of(own).is_some_and(|text| text.contains('/')) {
+            return Vec::new();
+        }
+        let source = &self.derivation.pages[page].document.source;
+        let span = self.derivation.local(page, local).span;
+        let read = read_formulas(source, span).unwrap_or_default();
+        let is_own = |said: &Formula| *said == *own.formula;
+        let meant = read.iter().filter(|said| formulas(said).iter().any(is_own));
+        let others = meant.flat_map(|said| &said.others);
+        others
+            .flat_map(|other| formulas(&other.statement))
+            .collect()
+    }
+}
