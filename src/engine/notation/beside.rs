@@ -177,7 +177,7 @@ fn length_of_name(text: &str) -> usize {
 }
 
 /// The symbol of a unit that is written as such or as a word: `km` of "kilometres".
-fn symbol_of(name: &str) -> Option<String> {
+pub(super) fn symbol_of(name: &str) -> Option<String> {
     if name == "\\%" || name == "%" {
         return Some("%".to_owned());
     }

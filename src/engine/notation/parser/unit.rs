@@ -9,8 +9,11 @@ use super::name::PROSE;
 use super::quantity::product;
 use super::{Before, BeforeKind, Factor, Kind, Parser, Read, Shape, refuse};
 use crate::algebra::{Expr, Symbol};
-use crate::notation::commands;
 use crate::notation::unit::{self, Unit};
+use crate::notation::{beside, commands};
+
+/// A shorter word spells no unit out.
+const SHORTEST_WORD: usize = 3;
 
 /// A unit in the tokens.
 pub(super) struct Written {
@@ -263,6 +266,16 @@ fn text_unit(words: &str, end: usize) -> Option<Written> {
             shy: !words.starts_with(char::is_whitespace),
             ..Written::of(unit::read(name).ok()?, vec![upright(name)], end)
         });
+    }
+    // `2.3\ \text{days}`
+    if name.len() >= SHORTEST_WORD
+        && let Some(symbol) = beside::symbol_of(name)
+    {
+        return Some(Written::of(
+            unit::read(&symbol).ok()?,
+            vec![upright(name)],
+            end,
+        ));
     }
     let several = name.contains(|c: char| !c.is_alphanumeric());
     let unit = unit::read(name).ok().filter(|_| several)?;
