@@ -29,7 +29,7 @@ mod unit;
 
 pub(crate) use commands::is_command;
 pub use lexer::is_constant_word;
-pub(crate) use parser::{angle_of, without_units};
+pub(crate) use parser::{angle_of, has_decimals, without_units};
 pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
     mathml_statement, plain, plain_formula, plain_statement, relation_latex, unbraced,

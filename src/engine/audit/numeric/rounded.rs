@@ -9,7 +9,7 @@ use num_traits::Zero;
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Goal, Printed, Source};
 use crate::kernel::Standing;
-use crate::notation::{Precision, Rounding};
+use crate::notation::{Precision, Rounding, has_decimals};
 
 use crate::search;
 
@@ -296,15 +296,6 @@ fn is_quantity(goal: &Goal) -> bool {
         },
         Some((_, right)) => matches!(right, Expr::Number(_)),
         None => false,
-    }
-}
-
-/// Whether a decimal stands in a term; a root has none in its exponent.
-fn has_decimals(term: &Expr) -> bool {
-    match term {
-        Expr::Number(own) => !own.is_integer(),
-        Expr::Power(base, _) => has_decimals(base),
-        own => own.children().any(has_decimals),
     }
 }
 

@@ -203,6 +203,11 @@ fn is_rounded(pair: &[Side]) -> bool {
         _ => rounding.share.clone(),
     };
     let (one, other) = (has_units(&worked_out.expr), has_units(&result.expr));
+    // Who writes `7 \pi = 22` means it.
+    let measured = one || other || has_decimals(&worked_out.expr);
+    if rounding.precision == Precision::Whole && !measured {
+        return false;
+    }
     // `\frac{320 \cdot 480}{800} = 192\,\Omega` leaves the units out until the end.
     let both = |side: &Side| match one == other {
         true => value(&side.expr),
@@ -230,6 +235,15 @@ fn value(term: &Expr) -> Option<Interval> {
 
 fn has_units(term: &Expr) -> bool {
     term.free_symbols().iter().any(Symbol::is_unit)
+}
+
+/// Whether a decimal stands in a term; a root has none in its exponent.
+pub(crate) fn has_decimals(term: &Expr) -> bool {
+    match term {
+        Expr::Number(own) => !own.is_integer(),
+        Expr::Power(base, _) => has_decimals(base),
+        own => own.children().any(has_decimals),
+    }
 }
 
 /// A number without the units that stand beside it.
