@@ -1,7 +1,7 @@
 //! One equation: what it may use, its statements one after another, and whether the page begins with it.
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Kind, Source, formulas, goals};
+use crate::derivation::{Assumed, Goal, Kind, Source, first_goal, formulas, goals};
 use crate::kernel::Standing;
 use crate::notation::Statement;
 use crate::sorted::Set;
@@ -27,12 +27,12 @@ impl Auditor<'_> {
     fn with_meanings(&self, at: usize, part: usize, usable: &Usable) -> Option<Usable> {
         let equation = &self.derivation.equations[at];
         let (own, later) = equation.statements()[part..].split_first()?;
+        if later.is_empty() || equation.introduces.is_empty() {
+            return None;
+        }
         let spoken_of: Set<Symbol> = formulas(own).iter().flat_map(Formula::names).collect();
-        let begun = goals(own).into_iter().next();
-        let defines = |new: &Symbol| {
-            let begun = begun.as_ref().and_then(|goal| goal.formula.as_equation());
-            matches!(begun, Some((Expr::Symbol(own), _)) if own == new)
-        };
+        let begun = first_goal(own);
+        let defines = |new: &Symbol| begun.as_ref().is_some_and(|own| own.is_of(new));
         let means = |goal: &Goal| match goal.formula.as_equation() {
             Some((Expr::Symbol(new), term)) => {
                 let is_new = equation.introduces.contains(new) && spoken_of.contains(new);
@@ -40,12 +40,11 @@ impl Auditor<'_> {
             }
             _ => false,
         };
-        let first = |own: &Statement| goals(own).into_iter().next();
         let later = later
             .iter()
             .take(MOST_MEANINGS)
             .filter(|own| own.under.is_empty());
-        let meanings: Vec<Goal> = later.filter_map(first).filter(means).collect();
+        let meanings: Vec<Goal> = later.filter_map(first_goal).filter(means).collect();
         if meanings.is_empty() {
             return None;
         }

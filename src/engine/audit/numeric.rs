@@ -12,7 +12,9 @@ use crate::algebra::{
 use crate::derivation::{Assumed, Datum, Derivation, Goal, Printed, Source, goals};
 use crate::document::Span;
 use crate::interval::{Compared, Figures, Interval, NoInterval};
-use crate::notation::{Precision, Rounding, measured, read_formulas, without_units};
+use crate::notation::{
+    Precision, Rounding, has_units, in_si, measured, read_formulas, without_units,
+};
 use crate::sorted::{Map, Set};
 
 pub(super) use self::rounded::{is_measured, open_by_figures};
@@ -224,7 +226,6 @@ impl Known<'_> {
         let Formula::Relation { left, right, .. } = &link.goal.formula else {
             return;
         };
-        let has_units = |term: &Expr| term.free_symbols().iter().any(Symbol::is_unit);
         if has_units(left) == has_units(right) {
             return;
         }
@@ -562,19 +563,6 @@ fn of_element(formula: &Formula, symbol: &Symbol) -> Option<Expr> {
     };
     let has_others = value.free_symbols().iter().any(is_other) || value.has_elements();
     (!has_others).then(|| value.substitute(&index, &Expr::integer(position)))
-}
-
-/// A term with its units left out, for figures are in those of the SI.
-fn in_si(term: &Expr) -> Expr {
-    let units: Vec<Symbol> = term
-        .free_symbols()
-        .into_iter()
-        .filter(Symbol::is_unit)
-        .collect();
-    let one = Expr::integer(1);
-    units
-        .iter()
-        .fold(term.clone(), |term, unit| term.substitute(unit, &one))
 }
 
 /// Whether a term is made of what intervals know.

@@ -240,8 +240,7 @@ impl Judge<'_> {
 
     /// Whether all equations that a link was judged from stand in sections before: another circuit has another output.
     fn is_of_another_section(&self, judged: &Judged) -> bool {
-        let own = &self.derivation.equations[self.at];
-        let start = self.derivation.equations_of(own.page).start + own.section_start;
+        let start = self.derivation.section_start(self.at);
         let mut from = judged.assumed.iter().filter_map(|own| match own.source {
             Source::Equation(premise) => Some(premise),
             _ => None,

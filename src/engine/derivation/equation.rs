@@ -150,6 +150,19 @@ pub struct Goal {
     pub clause: usize,
 }
 
+impl Goal {
+    /// Whether it says of a symbol what it is: `s = …`.
+    pub fn is_of(&self, symbol: &Symbol) -> bool {
+        let sides = self.formula.as_equation();
+        matches!(sides, Some((Expr::Symbol(own), _)) if own == symbol)
+    }
+}
+
+/// The first goal of a statement.
+pub fn first_goal(statement: &Statement) -> Option<Goal> {
+    goals(statement).into_iter().next()
+}
+
 /// The goals of a statement, in the order in which they are to be judged.
 pub fn goals(statement: &Statement) -> Vec<Goal> {
     let equivalent = |at: usize| {

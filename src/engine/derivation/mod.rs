@@ -59,7 +59,7 @@ pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use citations::Unknown;
 pub use claim::is_open;
-pub use equation::{Equation, Goal, Kind, conditions, formulas, goals, unconditional};
+pub use equation::{Equation, Goal, Kind, conditions, first_goal, formulas, goals, unconditional};
 pub(crate) use meanings::renamed;
 pub(crate) use names::{dotted, without_dots};
 pub use page::{Datum, Page, Premises};
@@ -225,6 +225,12 @@ impl Derivation {
     pub fn before_display(&self, at: usize) -> Option<usize> {
         let before = self.display_start(at).checked_sub(1)?;
         (self.equations[before].page == self.equations[at].page).then_some(before)
+    }
+
+    /// The first equation of the section that an equation stands in.
+    pub fn section_start(&self, at: usize) -> usize {
+        let own = &self.equations[at];
+        self.equations_of(own.page).start + own.section_start
     }
 
     /// Whether what is said at a place of the same page is said after that display.

@@ -55,9 +55,8 @@ impl Derivation {
     /// The mathematics in the text between a display and the one before it.
     pub fn inline_before(&self, at: usize) -> impl Iterator<Item = &Inline> {
         let own = &self.equations[at];
-        let displays = &self.equations[self.equations_of(own.page).start..at];
-        let mut before = displays.iter().rev().map(|other| other.span.end);
-        let from = before.find(|&end| end <= own.span.start).unwrap_or(0);
+        let before = self.before_display(at);
+        let from = before.map_or(0, |before| self.equations[before].span.end);
         let document = &self.pages[own.page].document;
         document.inline_between(from, own.span.start)
     }

@@ -66,10 +66,9 @@ impl Derivation {
             .take(MOST_SAID)
             .collect();
         let conditions_at = |at: usize| conditions_at(page, &all, at);
-        let displays = &self.equations[self.equations_of(equation.page).start..at];
-        let mut before = displays.iter().rev().map(|own| own.span.end);
-        let before = before.find(|&end| end <= equation.span.start);
-        let first = all.partition_point(|body| before.is_some_and(|end| body.start < end));
+        let before = self.before_display(at);
+        let from = before.map_or(0, |before| self.equations[before].span.end);
+        let first = all.partition_point(|body| body.start < from);
         let said: Vec<ConditionSaid> = (first..all.len()).rev().flat_map(conditions_at).collect();
         match said.is_empty() {
             true => (0..first).rev().flat_map(conditions_at).collect(),
@@ -87,11 +86,10 @@ impl Derivation {
             None => document.source.len(),
         };
         // What stands below the next heading is said of something else.
-        let mut headings = document.items.iter().filter_map(|item| match item {
-            Item::Heading { span, .. } if span.start >= own.span.end => Some(span.start),
-            _ => None,
-        });
-        let until = headings.next().map_or(until, |heading| heading.min(until));
+        let after = (document.items).partition_point(|item| item.span().start < own.span.end);
+        let mut after = document.items[after..].iter();
+        let heading = after.find(|item| matches!(item, Item::Heading { .. }));
+        let until = heading.map_or(until, |heading| heading.span().start.min(until));
         let bodies = document.inline().map(|math| math.body);
         let bodies = bodies.take_while(|body| body.end <= until);
         let may_be_figure = |body: &Span| {

@@ -5,7 +5,7 @@
 
 use num_traits::{One, Zero};
 
-use super::{Before, BeforeKind, Clause, Statement, unit};
+use super::{Before, BeforeKind, Clause, Statement, figures, unit};
 use crate::algebra::{BigRational, Expr, Symbol};
 use crate::document::Span;
 
@@ -55,11 +55,9 @@ pub(super) fn in_si(source: &str, body: Span, statements: &mut [Statement]) {
     let by = match factor_after(source, body.end) {
         Some(Factor::Unit(number)) if !number.is_one() => number,
         Some(Factor::Degrees) => {
-            let pi = Symbol::new("\\pi");
-            let over = Expr::Product([side.expr.clone(), Expr::Symbol(pi.clone())].into());
-            side.expr = Expr::Quotient(over.into(), Expr::integer(180).into());
+            side.expr = figures::degrees(side.expr.clone());
             let before = Before {
-                name: pi,
+                name: Symbol::new("\\pi"),
                 span: side.span,
                 kind: BeforeKind::Degrees,
             };

@@ -16,6 +16,7 @@
 
 mod beside;
 mod commands;
+mod figures;
 mod fold;
 mod lexer;
 mod parser;
@@ -28,8 +29,9 @@ mod typeset;
 mod unit;
 
 pub(crate) use commands::is_command;
+pub(crate) use figures::{has_decimals, has_units, in_si, is_figures, without_units};
 pub use lexer::is_constant_word;
-pub(crate) use parser::{angle_of, has_decimals, without_units};
+pub(crate) use parser::angle_of;
 pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
     mathml_statement, plain, plain_formula, plain_statement, relation_latex, unbraced,

@@ -73,7 +73,7 @@ impl Judge<'_> {
         let bodies = self.derivation.inline_before(self.at).map(|math| math.body);
         let mut found = Vec::new();
         for body in bodies {
-            let text = document.source.get(body.range()).unwrap_or_default();
+            let text = document.text(body);
             if !["\\approx", "\\simeq", "≈", "\\sim"]
                 .iter()
                 .any(|sign| text.contains(sign))

@@ -72,7 +72,7 @@ impl Judge<'_> {
         let last = self.derivation.before_display(self.at);
         let before = last.map(|last| self.derivation.display_start(last)..last + 1);
         let is_before = before.is_some_and(|before| before.contains(&other));
-        let starts = self.derivation.equations_of(own.page).start + own.section_start;
+        let starts = self.derivation.section_start(self.at);
         own.drawn && is_before && other >= starts
     }
 }

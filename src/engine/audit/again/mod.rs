@@ -4,9 +4,10 @@
 //! ([`named`], [`there`], [`unitless`]). They leave unsaid that something is not 0 ([`unstated`], [`conditions`]), that it is so for every
 //! value of a variable ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]). What is proved only with
 //! premises that no author joins is judged again without them ([`joined`]), or left open where they are of a case that may be over
-//! ([`lingering`]), and what refutes a step is held against what else stands before
-//! ([`against`]) what the text calls near something ([`approximated`]) and what it may say with a stroke ([`slashes`]). Nothing is refuted that words say more of than was understood ([`in_words`]),
-//! or that speaks of what nothing before does ([`silent`]). In which order all this is tried is said where a goal is judged.
+//! ([`lingering`]), and what refutes a step is held against what else stands before ([`against`]), what the text calls near something
+//! ([`approximated`]) and what it may say with a stroke ([`slashes`]). Nothing is refuted that words say more of than was understood
+//! ([`in_words`]), or that speaks of what nothing before does ([`silent`]). In which order all this is tried is said where a goal is
+//! judged.
 
 mod against;
 mod approximated;

@@ -201,10 +201,10 @@ impl Judge<'_> {
         if own.anew.is_empty() {
             return None;
         }
-        let page = self.derivation.equations_of(own.page);
+        let start = self.derivation.section_start(self.at);
         let (cited, ..) = self.derivation.premises(self.at);
         let mut above = sources.iter().filter_map(|source| match *source {
-            Source::Equation(other) if other < page.start + own.section_start => Some(other),
+            Source::Equation(other) if other < start => Some(other),
             _ => None,
         });
         let letter = above.find_map(|other| {

@@ -1,8 +1,7 @@
 //! Steps that speak of what no equation before does: with any value of that they are refuted, which says nothing of the author's.
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
-use crate::derivation::{Assumed, Goal, Source, goals};
-use crate::notation::Statement;
+use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
 use crate::search::Decision;
 use crate::sorted::Set;
 
@@ -48,27 +47,23 @@ impl Judge<'_> {
         let is_new = |symbol: &Symbol| {
             introduced.contains(symbol) && left.contains(symbol) != right.contains(symbol)
         };
-        let mut spoken_of: Set<Symbol> = before.union(&goal.formula.names()).cloned().collect();
-        let near = self.approximations();
-        spoken_of.extend(
-            near.iter()
-                .flat_map(|(one, other)| Formula::equal(one.clone(), other.clone()).names()),
-        );
+        let spoken_of = || {
+            let near = self.approximations();
+            let near = near.iter().flat_map(|(one, other)| [one, other]);
+            let mut all: Set<Symbol> = before.union(&goal.formula.names()).cloned().collect();
+            all.extend(Formula::names_in(near));
+            all
+        };
         // "`r_n = … = n^2 a_0, \qquad a_0 = 0.529\,\mathrm{Å}`"
         let is_said_beside = |symbol: &Symbol| {
             let statements = self.derivation.equations[self.at].statements().iter();
             let is_own = |own: &Goal| own.formula == goal.formula;
             let others = statements.filter(|own| !goals(own).iter().any(is_own));
-            let begins = |own: &Statement| goals(own).into_iter().next();
-            let mut begun = others.filter_map(begins);
-            begun.any(|own| match own.formula.as_equation() {
-                Some((Expr::Symbol(own), _)) => own == symbol,
-                _ => false,
-            })
+            others.filter_map(first_goal).any(|own| own.is_of(symbol))
         };
         let is_named = |symbol: &Symbol| {
             self.derivation
-                .is_named_in_words(self.at, symbol, &spoken_of)
+                .is_named_in_words(self.at, symbol, &spoken_of())
         };
         let is_integral = || {
             let says = found.mended.is_none() && self.says(&INTEGRATING);

@@ -21,14 +21,16 @@ impl Judge<'_> {
             return;
         }
         for (at, own) in assumed.iter().enumerate() {
-            for other in self.read_otherwise(own) {
+            let Some((told, others)) = self.read_otherwise(own) else {
+                continue;
+            };
+            for other in others {
                 let mut all = assumed.to_vec();
                 all[at].formula = other.into();
                 let decided = self.decide_from(&all, &goal.formula);
                 if matches!(decided, Some(Decision::Proven { .. }))
                     && !self.is_contradictory(&all, goal)
                 {
-                    let told = self.text_of(own).unwrap_or_default();
                     return found.leave_open(format!(
                         "it follows where `{told}` is read with all that comes after the stroke below it"
                     ));
@@ -37,30 +39,22 @@ impl Judge<'_> {
         }
     }
 
-    fn text_of(&self, own: &Assumed) -> Option<&str> {
+    /// What a hypothesis that the text states says where it is read in its other ways, after its text.
+    fn read_otherwise(&self, own: &Assumed) -> Option<(&str, Vec<Formula>)> {
         let Source::Local(page, local) = own.source else {
             return None;
         };
-        let source = &self.derivation.pages[page].document.source;
-        source.get(self.derivation.local(page, local).span.range())
-    }
-
-    /// What a hypothesis that the text states says where it is read in its other way.
-    fn read_otherwise(&self, own: &Assumed) -> Vec<Formula> {
-        let Source::Local(page, local) = own.source else {
-            return Vec::new();
-        };
-        if !self.text_of(own).is_some_and(|text| text.contains('/')) {
-            return Vec::new();
-        }
-        let source = &self.derivation.pages[page].document.source;
+        let document = &self.derivation.pages[page].document;
         let span = self.derivation.local(page, local).span;
-        let read = read_formulas(source, span).unwrap_or_default();
+        let told = document.text(span);
+        if !told.contains('/') {
+            return None;
+        }
+        let read = read_formulas(&document.source, span).ok()?;
         let is_own = |said: &Formula| *said == *own.formula;
         let meant = read.iter().filter(|said| formulas(said).iter().any(is_own));
         let others = meant.flat_map(|said| &said.others);
-        others
-            .flat_map(|other| formulas(&other.statement))
-            .collect()
+        let others = others.flat_map(|other| formulas(&other.statement));
+        Some((told, others.collect()))
     }
 }

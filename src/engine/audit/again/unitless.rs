@@ -3,10 +3,10 @@
 //! Who reckons in units of the SI may leave them out. What follows so follows; of what does not nothing is said, for other units may be
 //! meant.
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::document::Span;
-use crate::notation::read_expr;
+use crate::notation::{has_units, read_expr};
 use crate::search::Effort;
 
 use super::super::judge::{Found, Judge};
@@ -19,7 +19,7 @@ impl Judge<'_> {
         assumed: &[Assumed],
         found: &mut Found,
     ) -> bool {
-        let has_units = |formula: &Formula| formula.free_symbols().iter().any(Symbol::is_unit);
+        let has_units = |formula: &Formula| formula.terms().into_iter().any(has_units);
         if has_units(&goal.formula) || !assumed.iter().any(|own| has_units(&own.formula)) {
             return false;
         }

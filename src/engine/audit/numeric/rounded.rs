@@ -9,7 +9,7 @@ use num_traits::Zero;
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Goal, Printed, Source};
 use crate::kernel::Standing;
-use crate::notation::{Precision, Rounding, has_decimals};
+use crate::notation::{Precision, Rounding, has_decimals, has_units, is_figures};
 
 use crate::search;
 
@@ -198,9 +198,10 @@ impl Auditor<'_> {
         let at = judge.at;
         let is_possible = |own: &Judged| {
             let so = [judge::step(&own.goal.formula)];
-            let [others, _] = judge.others(premises);
-            let is_whole = !is_weighed(&own.goal) && is_quantity(&own.goal);
-            let others = others.iter().filter(|_| is_whole);
+            let others: &[Assumed] = match !is_weighed(&own.goal) && is_quantity(&own.goal) {
+                true => &judge.others(premises)[0],
+                false => &[],
+            };
             let all = own.assumed.iter().chain(others).cloned().chain(so);
             let all: Vec<Assumed> = all.collect();
             let claim = self.derivation.claim(at, &all, &own.goal.formula);
@@ -271,14 +272,11 @@ fn says_how_great(goal: &Goal) -> bool {
 
 /// Whether a goal ends in figures, units or decimals among them, and begins with what is no figure.
 pub(in crate::audit) fn is_measured(goal: &Goal) -> bool {
-    let is_number = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
-    let has_units = |term: &Expr| term.free_symbols().iter().any(Symbol::is_unit);
     let Some((left, right)) = goal.formula.as_equation() else {
         return false;
     };
-    let named = |term: &Expr| !term.free_symbols().iter().all(is_number);
-    let of_figures = !named(right) && (has_units(right) || has_decimals(right));
-    named(left)
+    let of_figures = is_figures(right) && (has_units(right) || has_decimals(right));
+    !is_figures(left)
         && (of_figures || has_units(right) && !has_units(left))
         && numeric::is_evaluable(right)
 }

@@ -10,7 +10,6 @@ const FEWEST_LETTERS: usize = 4;
 const TAGS: [&str; 2] = ["\\tag{", "\\tag*{"];
 
 /// The words that are numbers of displays: `\tag{Newton}`.
-#[derive(Default)]
 pub(super) struct Names(BTreeSet<String>);
 
 impl Names {

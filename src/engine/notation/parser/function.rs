@@ -6,6 +6,7 @@ use super::{
     refuse_with,
 };
 use crate::algebra::{BigRational, Expr, Function, Symbol};
+use crate::notation::figures;
 use crate::notation::{commands, latex};
 use num_traits::One;
 
@@ -352,15 +353,13 @@ impl Parser<'_> {
     /// `30^\circ` is `30 \pi/180`. Whether π is the number on the page is looked at later.
     pub(super) fn degrees(&mut self, start: usize, number: Expr) -> Factor {
         self.at += self.length_of_degrees();
-        let pi = Symbol::new("\\pi");
         self.before.push(Before {
-            name: pi.clone(),
+            name: Symbol::new("\\pi"),
             span: self.since(start),
             kind: BeforeKind::Degrees,
         });
-        let over = Expr::Product([number, Expr::Symbol(pi)].into());
         Factor {
-            expr: Expr::Quotient(over.into(), Expr::integer(180).into()),
+            expr: figures::degrees(number),
             shape: Shape::Tight,
             span: self.since(start),
             braces: false,

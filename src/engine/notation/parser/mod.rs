@@ -36,7 +36,6 @@ mod word;
 pub(crate) use function::angle_of;
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;
-pub(crate) use rounding::{has_decimals, without_units};
 
 use std::convert::Infallible;
 

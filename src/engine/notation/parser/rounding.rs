@@ -5,10 +5,13 @@ use num_traits::{Signed, Zero};
 use super::both::refuse_signs;
 use super::term::counted;
 use super::{Kind, Parser, Read, refuse_with};
-use crate::algebra::{BigInt, BigRational, Expr, Relation, Symbol};
+use crate::algebra::{BigInt, BigRational, Expr, Relation};
 use crate::document::Span;
 use crate::interval::{Figures, Interval};
-use crate::notation::{Link, Precision, Rounding, Side};
+use crate::notation::figures::is_degrees;
+use crate::notation::{
+    Link, Precision, Rounding, Side, has_decimals, has_units, in_si, is_figures, without_units,
+};
 
 impl Parser<'_> {
     /// How near a side that began at `start` is meant, if it is one number, perhaps with a power of ten and units.
@@ -47,9 +50,7 @@ impl Parser<'_> {
         let is_sum = |term: &Expr| matches!(term, Expr::Sum(terms) if terms.iter().all(counted));
         let has_signs = self.signs.as_ref().is_some_and(|signs| signs.met.is_some());
         // `\frac{4\pi \cdot 10^{-7}}{0.2}\ \mathrm{H}`, `\sqrt{2 \cdot 9.81}\ \mathrm{m/s}`
-        let is_number = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
-        let calculated = factor.free_symbols().iter().all(is_number)
-            && factor.any(&|part| matches!(part, Expr::Number(_)));
+        let calculated = is_figures(factor) && factor.any(&|part| matches!(part, Expr::Number(_)));
         counted(factor) || calculated || has_signs && is_sum(factor)
     }
 
@@ -91,15 +92,6 @@ impl Parser<'_> {
             ..upper
         })
     }
-}
-
-/// Whether a term is what so many degrees come to: `30 \pi/180`.
-fn is_degrees(term: &Expr) -> bool {
-    let Expr::Quotient(over, under) = term else {
-        return false;
-    };
-    let is_number = |factors: &[Expr]| matches!(factors, [Expr::Number(_), Expr::Symbol(_)]);
-    **under == Expr::integer(180) && matches!(&**over, Expr::Product(own) if is_number(own))
 }
 
 /// Half a unit of the last digit of a number, as a share of it. Of a whole number the noughts at its end say nothing.
@@ -220,48 +212,7 @@ fn is_rounded(pair: &[Side]) -> bool {
     !difference.high().is_zero() && *difference.high() <= result.abs().high() * share
 }
 
-/// The value of what is made of numbers and units of the SI.
+/// The value of what is made of figures.
 fn value(term: &Expr) -> Option<Interval> {
-    let units: Vec<Symbol> = term.free_symbols().into_iter().collect();
-    let one = Interval::exactly(BigRational::from_integer(1.into()));
-    let is_known = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
-    if !units.iter().all(is_known) {
-        return None;
-    }
-    let units = units.into_iter().filter(Symbol::is_unit);
-    let figures: Figures = units.map(|unit| (unit, one.clone())).collect();
-    figures.value(term).ok()
-}
-
-fn has_units(term: &Expr) -> bool {
-    term.free_symbols().iter().any(Symbol::is_unit)
-}
-
-/// Whether a decimal stands in a term; a root has none in its exponent.
-pub(crate) fn has_decimals(term: &Expr) -> bool {
-    match term {
-        Expr::Number(own) => !own.is_integer(),
-        Expr::Power(base, _) => has_decimals(base),
-        own => own.children().any(has_decimals),
-    }
-}
-
-/// A number without the units that stand beside it.
-pub(crate) fn without_units(term: &Expr) -> Expr {
-    match term {
-        Expr::Product(factors) => {
-            let rest: Vec<Expr> = factors
-                .iter()
-                .filter(|own| !has_units(own))
-                .cloned()
-                .collect();
-            match rest.len() {
-                0 => Expr::integer(1),
-                1 => rest[0].clone(),
-                _ => Expr::Product(rest.into()),
-            }
-        }
-        Expr::Negate(inner) => Expr::Negate(without_units(inner).into()),
-        own => own.clone(),
-    }
+    is_figures(term).then(|| Figures::default().value(&in_si(term)).ok())?
 }
