@@ -86,6 +86,9 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     retraction::tell_kinds_apart(source, &tokens[..end], &mut found, &mut mentions);
     found.extend(compared::read(source, &tokens[..end]));
     found.extend(contrary::read(source, &tokens[..end]));
+    // Of two values at once nobody knows which is meant where.
+    let both = alternatives::both(source, &tokens[..end]);
+    found.retain(|own| !both.contains(&own.body));
     found.extend(alternatives::read(source, &tokens[..end]));
     found.extend(over::read(source, &tokens[..end]));
     found.extend(unknown::read(source, &tokens[..end]));

@@ -286,6 +286,17 @@ impl Judge<'_> {
         };
         let mentioned = mentioned.filter(|(span, _)| is_meant(*span));
         words.extend(mentioned.map(|(_, formula)| step(&formula)));
+        // "Setting $x = 0$ and $x = L$": nobody knows which is meant where.
+        let sets = |own: &Assumed| {
+            let (left, right) = own.formula.as_equation()?;
+            matches!(left, Expr::Symbol(_)).then(|| (left.clone(), right.clone()))
+        };
+        let set: Vec<(Expr, Expr)> = words.iter().filter_map(sets).collect();
+        let is_both = |(of, is): (Expr, Expr)| {
+            let mut others = set.iter();
+            others.any(|(other, value)| *other == of && *value != is)
+        };
+        words.retain(|own| !sets(own).is_some_and(is_both));
         let page = self.derivation.equations[self.at].page;
         let is_unknown = |part: &Expr| match part {
             Expr::Apply(name, _) => !self.derivation.is_spoken_of(page, name),

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 use crate::algebra::{Expr, Formula};
-use crate::derivation::{Assumed, Goal, Kind, Source};
+use crate::derivation::{Assumed, Goal, Kind};
 use crate::kernel::{Assignment, Obligation, Refuted};
 use crate::search::{self, Decision, Derived, Effort, Stop};
 
@@ -98,7 +98,7 @@ impl Judge<'_> {
     fn proved(&self, own: &Posed, posed: &Obligation, derived: Derived, found: &mut Found) {
         let &Posed { goal, assumed, .. } = own;
         let (kept, least) = self.least(assumed.to_vec(), goal, posed, derived);
-        if kept.iter().any(|a| a.source != Source::Step) && self.contradicts_itself(posed) {
+        if !kept.is_empty() && self.contradicts_itself(posed) {
             found.contradictory = sources(assumed);
             found.judged.outcome = Outcome::open(CONTRADICTORY);
             return;

@@ -1,9 +1,10 @@
 //! Cases that are counted: "Either $x > 0$ or $x < 0$. In the first case", "We distinguish two cases, $a = b$ and $a \neq b$."
 
-use super::super::prose::{Placed, lead};
+use super::super::prose::{Placed, Token, lead};
 use super::super::words::Words;
-use super::super::{Supposition, SuppositionKind};
+use super::super::{Span, Supposition, SuppositionKind};
 use super::mathematics::stated;
+use crate::sorted::Set;
 
 /// A sentence with one of these counts what is stated in it.
 static COUNTING: Words = Words::of(&["either", "cases", "possibilities", "alternatives", "or"]);
@@ -27,6 +28,31 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
             found.extend(counted(source, sentence));
         } else {
             found.extend(taken_up(sentence));
+        }
+    }
+    found
+}
+
+/// The values that something is given side by side: "setting $x = 0$ and $x = L$".
+pub(super) fn both(source: &str, tokens: &[Placed<'_>]) -> Set<Span> {
+    let mut found = Set::new();
+    let mut last: Option<(Span, &str, &str)> = None;
+    for (token, _) in tokens {
+        match *token {
+            Token::Math(body) => {
+                let text = source.get(body.range()).unwrap_or_default();
+                let sides = text.split_once('=').map(|(of, is)| (of.trim(), is.trim()));
+                let own = sides.map(|(of, is)| (body, of, is));
+                if let (Some((before, of, is)), Some((_, own, value))) = (last, own)
+                    && of == own
+                    && is != value
+                {
+                    found.extend([before, body]);
+                }
+                last = own;
+            }
+            token if token.is_among(&["and", "or"]) || token.is_mark(',') => {}
+            _ => last = None,
         }
     }
     found

@@ -33,7 +33,7 @@ pub(super) fn says_zero(source: &str, token: Token<'_>) -> bool {
 /// Whether inline math says that something is a number: `x = 0`.
 pub(super) fn is_number(math: &str) -> bool {
     let value = math.rsplit('=').next().unwrap_or(math);
-    let value = ["\\frac", "\\tfrac", "\\dfrac"]
+    let value = ["\\frac", "\\tfrac", "\\dfrac", "\\pi"]
         .iter()
         .fold(value.to_owned(), |v, f| v.replace(f, ""));
     !value.contains(char::is_alphabetic)
