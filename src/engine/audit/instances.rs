@@ -11,6 +11,8 @@ use super::judge::{Found, Judge};
 
 /// So many symbols of a law have the index where it is meant for that.
 const LEAST_INDEXED: usize = 2;
+/// How names write a prime.
+const PRIME: &str = "'";
 /// A step compares few things.
 const MOST_INDICES: usize = 4;
 
@@ -23,19 +25,34 @@ impl Judge<'_> {
         let told = assumed.iter().filter(|own| !said(own));
         let mut spoken = names.clone();
         spoken.extend(told.flat_map(|own| own.formula.names()));
-        let laws = || assumed.iter().filter(said);
+        // "so that $f = v/\lambda$" tells a law, "$n = 2$" a value.
+        let mut told = self.derivation.told(self.at);
+        told.retain(|own| own.formula.names().len() > LEAST_INDEXED);
+        let laws = || assumed.iter().filter(said).chain(&told);
         let has_law = |symbol: &Symbol| {
             let mut terms = laws().flat_map(|own| own.formula.terms());
             terms.any(|term| term.mentions(symbol))
         };
         // Of what has an equation of its own nothing is said by another.
-        let indexed = spoken.iter().filter_map(|own| Some((own, index(own)?)));
+        // A letter that runs is none of a thing, unless it is a number that laws speak of: `\lambda_n = 2 L/n`.
+        let is_number = |index: &str| {
+            let own = Symbol::new(index.trim_start_matches('_'));
+            spoken.contains(&own) || has_law(&own)
+        };
+        let is_meant = |own: &Symbol| is_of_thing(own) || tells_apart(own).is_some_and(is_number);
+        let indexed = spoken.iter().filter(|own| is_meant(own));
+        let indexed = indexed.filter_map(|own| Some((own, tells_apart(own)?)));
         let new = indexed.filter(|(own, _)| !has_law(own));
         let indices: Set<&str> = new.map(|(_, index)| index).collect();
         if indices.is_empty() || indices.len() > MOST_INDICES {
             return Vec::new();
         }
-        let instance = |law, index| self.instance(law, index, &spoken);
+        // Where there are slopes a prime may be one.
+        let slopes = assumed.iter().any(|own| own.formula.speaks_of_slopes());
+        let instance = |law, index| match index {
+            PRIME if slopes || goal.formula.speaks_of_slopes() => None,
+            index => self.instance(law, index, &spoken, &has_law),
+        };
         let all = laws().flat_map(|law| indices.iter().filter_map(|index| instance(law, index)));
         let all: Vec<Assumed> = all.collect();
         let of_instances: Set<Symbol> = all.iter().flat_map(|own| own.formula.names()).collect();
@@ -47,7 +64,13 @@ impl Judge<'_> {
     }
 
     /// A law for the thing with an index, where enough is `spoken` of that has the index.
-    fn instance(&self, law: &Assumed, index: &str, spoken: &Set<Symbol>) -> Option<Assumed> {
+    fn instance(
+        &self,
+        law: &Assumed,
+        index: &str,
+        spoken: &Set<Symbol>,
+        has_law: &impl Fn(&Symbol) -> bool,
+    ) -> Option<Assumed> {
         law.formula.as_equation()?;
         let page = self.derivation.equations[self.at].page;
         let names = law.formula.names();
@@ -57,7 +80,10 @@ impl Judge<'_> {
             exists.then(|| (name.clone(), own))
         };
         let put: Map<Symbol, Symbol> = names.iter().filter_map(indexed).collect();
-        let here = put.values().filter(|own| spoken.contains(*own)).count();
+        let here = put
+            .values()
+            .filter(|own| spoken.contains(*own) || has_law(own));
+        let here = here.count();
         if here < LEAST_INDEXED || put.values().any(|own| names.contains(own)) {
             return None;
         }
@@ -97,6 +123,20 @@ pub(super) fn index(symbol: &Symbol) -> Option<&str> {
     let (stem, index) = split_subscript(symbol.name())?;
     let runs = index.len() == 1 && index.bytes().all(|byte| (b'i'..=b'n').contains(&byte));
     symbol.name().get(stem.len()..).filter(|_| !runs)
+}
+
+/// Whether it has an index that does not run, or a prime.
+fn is_of_thing(symbol: &Symbol) -> bool {
+    index(symbol).is_some() || tells_apart(symbol) == Some(PRIME)
+}
+
+/// What tells a symbol from others of its kind: an index, be it a number that runs, or a prime.
+fn tells_apart(symbol: &Symbol) -> Option<&str> {
+    let name = symbol.name();
+    match split_subscript(name) {
+        Some((stem, _)) => name.get(stem.len()..),
+        None => name.ends_with('\'').then_some(PRIME),
+    }
 }
 
 /// A symbol that has no index yet, with one.
