@@ -1081,7 +1081,7 @@ fn solutions_are_not_of_the_moment_at_which_they_begin() {
     };
     let begins = "With $N = N_0$ at $t = 0$ the solution is";
     assert_eq!(page(begins, r"N_0 e^{-k t}"), ["given", "holds", "holds"]);
-    assert_eq!(page(begins, r"N_0 e^{k t}")[1], "undecided");
+    assert_eq!(page(begins, r"N_0 e^{k t}")[1], "fails");
     assert_ne!(page(begins, r"N_0")[1], "holds");
     // What is put in at a value that is a name is said of the next display alone, too.
     let drag = |right: &str| {

@@ -151,6 +151,17 @@ impl<'a> Point<'a> {
                         term.replace(call, &Expr::Number(value.clone()))
                     })
                 };
+                // A value of a function at the point says nothing of its slope there.
+                let moves = |part: &Expr| match part {
+                    Expr::Derivative { body, .. } => {
+                        let mut calls = self.at.functions.keys();
+                        calls.any(|call| body.any(&|part| part == call))
+                    }
+                    _ => false,
+                };
+                if [left, right].into_iter().any(|term| term.any(&moves)) {
+                    return None;
+                }
                 let value = |term| match &self.root {
                     Some(root) => root.value_of(term, &self.values),
                     None => effort::within(MOST_WORK, || {

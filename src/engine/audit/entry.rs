@@ -1,7 +1,7 @@
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::document::Span;
-use crate::kernel::{HoldsForEvery, Model, Proven, Refuted, Scales, ScalesNot};
+use crate::kernel::{HoldsForEvery, Model, Proven, Refuted, Scales, ScalesNot, Standing};
 use crate::notation::{Mark, SyntaxError};
 use crate::search::{Implied, Mended, Repair, Stop};
 
@@ -86,6 +86,14 @@ pub struct Judged {
     pub assumed: Vec<Assumed>,
     /// What was found.
     pub outcome: Outcome,
+}
+
+impl Judged {
+    /// What is put into a law that it is said to solve, where the law is what was judged.
+    pub fn solution(&self) -> Option<&Assumed> {
+        let mut assumed = self.assumed.iter();
+        assumed.find(|own| own.source == Source::Taken && own.standing == Standing::Identity)
+    }
 }
 
 /// The evidence for or against a link.

@@ -218,6 +218,12 @@ impl Judge<'_> {
             return own;
         }
         if !found.judged.outcome.is_proven()
+            && !found.judged.outcome.is_refuted()
+            && let Some(own) = self.as_no_solution(goal, premises)
+        {
+            return own;
+        }
+        if !found.judged.outcome.is_proven()
             && let Some(own) = self.in_limit(goal, premises, &found)
         {
             return own;

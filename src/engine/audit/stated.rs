@@ -109,6 +109,10 @@ impl Judge<'_> {
         if self.is_complex(&judged.goal) {
             return None;
         }
+        // Nor is what a law that it is said to solve rules out.
+        if judged.outcome.is_refuted() && judged.solution().is_some() {
+            return None;
+        }
         // Nor is what laws say of particular things.
         if self.is_of_instances(&judged.goal) {
             return None;

@@ -150,6 +150,12 @@ impl Auditor<'_> {
         if let Some(found) = how.defines.then(instance).flatten() {
             return Some(found);
         }
+        if how.defines
+            && let Some(found) = judge.as_no_solution(goal, how.premises)
+        {
+            links.contradicted = true;
+            return Some(found);
+        }
         let there = judge.as_value_there(goal, how.premises, how.defines);
         let solved = || judge.as_solved(goal, how.premises);
         match there.or_else(|| how.defines.then(solved).flatten()) {

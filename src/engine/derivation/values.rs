@@ -53,6 +53,8 @@ pub struct ConditionSaid {
     pub variable: Option<Symbol>,
     /// What it is there.
     pub place: Expr,
+    /// It is said between the display and the one before it.
+    pub just_said: bool,
 }
 
 impl Derivation {
@@ -72,7 +74,13 @@ impl Derivation {
         let said: Vec<ConditionSaid> = (first..all.len()).rev().flat_map(conditions_at).collect();
         match said.is_empty() {
             true => (0..first).rev().flat_map(conditions_at).collect(),
-            false => said,
+            false => said
+                .into_iter()
+                .map(|own| ConditionSaid {
+                    just_said: true,
+                    ..own
+                })
+                .collect(),
         }
     }
 
@@ -210,6 +218,7 @@ fn conditions_at(page: &Page, all: &[Span], at: usize) -> Vec<ConditionSaid> {
                 value,
                 variable: variable.cloned(),
                 place: place.clone(),
+                just_said: false,
             });
         }
     }

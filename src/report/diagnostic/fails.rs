@@ -35,11 +35,15 @@ impl Report<'_> {
             }
             _ => (judged.goal.span, "is false at the point below".to_owned()),
         };
+        let fault = match judged.solution() {
+            Some(_) => "is no solution",
+            None => "does not follow",
+        };
         Some(Finding {
             level: Level::ERROR,
             code: "fails",
             title: format!(
-                "{} does not follow: {}",
+                "{} {fault}: {}",
                 self.subject(entry),
                 self.in_numbers(judged, refuted)
             ),
@@ -127,6 +131,7 @@ impl Report<'_> {
                 Source::Equation(at) => self.name(at),
                 Source::Local(..) => "supposed".into(),
                 Source::Step => "the step before".into(),
+                Source::Taken if judged.solution() == Some(assumed) => "it says".into(),
                 Source::Taken => "taken so".into(),
             };
             lines.push(format!("{from}: {}", plain_formula(&assumed.formula)));

@@ -2,8 +2,9 @@
 //!
 //! Authors cite less than they use: the display before ([`going_on`]), what else stands before ([`borrowed`], [`rescue`]), what the words name
 //! ([`named`], [`there`], [`unitless`]). They leave unsaid that something is not 0 ([`unstated`], [`conditions`]), that it is so for every
-//! value of a variable ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]). What is proved only with
-//! premises that no author joins is judged again without them ([`joined`]), or left open where they are of a case that may be over
+//! value of a variable ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]); what is no solution of the
+//! law that it is said to solve is told to be none ([`obeys`]). What is proved only with premises that no author joins is judged again
+//! without them ([`joined`]), or left open where they are of a case that may be over
 //! ([`lingering`]), and what refutes a step is held against what else stands before ([`against`]), what the text calls near something
 //! ([`approximated`]) and what it may say with a stroke ([`slashes`]). Nothing is refuted that words say more of than was understood
 //! ([`in_words`]), or that speaks of what nothing before does ([`silent`]). In which order all this is tried is said where a goal is
@@ -19,6 +20,7 @@ mod joined;
 pub(super) mod limiting;
 mod lingering;
 mod named;
+mod obeys;
 mod overlooked;
 mod rescue;
 mod silent;

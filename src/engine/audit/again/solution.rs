@@ -126,7 +126,11 @@ impl Judge<'_> {
 }
 
 /// What the text tells at places of things that a goal speaks of, the last that it tells of each, and what the goal comes to there.
-fn met(all: Vec<ConditionSaid>, goal: &Goal, variable: &Symbol) -> Vec<(ConditionSaid, Formula)> {
+pub(super) fn met(
+    all: Vec<ConditionSaid>,
+    goal: &Goal,
+    variable: &Symbol,
+) -> Vec<(ConditionSaid, Formula)> {
     let mut found: Vec<(ConditionSaid, Formula)> = Vec::new();
     for said in all {
         let is_same = |own: &ConditionSaid| own.of == said.of && own.place == said.place;

@@ -1,0 +1,159 @@
+//! Solutions that do not obey their law: "The solution is $N = N_0 e^{\lambda t}$" after `\frac{dN}{dt} = -\lambda N`.
+//!
+//! What a law of change leaves open is fixed by constants that a solution brings along. Put into the law, a solution must obey it for some of
+//! them; one that obeys it for none, unless something is nought, is none.
+
+use crate::algebra::{Expr, Formula, Function, Symbol, effort};
+use crate::derivation::{Assumed, Goal, Source};
+use crate::kernel::Standing;
+use crate::search::Decision;
+
+use super::super::judge::{Found, Judge, taken};
+use super::super::{Judged, Outcome};
+use super::solution::met;
+
+/// What a solution comes after, where nothing else says that it is one.
+const SOLVING: [&str; 16] = [
+    "solve",
+    "solved",
+    "solves",
+    "solving",
+    "solution",
+    "solutions",
+    "integrate",
+    "integrated",
+    "integrates",
+    "integrating",
+    "integration",
+    "separate",
+    "separating",
+    "separation",
+    "exponentiate",
+    "exponentiating",
+];
+/// So much work is done, as [`effort`] counts it.
+const MOST_WORK: u64 = 2_000_000;
+
+impl Judge<'_> {
+    /// What to say of a solution that obeys the law that it is said to solve for no values of its constants but nought.
+    pub(in crate::audit) fn as_no_solution(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+    ) -> Option<Found> {
+        let (Expr::Symbol(of), right) = goal.formula.as_equation()? else {
+            return None;
+        };
+        if goal.questioned || !goal.suppositions.is_empty() || right.mentions(of) {
+            return None;
+        }
+        let is_law = |own: &&Assumed| {
+            own.standing == Standing::Identity
+                && matches!(own.source, Source::Equation(_))
+                && own.formula.as_equation().is_some()
+                && Formula::differentiated_in([&*own.formula].into_iter()).contains(of)
+        };
+        let drawn = self.derivation.equations[self.at].drawn;
+        if !drawn && !self.says(&SOLVING) {
+            return None;
+        }
+        let variable = self.variable()?;
+        if !right.mentions(&variable) {
+            return None;
+        }
+        let near = &self.others(premises)[0];
+        let law = self.usable.assumed.iter().chain(near).find(is_law)?;
+        // Nothing else moves, and nothing else is known of what stands in it.
+        let mut symbols = right.free_symbols();
+        symbols.extend(law.formula.free_symbols());
+        symbols.retain(|own| own != of && *own != variable && !own.is_unit());
+        let moves = |own: &Symbol| self.auditor.changes(self.at, own, &variable);
+        if symbols.iter().any(moves) {
+            return None;
+        }
+        let is_of_law = |own: &Symbol| *own == variable || law.formula.names().contains(own);
+        let solution = Assumed {
+            standing: Standing::Identity,
+            ..taken(&goal.formula)
+        };
+        let positive = |own: &Symbol| taken(&Formula::positive(Expr::Symbol(own.clone())));
+        let all = symbols.iter().chain([&variable]).map(positive);
+        let all: Vec<Assumed> = [solution].into_iter().chain(all).collect();
+        let decide = |assumed: &[Assumed], formula: &Formula| {
+            let mut claim = self.derivation.claim(self.at, assumed, formula);
+            for own in &symbols {
+                claim.domains.entry(own.clone()).or_default().constant = true;
+            }
+            Some(self.decide(&*self.pose_claim(claim).ok()?))
+        };
+        let begins_otherwise = || {
+            let mut said = self.derivation.conditions_said(self.at);
+            said.retain(|own| own.just_said);
+            met(said, goal, &variable)
+                .into_iter()
+                .find_map(|(_, there)| {
+                    let Decision::Refuted(refuted) = decide(&all[1..], &there)? else {
+                        return None;
+                    };
+                    Some(Found::open(Judged {
+                        goal: Goal {
+                            formula: there,
+                            ..goal.clone()
+                        },
+                        assumed: all[1..].to_vec(),
+                        outcome: Outcome::Refuted(refuted.into()),
+                    }))
+                })
+        };
+        effort::within(MOST_WORK, || {
+            let refuted = match decide(&all, &law.formula)? {
+                Decision::Refuted(refuted) => refuted,
+                // It obeys the law, and may have another value where the text tells one.
+                Decision::Proven { .. } => return begins_otherwise(),
+                Decision::Open(_) => return None,
+            };
+            // For some values of the constants that it brings along it may be one, whatever the law's own are.
+            if !symbols.iter().all(is_of_law) {
+                let set = refuted.witness().symbols.iter();
+                let set = set.filter(|(own, _)| is_of_law(own)).map(|(own, value)| {
+                    let value = Expr::Number(value.clone());
+                    taken(&Formula::equal(Expr::Symbol(own.clone()), value))
+                });
+                let so = Assumed {
+                    standing: Standing::AtPoint,
+                    ..law.clone()
+                };
+                // It would have to be one at each moment, and so where no wave is nought.
+                let mut waves = Vec::new();
+                self::waves(right, &variable, &mut waves);
+                let all = all.iter().cloned().chain(set).chain([so]).chain(waves);
+                let all: Vec<Assumed> = all.collect();
+                let nonsense = Formula::equal(Expr::integer(0), Expr::integer(1));
+                let Decision::Proven { .. } = decide(&all, &nonsense)? else {
+                    return None;
+                };
+            }
+            let own = Goal {
+                formula: (*law.formula).clone(),
+                ..goal.clone()
+            };
+            let mut found = Found::open(Judged {
+                goal: own,
+                assumed: all.clone(),
+                outcome: Outcome::Refuted(refuted.into()),
+            });
+            found.constant = symbols.iter().cloned().collect();
+            Some(found)
+        })
+    }
+}
+
+/// That the sines and cosines of a term that move are positive.
+fn waves(term: &Expr, variable: &Symbol, found: &mut Vec<Assumed>) {
+    match term {
+        Expr::Call(Function::Sin | Function::Cos, of) if of.mentions(variable) => {
+            found.push(taken(&Formula::positive(term.clone())));
+        }
+        _ => (term.children()).for_each(|part| waves(part, variable, found)),
+    }
+}
