@@ -59,6 +59,10 @@ impl Judge<'_> {
             if self.rescue(goal, &attempts, &NEARBY, found) {
                 return true;
             }
+            // "It is paid off when $L_n = 0$, so" is said of one index.
+            if self.with_what_is_named(goal, assumed).is_some() {
+                return false;
+            }
         }
         match claims.iter().find_map(search::refute_by_first_elements) {
             Some(refuted) => {

@@ -187,6 +187,25 @@ impl Derivation {
         read.flatten().collect()
     }
 
+    /// What the mathematics of the last sentence before an equation says, understood or not.
+    pub fn written_before(&self, at: usize) -> Vec<Formula> {
+        let page = &self.pages[self.equations[at].page];
+        let Some(sentence) = self.equations[at].said_last else {
+            return Vec::new();
+        };
+        let inline = self.inline_before(at);
+        let inline = inline.filter(|math| math.body.start >= sentence.start);
+        let read = inline.filter_map(|math| {
+            let mut statements = read_formulas(&page.document.source, math.body).ok()?;
+            page.read_exponentials(statements.iter_mut());
+            let plain = statements.iter().filter(|own| own.under.is_empty());
+            Some(plain.flat_map(formulas).collect::<Vec<_>>())
+        });
+        let mut said: Vec<Formula> = read.flatten().collect();
+        said.retain(|own| !constants::speaks_of_some(own));
+        said
+    }
+
     /// What says a local hypothesis: the display, where one says it of a moment.
     fn source_of(&self, page: usize, local: usize) -> Source {
         let moment = self.pages[page].locals[local].moment.as_ref();

@@ -5,7 +5,8 @@ use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source, formulas, renamed};
 use crate::sorted::Map;
 
-use super::super::judge::{Found, Judge};
+use super::super::judge::{Found, Judge, step};
+use crate::search::Decision;
 
 /// With one of these a text says that something is so for the same reason.
 const ALIKE: [&str; 10] = [
@@ -22,7 +23,14 @@ const ALIKE: [&str; 10] = [
 ];
 /// With one of these it sets something against what stands before.
 const SET_AGAINST: [&str; 5] = ["whereas", "while", "contrast", "instead", "rather"];
+/// With one of these it may take back what it writes, or say what something else is said to say.
+const DENYING: [&str; 11] = [
+    "not", "no", "never", "nor", "neither", "without", "unless", "unlike", "contrast", "than",
+    "from",
+];
 const INDUCTION: [&str; 1] = ["induction"];
+/// So many equations in the text before are looked at.
+const MOST_WRITTEN: usize = 4;
 /// So many equations before are looked at.
 const MOST_BEFORE: usize = 6;
 
@@ -69,6 +77,42 @@ impl Judge<'_> {
         };
         if assumed.iter().any(is_value) {
             found.leave_open("words set it against another value that stands before");
+        }
+    }
+
+    /// Leaves open what follows with an equation that is written in the text before it, in whatever words.
+    pub(in crate::audit) fn heed_what_is_written(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        if !found.judged.outcome.is_refuted() || self.says(&DENYING) {
+            return;
+        }
+        let mut written = self.derivation.written_before(self.at);
+        let is_known = |own: &Formula| assumed.iter().any(|known| *known.formula == *own);
+        let names = goal.formula.names();
+        // What is put in is gone, and what is so at a place says nothing of slopes.
+        let is_put = |own: &Formula| {
+            let set = own.set_to_number();
+            set.is_none_or(|set| !names.contains(set)) && !own.speaks_of_slopes()
+        };
+        written.retain(|own| own.as_equation().is_some() && is_put(own));
+        written.retain(|own| !is_known(own) && *own != goal.formula);
+        written.truncate(MOST_WRITTEN);
+        let follows = |words: &[Formula]| {
+            let words: Vec<Assumed> = words.iter().map(step).collect();
+            let all: Vec<Assumed> = assumed.iter().chain(&words).cloned().collect();
+            let is_shown = |from: &[Assumed]| {
+                let decision = self.decide_from(from, &goal.formula);
+                matches!(decision, Some(Decision::Proven { .. }))
+            };
+            is_shown(&all) && !is_shown(&words) && !self.is_contradictory(&all, goal)
+        };
+        let alone = |own: &Formula| follows(std::slice::from_ref(own));
+        if written.iter().any(alone) || written.len() > 1 && follows(&written) {
+            found.leave_open("it may follow with what the text before it names");
         }
     }
 

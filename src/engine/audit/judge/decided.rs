@@ -195,6 +195,7 @@ impl Judge<'_> {
                 self.heed_what_is_elsewhere(goal, assumed, premises, found);
                 self.heed_circumstances(goal, assumed, premises, found);
             }
+            self.heed_what_is_written(goal, all, found);
             self.heed_values_told(goal, all, found);
             self.heed_what_is_said_of_all(goal, all, found);
             self.heed_symmetry(goal, found);

@@ -7,7 +7,7 @@ use super::super::conclusion;
 use super::super::prose::{Placed, Token, begins_with, ends_sentence};
 use super::super::words::Words;
 use super::super::{Named, Span};
-use super::around::{follows, is_taken_from};
+use super::around::{follows, is_taken_from, says_where};
 use super::cases::COMPARED;
 use super::denial::Denial;
 use super::mathematics::{is_number, is_zero, relates};
@@ -49,6 +49,9 @@ static ELSEWHERE: Words = Words::of(&[
 /// A relation after one of these is so at another time, unless the sentence goes on from it: "The block rises until $m g h = K$, which
 /// gives".
 static AT_ANOTHER_TIME: Words = Words::of(&["until", "before", "after"]);
+/// After a comma these go on from what stands before: "After the last payment $M = 0$, so".
+static TAKING_UP: Words = Words::of(&["which", "whence", "so", "hence", "thus", "therefore"]);
+static SOLVING: Words = Words::of(&["solve", "solving", "solved", "solves"]);
 /// A sentence that begins with one of these goes on with the one before.
 static GOING_ON: Words = Words::of(&["there", "then", "here", "hence", "thus", "therefore", "so"]);
 /// A number that follows one of these is that of a case.
@@ -108,7 +111,10 @@ pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Name
         named.extend(own.filter(|own| runs_on || !is_value(own) || is_case(own)));
         runs_on = back == 0 && begins_with(sentence, &GOING_ON);
         // A case that is set in a sentence of its own: "For $c = -1$ nothing is left. (1) becomes".
-        is_lost |= sentence.iter().any(leaves);
+        // "Solving for $A$" leaves none.
+        let is_solved = |at: usize| follows(at, sentence, &SOLVING);
+        let mut words = sentence.iter().enumerate();
+        is_lost |= words.any(|(at, own)| leaves(own) && !is_solved(at));
         let has_words = sentence.iter().any(|own| matches!(own.0, Token::Word(_)));
         said += usize::from(has_words);
     }
@@ -158,7 +164,9 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
             token if token.cites() => is_drawn = true,
             Token::Math(body) => {
                 // "The derivative at $t = 0$" is of that moment alone.
-                let is_place = follows(at, sentence, &NAMED_BEFORE) && is_number(text(body));
+                let is_place = follows(at, sentence, &NAMED_BEFORE)
+                    && !says_where(at, sentence)
+                    && is_number(text(body));
                 let is_then = !elsewhen || is_taken_up(at, sentence);
                 // "But $a = b$" goes on, "all but $a = b$" leaves out.
                 let is_beside = at > 1 && follows(at, sentence, &BESIDE);
@@ -183,7 +191,7 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
 fn is_taken_up(index: usize, sentence: &[Placed<'_>]) -> bool {
     let mut after = sentence[index + 1..].iter().map(|(token, _)| *token);
     match after.next() {
-        Some(Token::Mark(',')) => matches!(after.next(), Some(Token::Word("which" | "whence"))),
+        Some(Token::Mark(',')) => after.next().is_some_and(|own| own.is_among(&TAKING_UP)),
         _ => false,
     }
 }
