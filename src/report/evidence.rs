@@ -8,6 +8,7 @@ use crate::algebra::{
     Atoms, BigRational, Expr, Formula, Lowering, Symbol, Values, as_printed, effort,
     expr_of_fraction,
 };
+use crate::audit::Judged;
 use crate::derivation::values_at;
 use crate::kernel::{Assignment, Claim, in_powers_of_pi, with_constant_functions};
 use crate::notation::plain;
@@ -138,6 +139,14 @@ impl<'a> Point<'a> {
         .lower(&self.values.unfolded(term))
         .ok()?;
         Some(expr_of_fraction(&value, &atoms))
+    }
+
+    /// The two sides of what was judged; nothing of a law into which something else was put, for it is the latter that stands on the page.
+    pub fn sides_judged(&self, judged: &Judged) -> Option<(Exact, Exact)> {
+        match judged.solution() {
+            Some(_) => None,
+            None => self.sides(&judged.goal.formula),
+        }
     }
 
     /// The two sides of a relation, where both have a value.

@@ -131,7 +131,7 @@ impl Report<'_> {
             true => String::new(),
             false => format!(" at {values}"),
         };
-        match point.sides(formula) {
+        match point.sides_judged(judged) {
             Some((left, right)) => match (formula, left.expr(), right.expr()) {
                 (Formula::Relation { relation, .. }, Some(left), Some(right))
                     if *relation != Relation::Equal =>

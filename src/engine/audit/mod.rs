@@ -9,6 +9,7 @@
 //! `review` what falls with what fails.
 
 mod again;
+mod along;
 mod branch;
 mod cases;
 mod cited;

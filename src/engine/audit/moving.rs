@@ -16,6 +16,10 @@ const MOVES: &str =
 /// So many equations before that speak of a variable are asked what moves with it.
 const MOST_LAWS: usize = 64;
 
+fn at_place(part: &Expr) -> bool {
+    matches!(part, Expr::Limit { .. })
+}
+
 /// What some equations and suppositions say of what moves.
 #[derive(Default)]
 pub(super) struct Moving {
@@ -55,7 +59,10 @@ impl Moving {
                     let variables = variables.into_iter().map(|variable| (variable, at));
                     found.variables.extend(variables);
                     let names = formula.free_symbols();
-                    found.laws.push((at, formula, names));
+                    // What something is at a place, `y(L)`, ties nothing to what moves.
+                    if !formula.terms().into_iter().any(|term| term.any(&at_place)) {
+                        found.laws.push((at, formula, names));
+                    }
                 }
             }
         }
@@ -75,7 +82,6 @@ impl Moving {
         };
         for (side, other, gives) in [(left, right, true), (right, left, false)] {
             // "At $t = \tau$" names a moment, and what something is at a place does not move with it.
-            let at_place = |part: &Expr| matches!(part, Expr::Limit { .. });
             if let Expr::Symbol(symbol) = side
                 && !matches!(other, Expr::Symbol(_) | Expr::Number(_))
                 && !other.any(&at_place)

@@ -13,7 +13,7 @@ use crate::sorted::Tree;
 
 use super::Equation;
 use super::equation::{all_terms, conditions, formulas, map_terms};
-use super::names::undotted;
+use super::names::{names_a_place, undotted};
 use super::page::Page;
 
 /// How a page speaks of a name.
@@ -25,8 +25,8 @@ struct Spoken {
     solved: bool,
     /// It stands by itself somewhere.
     alone: bool,
-    /// It is differentiated by itself somewhere.
-    moves: bool,
+    /// By what it is differentiated by itself somewhere.
+    moves: BTreeSet<Symbol>,
     /// Its value at a number is spoken of.
     valued: bool,
     /// Nothing may be concluded from that.
@@ -56,8 +56,15 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
         let may_be_left_out = own.solved && own.alone && !own.apart;
         // "At $t_1$ it is $y(t_1)$", where `y` is elsewhere what `y(t)` is.
         let beside_values = || the_argument(&own.arguments).filter(|_| may_be_left_out);
+        // "At the free end it is $y(L)$", where `y` changes with `x`.
+        let of_places = || {
+            let mut places = own.arguments.iter();
+            let by = own.moves.first().filter(|_| own.moves.len() == 1)?;
+            let is_moved = may_be_left_out && !own.arguments.is_empty();
+            (is_moved && places.all(|place| place != by && names_a_place(place))).then_some(by)
+        };
         any |= own.valued;
-        if let Some(argument) = argument.or_else(beside_values) {
+        if let Some(argument) = of_places().or(argument).or_else(beside_values) {
             let left_out = may_be_left_out && *argument != name;
             any |= left_out;
             functions.insert(name, (argument.clone(), left_out));
@@ -95,7 +102,8 @@ fn see_together<'a>(formulas: impl Iterator<Item = &'a Formula>, all: &mut Tree<
     for (name, own) in own.into_entries() {
         let known = all.entry(name).or_default();
         known.apart |= own.apart || own.alone && !own.arguments.is_empty();
-        known.alone |= own.alone || own.moves;
+        known.alone |= own.alone || !own.moves.is_empty();
+        known.moves.extend(own.moves);
         known.solved |= own.solved;
         known.valued |= own.valued;
         known.arguments.extend(own.arguments);
@@ -107,8 +115,9 @@ fn see<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, own: &mut Tree<Symbol, S
         Expr::Symbol(symbol) => own.entry(symbol.clone()).or_default().alone = true,
         Expr::Element { sequence, .. } => own.entry(sequence.clone()).or_default().apart = true,
         // `\frac{dy}{dt} = -k y(t)` speaks of one `y`.
-        Expr::Derivative { body, .. } if let Expr::Symbol(symbol) = &**body => {
-            own.entry(symbol.clone()).or_default().moves = true;
+        Expr::Derivative { body, variable } if let Expr::Symbol(symbol) = &**body => {
+            let known = own.entry(symbol.clone()).or_default();
+            known.moves.insert(variable.clone());
         }
         Expr::Apply(name, arguments) => {
             let known = own.entry(name.clone()).or_default();
@@ -172,7 +181,9 @@ fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
     };
     // `y(0)`, or `y(t_1)` beside `y(t)`.
     let is_place = |place: &Expr| match (place, functions.get(name)) {
-        (Expr::Symbol(place), Some((argument, true))) => place.is_variant_of(argument),
+        (Expr::Symbol(place), Some((argument, true))) => {
+            place != argument && (place.is_variant_of(argument) || names_a_place(place))
+        }
         (place, _) => matches!(place, Expr::Number(_)),
     };
     match &arguments[..] {

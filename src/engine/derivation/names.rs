@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::document::{Inline, Span};
 use crate::notation::{Before, BeforeKind, SyntaxError, read_expr, read_symbol};
 
@@ -21,6 +21,13 @@ pub(super) fn undotted(name: &Symbol) -> Option<Symbol> {
 pub(crate) fn without_dots(name: &Symbol) -> Option<(Symbol, u8)> {
     let mut dots = DOTS.iter().zip(1..);
     dots.find_map(|(accent, count)| Some((below(name, accent)?, count)))
+}
+
+/// Whether a symbol in parentheses rather names a place than what varies: `w(L)`, `v(t_0)`, `f(a)`.
+pub(super) fn names_a_place(symbol: &Symbol) -> bool {
+    let name = symbol.name();
+    let is_large = name.starts_with(|first: char| first.is_ascii_uppercase());
+    is_large || split_subscript(name).is_some() || matches!(name, "a" | "b" | "\\ell")
 }
 
 /// A name with a dot, or with two: `\dot{x}_1` of `x_1`.

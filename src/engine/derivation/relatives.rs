@@ -52,6 +52,22 @@ impl Derivation {
         })
     }
 
+    /// The last sentence before a display, as it is written.
+    pub fn leading(&self, at: usize) -> Option<&str> {
+        let own = &self.equations[at];
+        let source = &self.pages[own.page].document.source;
+        source.get(own.said_last?.range())
+    }
+
+    /// The text between a display and the one before it, as it is written.
+    pub fn text_before(&self, at: usize) -> &str {
+        let own = &self.equations[at];
+        let before = self.before_display(at);
+        let from = before.map_or(0, |before| self.equations[before].span.end);
+        let source = &self.pages[own.page].document.source;
+        source.get(from..own.span.start).unwrap_or_default()
+    }
+
     /// The mathematics in the text between a display and the one before it.
     pub fn inline_before(&self, at: usize) -> impl Iterator<Item = &Inline> {
         let own = &self.equations[at];

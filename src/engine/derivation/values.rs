@@ -6,7 +6,9 @@ use crate::notation::{Statement, read_formulas};
 
 use super::Derivation;
 use super::equation::{Goal, formulas, goals};
+use super::names::names_a_place;
 use super::page::Page;
+use super::slopes::base;
 
 /// More pieces of mathematics in the text than this are not looked through.
 const MOST_SAID: usize = 500;
@@ -55,6 +57,19 @@ pub struct ConditionSaid {
     pub place: Expr,
     /// It is said between the display and the one before it.
     pub just_said: bool,
+}
+
+impl ConditionSaid {
+    /// What has the value, where that may change with a variable: `y'` is the slope of `y`.
+    pub fn subject(&self, variable: &Symbol) -> Expr {
+        match &self.of {
+            Expr::Symbol(name) if let Some((own, order, false)) = base(name) => {
+                let own = Expr::Symbol(own);
+                (0..order).fold(own, |own, _| own.differentiated_by(variable))
+            }
+            own => own.clone(),
+        }
+    }
 }
 
 impl Derivation {
@@ -203,7 +218,10 @@ fn conditions_at(page: &Page, all: &[Span], at: usize) -> Vec<ConditionSaid> {
         let same = found.iter().find(|own| own.of == *value);
         let value = same.map_or(value, |own| &own.value).clone();
         let (of, variable, place) = match (of, place) {
-            (Expr::Apply(name, arguments), _) if let [place @ Expr::Number(_)] = &arguments[..] => {
+            (Expr::Apply(name, arguments), _)
+                if let [place] = &arguments[..]
+                    && is_place(place) =>
+            {
                 (Expr::Symbol(name.clone()), None, place)
             }
             (Expr::Symbol(_) | Expr::Derivative { .. }, Some((Expr::Symbol(variable), place))) => {
@@ -223,6 +241,15 @@ fn conditions_at(page: &Page, all: &[Span], at: usize) -> Vec<ConditionSaid> {
         }
     }
     found
+}
+
+/// Whether what is written in parentheses may be a place, and not what varies: `w(0)`, `w(L)`, `v(t_0)`.
+fn is_place(argument: &Expr) -> bool {
+    match argument {
+        Expr::Number(_) => true,
+        Expr::Symbol(own) => names_a_place(own),
+        _ => false,
+    }
 }
 
 fn said(document: &Document, body: Span) -> Vec<Formula> {

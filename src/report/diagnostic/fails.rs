@@ -25,13 +25,20 @@ impl Report<'_> {
         };
         let page = self.equation(entry.equation).page;
         let point = Point::new(refuted.claim(), refuted.witness());
-        let sides = point.sides(&judged.goal.formula);
+        let sides = point.sides_judged(judged);
         let (left, right) = judged.goal.sides;
         let mut context = Vec::new();
         let primary = match &sides {
             Some((a, b)) if left != right => {
                 context.push((left, format!("is {a} at the point below")));
                 (right, format!("is {b}"))
+            }
+            _ if judged.solution().is_some() => {
+                let what = match judged.goal.sides {
+                    (left, right) if left != right => left.to(right),
+                    _ => judged.goal.span,
+                };
+                (what, "does not obey what it solves".to_owned())
             }
             _ => (judged.goal.span, "is false at the point below".to_owned()),
         };
@@ -99,7 +106,7 @@ impl Report<'_> {
             values => wrapped(values),
         };
         let formula = &judged.goal.formula;
-        match point.sides(formula) {
+        match point.sides_judged(judged) {
             Some((left, right)) => lines.push(format!(
                 "left {}, right {}",
                 left.equated(),

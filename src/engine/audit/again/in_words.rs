@@ -23,6 +23,9 @@ const ALIKE: [&str; 10] = [
 ];
 /// With one of these it sets something against what stands before.
 const SET_AGAINST: [&str; 5] = ["whereas", "while", "contrast", "instead", "rather"];
+/// What words say of what does not change, and of what they say it.
+const CONSERVED: &str = "conserved";
+const CONSERVABLE: [&str; 5] = ["energy", "angular momentum", "momentum", "charge", "mass"];
 /// With one of these it may take back what it writes, or say what something else is said to say.
 const DENYING: [&str; 11] = [
     "not", "no", "never", "nor", "neither", "without", "unless", "unlike", "contrast", "than",
@@ -80,6 +83,33 @@ impl Judge<'_> {
         }
     }
 
+    /// Leaves open what was refuted after a law that only words name: "Kinetic energy is conserved as well", where no display says that.
+    pub(in crate::audit) fn heed_laws_in_words(&self, found: &mut Found) {
+        if !found.judged.outcome.is_refuted() || found.mended.is_some() {
+            return;
+        }
+        let before = self.derivation.text_before(self.at).to_lowercase();
+        let sentences = before.split(['.', ';', ':']);
+        let conserved = sentences.filter(|own| own.contains(CONSERVED));
+        let subject = |sentence: &str| {
+            let what = sentence.split(CONSERVED).next().unwrap_or_default();
+            CONSERVABLE.into_iter().find(|own| what.contains(own))
+        };
+        let start = self
+            .derivation
+            .equations_of(self.derivation.equations[self.at].page)
+            .start;
+        let leads = |what: &str| {
+            let mut before = (start..self.at).filter_map(|at| self.derivation.leading(at));
+            before.any(|text| text.to_lowercase().contains(what))
+        };
+        if let Some(what) = conserved.filter_map(subject).find(|what| !leads(what)) {
+            found.leave_open(format!(
+                "words say that {what} is conserved, and no display says what that is"
+            ));
+        }
+    }
+
     /// Leaves open what follows with an equation that is written in the text before it, in whatever words.
     pub(in crate::audit) fn heed_what_is_written(
         &self,
@@ -125,10 +155,8 @@ impl Judge<'_> {
 
     /// Whether the last sentence before the step has one of these words.
     pub(in crate::audit) fn says(&self, such: &[&str]) -> bool {
-        let own = &self.derivation.equations[self.at];
-        let source = &self.derivation.pages[own.page].document.source;
-        let said = own.said_last.and_then(|last| source.get(last.range()));
-        let mut words = said.unwrap_or_default().split(|c: char| !c.is_alphabetic());
+        let said = self.derivation.leading(self.at).unwrap_or_default();
+        let mut words = said.split(|c: char| !c.is_alphabetic());
         words.any(|word| such.contains(&&*word.to_lowercase()))
     }
 }

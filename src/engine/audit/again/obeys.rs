@@ -41,32 +41,34 @@ impl Judge<'_> {
         goal: &Goal,
         premises: &[usize],
     ) -> Option<Found> {
-        let (Expr::Symbol(of), right) = goal.formula.as_equation()? else {
-            return None;
-        };
-        if goal.questioned || !goal.suppositions.is_empty() || right.mentions(of) {
+        let (left, right) = goal.formula.as_equation()?;
+        if goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
-        let is_law = |own: &&Assumed| {
-            own.standing == Standing::Identity
-                && matches!(own.source, Source::Equation(_))
-                && own.formula.as_equation().is_some()
-                && Formula::differentiated_in([&*own.formula].into_iter()).contains(of)
-        };
         let drawn = self.derivation.equations[self.at].drawn;
         if !drawn && !self.says(&SOLVING) {
             return None;
         }
+        let near = &self.others(premises)[0];
+        let laws = || self.usable.assumed.iter().chain(near);
+        let mut moved = Formula::differentiated_in(laws().map(|own| &*own.formula));
+        moved.retain(|own| left.mentions(own) && !right.mentions(own));
+        let of = moved.pop_first().filter(|_| moved.is_empty())?;
+        let is_law = |own: &&Assumed| {
+            own.standing == Standing::Identity
+                && matches!(own.source, Source::Equation(_))
+                && own.formula.as_equation().is_some()
+                && Formula::differentiated_in([&*own.formula].into_iter()).contains(&of)
+        };
         let variable = self.variable()?;
         if !right.mentions(&variable) {
             return None;
         }
-        let near = &self.others(premises)[0];
-        let law = self.usable.assumed.iter().chain(near).find(is_law)?;
+        let law = laws().find(is_law)?;
         // Nothing else moves, and nothing else is known of what stands in it.
-        let mut symbols = right.free_symbols();
+        let mut symbols = goal.formula.free_symbols();
         symbols.extend(law.formula.free_symbols());
-        symbols.retain(|own| own != of && *own != variable && !own.is_unit());
+        symbols.retain(|own| *own != of && *own != variable && !own.is_unit());
         let moves = |own: &Symbol| self.auditor.changes(self.at, own, &variable);
         if symbols.iter().any(moves) {
             return None;

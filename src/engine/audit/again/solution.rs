@@ -133,6 +133,17 @@ pub(super) fn met(
 ) -> Vec<(ConditionSaid, Formula)> {
     let mut found: Vec<(ConditionSaid, Formula)> = Vec::new();
     for said in all {
+        let speaks = |own: &ConditionSaid| {
+            let mut terms = goal.formula.terms().into_iter();
+            terms.any(|term| term.any(&|part| *part == own.of))
+        };
+        let said = match speaks(&said) {
+            true => said,
+            false => ConditionSaid {
+                of: said.subject(variable),
+                ..said
+            },
+        };
         let is_same = |own: &ConditionSaid| own.of == said.of && own.place == said.place;
         let is_known = found.iter().any(|own| is_same(&own.0));
         if said.variable.as_ref().is_none_or(|own| own == variable)

@@ -201,6 +201,7 @@ impl Judge<'_> {
             self.heed_symmetry(goal, found);
             self.heed_what_is_new(goal, all, found);
             self.heed_contrast(goal, all, found);
+            self.heed_laws_in_words(found);
             if !strong {
                 self.heed_induction(found);
             }
