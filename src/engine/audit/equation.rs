@@ -1,7 +1,7 @@
 //! One equation: what it may use, its statements one after another, and whether the page begins with it.
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Kind, Source, first_goal, formulas, goals};
+use crate::derivation::{Assumed, Equation, Goal, Kind, Source, first_goal, formulas, goals};
 use crate::kernel::Standing;
 use crate::notation::Statement;
 use crate::sorted::Set;
@@ -33,12 +33,9 @@ impl Auditor<'_> {
         let spoken_of: Set<Symbol> = formulas(own).iter().flat_map(Formula::names).collect();
         let begun = first_goal(own);
         let defines = |new: &Symbol| begun.as_ref().is_some_and(|own| own.is_of(new));
-        let means = |goal: &Goal| match goal.formula.as_equation() {
-            Some((Expr::Symbol(new), term)) => {
-                let is_new = equation.introduces.contains(new) && spoken_of.contains(new);
-                is_new && !defines(new) && goal.rounding.is_none() && !term.mentions(new)
-            }
-            _ => false,
+        let means = |goal: &Goal| {
+            let new = meant(goal, equation);
+            new.is_some_and(|new| spoken_of.contains(new) && !defines(new))
         };
         let later = later
             .iter()
@@ -52,6 +49,25 @@ impl Auditor<'_> {
         let said = meanings.iter().map(|goal| judge::step(&goal.formula));
         usable.assumed.extend(said);
         Some(usable)
+    }
+
+    /// Whether a statement says what a new symbol of a statement before it in the display means: `f = 64/\mathrm{Re}, \qquad \mathrm{Re} =
+    /// \frac{\rho u D}{\mu}`.
+    fn gives_meaning(&self, at: usize, part: usize) -> bool {
+        let equation = &self.derivation.equations[at];
+        let (before, own) = equation.statements().split_at(part);
+        let Some(goal) = own.first().and_then(first_goal) else {
+            return false;
+        };
+        let Some(new) = meant(&goal, equation) else {
+            return false;
+        };
+        let is_alone = own
+            .first()
+            .is_some_and(|own| goals(own).len() == 1 && own.under.is_empty());
+        let defines = |own: &Statement| first_goal(own).is_some_and(|own| own.is_of(new));
+        let speaks = |own: &Statement| formulas(own).iter().any(|own| own.names().contains(new));
+        is_alone && !before.iter().any(defines) && before.iter().any(speaks)
     }
 
     pub(super) fn equation(&self, at: usize) -> Vec<Entry> {
@@ -108,7 +124,7 @@ impl Auditor<'_> {
                 usable: with_meanings.as_ref().unwrap_or(&usable),
                 premises: &premises,
                 says_so,
-                defines: equation.defines.contains(&part),
+                defines: equation.defines.contains(&part) || self.gives_meaning(at, part),
             };
             let mut entry = match equation.numeric {
                 Some(_) => effort::within(MOST_WORK, || self.numeric(at, statement, &usable)),
@@ -287,4 +303,15 @@ fn one_too_many(at: usize, part: usize, parts: usize, kind: Kind, statement: &St
     };
     entry.judged = goals(statement).into_iter().map(open).collect();
     entry
+}
+
+/// The new symbol of which a goal says what it means.
+fn meant<'a>(goal: &'a Goal, equation: &Equation) -> Option<&'a Symbol> {
+    match goal.formula.as_equation()? {
+        (Expr::Symbol(new), term) => {
+            let is_new = equation.introduces.contains(new);
+            (is_new && goal.rounding.is_none() && !term.mentions(new)).then_some(new)
+        }
+        _ => None,
+    }
 }

@@ -1,3 +1,4 @@
+use crate::algebra::Symbol;
 use crate::derivation::{Assumed, Goal};
 use crate::kernel::{Claim, Scales};
 use crate::search::{self, ScalingDecision};
@@ -35,6 +36,19 @@ impl Judge<'_> {
             ScalingDecision::Refuted { refuted, repair } => {
                 found.judged.outcome = Outcome::ScalesNot(refuted, repair);
                 self.scaling_from_elsewhere(goal, assumed, premises, found);
+                // What nothing speaks of may scale as it likes.
+                let is_silent =
+                    |own: &Symbol| !assumed.iter().any(|a| a.formula.names().contains(own));
+                let page = self.derivation.equations[self.at].page;
+                let directs = self.derivation.pages[page].directs;
+                if matches!(found.judged.outcome, Outcome::ScalesNot(..))
+                    && !directs
+                    && let Some(silent) = goal.formula.names().iter().find(|own| is_silent(own))
+                {
+                    found.leave_open(format!(
+                        "nothing that it is drawn from speaks of `{silent}`"
+                    ));
+                }
             }
             ScalingDecision::Open(stop) => {
                 let hopeless = stop.hopeless;

@@ -1,9 +1,9 @@
 //! One statement judged from what it may use: its links one after another, and what they come to together.
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Equation, Goal, Kind, Source, goals};
 use crate::kernel::Standing;
-use crate::notation::Statement;
+use crate::notation::{Connective, Statement};
 use crate::search::{self, Consistency, Decision};
 use crate::sorted::Set;
 
@@ -127,7 +127,14 @@ impl Auditor<'_> {
                 continue;
             }
             let recent = &links.steps[links.steps.len().saturating_sub(MOST_STEPS)..];
-            let found = judge.goal(&goal, recent, how.premises);
+            let mut found = judge.goal(&goal, recent, how.premises);
+            if is_put_to_nought(statement, &goal) && !found.judged.outcome.is_proven() {
+                found = Found::open(Judged {
+                    goal: goal.clone(),
+                    assumed: Vec::new(),
+                    outcome: Outcome::Stated,
+                });
+            }
             // The next clause of an implication is judged as if this one were true.
             let goes_on = found.judged.outcome.is_proven() || statement.clauses.len() > 1;
             if goes_on && goal.suppositions.is_empty() {
@@ -424,4 +431,16 @@ fn used(entry: &Entry) -> Set<usize> {
     let mut used: Set<usize> = premises.collect();
     used.extend(entry.numeric.iter().flat_map(|own| numeric::used(own)));
     used
+}
+
+/// Whether a goal puts to nought what the next clause is drawn from: `\frac{dD}{dx} = 1 - \frac{a}{x^2} = 0 \Rightarrow x = \sqrt{a}` supposes that.
+fn is_put_to_nought(statement: &Statement, goal: &Goal) -> bool {
+    let next = statement.connectives.first();
+    let goes_on = goal.clause == 0 && next.is_some_and(|own| own.value == Connective::Implies);
+    let ends = goals(statement)
+        .into_iter()
+        .rfind(|own| own.clause == goal.clause)
+        .is_some_and(|last| last.formula == goal.formula);
+    let sides = goal.formula.as_equation();
+    goes_on && ends && sides.is_some_and(|(_, right)| *right == Expr::integer(0))
 }

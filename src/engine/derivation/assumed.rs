@@ -189,12 +189,21 @@ impl Derivation {
 
     /// What the mathematics of the last sentence before an equation says, understood or not.
     pub fn written_before(&self, at: usize) -> Vec<Formula> {
+        match self.equations[at].said_last {
+            Some(sentence) => self.written_from(at, sentence.start),
+            None => Vec::new(),
+        }
+    }
+
+    /// What the mathematics between an equation and the display before it says, understood or not.
+    pub fn written_since(&self, at: usize) -> Vec<Formula> {
+        self.written_from(at, 0)
+    }
+
+    fn written_from(&self, at: usize, start: usize) -> Vec<Formula> {
         let page = &self.pages[self.equations[at].page];
-        let Some(sentence) = self.equations[at].said_last else {
-            return Vec::new();
-        };
         let inline = self.inline_before(at);
-        let inline = inline.filter(|math| math.body.start >= sentence.start);
+        let inline = inline.filter(|math| math.body.start >= start);
         let read = inline.filter_map(|math| {
             let mut statements = read_formulas(&page.document.source, math.body).ok()?;
             page.read_exponentials(statements.iter_mut());

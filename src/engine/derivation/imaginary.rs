@@ -20,7 +20,14 @@ const UNITS: [(&str, bool); 4] = [
     ("\\text{j}", true),
 ];
 /// Words of texts about complex numbers.
-const SAID: [&str; 4] = ["imaginary", "complex", "impedance", "phasor"];
+const SAID: [&str; 6] = [
+    "imaginary",
+    "complex",
+    "impedance",
+    "impedances",
+    "phasor",
+    "phasors",
+];
 /// What is given by what is complex, and so on: so many times at most.
 const MOST_ROUNDS: usize = 8;
 

@@ -152,6 +152,17 @@ impl Judge<'_> {
         }
     }
 
+    /// Leaves open a step that cites what is said of a case alone, and was refuted without that: "Applying (3) to the two adiabats".
+    pub(in crate::audit) fn heed_what_is_out_of_scope(&self, found: &mut Found) {
+        let is_refuted = found.judged.outcome.is_refuted() && found.mended.is_none();
+        let in_words = self.names_its_premises() && !self.is_directed();
+        if is_refuted && in_words && !self.usable.out_of_scope.is_empty() {
+            found.leave_open(
+                "what it cites is said of a case, and may be meant to be said of this one",
+            );
+        }
+    }
+
     /// Leaves open a step that cites nothing and follows with what is said under circumstances, where the step is said under some as
     /// well: they may be the same. "Under random mating …, in the next generation".
     pub(in crate::audit) fn heed_circumstances(

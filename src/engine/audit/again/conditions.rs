@@ -218,6 +218,13 @@ impl Judge<'_> {
         if conditions.is_empty() {
             return None;
         }
+        // `\sqrt{2 g h} = 2 \sqrt{g L} \sin\frac{\theta}{2}` is meant where the sine is positive.
+        let mut waves = Vec::new();
+        let terms = goal.formula.terms();
+        terms
+            .into_iter()
+            .for_each(|term| collect_waves(term, &mut waves));
+        conditions.extend(waves.into_iter().map(Formula::positive));
         let under = |conditions: &[Formula]| {
             let all = set.iter().cloned().chain(conditions.iter().map(step));
             let all: Vec<Assumed> = all.collect();
@@ -356,4 +363,16 @@ pub(in crate::audit) fn unbounded(claim: &Claim) -> Vec<Symbol> {
     };
     let unbounded = named.filter(|symbol| !said(symbol) && !symbol.is_unit());
     unbounded.cloned().collect()
+}
+
+/// The sines, cosines and tangents in a term.
+fn collect_waves(term: &Expr, found: &mut Vec<Expr>) {
+    match term {
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, _) => {
+            if !found.contains(term) {
+                found.push(term.clone());
+            }
+        }
+        _ => (term.children()).for_each(|child| collect_waves(child, found)),
+    }
 }

@@ -156,7 +156,8 @@ impl Judge<'_> {
     /// Whether the last sentence before the step has one of these words.
     pub(in crate::audit) fn says(&self, such: &[&str]) -> bool {
         let said = self.derivation.leading(self.at).unwrap_or_default();
-        let mut words = said.split(|c: char| !c.is_alphabetic());
+        // "no-slip" denies nothing.
+        let mut words = said.split(|c: char| !c.is_alphabetic() && c != '-');
         words.any(|word| such.contains(&&*word.to_lowercase()))
     }
 }

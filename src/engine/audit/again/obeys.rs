@@ -78,9 +78,27 @@ impl Judge<'_> {
             standing: Standing::Identity,
             ..taken(&goal.formula)
         };
+        // What the text says besides may be of a case in which it is one, and of no moment: "**Critical damping** ($\gamma = \omega_0$)".
+        let is_of_law = &is_of_law;
+        let stands = |own: &Symbol| *own != variable && *own != of && is_of_law(own);
+        let said = self.derivation.written_since(self.at).into_iter();
+        // "with $v(0) = 0$" is of one moment.
+        let is_applied = |part: &Expr| matches!(part, Expr::Apply(..));
+        let said = said.filter(|own| {
+            own.names().iter().all(stands)
+                && !own.terms().into_iter().any(|term| term.any(&is_applied))
+        });
+        let said = said.map(|own| Assumed {
+            standing: Standing::Identity,
+            ..taken(&own)
+        });
+        let supposed = self.usable.assumed.iter().filter(|own| {
+            matches!(own.source, Source::Local(..)) && !own.formula.names().contains(&variable)
+        });
+        let said: Vec<Assumed> = said.chain(supposed.cloned()).collect();
         let positive = |own: &Symbol| taken(&Formula::positive(Expr::Symbol(own.clone())));
         let all = symbols.iter().chain([&variable]).map(positive);
-        let all: Vec<Assumed> = [solution].into_iter().chain(all).collect();
+        let all: Vec<Assumed> = [solution].into_iter().chain(said).chain(all).collect();
         let decide = |assumed: &[Assumed], formula: &Formula| {
             let mut claim = self.derivation.claim(self.at, assumed, formula);
             for own in &symbols {

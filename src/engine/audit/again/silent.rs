@@ -5,6 +5,7 @@ use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
 use crate::search::Decision;
 use crate::sorted::Set;
 
+use super::super::Outcome;
 use super::super::judge::{Found, Judge};
 use super::super::stated::quantities;
 
@@ -43,10 +44,6 @@ impl Judge<'_> {
             others.clone().count() == 1
                 && others.all(|own| !left.contains(own) && !right.contains(own))
         };
-        // Of an identity both sides speak of the same.
-        let is_new = |symbol: &Symbol| {
-            introduced.contains(symbol) && left.contains(symbol) != right.contains(symbol)
-        };
         let spoken_of = || {
             let near = self.approximations();
             let near = near.iter().flat_map(|(one, other)| [one, other]);
@@ -69,10 +66,30 @@ impl Judge<'_> {
             let says = found.mended.is_none() && self.says(&INTEGRATING);
             says && self.is_integral(whole, value, assumed)
         };
+        // Of an identity both sides speak of the same.
+        let is_new = |symbol: &Symbol| {
+            introduced.contains(symbol) && left.contains(symbol) != right.contains(symbol)
+        };
+        // "The fraction that sits in the rotation is" draws on nothing, and may say what it speaks of.
+        let draws = self.derivation.equations[self.at].drawn || self.names_its_premises();
+        let page = self.derivation.equations[self.at].page;
+        let directed = self.derivation.pages[page].directs;
+        let judged_from = match &found.judged.outcome {
+            Outcome::Refuted(refuted) if !draws && !directed && goal.suppositions.is_empty() => {
+                let said = refuted.claim().hypotheses.iter();
+                said.flat_map(|own| own.formula.names()).collect()
+            }
+            _ => left.union(&right).cloned().collect::<Set<Symbol>>(),
+        };
+        let is_loose =
+            |own: &Symbol| found.mended.is_none() && !judged_from.contains(own) && is_new(own);
         let mut silent = left.union(&right).filter(is_silent);
         if is_integral()
-            || silent
-                .any(|own| is_general(own) || is_new(own) && (is_said_beside(own) || is_named(own)))
+            || silent.any(|own| {
+                is_general(own)
+                    || is_loose(own)
+                    || is_new(own) && (is_said_beside(own) || is_named(own))
+            })
         {
             found.leave_open("no equation before says what some symbol in it is");
         }

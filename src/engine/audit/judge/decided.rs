@@ -202,6 +202,7 @@ impl Judge<'_> {
             self.heed_what_is_new(goal, all, found);
             self.heed_contrast(goal, all, found);
             self.heed_laws_in_words(found);
+            self.heed_what_is_out_of_scope(found);
             if !strong {
                 self.heed_induction(found);
             }
