@@ -84,7 +84,12 @@ impl Judge<'_> {
             .values()
             .filter(|own| spoken.contains(*own) || has_law(own));
         let here = here.count();
-        if here < LEAST_INDEXED || put.values().any(|own| names.contains(own)) {
+        // What has equations of its own needs no law that is told: `v_1 = \sqrt{\mu/r_1}`.
+        let is_known = matches!(law.source, Source::Local(..))
+            && put
+                .values()
+                .all(|own| self.derivation.is_spoken_of_before(self.at, own));
+        if here < LEAST_INDEXED || is_known || put.values().any(|own| names.contains(own)) {
             return None;
         }
         let formula = law.formula.map_terms(|term| {

@@ -124,6 +124,7 @@ impl Reader<'_> {
         let stationary = &self.stationary;
         self.active
             .retain(|at| !locals[*at].of_display || stationary.contains(at));
+        self.told.retain(|at| !locals[*at].of_display);
         self.leave_told(&said, before);
     }
 

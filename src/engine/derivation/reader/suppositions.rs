@@ -235,9 +235,28 @@ impl Reader<'_> {
         self.page.suppose(body, kind, self.level, among, false);
         self.page.restrict(before.., kind, &self.spoken_of);
         let new = before..self.page.locals.len();
+        if matches!(kind, SuppositionKind::Fact { .. }) && self.is_of_limit(body) {
+            for local in &mut self.page.locals[new.clone()] {
+                local.of_display = true;
+            }
+        }
         self.leave_replaced(new.clone());
         self.keep(new.clone(), kind);
         new
+    }
+
+    /// Whether the sentence before some mathematics goes to a limit: what is told there is so there alone, "For $s \to \infty$ the image lies at
+    /// the focal point, $s' = f$".
+    fn is_of_limit(&self, body: Span) -> bool {
+        let before = self
+            .page
+            .document
+            .source
+            .get(..body.start)
+            .unwrap_or_default();
+        let sentence = before.rsplit(". ").next();
+        let sentence = sentence.and_then(|own| own.rsplit("\n\n").next());
+        sentence.is_some_and(|sentence| sentence.contains("\\to ") || sentence.contains("\\to\\"))
     }
 
     /// Leaves the cases before the last display in which something had another value than the text says now: "Inserting $Q = Q_m$, $$…$$ Now
