@@ -107,6 +107,9 @@ impl Report<'_> {
         };
         let notes = entry.notes.iter().filter(apart);
         said.extend(notes.filter_map(|note| self.aside(entry.equation, note)));
+        if said.is_empty() && entry.verdict == Verdict::Undecided {
+            return UNDECIDED.into();
+        }
         said.join("; ")
     }
 
@@ -397,6 +400,9 @@ fn unsupported(entry: &Entry) -> bool {
     let noted = |note: &Note| matches!(note, Note::NumericNotSupported);
     entry.verdict == Verdict::Undecided && entry.notes.iter().any(noted)
 }
+
+/// Why a verdict is open where nothing more is known of that.
+const UNDECIDED: &str = "no proof and no counterexample was found";
 
 fn undecided(entry: &Entry) -> Option<String> {
     entry
