@@ -5,6 +5,7 @@
 
 use crate::algebra::{Expr, Formula, Function, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source};
+use crate::document::Extent;
 use crate::kernel::Standing;
 use crate::search::Decision;
 
@@ -31,6 +32,29 @@ const SOLVING: [&str; 16] = [
     "exponentiate",
     "exponentiating",
 ];
+/// With one of these it is the solution of something simpler than what the law says, or near one.
+const OF_ANOTHER_LAW: [&str; 20] = [
+    "without",
+    "absence",
+    "neglect",
+    "neglecting",
+    "neglected",
+    "ignoring",
+    "ignored",
+    "vanishing",
+    "small",
+    "large",
+    "weak",
+    "strong",
+    "slow",
+    "early",
+    "late",
+    "short",
+    "long",
+    "approximate",
+    "approximately",
+    "undamped",
+];
 /// So much work is done, as [`effort`] counts it.
 const MOST_WORK: u64 = 2_000_000;
 
@@ -45,8 +69,12 @@ impl Judge<'_> {
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
-        let drawn = self.derivation.equations[self.at].drawn;
-        if !drawn && !self.says(&SOLVING) {
+        let own = &self.derivation.equations[self.at];
+        if !own.drawn && !self.says(&SOLVING) {
+            return None;
+        }
+        // "Without friction the solution is" is of another law.
+        if own.extent != Extent::Throughout || self.says(&OF_ANOTHER_LAW) {
             return None;
         }
         let near = &self.others(premises)[0];
