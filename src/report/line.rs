@@ -5,6 +5,7 @@ use crate::audit::{Entry, Judged, Note, Outcome, Verdict};
 use crate::derivation::Source;
 use crate::kernel::Refuted;
 use crate::notation::{Mark, latex_statement, plain_statement};
+use crate::search::UNDECIDED;
 use crate::sorted;
 
 use super::evidence::Point;
@@ -400,9 +401,6 @@ fn unsupported(entry: &Entry) -> bool {
     let noted = |note: &Note| matches!(note, Note::NumericNotSupported);
     entry.verdict == Verdict::Undecided && entry.notes.iter().any(noted)
 }
-
-/// Why a verdict is open where nothing more is known of that.
-const UNDECIDED: &str = "no proof and no counterexample was found";
 
 fn undecided(entry: &Entry) -> Option<String> {
     entry

@@ -91,8 +91,9 @@ pub struct Judged {
 impl Judged {
     /// What is put into a law that it is said to solve, where the law is what was judged.
     pub fn solution(&self) -> Option<&Assumed> {
-        let mut assumed = self.assumed.iter();
-        assumed.find(|own| own.source == Source::Taken && own.standing == Standing::Identity)
+        let first = self.assumed.first()?;
+        let is_put = first.source == Source::Taken && first.standing == Standing::Identity;
+        is_put.then_some(first)
     }
 }
 

@@ -25,6 +25,9 @@ impl Judge<'_> {
         let told = assumed.iter().filter(|own| !said(own));
         let mut spoken = names.clone();
         spoken.extend(told.flat_map(|own| own.formula.names()));
+        if !spoken.iter().any(|own| tells_apart(own).is_some()) {
+            return Vec::new();
+        }
         // "so that $f = v/\lambda$" tells a law, "$n = 2$" a value.
         let mut told = self.derivation.told(self.at);
         told.retain(|own| own.formula.names().len() > LEAST_INDEXED);

@@ -39,10 +39,8 @@ impl Judge<'_> {
                 // What nothing speaks of may scale as it likes.
                 let is_silent =
                     |own: &Symbol| !assumed.iter().any(|a| a.formula.names().contains(own));
-                let page = self.derivation.equations[self.at].page;
-                let directs = self.derivation.pages[page].directs;
                 if matches!(found.judged.outcome, Outcome::ScalesNot(..))
-                    && !directs
+                    && !self.is_directed()
                     && let Some(silent) = goal.formula.names().iter().find(|own| is_silent(own))
                 {
                     found.leave_open(format!(

@@ -297,11 +297,14 @@ impl Judge<'_> {
             return false;
         };
         let (left, right) = (quantities(left), quantities(right));
+        let new = left.iter();
+        let mut new = new.filter(|&own| introduced.contains(own) && !right.contains(own));
         // "A ball of moment of inertia $I = \frac25 m R^2$" has said what it is.
-        let told = self.derivation.told(self.at);
-        let is_told = |own: &Symbol| told.iter().any(|a| a.formula.names().contains(own));
-        left.iter()
-            .any(|own| introduced.contains(own) && !right.contains(own) && !is_told(own))
+        let is_told = |own: &Symbol| {
+            let told = self.derivation.told(self.at);
+            told.iter().any(|a| a.formula.names().contains(own))
+        };
+        new.any(|own| !is_told(own))
     }
 
     /// What to say of a definition that words before it announce as a step, and of which nothing before says that it is one.

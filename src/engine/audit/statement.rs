@@ -128,7 +128,7 @@ impl Auditor<'_> {
             }
             let recent = &links.steps[links.steps.len().saturating_sub(MOST_STEPS)..];
             let mut found = judge.goal(&goal, recent, how.premises);
-            if is_put_to_nought(statement, &goal) && !found.judged.outcome.is_proven() {
+            if !found.judged.outcome.is_proven() && is_put_to_nought(statement, &goal) {
                 found = Found::open(Judged {
                     goal: goal.clone(),
                     assumed: Vec::new(),

@@ -8,6 +8,7 @@ use crate::kernel::{Standing, running_in};
 use crate::notation::read_formulas;
 
 use super::equation::{Kind, formulas};
+use super::page::Page;
 use super::supposed::{Local, said_of_moment};
 use super::{Derivation, constants};
 
@@ -176,15 +177,10 @@ impl Derivation {
     pub fn mentioned(&self, at: usize) -> Vec<(Span, Formula)> {
         let equation = &self.equations[at];
         let page = &self.pages[equation.page];
-        let read = equation.mentioned.iter().filter_map(|&body| {
-            let mut statements = read_formulas(&page.document.source, body).ok()?;
-            page.read_exponentials(statements.iter_mut());
-            let plain = statements.iter().filter(|s| s.under.is_empty());
-            let said: Vec<Formula> = plain.flat_map(formulas).collect();
-            let said = said.into_iter().filter(|f| !constants::speaks_of_some(f));
-            Some(said.map(move |formula| (body, formula)))
-        });
-        read.flatten().collect()
+        let bodies = equation.mentioned.iter();
+        bodies
+            .flat_map(|&body| said_in(page, body).into_iter().map(move |own| (body, own)))
+            .collect()
     }
 
     /// What the mathematics of the last sentence before an equation says, understood or not.
@@ -204,15 +200,7 @@ impl Derivation {
         let page = &self.pages[self.equations[at].page];
         let inline = self.inline_before(at);
         let inline = inline.filter(|math| math.body.start >= start);
-        let read = inline.filter_map(|math| {
-            let mut statements = read_formulas(&page.document.source, math.body).ok()?;
-            page.read_exponentials(statements.iter_mut());
-            let plain = statements.iter().filter(|own| own.under.is_empty());
-            Some(plain.flat_map(formulas).collect::<Vec<_>>())
-        });
-        let mut said: Vec<Formula> = read.flatten().collect();
-        said.retain(|own| !constants::speaks_of_some(own));
-        said
+        inline.flat_map(|math| said_in(page, math.body)).collect()
     }
 
     /// What says a local hypothesis: the display, where one says it of a moment.
@@ -228,4 +216,13 @@ impl Derivation {
     pub fn local(&self, page: usize, local: usize) -> &Local {
         &self.pages[page].locals[local]
     }
+}
+
+/// What a piece of mathematics in the text says, if it can be read, but for what it says under conditions or of some constant.
+fn said_in(page: &Page, body: Span) -> Vec<Formula> {
+    let mut statements = read_formulas(&page.document.source, body).unwrap_or_default();
+    page.read_exponentials(statements.iter_mut());
+    let plain = statements.iter().filter(|own| own.under.is_empty());
+    let said = plain.flat_map(formulas);
+    said.filter(|own| !constants::speaks_of_some(own)).collect()
 }

@@ -65,6 +65,8 @@ use supposing::{assuming, defines_afresh, nowhere_put};
 pub use unless::{Unless, missing_conditions};
 
 /// How many choices a search for a point may try, quickly and in earnest.
+/// Why something is left open of which nothing more is known.
+pub const UNDECIDED: &str = "no proof and no counterexample was found";
 const QUICK: usize = 200;
 const EARNEST: usize = 1_500;
 const IN_CONTEXT: usize = 600;
@@ -123,7 +125,7 @@ pub fn decide_within(
     most: Option<usize>,
 ) -> Decision {
     let mut stop = Stop {
-        reason: "no proof and no counterexample was found".into(),
+        reason: UNDECIDED.into(),
         ..Stop::default()
     };
     // Elimination decides no inequality: there the proper search comes early.

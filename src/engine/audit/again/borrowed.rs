@@ -51,7 +51,7 @@ impl Judge<'_> {
 
     /// Whether directives on the page say what is given and what follows from what: where none does, citations are seldom complete
     /// either.
-    pub(super) fn is_directed(&self) -> bool {
+    pub(in crate::audit) fn is_directed(&self) -> bool {
         self.derivation.pages[self.derivation.equations[self.at].page].directs
     }
 

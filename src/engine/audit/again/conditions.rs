@@ -366,7 +366,7 @@ pub(in crate::audit) fn unbounded(claim: &Claim) -> Vec<Symbol> {
 }
 
 /// The sines, cosines and tangents in a term.
-fn collect_waves(term: &Expr, found: &mut Vec<Expr>) {
+pub(super) fn collect_waves(term: &Expr, found: &mut Vec<Expr>) {
     match term {
         Expr::Call(Function::Sin | Function::Cos | Function::Tan, _) => {
             if !found.contains(term) {

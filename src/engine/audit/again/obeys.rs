@@ -6,11 +6,13 @@
 use crate::algebra::{Expr, Formula, Function, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::document::Extent;
-use crate::kernel::Standing;
+use crate::kernel::{Refuted, Standing};
 use crate::search::Decision;
+use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
+use super::conditions::collect_waves;
 use super::solution::met;
 
 /// What a solution comes after, where nothing else says that it is one.
@@ -58,6 +60,27 @@ const OF_ANOTHER_LAW: [&str; 20] = [
 /// So much work is done, as [`effort`] counts it.
 const MOST_WORK: u64 = 2_000_000;
 
+/// What is said to be a solution, and of what.
+struct Solution<'a> {
+    law: &'a Assumed,
+    variable: Symbol,
+    /// What does not move in either.
+    constants: Set<Symbol>,
+    /// The solution, that all is positive, and what the text says besides.
+    assumed: Vec<Assumed>,
+}
+
+impl Solution<'_> {
+    fn is_of_law(&self, own: &Symbol) -> bool {
+        *own == self.variable || self.law.formula.names().contains(own)
+    }
+
+    /// The same without the solution.
+    fn circumstances(&self) -> &[Assumed] {
+        &self.assumed[1..]
+    }
+}
+
 impl Judge<'_> {
     /// What to say of a solution that obeys the law that it is said to solve for no values of its constants but nought.
     pub(in crate::audit) fn as_no_solution(
@@ -65,6 +88,28 @@ impl Judge<'_> {
         goal: &Goal,
         premises: &[usize],
     ) -> Option<Found> {
+        let own = self.said_to_solve(goal, premises)?;
+        effort::within(MOST_WORK, || {
+            let refuted = match self.decide_of(&own, &own.assumed, &own.law.formula)? {
+                Decision::Refuted(refuted) => refuted,
+                // It obeys the law, and may have another value where the text tells one.
+                Decision::Proven { .. } => return self.begins_otherwise(goal, &own),
+                Decision::Open(_) => return None,
+            };
+            // For some values of the constants that it brings along it may be one, whatever the law's own are.
+            if !own.constants.iter().all(|symbol| own.is_of_law(symbol))
+                && !self.is_one_for_none(goal, &own, &refuted)
+            {
+                return None;
+            }
+            let mut found = refuted_of(goal, &own.law.formula, &own.assumed, refuted);
+            found.constant = own.constants.iter().cloned().collect();
+            Some(found)
+        })
+    }
+
+    /// The law that a goal is said to solve; nothing where words say that it is none of that law, or something else moves.
+    fn said_to_solve(&self, goal: &Goal, premises: &[usize]) -> Option<Solution<'_>> {
         let (left, right) = goal.formula.as_equation()?;
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
@@ -94,114 +139,121 @@ impl Judge<'_> {
         }
         let law = laws().find(is_law)?;
         // Nothing else moves, and nothing else is known of what stands in it.
-        let mut symbols = goal.formula.free_symbols();
-        symbols.extend(law.formula.free_symbols());
-        symbols.retain(|own| *own != of && *own != variable && !own.is_unit());
+        let mut constants = goal.formula.free_symbols();
+        constants.extend(law.formula.free_symbols());
+        constants.retain(|own| *own != of && *own != variable && !own.is_unit());
         let moves = |own: &Symbol| self.auditor.changes(self.at, own, &variable);
-        if symbols.iter().any(moves) {
+        if constants.iter().any(moves) {
             return None;
         }
-        let is_of_law = |own: &Symbol| *own == variable || law.formula.names().contains(own);
-        let solution = Assumed {
+        let throughout = |formula: &Formula| Assumed {
             standing: Standing::Identity,
-            ..taken(&goal.formula)
+            ..taken(formula)
+        };
+        let positive = constants.iter().chain([&variable]);
+        let positive = positive.map(|own| taken(&Formula::positive(Expr::Symbol(own.clone()))));
+        let assumed = [throughout(&goal.formula)].into_iter().chain(positive);
+        let mut own = Solution {
+            law,
+            assumed: assumed.collect(),
+            variable,
+            constants,
         };
         // What the text says besides may be of a case in which it is one, and of no moment: "**Critical damping** ($\gamma = \omega_0$)".
-        let is_of_law = &is_of_law;
-        let stands = |own: &Symbol| *own != variable && *own != of && is_of_law(own);
-        let said = self.derivation.written_since(self.at).into_iter();
+        let stands =
+            |symbol: &Symbol| *symbol != own.variable && *symbol != of && own.is_of_law(symbol);
         // "with $v(0) = 0$" is of one moment.
         let is_applied = |part: &Expr| matches!(part, Expr::Apply(..));
-        let said = said.filter(|own| {
-            own.names().iter().all(stands)
-                && !own.terms().into_iter().any(|term| term.any(&is_applied))
+        let mut said = self.derivation.written_since(self.at);
+        said.retain(|said| {
+            said.names().iter().all(stands)
+                && !said.terms().into_iter().any(|term| term.any(&is_applied))
         });
-        let said = said.map(|own| Assumed {
-            standing: Standing::Identity,
-            ..taken(&own)
+        let supposed = self.usable.assumed.iter().filter(|said| {
+            matches!(said.source, Source::Local(..))
+                && !said.formula.names().contains(&own.variable)
         });
-        let supposed = self.usable.assumed.iter().filter(|own| {
-            matches!(own.source, Source::Local(..)) && !own.formula.names().contains(&variable)
+        let said = said.iter().map(throughout).chain(supposed.cloned());
+        let said: Vec<Assumed> = said.collect();
+        own.assumed.extend(said);
+        Some(own)
+    }
+
+    /// What is decided where all but the variable and what depends on it is constant.
+    fn decide_of(
+        &self,
+        own: &Solution,
+        assumed: &[Assumed],
+        formula: &Formula,
+    ) -> Option<Decision> {
+        let mut claim = self.derivation.claim(self.at, assumed, formula);
+        for own in &own.constants {
+            claim.domains.entry(own.clone()).or_default().constant = true;
+        }
+        Some(self.decide(&*self.pose_claim(claim).ok()?))
+    }
+
+    /// What to say of a solution that has another value than the text tells just before it.
+    fn begins_otherwise(&self, goal: &Goal, own: &Solution) -> Option<Found> {
+        let mut said = self.derivation.conditions_said(self.at);
+        said.retain(|own| own.just_said);
+        let mut met = met(said, goal, &own.variable).into_iter();
+        met.find_map(
+            |(_, there)| match self.decide_of(own, own.circumstances(), &there)? {
+                Decision::Refuted(refuted) => {
+                    Some(refuted_of(goal, &there, own.circumstances(), refuted))
+                }
+                _ => None,
+            },
+        )
+    }
+
+    /// Whether a solution obeys its law for no values of the constants that it brings along, where those of the law are as a point says.
+    fn is_one_for_none(&self, goal: &Goal, own: &Solution, point: &Refuted) -> bool {
+        let set = point.witness().symbols.iter();
+        let set = set.filter(|(symbol, _)| own.is_of_law(symbol));
+        let set = set.map(|(symbol, value)| {
+            let value = Expr::Number(value.clone());
+            taken(&Formula::equal(Expr::Symbol(symbol.clone()), value))
         });
-        let said: Vec<Assumed> = said.chain(supposed.cloned()).collect();
-        let positive = |own: &Symbol| taken(&Formula::positive(Expr::Symbol(own.clone())));
-        let all = symbols.iter().chain([&variable]).map(positive);
-        let all: Vec<Assumed> = [solution].into_iter().chain(said).chain(all).collect();
-        let decide = |assumed: &[Assumed], formula: &Formula| {
-            let mut claim = self.derivation.claim(self.at, assumed, formula);
-            for own in &symbols {
-                claim.domains.entry(own.clone()).or_default().constant = true;
-            }
-            Some(self.decide(&*self.pose_claim(claim).ok()?))
+        let so = Assumed {
+            standing: Standing::AtPoint,
+            ..own.law.clone()
         };
-        let begins_otherwise = || {
-            let mut said = self.derivation.conditions_said(self.at);
-            said.retain(|own| own.just_said);
-            met(said, goal, &variable)
-                .into_iter()
-                .find_map(|(_, there)| {
-                    let Decision::Refuted(refuted) = decide(&all[1..], &there)? else {
-                        return None;
-                    };
-                    Some(Found::open(Judged {
-                        goal: Goal {
-                            formula: there,
-                            ..goal.clone()
-                        },
-                        assumed: all[1..].to_vec(),
-                        outcome: Outcome::Refuted(refuted.into()),
-                    }))
-                })
-        };
-        effort::within(MOST_WORK, || {
-            let refuted = match decide(&all, &law.formula)? {
-                Decision::Refuted(refuted) => refuted,
-                // It obeys the law, and may have another value where the text tells one.
-                Decision::Proven { .. } => return begins_otherwise(),
-                Decision::Open(_) => return None,
-            };
-            // For some values of the constants that it brings along it may be one, whatever the law's own are.
-            if !symbols.iter().all(is_of_law) {
-                let set = refuted.witness().symbols.iter();
-                let set = set.filter(|(own, _)| is_of_law(own)).map(|(own, value)| {
-                    let value = Expr::Number(value.clone());
-                    taken(&Formula::equal(Expr::Symbol(own.clone()), value))
-                });
-                let so = Assumed {
-                    standing: Standing::AtPoint,
-                    ..law.clone()
-                };
-                // It would have to be one at each moment, and so where no wave is nought.
-                let mut waves = Vec::new();
-                self::waves(right, &variable, &mut waves);
-                let all = all.iter().cloned().chain(set).chain([so]).chain(waves);
-                let all: Vec<Assumed> = all.collect();
-                let nonsense = Formula::equal(Expr::integer(0), Expr::integer(1));
-                let Decision::Proven { .. } = decide(&all, &nonsense)? else {
-                    return None;
-                };
-            }
-            let own = Goal {
-                formula: (*law.formula).clone(),
-                ..goal.clone()
-            };
-            let mut found = Found::open(Judged {
-                goal: own,
-                assumed: all.clone(),
-                outcome: Outcome::Refuted(refuted.into()),
-            });
-            found.constant = symbols.iter().cloned().collect();
-            Some(found)
-        })
+        // It would have to be one at each moment, and so where no wave is nought.
+        let mut waves = Vec::new();
+        if let Some((_, right)) = goal.formula.as_equation() {
+            collect_waves(right, &mut waves);
+        }
+        let is_tangent = |wave: &Expr| matches!(wave, Expr::Call(Function::Tan, _));
+        waves.retain(|wave| wave.mentions(&own.variable) && !is_tangent(wave));
+        let waves = waves
+            .into_iter()
+            .map(|wave| taken(&Formula::positive(wave)));
+        let all = own
+            .assumed
+            .iter()
+            .cloned()
+            .chain(set)
+            .chain([so])
+            .chain(waves);
+        let all: Vec<Assumed> = all.collect();
+        let nonsense = Formula::equal(Expr::integer(0), Expr::integer(1));
+        matches!(
+            self.decide_of(own, &all, &nonsense),
+            Some(Decision::Proven { .. })
+        )
     }
 }
 
-/// That the sines and cosines of a term that move are positive.
-fn waves(term: &Expr, variable: &Symbol, found: &mut Vec<Assumed>) {
-    match term {
-        Expr::Call(Function::Sin | Function::Cos, of) if of.mentions(variable) => {
-            found.push(taken(&Formula::positive(term.clone())));
-        }
-        _ => (term.children()).for_each(|part| waves(part, variable, found)),
-    }
+/// That something else than a goal is refuted, and by that the goal.
+fn refuted_of(goal: &Goal, formula: &Formula, assumed: &[Assumed], refuted: Refuted) -> Found {
+    Found::open(Judged {
+        goal: Goal {
+            formula: formula.clone(),
+            ..goal.clone()
+        },
+        assumed: assumed.to_vec(),
+        outcome: Outcome::Refuted(refuted.into()),
+    })
 }

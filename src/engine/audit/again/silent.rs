@@ -72,10 +72,10 @@ impl Judge<'_> {
         };
         // "The fraction that sits in the rotation is" draws on nothing, and may say what it speaks of.
         let draws = self.derivation.equations[self.at].drawn || self.names_its_premises();
-        let page = self.derivation.equations[self.at].page;
-        let directed = self.derivation.pages[page].directs;
         let judged_from = match &found.judged.outcome {
-            Outcome::Refuted(refuted) if !draws && !directed && goal.suppositions.is_empty() => {
+            Outcome::Refuted(refuted)
+                if !draws && !self.is_directed() && goal.suppositions.is_empty() =>
+            {
                 let said = refuted.claim().hypotheses.iter();
                 said.flat_map(|own| own.formula.names()).collect()
             }
