@@ -4,7 +4,7 @@
 //! back. What cannot be read is refused by name and place; nothing is skipped or guessed. `typeset` shows on a page what
 //! was typed, read or not. Where physicists' notation leaves a choice, this is what is chosen:
 //!
-//! - `/` binds like a product and runs from left to right: `1/2m` is `(1/2)m`.
+//! - Names side by side behind a `/` stand below it, `t/RC` is `t/(RC)`, but `1/2m` is `(1/2)m`.
 //! - A symbol directly before parentheses that hold only bare symbols, `P(t)`, is a function; `v_0(1-\mu)` is a product.
 //! - `\sum`, `\lim` and `\frac{d}{dx}` take the product that follows them; `\frac{d}{dx}[f] g` is refused.
 //! - `\sin` without parentheses takes the plain factors side by side that follow, up to a rate (`\dot\theta`) or a differential; a group or a sign of multiplication

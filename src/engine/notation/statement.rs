@@ -52,7 +52,7 @@ pub struct Run {
 /// A way to take a place that is not the one taken here; which that is, `docs/notation.md` says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Choice {
-    /// `a/bc` as `a/(bc)`: so many of the factors beside what a stroke divides by stand below it too.
+    /// `a/bc` as `(a/b) c`, `1/2m` as `1/(2m)`: so many of the factors beside what a stroke divides by stand below it too.
     Below(u8),
     /// `\sin x y` as `(\sin x) y`: the argument of a function ends with the first name.
     FirstName,

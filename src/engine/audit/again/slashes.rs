@@ -1,6 +1,6 @@
 //! Formulas in the text with a stroke that may be meant otherwise: "with the Compton wavelength $\lambda_C = h/mc$".
 //!
-//! They are read as displays are, `h/mc` as `(h/m) c`. What follows where the other reading is taken is not refuted by this one.
+//! They are read as displays are, `h/mc` as `h/(mc)`. What follows where another reading is taken is not refuted by this one.
 
 use crate::algebra::Formula;
 use crate::derivation::{Assumed, Goal, Source, formulas};
@@ -32,7 +32,7 @@ impl Judge<'_> {
                     && !self.is_contradictory(&all, goal)
                 {
                     return found.leave_open(format!(
-                        "it follows where `{told}` is read with all that comes after the stroke below it"
+                        "it follows where the stroke in `{told}` is read the other way"
                     ));
                 }
             }

@@ -1,8 +1,9 @@
 //! Sums and products: the arithmetic between single factors.
 //!
 //! Precedence, loosest first: `+` and `-`; products (side by side, `\cdot`, `\times`, `*`) and `/`, which bind alike
-//! and run from left to right, so that `1/2m` is `(1/2)m`; powers. A sign at the start of a term holds for all of it:
-//! `-ab` is `-(ab)`. Parentheses are kept: `(a + b) + c` is a sum whose first term is a sum.
+//! and run from left to right; powers. Names side by side behind a stroke all stand below it, `t/RC` is `t/(RC)`, but
+//! not where both sides of the stroke begin with numbers: `1/2m` is `(1/2)m`. A sign at the start of a term holds for
+//! all of it: `-ab` is `-(ab)`. Parentheses are kept: `(a + b) + c` is a sum whose first term is a sum.
 
 use num_traits::Signed;
 
@@ -14,8 +15,8 @@ use crate::notation::{commands, measured};
 
 /// How many `/` one term may hold; more than one is hard enough to read.
 const SLASHES: usize = 8;
-/// How many factors beside what a stroke divides by are tried below it.
-const MOST_BELOW: u8 = 4;
+/// How many factors beside what a stroke divides by are read or tried below it.
+const MOST_BELOW: u8 = 5;
 
 impl Parser<'_> {
     /// A sum of terms; a single term is itself.
@@ -208,18 +209,17 @@ impl Parser<'_> {
                         product.divide(unit)?;
                         continue;
                     }
-                    // `h/2\pi`, and not `4/3 \pi r^3`.
-                    let of_pi = product.is_lettered() && self.is_number_of_pi();
-                    let under = match self.choice {
-                        Some(Choice::Below(more)) => self.all_below(more)?,
-                        _ if of_pi => self.all_below(1)?,
-                        _ => self.factor()?,
+                    let is_coefficient =
+                        !product.is_lettered() && matches!(self.peek(), Kind::Number(_));
+                    let (under, below) = match self.choice {
+                        Some(Choice::Below(more)) => (self.all_below(more)?, more),
+                        _ if is_coefficient => (self.factor()?, 0),
+                        _ => self.names_below()?,
                     };
-                    if of_pi {
-                        let place = (Choice::Below(0), self.since(from - 1));
-                        self.choices.push(place);
-                    }
-                    stroke = Some((from - 1, u8::from(of_pi)));
+                    let place = self.since(from - 1);
+                    let fewer = (0..below).map(|fewer| (Choice::Below(fewer), place));
+                    self.choices.extend(fewer);
+                    stroke = Some((from - 1, below));
                     if self.pending.is_some() {
                         self.beside(&mut stroke);
                     }
@@ -266,9 +266,27 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether a number and π come next, which belong together below a stroke.
-    fn is_number_of_pi(&self) -> bool {
-        matches!(self.peek(), Kind::Number(_)) && self.kind(self.at + 1) == Kind::Command("pi")
+    /// What a stroke divides by, with the names side by side that follow it, and how many these are.
+    fn names_below(&mut self) -> Read<(Factor, u8)> {
+        let start = self.at;
+        let first = self.factor()?;
+        if self.pending.is_some() || !self.is_name_beside() {
+            return Ok((first, 0));
+        }
+        let mut product = Product::default();
+        product.push(first)?;
+        let mut names = 0;
+        while names < MOST_BELOW && self.pending.is_none() && self.is_name_beside() {
+            product.push(self.factor()?)?;
+            names += 1;
+        }
+        Ok((product.below(self.since(start))?, names))
+    }
+
+    /// Whether a name comes next, and nothing before it keeps it apart.
+    fn is_name_beside(&self) -> bool {
+        let spaced = (self.tokens.get(self.at)).is_some_and(|token| token.spaced);
+        !spaced && self.starts_factor() && self.starts_name(self.at)
     }
 
     /// What a stroke divides by, and up to so many factors beside it, as another reading of `a/bc` has them.
@@ -284,13 +302,7 @@ impl Parser<'_> {
                 None => product.push(self.factor()?)?,
             }
         }
-        let term = product.finish(self.since(start))?;
-        Ok(Factor {
-            expr: term.expr,
-            shape: Shape::Tight,
-            span: term.span,
-            braces: false,
-        })
+        product.below(self.since(start))
     }
 }
 
@@ -393,6 +405,17 @@ impl Product {
         }];
         self.divided = true;
         Ok(())
+    }
+
+    /// All of it, as what a stroke divides by.
+    fn below(self, span: Span) -> Read<Factor> {
+        let term = self.finish(span)?;
+        Ok(Factor {
+            expr: term.expr,
+            shape: Shape::Tight,
+            span: term.span,
+            braces: false,
+        })
     }
 
     fn value(&mut self) -> Option<Expr> {
