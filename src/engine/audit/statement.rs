@@ -128,7 +128,10 @@ impl Auditor<'_> {
             }
             let recent = &links.steps[links.steps.len().saturating_sub(MOST_STEPS)..];
             let mut found = judge.goal(&goal, recent, how.premises);
-            if !found.judged.outcome.is_proven() && is_put_to_nought(statement, &goal) {
+            if !found.judged.outcome.is_proven()
+                && is_set_out_from(statement, &goal)
+                && (is_put_to_nought(statement, &goal) || self.sets_out(how))
+            {
                 found = Found::open(Judged {
                     goal: goal.clone(),
                     assumed: Vec::new(),
@@ -143,6 +146,14 @@ impl Auditor<'_> {
             self.take_up(found, &mut links, entry);
         }
         links
+    }
+
+    /// Whether nobody says where what a display sets out from comes from: "One behind the other, the extensions add:
+    /// $$x = \frac{F}{k_1} + \frac{F}{k_2} \Rightarrow k = \frac{k_1 k_2}{k_1 + k_2}$$".
+    fn sets_out(&self, how: &Circumstances) -> bool {
+        let equation = &self.derivation.equations[how.at];
+        let directs = self.derivation.pages[equation.page].directs;
+        !equation.drawn && !how.says_so && !directs
     }
 
     /// What is found of a first link that defines something, or would if what stands before did not say what that is; nothing of others.
@@ -433,14 +444,18 @@ fn used(entry: &Entry) -> Set<usize> {
     used
 }
 
+/// Whether a goal is of what `\Rightarrow` leads on from.
+fn is_set_out_from(statement: &Statement, goal: &Goal) -> bool {
+    let next = statement.connectives.first();
+    goal.clause == 0 && next.is_some_and(|own| own.value == Connective::Implies)
+}
+
 /// Whether a goal puts to nought what the next clause is drawn from: `\frac{dD}{dx} = 1 - \frac{a}{x^2} = 0 \Rightarrow x = \sqrt{a}` supposes that.
 fn is_put_to_nought(statement: &Statement, goal: &Goal) -> bool {
-    let next = statement.connectives.first();
-    let goes_on = goal.clause == 0 && next.is_some_and(|own| own.value == Connective::Implies);
     let ends = goals(statement)
         .into_iter()
         .rfind(|own| own.clause == goal.clause)
         .is_some_and(|last| last.formula == goal.formula);
     let sides = goal.formula.as_equation();
-    goes_on && ends && sides.is_some_and(|(_, right)| *right == Expr::integer(0))
+    ends && sides.is_some_and(|(_, right)| *right == Expr::integer(0))
 }

@@ -2,7 +2,7 @@
 //! "whereas equal work needs".
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
-use crate::derivation::{Assumed, Goal, Source, formulas, renamed};
+use crate::derivation::{Assumed, Goal, Source, first_goal, formulas, renamed};
 use crate::sorted::Map;
 
 use super::super::judge::{Found, Judge, step};
@@ -78,7 +78,12 @@ impl Judge<'_> {
             matches!(own.source, Source::Equation(_))
                 && matches!(sides, Some((Expr::Symbol(own), _)) if own == of)
         };
-        if assumed.iter().any(is_value) {
+        let is_given_value = |at: usize| {
+            let mut before = self.derivation.equations[at].statements().iter();
+            before.any(|own| first_goal(own).is_some_and(|own| own.is_of(of)))
+        };
+        let mut speaking = self.derivation.speaking_before(self.at, of);
+        if assumed.iter().any(is_value) || speaking.any(is_given_value) {
             found.leave_open("words set it against another value that stands before");
         }
     }

@@ -65,7 +65,8 @@ impl Judge<'_> {
         found: &Found,
     ) -> Option<Found> {
         goal.formula.as_equation()?;
-        if !self.cites_loosely() {
+        // What is so throughout says nothing of where something has a root.
+        if !self.cites_loosely() || !found.constant.is_empty() {
             return None;
         }
         let used = &found.judged.assumed;

@@ -313,9 +313,18 @@ impl Judge<'_> {
         assumed: &[Assumed],
         found: &mut Found,
     ) -> bool {
-        let near = self.gathered(equations).into_iter().take(NEARBY[1].0);
-        let all = assumed.iter().cloned().chain(near).collect();
-        self.under_conditions(goal, all, None, (true, Effort::Light), found)
+        let near = self.gathered(equations);
+        let is_told = |own: &Assumed| matches!(own.source, Source::Local(..));
+        let mut follows = |others: Vec<Assumed>| {
+            let near = others.into_iter().take(NEARBY[1].0);
+            let all = assumed.iter().cloned().chain(near).collect();
+            self.under_conditions(goal, all, None, (true, Effort::Light), found)
+        };
+        let mut stated = near.clone();
+        stated.retain(|own| !is_told(own));
+        // Whether signs can be as they are meant may be hard to see beside what the text tells: `x = A \cos\omega t`.
+        let some = stated.len() < near.len();
+        follows(near) || some && follows(stated)
     }
 }
 

@@ -76,7 +76,12 @@ impl Judge<'_> {
             Outcome::Refuted(refuted)
                 if !draws && !self.is_directed() && goal.suppositions.is_empty() =>
             {
+                let own = |said: &Formula| {
+                    let mut own = assumed.iter().filter(|own| own.source.is_of_statement());
+                    own.any(|own| *own.formula == *said)
+                };
                 let said = refuted.claim().hypotheses.iter();
+                let said = said.filter(|said| !own(&said.formula));
                 said.flat_map(|own| own.formula.names()).collect()
             }
             _ => left.union(&right).cloned().collect::<Set<Symbol>>(),

@@ -13,6 +13,14 @@ use super::super::Outcome;
 use super::super::judge::{Found, Judge, condition, sources, step};
 use super::conditions::unbounded;
 
+/// With one of these a text says that the two sides of an equation are compared for every value of a variable.
+const COMPARING: [&str; 5] = [
+    "slope",
+    "intercept",
+    "coefficient",
+    "coefficients",
+    "comparing",
+];
 /// More symbols than this are not held constant.
 const MOST_HELD: usize = 10;
 
@@ -51,6 +59,29 @@ impl Judge<'_> {
         }
         variables.extend(slopes);
         (variables.iter()).any(|variable| self.holds_for_all(variable, goal, set, found))
+            || (self.compared(goal, set).iter())
+                .any(|(variable, own)| self.holds_for_all(variable, goal, own, found))
+    }
+
+    /// What is compared as words say, for every value of a variable that the step leaves out: "From slope $b$ and intercept $a$" of
+    /// `\frac{4 \pi^2}{k} (m + M) = a + b m` for every `m`.
+    fn compared(&self, goal: &Goal, set: &[Assumed]) -> Vec<(Symbol, Vec<Assumed>)> {
+        if !self.says(&COMPARING) {
+            return Vec::new();
+        }
+        let named = goal.formula.names();
+        let mut compared = Vec::new();
+        let is_law = |own: &&Assumed| own.standing == Standing::Identity;
+        for own in set.iter().filter(is_law) {
+            let Some((left, right)) = own.formula.as_equation() else {
+                continue;
+            };
+            let right = right.free_symbols();
+            let both = (left.free_symbols().into_iter()).filter(|own| right.contains(own));
+            let both = both.filter(|own| !own.is_unit() && !named.contains(own));
+            compared.extend(both.map(|variable| (variable.clone(), vec![own.clone()])));
+        }
+        compared
     }
 
     /// The same for every value of one variable.
@@ -127,13 +158,20 @@ impl Judge<'_> {
         let near = near.unwrap_or_else(|| assumed.to_vec());
         // What is cited says enough where it is known how that varies.
         let variables = self.variables_left_out(goal, &near);
+        let compared = self.compared(goal, &near);
+        let how_it_varies = |variable, all| {
+            let claim = self.derivation.claim(self.at, all, &goal.formula);
+            let held = self.held(&claim, variable)?;
+            let slopes = slopes(all, &held, variable);
+            (!slopes.is_empty()).then_some((variable, all, claim, held, slopes))
+        };
         let how_they_vary = variables.iter().find_map(|variable| {
-            [assumed, &near].into_iter().find_map(|all| {
-                let claim = self.derivation.claim(self.at, all, &goal.formula);
-                let held = self.held(&claim, variable)?;
-                let slopes = slopes(all, &held, variable);
-                (!slopes.is_empty()).then_some((variable, all, claim, held, slopes))
-            })
+            let mut all = [assumed, &near].into_iter();
+            all.find_map(|all| how_it_varies(variable, all))
+        });
+        let how_they_vary = how_they_vary.or_else(|| {
+            let mut compared = compared.iter();
+            compared.find_map(|(variable, own)| how_it_varies(variable, own))
         });
         let Some((variable, all, claim, held, slopes)) = how_they_vary else {
             return;
