@@ -130,7 +130,8 @@ impl Auditor<'_> {
             let mut found = judge.goal(&goal, recent, how.premises);
             if !found.judged.outcome.is_proven()
                 && is_set_out_from(statement, &goal)
-                && (is_put_to_nought(statement, &goal) || self.sets_out(how))
+                && (is_put_to_nought(statement, &goal)
+                    || self.sets_out(how) && !goal.formula.speaks_of_slopes())
             {
                 found = Found::open(Judged {
                     goal: goal.clone(),

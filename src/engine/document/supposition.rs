@@ -355,7 +355,7 @@ impl Reader<'_> {
         } else if states && self.is_known(index) {
             let kind = SuppositionKind::Known;
             self.found.push(Supposition { kind, body });
-        } else if states && self.tells(index, body) {
+        } else if states && (self.tells(index, body) || self.draws_from_words(index, body)) {
             let kind = SuppositionKind::Fact {
                 runs_on: false,
                 of_case: self.sentence.special || self.is_of_moment(index),

@@ -24,7 +24,12 @@ pub(super) fn apart(tokens: Vec<Token<'_>>) -> Vec<Token<'_>> {
         let relates = |token: &Token<'_>| matches!(token.kind, Kind::Relation(..));
         let (upper, lower) = (with(part, false), with(part, true));
         match (upper, lower, part.last()) {
-            (Some(upper), Some(lower), Some(&last)) if part.iter().any(relates) => {
+            (Some(mut upper), Some(lower), Some(&last)) if part.iter().any(relates) => {
+                // A full stop ends both.
+                let ends = |token: &Token<'_>| token.kind == Kind::Char('.');
+                while upper.last().is_some_and(ends) {
+                    upper.pop();
+                }
                 all.extend(upper);
                 all.push(Token {
                     kind: Kind::Wide,

@@ -7,8 +7,9 @@ use crate::search::{self, Decision, InChain};
 use crate::sorted::Set;
 
 use super::super::Outcome;
-use super::super::judge::{Found, Judge, NEARBY};
+use super::super::judge::{Found, Judge, NEARBY, step};
 use super::borrowed::speaks_of_all;
+use super::conditions::unbounded;
 
 /// What an equation is only written in another form by.
 const REARRANGING: [&str; 4] = ["rearranging", "rearranged", "rearrange", "inverting"];
@@ -159,6 +160,42 @@ impl Judge<'_> {
         if is_refuted && in_words && !self.usable.out_of_scope.is_empty() {
             found.leave_open(
                 "what it cites is said of a case, and may be meant to be said of this one",
+            );
+        }
+    }
+
+    /// Leaves open that something worked out is positive, `4 \pi + \frac{4 V}{r^3} > 0`, where it is so for positive values of its symbols,
+    /// and nobody says where these lie.
+    pub(in crate::audit) fn heed_signs(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        let is_refuted = found.judged.outcome.is_refuted() && found.mended.is_none();
+        if !is_refuted || self.is_directed() || !goal.formula.is_inequality() {
+            return;
+        }
+        let terms = goal.formula.terms();
+        let is_bare = |term: &&Expr| matches!(term, Expr::Symbol(_));
+        if !terms.contains(&&Expr::integer(0)) || terms.iter().any(is_bare) {
+            return;
+        }
+        let named = goal.formula.names();
+        let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        let mut open = unbounded(&claim);
+        open.retain(|own| named.contains(own));
+        let positive = open
+            .into_iter()
+            .map(|own| Formula::positive(Expr::Symbol(own)));
+        let with = positive.map(|own| step(&own));
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(with).collect();
+        if let Some(Decision::Proven { conditions, .. }) = self.decide_from(&all, &goal.formula)
+            && conditions.is_empty()
+            && !self.is_contradictory(&all, goal)
+        {
+            found.leave_open(
+                "it is so where its symbols are positive, and nothing says where they lie",
             );
         }
     }

@@ -3,7 +3,7 @@
 use crate::derivation::{Assumed, Goal, Source};
 
 use super::super::judge::{Found, Judge, sources};
-use super::super::{Entry, Verdict};
+use super::super::{Entry, Outcome, Verdict};
 use super::borrowed::Before;
 
 impl Judge<'_> {
@@ -32,6 +32,40 @@ impl Judge<'_> {
         found.may_follow = self.rescue_from(&before, goal, assumed, premises, found)
             || under_conditions && self.follows_with(&before, goal, assumed, found);
         found.may_follow
+    }
+
+    /// Leaves open a step that was refuted from what it cites, where the text goes on from the display before and nothing refutes the step
+    /// with what that says: "The logarithms in (6) are therefore equal, and the efficiency is".
+    pub(in crate::audit) fn heed_what_it_goes_on_from(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) {
+        let is_refuted = found.judged.outcome.is_refuted() && found.mended.is_none();
+        if !is_refuted || !self.names_its_premises() || self.is_directed() {
+            return;
+        }
+        let before = self.gone_on_from(premises, &[]);
+        let concerns = |own: &&usize| self.goes_on_from(**own);
+        let before: Vec<usize> = before.iter().filter(concerns).copied().collect();
+        // What is told besides, and slopes, only make it hard to see.
+        let mut said = self.gathered(&before);
+        said.retain(|own| {
+            matches!(own.source, Source::Equation(_)) && !own.formula.speaks_of_slopes()
+        });
+        if said.is_empty() {
+            return;
+        }
+        let all: Vec<Assumed> = assumed.iter().cloned().chain(said).collect();
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        match self.refuted_in_context(goal, assumed, larger) {
+            Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
+            None => found.leave_open(
+                "it may follow with what stands just before, and nothing decides it with that",
+            ),
+        }
     }
 
     /// The display before, where the text goes on from that, and what it was drawn from: what is not wrong itself, nor cited or sound and

@@ -203,11 +203,13 @@ impl Judge<'_> {
             self.heed_contrast(goal, all, found);
             self.heed_laws_in_words(found);
             self.heed_what_is_out_of_scope(found);
+            self.heed_what_it_goes_on_from(goal, all, premises, found);
             if !strong {
                 self.heed_induction(found);
             }
             self.heed_what_varies(goal, all, premises, found);
             self.heed_what_is_open(goal, all, premises, found);
+            self.heed_signs(goal, all, found);
             self.heed_approximations(goal, all, found);
             self.heed_other_readings(goal, all, found);
         }

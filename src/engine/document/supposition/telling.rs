@@ -1,13 +1,31 @@
 //! What a sentence tells in passing, and supposes nothing by: a fact, what is known, what is so at one moment.
 
-use super::super::prose::Token;
+use super::super::prose::{Token, in_lower_case};
 use super::super::{Extent, Span, SuppositionKind, circumstance};
 use super::around::{
     ends_before, follows, is_at_a_place, is_at_a_value, is_named, is_plain, tells_that,
 };
-use super::mathematics::{differs, is_bound, is_number, is_value};
-use super::words::{MOMENTARY, NAMED_AFTER, NAMED_BEFORE, REASONS};
+use super::super::words::Words;
+use super::denial::DENIALS;
+use super::mathematics::{differs, is_bound, is_number, is_value, relates};
+use super::words::{HYPOTHETICAL, MOMENTARY, NAMED_AFTER, NAMED_BEFORE, REASONS, UNDECIDED};
 use super::{Reader, is_fact};
+
+/// With these circumstances become formulas.
+static FROM_WORDS: Words = Words::of(&[
+    "so",
+    "hence",
+    "thus",
+    "therefore",
+    "means",
+    "implies",
+    "requires",
+    "condition",
+    "constraint",
+    "says",
+    "states",
+    "demands",
+]);
 
 /// In a sentence with more words and formulas nothing is told.
 const LONGEST_SENTENCE: usize = 200;
@@ -75,6 +93,37 @@ impl Reader<'_> {
         let last = self.found.last().filter(|last| is(last.kind));
         follows(index, self.tokens, &["and"])
             && last.is_some_and(|last| ends_before(last.body, index, self.tokens))
+    }
+
+    /// Whether the sentence ends with an equation that it draws from circumstances, and from no formula: "The string does not slip, so
+    /// $a = R \\alpha$."
+    pub(super) fn draws_from_words(&self, index: usize, body: Span) -> bool {
+        let (own, text) = (&self.sentence, self.text(body));
+        let is_equation = is_value(text) && !is_number(text) && !is_bound(text);
+        let ends = (self.tokens.get(index + 1)).is_none_or(|(token, _)| token.is_stop());
+        let before = &self.tokens[own.first..index];
+        if own.active.is_some() || own.doubtful || own.special || !is_equation || !ends {
+            return false;
+        }
+        let Some(drawn) = (before.iter()).rposition(|(token, _)| token.is_among(&FROM_WORDS))
+        else {
+            return false;
+        };
+        let is_formula = |token: Token<'_>| match token {
+            Token::Math(body) => relates(self.text(body)),
+            token => token.cites(),
+        };
+        let is_open = |token: Token<'_>| match token {
+            Token::Word(word) => {
+                let word = in_lower_case(word);
+                UNDECIDED.has(&word) || HYPOTHETICAL.has(&word)
+            }
+            _ => false,
+        };
+        let denies = |token: Token<'_>| token.is_among(&DENIALS);
+        !before.iter().any(|(token, _)| is_formula(*token) || is_open(*token))
+            && !before[drawn.saturating_sub(1)..].iter().any(|(token, _)| denies(*token))
+            && !self.is_of_moment(index)
     }
 
     /// Whether a relation is a fact that the sentence tells in passing.

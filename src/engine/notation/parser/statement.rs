@@ -1,7 +1,7 @@
 //! Statements: chains of relations, joined by implications, labelled and marked.
 
 use super::both::{self, either};
-use super::rounding::loosen;
+use super::rounding::{lend_units, loosen};
 use super::series::hole_of;
 use super::{Kind, Parser, Read, no_matrix, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
@@ -444,7 +444,8 @@ impl<'s> Parser<'s> {
         }
         match dots {
             None => {
-                loosen(&sides, &mut links);
+                lend_units(&mut sides);
+                loosen(&mut sides, &mut links);
                 let sides = self.differentiated_sides(sides, &links)?;
                 Ok(Clause::Chain { sides, links })
             }
