@@ -67,18 +67,18 @@ impl Judge<'_> {
             says && self.is_integral(whole, value, assumed)
         };
         // Of an identity both sides speak of the same.
+        // "The fraction that sits in the rotation is" draws on nothing, and may say what it speaks of.
+        let draws = self.derivation.equations[self.at].drawn || self.names_its_premises();
         // In another section "The volume is $$V(h) = …$$" may be of something else.
         let start = self.derivation.section_start(self.at);
         let is_anew = |symbol: &Symbol| {
             let mut speaking = self.derivation.speaking_before(self.at, symbol);
-            goal.is_of(symbol) && speaking.all(|other| other < start)
+            !draws && !self.is_directed() && goal.is_of(symbol) && speaking.all(|other| other < start)
         };
         let is_new = |symbol: &Symbol| {
             (introduced.contains(symbol) || is_anew(symbol))
                 && left.contains(symbol) != right.contains(symbol)
         };
-        // "The fraction that sits in the rotation is" draws on nothing, and may say what it speaks of.
-        let draws = self.derivation.equations[self.at].drawn || self.names_its_premises();
         let judged_from = match &found.judged.outcome {
             Outcome::Refuted(refuted)
                 if !draws && !self.is_directed() && goal.suppositions.is_empty() =>

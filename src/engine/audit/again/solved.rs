@@ -140,7 +140,16 @@ impl Judge<'_> {
         if is_by_name && !self.says(&SOLVING) {
             return None;
         }
-        let mut told = others.into_iter().filter_map(|unknown| {
+        // What a display says plainly and nobody cites keeps its letter: the `v` after `\Delta K = …` at $e = 0$ is no `\Delta K`.
+        let by_name = whole(new);
+        let plainly = |unknown: &Symbol| {
+            let mut laws = assumed.iter().filter(|own| is_displayed(own));
+            !self.names_its_premises()
+                && by_name.as_ref() != Some(unknown)
+                && laws.any(|own| is_of(own, unknown))
+        };
+        let others = others.into_iter().filter(|unknown| !plainly(unknown));
+        let mut told = others.filter_map(|unknown| {
             let asked = Asked {
                 new,
                 named: &named,
@@ -224,13 +233,9 @@ impl Judge<'_> {
     /// Whether a step is drawn from what says something of a symbol, but not plainly what it is: "$$0 = a - 2 b Q$$, from which $$Q_m = a/(2 b)$$".
     fn is_drawn_from(&self, symbol: &Symbol, assumed: &[Assumed]) -> bool {
         let laws = || assumed.iter().filter(|own| is_displayed(own));
-        let plainly = |own: &Assumed| {
-            let sides = own.formula.as_equation();
-            sides.is_some_and(|(left, _)| matches!(left, Expr::Symbol(own) if own == symbol))
-        };
         self.derivation.equations[self.at].drawn
             && laws().any(|own| own.formula.names().contains(symbol))
-            && !laws().any(plainly)
+            && !laws().any(|own| is_of(own, symbol))
     }
 
     /// What the new symbols of cited equations were found to be: "Inserting (2) into (3)" goes on at the time `T = t` of which (2) says how
@@ -294,6 +299,12 @@ fn gone(set: Vec<Place>, named: &Set<Symbol>, new: &Symbol, assumed: &[Assumed])
     let gone = tied.into_iter();
     gone.filter(|own| may_be_gone(own) && !fixed.contains(own))
         .collect()
+}
+
+/// Whether a hypothesis says plainly what a symbol is.
+fn is_of(own: &Assumed, symbol: &Symbol) -> bool {
+    let sides = own.formula.as_equation();
+    sides.is_some_and(|(left, _)| matches!(left, Expr::Symbol(own) if own == symbol))
 }
 
 fn is_displayed(own: &Assumed) -> bool {
