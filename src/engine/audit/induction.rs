@@ -60,7 +60,7 @@ impl Judge<'_> {
                 return true;
             }
             // "It is paid off when $L_n = 0$, so" is said of one index.
-            if self.with_what_is_named(goal, assumed).is_some() {
+            if self.with_what_is_named(goal, assumed, premises).is_some() {
                 return false;
             }
         }

@@ -228,8 +228,11 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     let (suppositions, mentions) = supposition::read(source, &tokens);
     let named = supposition::named::read(source, &tokens);
     let (qualities, changing) = qualities::read(source, &tokens);
-    let citations = citation::read(&tokens);
     let tail = conclusion::tail(source, &tokens);
+    let mut citations = citation::read(&tokens);
+    let used_up = used_up(source, &tokens, last, tail.len());
+    let is_within = |own: Span, all: &Span| all.start <= own.start && own.end <= all.end;
+    citations.retain(|own| !used_up.iter().any(|all| is_within(own.span, all)));
     let in_tail = |citation: &&Citation| {
         tail.last()
             .is_some_and(|(_, at)| citation.span.end <= at.end)
@@ -271,6 +274,40 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         extent: circumstance::read(source, &tokens),
         of_places: circumstance::said_of_places(source, &tokens),
     }
+}
+
+/// The sentences in paragraphs before the last sentence that draw their own formula from what they cite: "For carbon (7) gives only
+/// $48/169 = 0.284$." What is displayed after the next paragraph comes from something else.
+fn used_up(source: &str, tokens: &[Placed<'_>], last: &[Placed<'_>], tail: usize) -> Vec<Span> {
+    let ends_paragraph = |(token, span): &Placed<'_>| {
+        let text = source.get(span.range()).unwrap_or_default();
+        token.is_stop() && text.starts_with(['\n', '\r'])
+    };
+    let before = before(tokens, last);
+    let Some(end) = before.iter().rposition(ends_paragraph) else {
+        return Vec::new();
+    };
+    let draws = |sentence: &[Placed<'_>]| {
+        let cites = sentence.iter().position(|(token, _)| token.cites());
+        let after = cites.map_or(&[][..], |at| &sentence[at..]);
+        let drawn = after
+            .iter()
+            .position(|(token, _)| conclusion::draws_on(*token));
+        let states = |(token, _): &Placed<'_>| match token {
+            Token::Math(body) => {
+                let text = source.get(body.range()).unwrap_or_default();
+                supposition::relates(text)
+            }
+            _ => false,
+        };
+        drawn.is_some_and(|at| after[at..].iter().any(states))
+    };
+    let closed = tokens.get(tail..end).unwrap_or_default();
+    let sentences = closed.split(|(token, _)| token.is_stop());
+    sentences
+        .filter(|own| draws(own))
+        .filter_map(whole)
+        .collect()
 }
 
 /// What is said before the last sentence.

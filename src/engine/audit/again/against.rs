@@ -166,12 +166,7 @@ impl Judge<'_> {
 
     /// Leaves open that something worked out is positive, `4 \pi + \frac{4 V}{r^3} > 0`, where it is so for positive values of its symbols,
     /// and nobody says where these lie.
-    pub(in crate::audit) fn heed_signs(
-        &self,
-        goal: &Goal,
-        assumed: &[Assumed],
-        found: &mut Found,
-    ) {
+    pub(in crate::audit) fn heed_signs(&self, goal: &Goal, assumed: &[Assumed], found: &mut Found) {
         let is_refuted = found.judged.outcome.is_refuted() && found.mended.is_none();
         if !is_refuted || self.is_directed() || !goal.formula.is_inequality() {
             return;

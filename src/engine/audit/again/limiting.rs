@@ -54,7 +54,7 @@ impl Judge<'_> {
         let mut is_open = readings.len() > MOST_READINGS;
         let mut is_told = false;
         let told = self.derivation.told(self.at);
-        let named = self.with_what_is_named(goal, &self.usable.assumed);
+        let named = self.with_what_is_named(goal, &self.usable.assumed, premises);
         let assumed = named.as_ref().unwrap_or(&self.usable.assumed);
         let cited: Vec<&Assumed> = assumed.iter().chain(&told).collect();
         for approach in readings.iter().take(MOST_READINGS) {

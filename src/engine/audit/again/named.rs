@@ -6,11 +6,12 @@
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::Standing;
-use crate::notation::plain_formula;
+use crate::notation::{plain_formula, read_expr};
 use crate::search::{self, Decision, Effort};
 
 use super::super::Outcome;
-use super::super::judge::{Found, Judge, NEARBY};
+use super::super::judge::{Found, Judge, NEARBY, taken};
+use super::there::{join, whole};
 use crate::sorted::Set;
 
 impl Judge<'_> {
@@ -20,8 +21,10 @@ impl Judge<'_> {
         &self,
         goal: &Goal,
         assumed: &[Assumed],
+        premises: &[usize],
     ) -> Option<Vec<Assumed>> {
         let mut named = self.derivation.named(self.at);
+        named.extend(self.special_value(goal, assumed, premises));
         let mut told = self.derivation.told_just_before(self.at);
         let is_known = |own: &Assumed| assumed.iter().any(|known| known.formula == own.formula);
         named.retain(|own| !is_known(own));
@@ -57,6 +60,50 @@ impl Judge<'_> {
             words.splice(0..0, assumed.iter().cloned());
             (!self.is_contradictory(&words, goal)).then_some(words)
         })
+    }
+
+    /// That something has the special value that the words just before name, with what says what that is: "When the body starts from
+    /// $h_{\min}$, (8) becomes" is said where `h` is that. Nothing where the step still speaks of either.
+    fn special_value(&self, goal: &Goal, assumed: &[Assumed], premises: &[usize]) -> Vec<Assumed> {
+        let own = &self.derivation.equations[self.at];
+        let (Some(said), false) = (own.said_last, self.is_directed()) else {
+            return Vec::new();
+        };
+        let source = &self.derivation.pages[own.page].document.source;
+        let names = goal.formula.names();
+        let is_spoken_of = |own: &Symbol| {
+            let mut all = assumed.iter();
+            all.any(|known| known.formula.names().contains(own))
+        };
+        let special = self.derivation.inline_before(self.at).filter_map(|math| {
+            let is_last = said.start <= math.span.start;
+            match read_expr(source, math.body) {
+                Ok(Expr::Symbol(value)) if is_last => Some((whole(&value)?, value)),
+                _ => None,
+            }
+        });
+        let is_meant = |(quantity, value): &(Symbol, Symbol)| {
+            let is_gone = !names.contains(quantity) && !names.contains(value);
+            is_gone && is_spoken_of(quantity) && !is_spoken_of(value)
+        };
+        let mut special = special.filter(is_meant);
+        let (Some((quantity, value)), None) = (special.next(), special.next()) else {
+            return Vec::new();
+        };
+        let [others, _] = self.others(premises);
+        let open = self.open_before(premises);
+        let says = |own: &&Assumed| {
+            let sides = own.formula.as_equation();
+            matches!(sides, Some((Expr::Symbol(own), _)) if *own == value)
+        };
+        let Some(meaning) = others.iter().chain(&open).find(says) else {
+            return Vec::new();
+        };
+        let of_chain = others.iter().chain(&open);
+        let of_chain = of_chain.filter(|own| own.source == meaning.source).cloned();
+        let mut all = vec![taken(&Formula::same(&quantity, &value))];
+        join(of_chain, &mut all);
+        all
     }
 
     /// Whether the step follows from `all`: what it may be taken from, with what the words before it name.

@@ -73,7 +73,10 @@ impl Judge<'_> {
         let start = self.derivation.section_start(self.at);
         let is_anew = |symbol: &Symbol| {
             let mut speaking = self.derivation.speaking_before(self.at, symbol);
-            !draws && !self.is_directed() && goal.is_of(symbol) && speaking.all(|other| other < start)
+            !draws
+                && !self.is_directed()
+                && goal.is_of(symbol)
+                && speaking.all(|other| other < start)
         };
         let is_new = |symbol: &Symbol| {
             (introduced.contains(symbol) || is_anew(symbol))

@@ -316,8 +316,8 @@ impl Judge<'_> {
 
     /// What it may be taken from with what the words before it name, if they name anything.
     fn named_for<'a>(&self, own: &'a Posed) -> Option<&'a [Assumed]> {
-        let Posed { goal, assumed, .. } = own;
-        let named = (own.named).get_or_init(|| self.with_what_is_named(goal, assumed));
+        let named = (own.named)
+            .get_or_init(|| self.with_what_is_named(own.goal, own.assumed, own.premises));
         named.as_deref()
     }
 }

@@ -1,6 +1,6 @@
 //! What a text takes back: what it tells and then calls wrong, disputes, or says otherwise.
 
-use super::super::prose::{Placed, Token, among, begins_with, ends_sentence};
+use super::super::prose::{Placed, Token, among, begins_with, ends_sentence, in_lower_case};
 use super::super::{Span, Supposition, SuppositionKind};
 use super::around::follows;
 use super::mathematics::{is_bound, is_number};
@@ -8,6 +8,25 @@ use super::words::{BESIDE, DISPUTING, HEADING, REFERRING, RETRACTING};
 use super::{is_fact, is_no_meaning};
 use crate::sorted::{self, Map, Set};
 
+/// What one of these says is so.
+const SPEAKING: [&str; 16] = [
+    "law",
+    "equation",
+    "continuity",
+    "energy",
+    "momentum",
+    "charge",
+    "mass",
+    "rule",
+    "theorem",
+    "principle",
+    "relation",
+    "definition",
+    "condition",
+    "conservation",
+    "geometry",
+    "symmetry",
+];
 /// So many words before a relation may say that it is not so there.
 const MOST_BESIDE: usize = 3;
 
@@ -204,7 +223,16 @@ fn disputes(sentence: &[Placed<'_>]) -> bool {
             && follows(at, sentence, &["is", "are"])
             && among(sentence, at + 1, &["the", "a", "an"])
     };
-    (0..sentence.len()).any(|at| among(sentence, at, &DISPUTING) && !names(at))
+    // "Continuity says $A V = a v$", and no student does.
+    let is_law = |at: usize| {
+        let before = at.checked_sub(1).map(|before| sentence[before].0);
+        let subject = match before {
+            Some(Token::Word(word)) => in_lower_case(word),
+            _ => return false,
+        };
+        among(sentence, at, &["says"]) && SPEAKING.contains(&&*subject)
+    };
+    (0..sentence.len()).any(|at| among(sentence, at, &DISPUTING) && !names(at) && !is_law(at))
 }
 
 fn supposes(own: &Supposition) -> bool {

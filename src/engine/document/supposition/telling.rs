@@ -1,11 +1,11 @@
 //! What a sentence tells in passing, and supposes nothing by: a fact, what is known, what is so at one moment.
 
 use super::super::prose::{Token, in_lower_case};
+use super::super::words::Words;
 use super::super::{Extent, Span, SuppositionKind, circumstance};
 use super::around::{
     ends_before, follows, is_at_a_place, is_at_a_value, is_named, is_plain, tells_that,
 };
-use super::super::words::Words;
 use super::denial::DENIALS;
 use super::mathematics::{differs, is_bound, is_number, is_value, relates};
 use super::words::{HYPOTHETICAL, MOMENTARY, NAMED_AFTER, NAMED_BEFORE, REASONS, UNDECIDED};
@@ -121,8 +121,12 @@ impl Reader<'_> {
             _ => false,
         };
         let denies = |token: Token<'_>| token.is_among(&DENIALS);
-        !before.iter().any(|(token, _)| is_formula(*token) || is_open(*token))
-            && !before[drawn.saturating_sub(1)..].iter().any(|(token, _)| denies(*token))
+        !before
+            .iter()
+            .any(|(token, _)| is_formula(*token) || is_open(*token))
+            && !before[drawn.saturating_sub(1)..]
+                .iter()
+                .any(|(token, _)| denies(*token))
             && !self.is_of_moment(index)
     }
 

@@ -9,10 +9,10 @@ use crate::algebra::{BigInt, BigRational, Expr, Relation, Symbol};
 use crate::document::Span;
 use crate::interval::{Figures, Interval};
 use crate::notation::figures::is_degrees;
-use crate::sorted::Map;
 use crate::notation::{
     Link, Precision, Rounding, Side, has_decimals, has_units, in_si, is_figures, without_units,
 };
+use crate::sorted::Map;
 
 /// A whole number that is less says nothing of how near it is meant.
 const LEAST_ROUNDED: u32 = 100;
@@ -249,7 +249,9 @@ fn collect_digits(term: &Expr, longest: &mut BigInt) {
         }
         // What stands in an exponent counts nothing.
         Expr::Power(base, _) => collect_digits(base, longest),
-        own => own.children().for_each(|part| collect_digits(part, longest)),
+        own => own
+            .children()
+            .for_each(|part| collect_digits(part, longest)),
     }
 }
 
@@ -262,7 +264,11 @@ pub(super) fn lend_units(sides: &mut [Side]) {
     let (Expr::Product(factors), Some(_)) = (&last.expr, &last.rounding) else {
         return;
     };
-    let units: Vec<Expr> = factors.iter().filter(|own| has_units(own)).cloned().collect();
+    let units: Vec<Expr> = factors
+        .iter()
+        .filter(|own| has_units(own))
+        .cloned()
+        .collect();
     let scale = value(&Expr::Product(units.clone().into()));
     let bare = value(&without_units(&last.expr)).map(|own| own.abs());
     let (Some(scale), Some(bare)) = (scale, bare) else {
@@ -364,15 +370,18 @@ fn multiple(term: &Expr) -> Option<(Interval, Map<Symbol, BigRational>)> {
     let times = |own: &mut Map<Symbol, BigRational>, of: Map<Symbol, BigRational>, sign: i32| {
         for (symbol, exponent) in of {
             let exponent = exponent * BigRational::from_integer(sign.into());
-            let sum = own.get(&symbol).map_or(exponent.clone(), |own| own + &exponent);
+            let sum = own
+                .get(&symbol)
+                .map_or(exponent.clone(), |own| own + &exponent);
             own.insert(symbol, sum);
         }
         own.retain(|_, exponent| !exponent.is_zero());
     };
     match term {
-        Expr::Symbol(own) if !own.is_unit() => {
-            Some((Interval::exactly(one()), Map::from_iter([(own.clone(), one())])))
-        }
+        Expr::Symbol(own) if !own.is_unit() => Some((
+            Interval::exactly(one()),
+            Map::from_iter([(own.clone(), one())]),
+        )),
         Expr::Negate(inner) => multiple(inner).map(|(number, of)| (-&number, of)),
         Expr::Product(factors) => {
             let mut all = (Interval::exactly(one()), Map::new());
