@@ -88,8 +88,8 @@ impl Auditor<'_> {
                 let unreadable = usable.unreadable.clone();
                 entry.notes.push(Note::UnreadablePremise(unreadable));
             }
-            if !usable.numeric.is_empty() && entry.numeric.is_none() {
-                let numeric = usable.numeric.clone();
+            let numeric = self.concerned(entry.judged.iter(), &usable.numeric);
+            if !numeric.is_empty() && entry.numeric.is_none() {
                 entry.notes.push(Note::RestsOnUnproved(numeric));
             }
         }
@@ -270,12 +270,31 @@ impl Auditor<'_> {
         }
     }
 
+    /// The premises among some that speak of a symbol in what is judged.
+    pub(super) fn concerned<'a>(
+        &self,
+        judged: impl Iterator<Item = &'a Judged>,
+        premises: &[usize],
+    ) -> Vec<usize> {
+        let mut names: Set<Symbol> = judged.flat_map(|own| own.goal.formula.names()).collect();
+        names.retain(|own| !own.is_unit());
+        let speaks = |own: &usize| {
+            !self.derivation.equations[*own]
+                .symbols()
+                .is_disjoint(&names)
+        };
+        premises.iter().copied().filter(speaks).collect()
+    }
+
     /// Leaves open what fails where a premise could not be had that may be just what is needed.
     fn open_in_doubt(&self, equation: &Equation, usable: &Usable, entry: &mut Entry) {
+        // Figures say nothing of what they do not speak of.
+        let refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+        let numeric = self.concerned(refuted, &usable.numeric);
         let missing = [
             &usable.unreadable,
             &usable.later,
-            &usable.numeric,
+            &numeric,
             &usable.in_limit,
         ];
         let missing = missing.into_iter().any(|premises| !premises.is_empty());

@@ -141,7 +141,7 @@ impl Auditor<'_> {
             _ => return,
         }
         let mut used = numeric::used(&numeric);
-        used.extend(usable.numeric.iter().copied());
+        used.extend(self.concerned(entry.judged.iter(), &usable.numeric));
         let open = self.unproved(at, &used);
         if !open.is_empty() {
             entry.notes.push(Note::RestsOnUnproved(open));
