@@ -241,6 +241,7 @@ impl Report<'_> {
             }
             Source::Step => "shown or supposed in the same statement".into(),
             Source::Taken => "taken so: as it is there".into(),
+            Source::Propagation => words::PROPAGATION.into(),
         }
     }
 }

@@ -90,6 +90,9 @@ impl Report<'_> {
             Verdict::Holds if !entry.notes.iter().any(|note| self.is_in_line(entry, note)) => {
                 said.push(self.holds_from(entry));
             }
+            Verdict::Holds if is_propagated(entry) => {
+                said.push(format!("by {}", words::PROPAGATION));
+            }
             Verdict::IllDimensioned => {
                 said.extend(
                     self.conflict(entry)
@@ -186,6 +189,9 @@ impl Report<'_> {
                 shown.push(text);
             }
         }
+        if is_propagated(entry) {
+            shown.push(words::PROPAGATION.into());
+        }
         let equation = |j: &Judged| matches!(&j.goal.formula, Formula::Relation { relation, .. } if *relation == Relation::Equal);
         match shown.is_empty() {
             true if entry.judged.iter().all(equation) => "an identity".into(),
@@ -226,7 +232,7 @@ impl Report<'_> {
                 let put = self.equation(at);
                 !put.moments.is_empty() && !put.moments.clone().any(|at| own.is_under(put.page, at))
             }
-            Source::Step | Source::Taken => false,
+            Source::Step | Source::Taken | Source::Propagation => false,
         };
         let premises = entry
             .premises
@@ -422,4 +428,10 @@ pub(super) fn exchange(cited: &[usize], instead: &[Source]) -> (Vec<Source>, Vec
         added.copied().collect(),
         cited.iter().filter(unused).copied().collect(),
     )
+}
+
+/// Whether something of an entry was judged from the law of propagation.
+fn is_propagated(entry: &Entry) -> bool {
+    let mut all = entry.judged.iter().flat_map(|own| &own.assumed);
+    all.any(|own| own.source == Source::Propagation)
 }

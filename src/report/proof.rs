@@ -143,6 +143,7 @@ impl Report<'_> {
             Some(source @ Source::Local(..)) => format!("supposed: {}", self.source(&source)),
             Some(Source::Step) => "the step before".into(),
             Some(Source::Taken) => "taken so".into(),
+            Some(Source::Propagation) => words::PROPAGATION.into(),
             None => "a hypothesis".into(),
         }
     }

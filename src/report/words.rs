@@ -10,6 +10,9 @@ use crate::notation::{Statement, plain, plain_formula};
 
 use super::Report;
 
+/// What the law of propagation is called wherever something was taken from it.
+pub(super) const PROPAGATION: &str = "the law of propagation of uncertainty";
+
 impl<'a> Report<'a> {
     pub(super) fn equation(&self, at: usize) -> &'a Equation {
         &self.derivation.equations[at]
@@ -93,6 +96,7 @@ impl<'a> Report<'a> {
             }
             Source::Step => "the step before".into(),
             Source::Taken => "taken so".into(),
+            Source::Propagation => PROPAGATION.into(),
         }
     }
 

@@ -260,6 +260,7 @@ impl Judge<'_> {
         let instances = self.instances(goal, &assumed);
         assumed.extend(instances);
         assumed.extend(self.along_the_motion(goal, &assumed));
+        assumed.extend(self.propagated(goal, &assumed));
         assumed
     }
 

@@ -29,6 +29,7 @@ mod mark;
 mod moving;
 mod numeric;
 mod premise;
+mod propagated;
 mod readings;
 mod rests;
 mod review;

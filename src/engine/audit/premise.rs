@@ -142,7 +142,7 @@ impl Offer {
                             let inherited = offers(premise);
                             offer.under.extend(inherited.iter().flat_map(|o| &o.under));
                         }
-                        Source::Step | Source::Taken => {}
+                        Source::Step | Source::Taken | Source::Propagation => {}
                     }
                 }
             }
@@ -189,7 +189,7 @@ fn throughout<'a>(
     }
     let fine = |running: &&Running| {
         let said = |assumed: &Assumed| match assumed.source {
-            Source::Step | Source::Taken => {
+            Source::Step | Source::Taken | Source::Propagation => {
                 !running.ties(&assumed.formula) || entry.judged.len() > 1
             }
             Source::Local(..) => !running.ties(&assumed.formula),

@@ -56,6 +56,7 @@ impl Auditor<'_> {
         self.weigh_rounded(&judge, how.premises, &mut entry);
         if matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
             && !links.contradicted
+            && !is_propagated(&entry)
             && let Some(symbols) = judge.stated(&entry)
         {
             if entry.numeric.is_none() {
@@ -450,6 +451,13 @@ fn speaks_first(equation: &Equation, entry: &Entry) -> bool {
         let names = own.goal.formula.names();
         !names.is_disjoint(&equation.introduces)
     })
+}
+
+/// Whether something is refuted with the law of propagation: an uncertainty that it speaks of is no new symbol of a law.
+fn is_propagated(entry: &Entry) -> bool {
+    let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+    let by_law = |own: &Assumed| own.source == Source::Propagation;
+    refuted.any(|own| own.assumed.iter().any(by_law))
 }
 
 /// The equations that the evidence for a statement makes use of.

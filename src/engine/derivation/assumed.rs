@@ -42,12 +42,14 @@ pub enum Source {
     Step,
     /// Taken so, where it is not said: that `P_{\max}` is `P` at the place in question.
     Taken,
+    /// The law of propagation of uncertainty, where words speak of uncertainties.
+    Propagation,
 }
 
 impl Source {
     /// Whether it comes from nowhere else in the text.
     pub fn is_of_statement(self) -> bool {
-        matches!(self, Source::Step | Source::Taken)
+        matches!(self, Source::Step | Source::Taken | Source::Propagation)
     }
 }
 

@@ -140,6 +140,7 @@ impl Report<'_> {
                 Source::Step => "the step before".into(),
                 Source::Taken if judged.solution() == Some(assumed) => "it says".into(),
                 Source::Taken => "taken so".into(),
+                Source::Propagation => words::PROPAGATION.into(),
             };
             lines.push(format!("{from}: {}", plain_formula(&assumed.formula)));
         }

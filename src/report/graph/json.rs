@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::super::Report;
+use super::super::words::PROPAGATION;
 use super::{Graph, Node};
 use crate::derivation::Source;
 
@@ -88,6 +89,7 @@ impl Graph {
             }
             Source::Step => "the step before".into(),
             Source::Taken => "taken so".into(),
+            Source::Propagation => PROPAGATION.into(),
         };
         NodeView {
             id: node.id.clone(),
