@@ -170,15 +170,19 @@ fn in_units(term: &Expr) -> Option<(BigRational, &[Expr])> {
 /// What has an uncertainty is nothing exactly, and what is worked out in numbers, `\frac{1361}{1.524^2} = 586`, is what it is rounded to.
 pub(super) fn loosen(sides: &mut [Side], links: &mut [Link]) {
     for at in 1..sides.len() {
-        let share = match &sides[at].rounding {
-            None if links[at - 1].relation == Relation::Equal => share_of(&sides[at - 1..=at]),
-            _ => None,
+        if links[at - 1].relation != Relation::Equal {
+            continue;
+        }
+        let share = match sides[at].rounding {
+            None => share_of(&sides[at - 1..=at]),
+            Some(_) => share_in_other_units(&sides[at - 1..=at]),
         };
         let Some(share) = share else { continue };
         let precision = Precision::Decimal;
-        sides[at].rounding = Some(Box::new(Rounding { share, precision }));
+        let rounding = Box::new(Rounding { share, precision });
+        let before = sides[at].rounding.replace(rounding);
         if !is_rounded(&sides[at - 1..=at]) {
-            sides[at].rounding = None;
+            sides[at].rounding = before;
         }
     }
     let is_loose = |side: &Side| {
@@ -203,6 +207,19 @@ fn share_of(pair: &[Side]) -> Option<BigRational> {
             .flatten(),
         false => share_of_multiple(&result.expr),
     }
+}
+
+/// The same of a number that is rounded again in other units: `1.90 \cdot 10^4\,\mathrm{s} = 5.27\,\mathrm{h}`.
+fn share_in_other_units(pair: &[Side]) -> Option<BigRational> {
+    let [one, other] = pair else {
+        return None;
+    };
+    let (own, last) = (one.rounding.as_ref()?, other.rounding.as_ref()?);
+    let is_decimal = |own: &Rounding| own.precision == Precision::Decimal;
+    let units = scale(&one.expr).zip(scale(&other.expr));
+    let differ = has_units(&one.expr) && has_units(&other.expr);
+    let differ = differ && units.is_some_and(|(one, other)| one != other);
+    (differ && is_decimal(own) && is_decimal(last)).then(|| &own.share + &last.share)
 }
 
 /// The same of a decimal times something, `0.882 c`.
@@ -269,7 +286,7 @@ pub(super) fn lend_units(sides: &mut [Side]) {
         .filter(|own| has_units(own))
         .cloned()
         .collect();
-    let scale = value(&Expr::Product(units.clone().into()));
+    let scale = scale(&last.expr);
     let bare = value(&without_units(&last.expr)).map(|own| own.abs());
     let (Some(scale), Some(bare)) = (scale, bare) else {
         return;
@@ -283,11 +300,11 @@ pub(super) fn lend_units(sides: &mut [Side]) {
             return;
         };
         let as_they_stand = apart_by(&found, bare.high());
-        let in_si = apart_by(&found, &(bare.high() * scale.high()));
+        let in_si = apart_by(&found, &(bare.high() * &scale));
         let mut factors = vec![side.expr.clone()];
         match as_they_stand.zip(in_si) {
             Some((own, si)) if own <= si => {}
-            Some(_) => factors.push(Expr::Number(scale.high().recip())),
+            Some(_) => factors.push(Expr::Number(scale.recip())),
             None => return,
         }
         factors.extend(units.iter().cloned());
@@ -345,6 +362,15 @@ fn is_rounded(pair: &[Side]) -> bool {
     };
     let difference = (&found - &result).abs();
     !difference.high().is_zero() && *difference.high() <= result.abs().high() * share
+}
+
+/// How great the units beside a number are in those of the SI.
+fn scale(term: &Expr) -> Option<BigRational> {
+    let Expr::Product(factors) = term else {
+        return None;
+    };
+    let units = factors.iter().filter(|own| has_units(own)).cloned();
+    Some(value(&Expr::Product(units.collect()))?.high().clone())
 }
 
 /// Whether a term is the same number of times something that the result is when it is rounded: `\frac{1.2 c}{1.36}`, `0.882 c`.
