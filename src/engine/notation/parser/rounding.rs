@@ -16,6 +16,8 @@ use crate::sorted::Map;
 
 /// A whole number that is less says nothing of how near it is meant.
 const LEAST_ROUNDED: u32 = 100;
+/// Figures that are so many times what they are said to come to have other units.
+const MOST_APART: u32 = 5;
 /// So many decimal places are looked at.
 const MOST_PLACES: usize = 30;
 
@@ -234,15 +236,19 @@ fn share_of_multiple(term: &Expr) -> Option<BigRational> {
     let (Some(number), None) = (numbers.next(), numbers.next()) else {
         return None;
     };
-    // Read as it is printed, a decimal has a power of ten below it once it is expanded.
+    let digits = whole_digits(number).filter(|_| !number.is_integer())?;
+    Some(BigRational::new(1.into(), digits * 2))
+}
+
+/// The digits of a number as a whole one; nothing of what is no decimal, `\frac{1}{3}`.
+fn whole_digits(number: &BigRational) -> Option<BigInt> {
     let mut digits = number.abs();
     let ten = BigRational::from_integer(10.into());
     let mut places = 0;
     while !digits.is_integer() && places < MOST_PLACES {
         (digits, places) = (digits * &ten, places + 1);
     }
-    let is_decimal = places > 0 && digits.is_integer();
-    is_decimal.then(|| BigRational::new(1.into(), digits.to_integer() * 2))
+    digits.is_integer().then(|| digits.to_integer())
 }
 
 /// How near what is made of figures is meant where the longest of them, `8002` in `\frac{8002}{400}`, is rounded; nothing of numbers that
@@ -259,8 +265,8 @@ fn share_of_figures(term: &Expr) -> Option<BigRational> {
 /// The greatest of the whole numbers that the digits of a term's numbers make, without noughts at the end.
 fn collect_digits(term: &Expr, longest: &mut BigInt) {
     match term {
-        Expr::Number(own) if own.is_integer() => {
-            let digits = own.to_integer().abs().to_string();
+        Expr::Number(own) => {
+            let digits = whole_digits(own).unwrap_or_default().to_string();
             let written = digits.trim_end_matches('0').parse().unwrap_or_default();
             *longest = longest.clone().max(written);
         }
@@ -302,7 +308,10 @@ pub(super) fn lend_units(sides: &mut [Side]) {
         let as_they_stand = apart_by(&found, bare.high());
         let in_si = apart_by(&found, &(bare.high() * &scale));
         let mut factors = vec![side.expr.clone()];
+        // What is far from either is in other units than these, or wrong.
+        let is_far = |own: &BigRational| *own > BigRational::from_integer(MOST_APART.into());
         match as_they_stand.zip(in_si) {
+            Some((own, si)) if is_far((&own).min(&si)) => return,
             Some((own, si)) if own <= si => {}
             Some(_) => factors.push(Expr::Number(scale.recip())),
             None => return,
