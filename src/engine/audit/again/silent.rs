@@ -98,11 +98,19 @@ impl Judge<'_> {
         };
         let is_loose =
             |own: &Symbol| found.mended.is_none() && !judged_from.contains(own) && is_new(own);
+        // "$\frac1u + \frac1v = (n - 1) (\frac1{r_1} + \frac1{r_2}) = \frac1f$" ends by saying what `f` is.
+        let is_last_word = |own: &Symbol| {
+            let mut chain = assumed.iter().filter(|own| own.source.is_of_statement());
+            let goes_on = chain.clone().next().is_some();
+            let is_used = chain.any(|link| link.formula.names().contains(own));
+            goes_on && !is_used && !left.contains(own) && found.mended.is_none() && is_new(own)
+        };
         let mut silent = left.union(&right).filter(is_silent);
         if is_integral()
             || silent.any(|own| {
                 is_general(own)
                     || is_loose(own)
+                    || is_last_word(own)
                     || is_new(own) && (is_said_beside(own) || is_named(own))
             })
         {

@@ -96,7 +96,7 @@ impl Reader<'_> {
     }
 
     /// Whether the sentence ends with an equation that it draws from circumstances, and from no formula: "The string does not slip, so
-    /// $a = R \\alpha$."
+    /// $a = R \alpha$."
     pub(super) fn draws_from_words(&self, index: usize, body: Span) -> bool {
         let (own, text) = (&self.sentence, self.text(body));
         let is_equation = is_value(text) && !is_number(text) && !is_bound(text);

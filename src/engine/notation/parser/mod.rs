@@ -32,6 +32,7 @@ mod term;
 mod unit;
 mod vector;
 mod word;
+mod worked_out;
 
 pub(crate) use function::angle_of;
 pub(super) use function::{is_minus_one, stem};

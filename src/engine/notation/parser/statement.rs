@@ -1,8 +1,8 @@
 //! Statements: chains of relations, joined by implications, labelled and marked.
 
 use super::both::{self, either};
-use super::rounding::{lend_units, loosen};
 use super::series::hole_of;
+use super::worked_out::{lend_units, loosen};
 use super::{Kind, Parser, Read, no_matrix, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
 use crate::document::Span;
