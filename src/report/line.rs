@@ -432,6 +432,5 @@ pub(super) fn exchange(cited: &[usize], instead: &[Source]) -> (Vec<Source>, Vec
 
 /// Whether something of an entry was judged from the law of propagation.
 fn is_propagated(entry: &Entry) -> bool {
-    let mut all = entry.judged.iter().flat_map(|own| &own.assumed);
-    all.any(|own| own.source == Source::Propagation)
+    entry.judged.iter().any(Judged::is_propagated)
 }

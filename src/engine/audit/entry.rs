@@ -95,6 +95,12 @@ impl Judged {
         let is_put = first.source == Source::Taken && first.standing == Standing::Identity;
         is_put.then_some(first)
     }
+
+    /// Whether it was judged from the law of propagation of uncertainty.
+    pub fn is_propagated(&self) -> bool {
+        let mut assumed = self.assumed.iter();
+        assumed.any(|own| own.source == Source::Propagation)
+    }
 }
 
 /// The evidence for or against a link.

@@ -249,7 +249,12 @@ impl Judge<'_> {
     }
 
     /// What a goal is judged from, where nothing else is needed.
-    pub(super) fn cited(&self, goal: &Goal, steps: &[(usize, Formula)]) -> Vec<Assumed> {
+    pub(super) fn cited(
+        &self,
+        goal: &Goal,
+        steps: &[(usize, Formula)],
+        premises: &[usize],
+    ) -> Vec<Assumed> {
         let mut assumed = self.usable.assumed.clone();
         assumed.retain(|own| !self.announces(own, goal));
         // The other side of an equivalence is supposed; what was shown before in the statement is known.
@@ -260,7 +265,7 @@ impl Judge<'_> {
         let instances = self.instances(goal, &assumed);
         assumed.extend(instances);
         assumed.extend(self.along_the_motion(goal, &assumed));
-        assumed.extend(self.propagated(goal, &assumed));
+        assumed.extend(self.propagated(goal, &assumed, premises));
         assumed
     }
 
@@ -271,7 +276,7 @@ impl Judge<'_> {
         steps: &[(usize, Formula)],
         premises: &[usize],
     ) -> Found {
-        let mut assumed = self.cited(goal, steps);
+        let mut assumed = self.cited(goal, steps, premises);
         let left_out = match self.usable.cases.is_empty() {
             true => None,
             false => self.cases(goal, &mut assumed),

@@ -9,7 +9,7 @@ use crate::algebra::{Expr, Formula, Relation, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::sorted::Set;
 
-use super::judge::{Judge, taken};
+use super::judge::{Judge, step};
 
 /// With one of these words a step is about uncertainties.
 const UNCERTAIN: [&str; 8] = [
@@ -30,7 +30,12 @@ const MOST_MEASURED: usize = 6;
 impl Judge<'_> {
     /// The law of propagation for the uncertainty of which a goal speaks, where words call it one and a premise says from what the quantity is
     /// calculated; nothing otherwise.
-    pub(super) fn propagated(&self, goal: &Goal, assumed: &[Assumed]) -> Vec<Assumed> {
+    pub(super) fn propagated(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+    ) -> Vec<Assumed> {
         let names = goal.formula.names();
         let measured: Vec<(Symbol, &Symbol)> = (names.iter())
             .filter_map(|sigma| Some((measured(sigma)?, sigma)))
@@ -39,7 +44,6 @@ impl Judge<'_> {
             return Vec::new();
         }
         let told = self.derivation.told(self.at);
-        let (premises, ..) = self.derivation.premises(self.at);
         let [others, _] = self.others(premises);
         let calculated = assumed.iter().chain(&told).chain(others).find_map(|own| {
             let (Expr::Symbol(of), term) = own.formula.as_equation()? else {
@@ -75,7 +79,7 @@ impl Judge<'_> {
         let said = Some(said).filter(|own| !assumed.contains(own)).cloned();
         let law = all.iter().map(|own| Assumed {
             source: Source::Propagation,
-            ..taken(own)
+            ..step(own)
         });
         said.into_iter().chain(law).collect()
     }

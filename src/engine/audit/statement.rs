@@ -56,7 +56,7 @@ impl Auditor<'_> {
         self.weigh_rounded(&judge, how.premises, &mut entry);
         if matches!(entry.verdict, Verdict::Fails | Verdict::Undecided)
             && !links.contradicted
-            && !is_propagated(&entry)
+            && !is_refuted_by_propagation(&entry)
             && let Some(symbols) = judge.stated(&entry)
         {
             if entry.numeric.is_none() {
@@ -132,7 +132,7 @@ impl Auditor<'_> {
             if !found.judged.outcome.is_proven()
                 && is_set_out_from(statement, &goal)
                 && (is_put_to_nought(statement, &goal)
-                    || self.sets_out(how) && !goal.formula.speaks_of_slopes())
+                    || judge.sets_out() && !goal.formula.speaks_of_slopes())
             {
                 found = Found::open(Judged {
                     goal: goal.clone(),
@@ -148,14 +148,6 @@ impl Auditor<'_> {
             self.take_up(found, &mut links, entry);
         }
         links
-    }
-
-    /// Whether nobody says where what a display sets out from comes from: "One behind the other, the extensions add:
-    /// $$x = \frac{F}{k_1} + \frac{F}{k_2} \Rightarrow k = \frac{k_1 k_2}{k_1 + k_2}$$".
-    fn sets_out(&self, how: &Circumstances) -> bool {
-        let equation = &self.derivation.equations[how.at];
-        let directs = self.derivation.pages[equation.page].directs;
-        !equation.drawn && !how.says_so && !directs
     }
 
     /// What is found of a first link that defines something, or would if what stands before did not say what that is; nothing of others.
@@ -454,10 +446,9 @@ fn speaks_first(equation: &Equation, entry: &Entry) -> bool {
 }
 
 /// Whether something is refuted with the law of propagation: an uncertainty that it speaks of is no new symbol of a law.
-fn is_propagated(entry: &Entry) -> bool {
-    let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
-    let by_law = |own: &Assumed| own.source == Source::Propagation;
-    refuted.any(|own| own.assumed.iter().any(by_law))
+fn is_refuted_by_propagation(entry: &Entry) -> bool {
+    let mut judged = entry.judged.iter();
+    judged.any(|own| own.outcome.is_refuted() && own.is_propagated())
 }
 
 /// The equations that the evidence for a statement makes use of.
@@ -470,6 +461,14 @@ fn used(entry: &Entry) -> Set<usize> {
     let mut used: Set<usize> = premises.collect();
     used.extend(entry.numeric.iter().flat_map(|own| numeric::used(own)));
     used
+}
+
+impl Judge<'_> {
+    /// Whether nobody says where what a display sets out from comes from: "One behind the other, the extensions add:
+    /// $$x = \frac{F}{k_1} + \frac{F}{k_2} \Rightarrow k = \frac{k_1 k_2}{k_1 + k_2}$$".
+    fn sets_out(&self) -> bool {
+        self.cites_loosely() && !self.derivation.equations[self.at].drawn
+    }
 }
 
 /// Whether a goal is of what `\Rightarrow` leads on from.

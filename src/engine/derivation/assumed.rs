@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::algebra::{Expr, Formula};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Extent, Span};
 use crate::kernel::{Standing, running_in};
 use crate::notation::read_formulas;
 
-use super::equation::{Kind, formulas};
+use super::equation::{Kind, formulas, says_of};
 use super::page::Page;
 use super::supposed::{Local, said_of_moment};
 use super::{Derivation, constants};
@@ -28,6 +28,13 @@ impl Assumed {
     pub fn tells_value_there(&self) -> bool {
         let sides = self.formula.as_equation();
         self.source == Source::Step && matches!(sides, Some((Expr::Limit { .. }, _)))
+    }
+}
+
+impl Assumed {
+    /// Whether it says of a symbol what it is: `s = …`.
+    pub fn is_of(&self, symbol: &Symbol) -> bool {
+        says_of(&self.formula, symbol)
     }
 }
 

@@ -153,9 +153,14 @@ pub struct Goal {
 impl Goal {
     /// Whether it says of a symbol what it is: `s = …`.
     pub fn is_of(&self, symbol: &Symbol) -> bool {
-        let sides = self.formula.as_equation();
-        matches!(sides, Some((Expr::Symbol(own), _)) if own == symbol)
+        says_of(&self.formula, symbol)
     }
+}
+
+/// Whether a formula says of a symbol what it is: `s = …`.
+pub(super) fn says_of(formula: &Formula, symbol: &Symbol) -> bool {
+    let sides = formula.as_equation();
+    matches!(sides, Some((Expr::Symbol(own), _)) if own == symbol)
 }
 
 /// The first goal of a statement.

@@ -230,9 +230,11 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     let (qualities, changing) = qualities::read(source, &tokens);
     let tail = conclusion::tail(source, &tokens);
     let mut citations = citation::read(&tokens);
-    let used_up = used_up(source, &tokens, last, tail.len());
-    let is_within = |own: Span, all: &Span| all.start <= own.start && own.end <= all.end;
-    citations.retain(|own| !used_up.iter().any(|all| is_within(own.span, all)));
+    if !citations.is_empty() {
+        let used_up = used_up(source, &tokens, last, tail.len());
+        let is_within = |own: Span, all: &Span| all.start <= own.start && own.end <= all.end;
+        citations.retain(|own| !used_up.iter().any(|all| is_within(own.span, all)));
+    }
     let in_tail = |citation: &&Citation| {
         tail.last()
             .is_some_and(|(_, at)| citation.span.end <= at.end)

@@ -47,9 +47,7 @@ impl Judge<'_> {
         if !is_refuted || !self.names_its_premises() || self.is_directed() {
             return;
         }
-        let before = self.gone_on_from(premises, &[]);
-        let concerns = |own: &&usize| self.goes_on_from(**own);
-        let before: Vec<usize> = before.iter().filter(concerns).copied().collect();
+        let before = self.display_gone_on_from(premises, &[]);
         // What is told besides, and slopes, only make it hard to see.
         let mut said = self.gathered(&before);
         said.retain(|own| {
@@ -71,17 +69,7 @@ impl Judge<'_> {
     /// The display before, where the text goes on from that, and what it was drawn from: what is not wrong itself, nor cited or sound and
     /// tried already.
     fn gone_on_from(&self, premises: &[usize], sound: &[usize]) -> Vec<usize> {
-        let is_amiss = |entry: &Entry| entry.is_wrong() || entry.verdict == Verdict::Undecided;
-        let is_new = |other: &usize| {
-            let known = premises.contains(other) || sound.contains(other);
-            !known && !self.auditor.entries_of(self.at, *other).any(is_amiss)
-        };
-        let page = self.derivation.equations[self.at].page;
-        let before = (self.derivation.equations_of(page).start..self.at).rev();
-        let mut all: Vec<usize> = before
-            .take_while(|&other| self.goes_on_from(other))
-            .filter(|other| is_new(other) && self.may_borrow(*other, true))
-            .collect();
+        let mut all = self.display_gone_on_from(premises, sound);
         let entries = all
             .iter()
             .flat_map(|&other| self.auditor.entries_of(self.at, other));
@@ -92,10 +80,27 @@ impl Judge<'_> {
                 Source::Equation(other) => Some(other),
                 _ => None,
             })
-            .filter(|other| is_new(other) && !all.contains(other))
+            .filter(|&other| self.is_new(other, premises, sound) && !all.contains(&other))
             .collect();
         all.extend(drawn_from);
         all
+    }
+
+    /// The same without what it was drawn from.
+    fn display_gone_on_from(&self, premises: &[usize], sound: &[usize]) -> Vec<usize> {
+        let page = self.derivation.equations[self.at].page;
+        let before = (self.derivation.equations_of(page).start..self.at).rev();
+        before
+            .take_while(|&other| self.goes_on_from(other))
+            .filter(|&other| self.is_new(other, premises, sound) && self.may_borrow(other, true))
+            .collect()
+    }
+
+    /// Whether an equation is neither wrong nor open, and not among what is tried already.
+    fn is_new(&self, other: usize, premises: &[usize], sound: &[usize]) -> bool {
+        let is_amiss = |entry: &Entry| entry.is_wrong() || entry.verdict == Verdict::Undecided;
+        let known = premises.contains(&other) || sound.contains(&other);
+        !known && !self.auditor.entries_of(self.at, other).any(is_amiss)
     }
 
     /// Whether the step is drawn where the text goes on from an equation: what that was shown under is meant as it is by a step that cites

@@ -73,11 +73,7 @@ impl Judge<'_> {
         let Some((Expr::Symbol(of), _)) = goal.formula.as_equation() else {
             return;
         };
-        let is_value = |own: &Assumed| {
-            let sides = own.formula.as_equation();
-            matches!(own.source, Source::Equation(_))
-                && matches!(sides, Some((Expr::Symbol(own), _)) if own == of)
-        };
+        let is_value = |own: &Assumed| matches!(own.source, Source::Equation(_)) && own.is_of(of);
         let is_given_value = |at: usize| {
             let mut before = self.derivation.equations[at].statements().iter();
             before.any(|own| first_goal(own).is_some_and(|own| own.is_of(of)))

@@ -42,7 +42,7 @@ impl Judge<'_> {
         if !posed.is_ok_and(|posed| search::makes_goal_vanish(&posed)) {
             return None;
         }
-        let assumed = self.cited(goal, steps);
+        let assumed = self.cited(goal, steps, premises);
         let mut own = Found::open(Judged {
             goal: goal.clone(),
             assumed: assumed.clone(),
@@ -96,7 +96,7 @@ impl Judge<'_> {
         let Source::Equation(at) = source else {
             return None;
         };
-        let assumed = self.cited(goal, steps).into_iter();
+        let assumed = self.cited(goal, steps, premises).into_iter();
         let assumed = assumed.filter(|own| own.source != source).collect();
         let premises: Vec<usize> = premises.iter().copied().chain([at]).collect();
         Some(self.judged(goal, assumed, &premises))

@@ -75,12 +75,11 @@ impl Judge<'_> {
             let mut all = assumed.iter();
             all.any(|known| known.formula.names().contains(own))
         };
-        let special = self.derivation.inline_before(self.at).filter_map(|math| {
-            let is_last = said.start <= math.span.start;
-            match read_expr(source, math.body) {
-                Ok(Expr::Symbol(value)) if is_last => Some((whole(&value)?, value)),
-                _ => None,
-            }
+        let inline = self.derivation.inline_before(self.at);
+        let last = inline.filter(|math| said.start <= math.span.start);
+        let special = last.filter_map(|math| match read_expr(source, math.body) {
+            Ok(Expr::Symbol(value)) => Some((whole(&value)?, value)),
+            _ => None,
         });
         let is_meant = |(quantity, value): &(Symbol, Symbol)| {
             let is_gone = !names.contains(quantity) && !names.contains(value);
@@ -92,15 +91,11 @@ impl Judge<'_> {
         };
         let [others, _] = self.others(premises);
         let open = self.open_before(premises);
-        let says = |own: &&Assumed| {
-            let sides = own.formula.as_equation();
-            matches!(sides, Some((Expr::Symbol(own), _)) if *own == value)
-        };
-        let Some(meaning) = others.iter().chain(&open).find(says) else {
+        let all = || others.iter().chain(&open);
+        let Some(meaning) = all().find(|own| own.is_of(&value)) else {
             return Vec::new();
         };
-        let of_chain = others.iter().chain(&open);
-        let of_chain = of_chain.filter(|own| own.source == meaning.source).cloned();
+        let of_chain = all().filter(|own| own.source == meaning.source).cloned();
         let mut all = vec![taken(&Formula::same(&quantity, &value))];
         join(of_chain, &mut all);
         all

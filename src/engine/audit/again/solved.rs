@@ -37,7 +37,7 @@ impl Judge<'_> {
     /// What would define a new symbol by its first link, judged as the value of what the words solve for; nothing where they do not.
     pub(in crate::audit) fn as_solved(&self, goal: &Goal, premises: &[usize]) -> Option<There> {
         let (new, named) = self.defined_anew(goal)?;
-        let mut assumed = self.cited(goal, &[]);
+        let mut assumed = self.cited(goal, &[], premises);
         let mut words = self.said_of_the_place(Side::Before);
         words.extend(self.named_before(premises));
         let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
@@ -101,7 +101,7 @@ impl Judge<'_> {
         let (likely, others): (Vec<&Symbol>, Vec<&Symbol>) = gone.iter().partition(follows);
         if let Some(first) = likely.first() {
             // What only the words name is not found from what is cited, however hard it is tried.
-            let cited = self.cited(goal, &[]);
+            let cited = self.cited(goal, &[], premises);
             let by_words = assumed.len() > cited.len();
             let solved = |own: &Symbol| {
                 let from_cited = || {
@@ -146,7 +146,7 @@ impl Judge<'_> {
             let mut laws = assumed.iter().filter(|own| is_displayed(own));
             !self.names_its_premises()
                 && by_name.as_ref() != Some(unknown)
-                && laws.any(|own| is_of(own, unknown))
+                && laws.any(|own| own.is_of(unknown))
         };
         let others = others.into_iter().filter(|unknown| !plainly(unknown));
         let mut told = others.filter_map(|unknown| {
@@ -235,7 +235,7 @@ impl Judge<'_> {
         let laws = || assumed.iter().filter(|own| is_displayed(own));
         self.derivation.equations[self.at].drawn
             && laws().any(|own| own.formula.names().contains(symbol))
-            && !laws().any(|own| is_of(own, symbol))
+            && !laws().any(|own| own.is_of(symbol))
     }
 
     /// What the new symbols of cited equations were found to be: "Inserting (2) into (3)" goes on at the time `T = t` of which (2) says how
@@ -299,12 +299,6 @@ fn gone(set: Vec<Place>, named: &Set<Symbol>, new: &Symbol, assumed: &[Assumed])
     let gone = tied.into_iter();
     gone.filter(|own| may_be_gone(own) && !fixed.contains(own))
         .collect()
-}
-
-/// Whether a hypothesis says plainly what a symbol is.
-fn is_of(own: &Assumed, symbol: &Symbol) -> bool {
-    let sides = own.formula.as_equation();
-    sides.is_some_and(|(left, _)| matches!(left, Expr::Symbol(own) if own == symbol))
 }
 
 fn is_displayed(own: &Assumed) -> bool {

@@ -43,7 +43,7 @@ impl Judge<'_> {
         defines: bool,
     ) -> Option<There> {
         let (new, named) = self.defined_anew(goal)?;
-        let cited = self.cited(goal, &[]);
+        let cited = self.cited(goal, &[], premises);
         let words = self.said_of_the_place(Side::Both);
         let quantity = whole(new).filter(|own| !named.contains(own));
         let asked = Asked {

@@ -102,7 +102,7 @@ fn whole_digits(number: &BigRational) -> Option<BigInt> {
 /// How near what is made of figures is meant where the longest of them, `8002` in `\frac{8002}{400}`, is rounded; nothing of numbers that
 /// say less.
 fn share_of_figures(term: &Expr) -> Option<BigRational> {
-    if !is_figures(term) || matches!(term, Expr::Number(_)) {
+    if matches!(term, Expr::Number(_)) {
         return None;
     }
     let mut longest = BigInt::zero();
