@@ -236,6 +236,15 @@ proptest! {
         } else {
             prop_assert_eq!(product.divided_by(&q), Some(p));
         }
+        // Long ones are held against a prime first.
+        let sum = product.plus(&r);
+        let long = sum.times(&q).expect("small enough");
+        if !q.is_zero() {
+            prop_assert_eq!(long.divided_by(&q), Some(sum));
+        }
+        if q.as_constant().is_none() {
+            prop_assert_eq!(long.plus(&Polynomial::one()).divided_by(&q), None);
+        }
         // What divides exactly multiplies back.
         if let Some(quotient) = r.divided_by(&q) {
             prop_assert_eq!(quotient.times(&q).expect("small enough"), r);

@@ -84,7 +84,7 @@ fn findings(source: &str) -> String {
 #[test]
 fn a_law_in_the_middle_of_a_text_is_told_how_to_be_one() {
     let law = "nothing before it speaks of k; if it is a law, a model or a definition, write `<!-- check: law -->` above it";
-    let spring = "$$ F = a + b \\tag{1} $$\n\nHence\n\n";
+    let spring = "<!-- check: law -->\n$$ F = a + b \\tag{1} $$\n\nHence\n\n";
     let said = findings(&format!("{spring}$$ F = k x \\tag{{2}} $$\n"));
     assert!(said.contains(law), "{said}");
     // Neither where something is cited, nor where every symbol has occurred, nor where it is a law.

@@ -69,7 +69,7 @@ fn what_may_be_something_else_is_given() {
     assert_eq!(last(light), "given");
     // "In general" leaves what was named, so that this follows from nothing.
     let currents = "The currents add up:\n\n$$ I = I_1 + I_2. \\tag{1} $$\n\nIf $I_1 = I_2$, then $I = 2 I_1$. In general the voltage $U = R I$ is\n\n$$ U = 2 R I_1 $$\n";
-    assert_eq!(last(currents), "fails");
+    assert_eq!(last(currents), "undecided");
     // What is said behind a law draws nothing from it.
     let law = "The path is\n\n$$ x = w t \\tag{1} $$\n\nAt $t = 1$ the body is at $x = w$.\n";
     assert_eq!(last(law), "given");

@@ -137,6 +137,13 @@ fn slip(change: &Change) -> String {
         Change::Sign => "only a sign differs".into(),
         Change::Coefficient => "only a coefficient differs".into(),
         Change::Exponent => "only an exponent differs".into(),
+        Change::Exchanged { one, other } => {
+            format!(
+                "only {} and {} change places",
+                words::symbol(one),
+                words::symbol(other)
+            )
+        }
         Change::Inverted => "only a fraction is upside down".into(),
         Change::Relation => "only the relation is turned round".into(),
         Change::Strict => "both sides can be equal".into(),

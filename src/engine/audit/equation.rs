@@ -128,7 +128,7 @@ impl Auditor<'_> {
             };
             let mut entry = match equation.numeric {
                 Some(_) => effort::within(MOST_WORK, || self.numeric(at, statement, &usable)),
-                None => self.step(statement, &how),
+                None => self.heed_what_is_unsaid(statement, &how, self.step(statement, &how)),
             };
             if entry.numeric.is_none() {
                 self.note_other_reading(statement, &mut entry, &how);
@@ -191,7 +191,7 @@ impl Auditor<'_> {
     }
 
     /// A statement that is to be derived.
-    fn step(&self, statement: &Statement, how: &Circumstances) -> Entry {
+    pub(super) fn step(&self, statement: &Statement, how: &Circumstances) -> Entry {
         let from = |usable: &Usable| self.statement(statement, &Circumstances { usable, ..*how });
         let lasting = match how.says_so {
             true => self.without_moments(how),

@@ -39,6 +39,7 @@ mod schedule;
 mod shifted;
 mod stated;
 mod statement;
+mod warranted;
 mod without;
 
 use std::cell::{Ref, RefCell};

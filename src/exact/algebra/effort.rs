@@ -8,14 +8,22 @@ use std::cell::Cell;
 
 thread_local! {
     static LEFT: Cell<u64> = const { Cell::new(u64::MAX) };
+    /// What was spent of all budgets that are over, and what that may come to.
+    static SPENT: Cell<u64> = const { Cell::new(0) };
+    static CEILING: Cell<u64> = const { Cell::new(u64::MAX) };
 }
 
 /// What is restored when a question is answered, also where that ends in a panic.
-struct Before(u64);
+struct Before {
+    left: u64,
+    /// What there was for the question.
+    own: u64,
+}
 
 impl Drop for Before {
     fn drop(&mut self) {
-        LEFT.set(self.0);
+        let spent = self.own - LEFT.replace(self.left);
+        SPENT.set(SPENT.get().saturating_add(spent));
     }
 }
 
@@ -23,8 +31,31 @@ impl Drop for Before {
 ///
 /// Once it is used up, what could grow answers [`TooLarge`](super::TooLarge).
 pub fn within<R>(budget: u64, work: impl FnOnce() -> R) -> R {
-    let _before = Before(LEFT.replace(budget));
+    let own = budget.min(CEILING.get().saturating_sub(SPENT.get()));
+    let _before = Before {
+        left: LEFT.replace(own),
+        own,
+    };
     work()
+}
+
+/// Does something for which there is no more than this, with all the budgets of their own that there are in it.
+pub fn altogether<R>(budget: u64, work: impl FnOnce() -> R) -> R {
+    struct Outside(u64);
+    impl Drop for Outside {
+        fn drop(&mut self) {
+            CEILING.set(self.0);
+        }
+    }
+    let outside = CEILING.get();
+    let _outside = Outside(outside);
+    CEILING.set(outside.min(SPENT.get().saturating_add(budget)));
+    within(budget, work)
+}
+
+/// Whether nothing is left of what there is altogether.
+pub fn is_exhausted() -> bool {
+    SPENT.get() >= CEILING.get()
 }
 
 /// Takes some of what is left.

@@ -4,6 +4,7 @@ use std::fmt;
 
 use smallvec::SmallVec;
 
+use super::division::exact_quotient;
 use super::effort::{is_spent, spend};
 use super::terms::{Made, Term, Terms};
 use super::{Monomial, Rational, Var};
@@ -355,7 +356,7 @@ impl Polynomial {
 
     /// `self / other`, where the division leaves no remainder and is done before all work allowed is.
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
-        let (lead, coefficient) = other.leading()?;
+        let (lead, _) = other.leading()?;
         if let [(monomial, coefficient)] = &*other.terms {
             let (mut terms, inverse) = (Made::new(), coefficient.recip());
             for (m, c) in self.terms.iter() {
@@ -374,17 +375,7 @@ impl Polynomial {
         {
             return None;
         }
-        let (mut rest, mut quotient) = (Cow::Borrowed(self), Made::new());
-        while let Some((m, c)) = rest.leading() {
-            if is_spent() {
-                return None;
-            }
-            let (m, c) = (m.divided_by(lead)?, c / coefficient);
-            let taken = -&c;
-            let multiple = other.terms.iter().map(|(n, d)| (n.times(&m), d * &taken));
-            rest = Cow::Owned(rest.merged_with(multiple));
-            quotient.push((m, c));
-        }
+        let mut quotient = exact_quotient(self, other)?;
         quotient.reverse();
         Some(Polynomial::of(quotient))
     }

@@ -6,6 +6,7 @@ use num_integer::Integer;
 use num_traits::Signed;
 
 use super::effort::spend;
+use super::residue::{PRIME, inverse, times};
 use super::{BigInt, BigRational};
 
 /// An exact rational number: two machine integers while they suffice, a [`BigRational`] beyond.
@@ -193,6 +194,17 @@ impl Rational {
             Form::Small(_, d) => (*d).into(),
             Form::Big(value) => value.denom().clone(),
         }
+    }
+
+    /// The residue modulo [`PRIME`]; `None` where that divides the denominator.
+    pub(super) fn residue(&self) -> Option<u64> {
+        let small = |own: i64| u64::try_from(i128::from(own).rem_euclid(PRIME.into())).ok();
+        let big = |own: &BigInt| u64::try_from(own.mod_floor(&PRIME.into())).ok();
+        let (n, d) = match &self.0 {
+            Form::Small(n, d) => (small(*n)?, small(*d)?),
+            Form::Big(value) => (big(value.numer())?, big(value.denom())?),
+        };
+        (d != 0).then(|| times(n, inverse(d)))
     }
 
     /// The power, unless it would be longer than `bits`.

@@ -50,7 +50,7 @@ pub use consistency::{Consistency, consistency, consistency_posed};
 pub use family::family;
 pub use implied::{Implied, implied, value_in_constants};
 pub use induction::{prove_for_every, refute_by_first_elements};
-pub use mend::{Change, InChain, Mended, mended};
+pub use mend::{Change, Edit, InChain, Mended, Slips, mended};
 pub use missing::{missing_among, missing_suppositions};
 pub use nought::without_powers_of_nought;
 pub use prove::Effort;

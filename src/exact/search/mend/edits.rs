@@ -11,6 +11,8 @@ use crate::sorted::{self, Set};
 const MOST_PARTS: usize = 80;
 /// No more formulas than this are made of one.
 const MOST_EDITS: usize = 400;
+/// Of terms with more symbols than this no two are exchanged.
+const MOST_EXCHANGED: usize = 5;
 /// What a coefficient may be off by, the likeliest first.
 const FACTORS: [(i32, i32); 20] = [
     (1, 2),
@@ -50,6 +52,13 @@ pub enum Change {
         printed: Symbol,
         /// As it should be.
         meant: Symbol,
+    },
+    /// Two symbols in each other's place.
+    Exchanged {
+        /// One of them.
+        one: Symbol,
+        /// The other one.
+        other: Symbol,
     },
     /// A fraction upside down, or a product where there should be a quotient.
     Inverted,
@@ -117,6 +126,7 @@ pub fn edits(printed: &Formula, names: &Names) -> Vec<Edit> {
         let side = if is_left { left } else { right };
         editor.whole(side);
         editor.missing_factor(side);
+        editor.exchanged(side);
         // Of what a number is said to be, no other number is missing.
         if own_number(if is_left { right } else { left }).is_none() {
             editor.missing_one(side);
@@ -141,6 +151,17 @@ pub fn edits(printed: &Formula, names: &Names) -> Vec<Edit> {
                 right_kept: is_left,
             });
         }
+    }
+    let (own, other) = (left.free_symbols(), right.free_symbols());
+    for (one, two) in pairs(&own.union(&other).cloned().collect()) {
+        let [left, right] = [left, right].map(|side| exchange(side, &one, &two));
+        all.push(Edit {
+            change: Change::Exchanged { one, other: two },
+            formula: rebuilt(&left, *relation, &right),
+            cost: 20,
+            left_kept: false,
+            right_kept: false,
+        });
     }
     let loose = match relation {
         Relation::Less => Some(Relation::LessOrEqual),
@@ -273,7 +294,8 @@ impl Editor<'_> {
             let broken = printed
                 .as_ref()
                 .is_some_and(|own| !((own * &factor).is_integer() || own.is_one() && above == 1));
-            let cost = 2 + u32::from(at >= 6) + u32::from(at >= 12) + 2 * u32::from(broken);
+            let unlikely = [2, 6, 12].into_iter().filter(|&from| at >= from).count() as u32;
+            let cost = 2 + unlikely + 2 * u32::from(broken);
             let other = signed(scaled(term, &factor));
             if self.found[before..]
                 .iter()
@@ -301,6 +323,17 @@ impl Editor<'_> {
             if own_number(factor).is_none() {
                 let quotient = Expr::Quotient(others.into(), factor.clone().into());
                 self.found.push((Change::Inverted, 4, quotient));
+            }
+        }
+    }
+
+    /// Two symbols of a side in each other's place: `m` and `M`.
+    fn exchanged(&mut self, side: &Expr) {
+        for (one, other) in pairs(&side.free_symbols()) {
+            let term = exchange(side, &one, &other);
+            if term != *side {
+                let change = Change::Exchanged { one, other };
+                self.found.push((change, 4, term));
             }
         }
     }
@@ -363,6 +396,9 @@ impl Editor<'_> {
             }
             Expr::Power(base, exponent) => {
                 self.exponents(base, exponent);
+                if own_number(exponent).is_none() {
+                    self.inside(term, 1, Editor::whole);
+                }
                 let root = term.is_root();
                 self.inside(term, 0, |editor, base| match base {
                     // What a root is taken of is written as a side is. Of a bound nearly any number would do.
@@ -385,6 +421,11 @@ impl Editor<'_> {
             Expr::Quotient(above, below) => {
                 let inverted = Expr::Quotient(below.clone(), above.clone());
                 self.found.push((Change::Inverted, 3, inverted));
+                let factors = [(**above).clone(), (**below).clone()];
+                if own_number(below).is_none() && **above != Expr::integer(1) {
+                    let product = product_of(factors.to_vec());
+                    self.found.push((Change::Inverted, 4, product));
+                }
                 if own_number(term).is_none() {
                     self.inside(term, 0, Editor::part);
                     self.inside(term, 1, Editor::part);
@@ -535,6 +576,30 @@ fn whole_coefficient(term: &Expr) -> Option<Rational> {
 }
 
 /// Whether two names differ in primes or in an index alone.
+/// Two of these symbols at a time, where they are few.
+fn pairs(symbols: &Set<Symbol>) -> Vec<(Symbol, Symbol)> {
+    let all: Vec<&Symbol> = symbols.iter().filter(|own| !own.is_unit()).collect();
+    if all.len() > MOST_EXCHANGED {
+        return Vec::new();
+    }
+    let mut pairs = Vec::new();
+    for (at, one) in all.iter().enumerate() {
+        let others = all[at + 1..].iter();
+        pairs.extend(others.map(|other| ((*one).clone(), (*other).clone())));
+    }
+    pairs
+}
+
+/// A term with two symbols in each other's place; the same where one of them is bound in it.
+fn exchange(term: &Expr, one: &Symbol, other: &Symbol) -> Expr {
+    match term {
+        Expr::Symbol(own) if own == one => Expr::Symbol(other.clone()),
+        Expr::Symbol(own) if own == other => Expr::Symbol(one.clone()),
+        term if term.binder().is_some() => term.clone(),
+        term => term.map_children(|part| exchange(part, one, other)),
+    }
+}
+
 fn alike(one: &Symbol, other: &Symbol) -> bool {
     let letters = |symbol: &Symbol| -> String {
         let name = symbol.name().replace('\'', "");

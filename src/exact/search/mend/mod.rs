@@ -6,19 +6,27 @@
 mod edits;
 
 use std::cell::OnceCell;
+use std::collections::BTreeMap;
+use std::mem::{self, Discriminant};
 
 use num_traits::{One, Signed, Zero};
 
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
 use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
 
-use super::{Effort, defines_afresh, pose, prove_posed, prove_unconditionally, refute, unfold};
+use super::{
+    Effort, defines_afresh, pose, prove_posed, prove_unconditionally, refute, refuted, unfold,
+};
 use crate::sorted::Set;
-pub use edits::Change;
-use edits::{Edit, Names, edits};
+pub use edits::{Change, Edit};
+use edits::{Names, edits};
 
 /// How many edits that are true at every point are handed to the prover.
 const MOST_TRIED: usize = 6;
+/// How much less likely a slip is that is false at a point.
+const REFUTED: u32 = 8;
+/// What coefficients cost that few pens slip by.
+const RARE: u32 = 16;
 /// How many are where functions or derivatives have no value at a point.
 const MOST_UNWEIGHED: usize = 40;
 /// How many of these are tried in earnest, and how many of those that have no value.
@@ -91,9 +99,120 @@ pub fn mended(
     evaluate: impl Fn(&Claim, &Assignment) -> Values,
 ) -> Option<Mended> {
     let mut candidates = Candidates::new(claim, chain);
+    (candidates.left).retain(|edit| !defines_afresh(claim, &edit.formula));
     candidates.weigh_at_points(claim, witness, hints, evaluate);
     candidates.sort(claim, chain);
     candidates.first_proved(claim, chain)
+}
+
+/// The slips of the pen that may have been made in a refuted goal, the likeliest first. Whether the goal follows without one of them is for who
+/// asks to find out: more may be known than the claim says, so that what is false at a point comes late, and is not left out.
+pub struct Slips<'a> {
+    claim: &'a Claim,
+    /// By what speaks against each, and in which order they were made.
+    left: BTreeMap<(u32, usize), Slip>,
+    /// Points at which all premises hold.
+    points: Vec<Assignment>,
+}
+
+struct Slip {
+    edit: Edit,
+    /// Whether it was held against the points.
+    is_weighed: bool,
+}
+
+impl<'a> Slips<'a> {
+    /// As [`mended`].
+    pub fn of(
+        claim: &'a Claim,
+        chain: &InChain,
+        witness: &Assignment,
+        evaluate: impl Fn(&Claim, &Assignment) -> Values,
+    ) -> Slips<'a> {
+        let mut candidates = Candidates::new(claim, chain);
+        let all = candidates.left.clone();
+        candidates.weigh_at_points(claim, witness, &[], evaluate);
+        let is_true = |edit: &Edit| {
+            candidates
+                .left
+                .iter()
+                .any(|own| own.formula == edit.formula)
+        };
+        let own = claim.goal.names();
+        let mut seen: Vec<Discriminant<Change>> = Vec::new();
+        let is_rare = |edit: &Edit| edit.change == Change::Coefficient && edit.cost >= RARE;
+        let mut left = BTreeMap::new();
+        // What an equation is solved for is right.
+        let is_solved = matches!(claim.goal.as_equation(), Some((Expr::Symbol(_), _)));
+        let is_likely = |edit: &Edit| !is_rare(edit) && (edit.left_kept || !is_solved);
+        for edit in all.into_iter().filter(is_likely) {
+            let kind = mem::discriminant(&edit.change);
+            let before = seen.iter().filter(|own| **own == kind).count();
+            seen.push(kind);
+            // There are many numbers to slip by.
+            let before = match edit.change {
+                Change::Coefficient | Change::Sign => before / 6,
+                _ => before,
+            };
+            // What the goal does not speak of at all is seldom missing.
+            let is_foreign = !edit.formula.names().is_subset(&own);
+            let more = u32::from(is_foreign) + 2 * u32::from(!is_true(&edit));
+            let doubt = edit.cost + 2 * u32::try_from(before).unwrap_or(u32::MAX / 8) + 6 * more;
+            let slip = Slip {
+                edit,
+                is_weighed: false,
+            };
+            left.insert((doubt, left.len()), slip);
+        }
+        Slips {
+            claim,
+            left,
+            points: vec![witness.clone()],
+        }
+    }
+
+    /// Takes a point at which one was false for one at which others may be.
+    pub fn heed(&mut self, point: &Assignment) {
+        self.points.push(point.clone());
+    }
+
+    fn is_refuted(&self, edit: &Edit) -> bool {
+        let own = Claim {
+            goal: edit.formula.clone(),
+            ..self.claim.clone()
+        };
+        let posed = pose(own).ok();
+        let is_false = |posed: &Obligation| {
+            let mut points = self.points.iter();
+            points.any(|point| refuted(posed, point.clone()).is_some())
+        };
+        posed.is_none_or(|posed| is_false(&posed))
+    }
+}
+
+impl Iterator for Slips<'_> {
+    type Item = Edit;
+
+    fn next(&mut self) -> Option<Edit> {
+        loop {
+            let ((doubt, at), slip) = self.left.pop_first()?;
+            let edit = &slip.edit;
+            if slip.is_weighed {
+                return Some(slip.edit);
+            }
+            if says_nothing(self.claim, &edit.change, &edit.formula) {
+                continue;
+            }
+            if !self.is_refuted(edit) {
+                return Some(slip.edit);
+            }
+            let weighed = Slip {
+                is_weighed: true,
+                ..slip
+            };
+            self.left.insert((doubt + REFUTED, at), weighed);
+        }
+    }
 }
 
 /// The edits that are false at no point that was looked at.
@@ -108,7 +227,6 @@ impl Candidates {
         let mut left = edits(&claim.goal, &names(claim));
         left.retain(|edit| edit.left_kept || !chain.left_settled);
         left.retain(|edit| edit.right_kept || !chain.right_settled);
-        left.retain(|edit| !defines_afresh(claim, &edit.formula));
         Candidates {
             left,
             points: Vec::new(),
@@ -335,6 +453,31 @@ impl Printed {
 
 /// Whether an edit only makes the formula say nothing, or nothing new: `v = v`, `x > -1`, a premise.
 fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
+    is_premise(claim, formula) || says_nothing(claim, change, formula)
+}
+
+fn is_premise(claim: &Claim, formula: &Formula) -> bool {
+    let turned = match formula {
+        Formula::Relation {
+            left,
+            relation,
+            right,
+        } => Some(Formula::Relation {
+            left: right.clone(),
+            relation: *relation,
+            right: left.clone(),
+        }),
+        Formula::AllEqual { .. } => None,
+    };
+    let says = |h: &Hypothesis| {
+        let own = &*h.formula;
+        own == formula || Some(own) == turned.as_ref()
+    };
+    claim.hypotheses.iter().any(says)
+}
+
+/// Whether an edited formula is true whatever the premises, `v = v`, `x > -1`, and no piece of algebra.
+fn says_nothing(claim: &Claim, change: &Change, formula: &Formula) -> bool {
     let Formula::Relation {
         left,
         relation,
@@ -343,15 +486,6 @@ fn is_vacuous(claim: &Claim, change: &Change, formula: &Formula) -> bool {
     else {
         return true;
     };
-    let turned = Formula::Relation {
-        left: right.clone(),
-        relation: *relation,
-        right: left.clone(),
-    };
-    let says = |h: &Hypothesis| *h.formula == *formula || *h.formula == turned;
-    if claim.hypotheses.iter().any(says) {
-        return true;
-    }
     let bare = Claim {
         hypotheses: Vec::new(),
         goal: formula.clone(),

@@ -1,0 +1,257 @@
+//! Whether a counterexample to a step of loose prose warrants the word that it fails.
+//!
+//! Where directives say what follows from what, a step is wrong if it is false somewhere where all that is true. Where none does, what a step
+//! is to follow from is gathered from the words around it, and most texts leave something unsaid: that a wheel rolls, that two resistances
+//! are the same. Then much is false at some point that nobody thinks of. That it is a slip shows where there is something right that it is a
+//! slip of: one small edit with which the same step would have been shown; or where nothing can have been left unsaid, as in a piece of
+//! algebra or arithmetic, or where the text cites what speaks of all of it.
+
+use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
+use crate::derivation::{Goal, Source, values_at};
+use crate::kernel::Refuted;
+use crate::notation::{Clause, Statement, plain_formula};
+use crate::search::{Change, Edit, InChain, Mended, Slips};
+use crate::sorted::Set;
+
+use super::entry::{Entry, leave_open};
+use super::readings::Circumstances;
+use super::stated::quantities;
+use super::{Auditor, Judged, Note, Outcome, Verdict};
+
+/// How much work may be done for that, in all and for each slip.
+const MOST_WORK: u64 = 2_000_000;
+const MOST_WORK_FOR_ONE: u64 = 60_000;
+/// So many slips are tried.
+const MOST_TRIED: usize = 60;
+/// So many values are told of a point.
+const MOST_VALUES: usize = 6;
+
+impl Auditor<'_> {
+    /// Leaves open what fails as far as was found, where something may be left unsaid that it follows from.
+    pub(super) fn heed_what_is_unsaid(
+        &self,
+        statement: &Statement,
+        how: &Circumstances,
+        mut entry: Entry,
+    ) -> Entry {
+        let page = &self.derivation.pages[self.derivation.equations[how.at].page];
+        if entry.verdict != Verdict::Fails
+            || page.directs
+            || page.beside.is_some()
+            || entry.numeric.is_some()
+            || !statement.quantified.is_empty()
+            || self.has_repair(&entry)
+            || self.leaves_nothing_unsaid(how, &entry)
+        {
+            return entry;
+        }
+        match effort::altogether(MOST_WORK, || self.slip_in(statement, how, &entry)) {
+            Some(mended) => {
+                (entry.mended, entry.implied) = (Some(Box::new(mended)), None);
+                entry.missing.clear();
+            }
+            None => {
+                let reason = unsaid(&entry);
+                leave_open(&mut entry, &reason);
+            }
+        }
+        entry
+    }
+
+    /// Whether something near to what is printed is known to follow.
+    fn has_repair(&self, entry: &Entry) -> bool {
+        let Some((judged, _)) = entry.refuted() else {
+            return false;
+        };
+        if let Some(implied) = &entry.implied {
+            let own = judged.goal.formula.names();
+            let names = implied.proven.claim().goal.names();
+            let is_said = names.len() > 1 && names.is_subset(&own);
+            if implied.is_multiple() || is_said {
+                return true;
+            }
+        }
+        let mended = entry.mended.as_ref();
+        mended.is_some_and(|mended| self.is_likely(entry.equation, &mended.change))
+    }
+
+    /// Whether a change is one that a pen slips by: authors have more names for a thing than one, and new ones for what they come to.
+    fn is_likely(&self, at: usize, change: &Change) -> bool {
+        let Change::Symbol { printed, meant } = change else {
+            return true;
+        };
+        let is_kind = printed.is_variant_of(meant) || meant.is_variant_of(printed);
+        !is_kind && !self.derivation.equations[at].introduces.contains(printed)
+    }
+
+    fn leaves_nothing_unsaid(&self, how: &Circumstances, entry: &Entry) -> bool {
+        let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+        refuted.any(|own| {
+            own.solution().is_some()
+                || own.is_propagated()
+                || is_closed(&own.goal.formula)
+                || how.says_so && is_spoken_of(own)
+        })
+    }
+
+    /// One small edit with which what is refuted first would have been shown.
+    fn slip_in(&self, statement: &Statement, how: &Circumstances, entry: &Entry) -> Option<Mended> {
+        let (judged, refuted) = entry.refuted()?;
+        let mut slips = slips(statement, judged, refuted);
+        let mut tried = 0;
+        while let Some(edit) = slips.next().filter(|_| tried < MOST_TRIED) {
+            let likely = self.is_likely(how.at, &edit.change);
+            let edited = likely.then(|| edited(statement, &judged.goal, &edit));
+            let Some(edited) = edited.flatten() else {
+                continue;
+            };
+            tried += 1;
+            let other = effort::altogether(MOST_WORK_FOR_ONE, || self.step(&edited, how));
+            if effort::is_exhausted() {
+                break;
+            }
+            if let Some((_, refuted)) = other.refuted() {
+                slips.heed(refuted.witness());
+            }
+            let mut all = other.judged.iter();
+            let own = all.find(|own| own.goal.sides == judged.goal.sides);
+            let (Verdict::Holds, Some(Outcome::Proven(proven))) =
+                (other.verdict, own.map(|own| &own.outcome))
+            else {
+                continue;
+            };
+            let mut notes = other.notes.iter();
+            let under = notes.find_map(|note| match note {
+                Note::UnstatedCondition(under) => Some(under.clone()),
+                _ => None,
+            });
+            return Some(Mended {
+                proven: (**proven).clone(),
+                change: edit.change,
+                next: None,
+                under: under.unwrap_or_default(),
+            });
+        }
+        None
+    }
+}
+
+fn slips<'a>(statement: &Statement, judged: &Judged, refuted: &'a Refuted) -> Slips<'a> {
+    let begins = statement.clauses.get(judged.goal.clause);
+    let begins = begins.is_some_and(|clause| match clause {
+        Clause::Chain { sides, .. } => sides[0].span == judged.goal.sides.0,
+        Clause::AllEqual { .. } => true,
+    });
+    let chain = InChain {
+        left_settled: !begins,
+        ..InChain::default()
+    };
+    Slips::of(refuted.claim(), &chain, refuted.witness(), values_at)
+}
+
+/// Why nothing is said of what is false and near to nothing that follows.
+fn unsaid(entry: &Entry) -> String {
+    let (mut values, mut dots) = (Vec::new(), "");
+    if let Some((judged, refuted)) = entry.refuted() {
+        let names = judged.goal.formula.names();
+        let own = refuted.witness().symbols.iter();
+        let mut own = own.filter(|(symbol, _)| names.contains(*symbol));
+        let told = own.by_ref().take(MOST_VALUES).map(|(symbol, value)| {
+            let value = Expr::Number(value.clone());
+            plain_formula(&Formula::equal(Expr::Symbol(symbol.clone()), value))
+        });
+        values.extend(told);
+        dots = if own.next().is_some() { ", …" } else { "" };
+    }
+    let point = match values.is_empty() {
+        true => "somewhere".to_owned(),
+        false => format!("at {}{dots}", values.join(", ")),
+    };
+    let unless = match entry.missing.as_slice() {
+        [] => "nothing near to it follows either".to_owned(),
+        missing => {
+            let missing: Vec<String> = missing.iter().map(plain_formula).collect();
+            format!("it follows if also {}", missing.join(" and "))
+        }
+    };
+    format!("false {point}, but {unless}: something may be left unsaid")
+}
+
+/// Whether equations that were named speak of all that a link does.
+fn is_spoken_of(judged: &Judged) -> bool {
+    let said = judged.assumed.iter();
+    let said = said.filter(|own| matches!(own.source, Source::Equation(_)));
+    let said: Set<Symbol> = said.flat_map(|own| own.formula.names()).collect();
+    // By what is differentiated is clear.
+    let mut terms = judged.goal.formula.terms().into_iter();
+    let is_variable = |own: &Symbol| {
+        terms.any(|term| term.any(&|part| part.binder().is_some_and(|bound| bound == own)))
+    };
+    let mut names = judged.goal.formula.names();
+    names.retain(|own| !said.contains(own));
+    names.iter().all(is_variable)
+}
+
+/// Whether a link is said of numbers, or of the same symbols on both sides, or works something out: what would have to be said besides of
+/// those would be a condition.
+fn is_closed(formula: &Formula) -> bool {
+    let Formula::Relation {
+        left,
+        relation,
+        right,
+    } = formula
+    else {
+        return true;
+    };
+    // `x = 2 x` says that it is 0, where `x > 2 x` is said of all.
+    let bare = |side: &Expr| matches!(side, Expr::Symbol(_)) && *relation == Relation::Equal;
+    let (own, other): (Set<Symbol>, Set<Symbol>) = (quantities(left), quantities(right));
+    own.is_empty()
+        || other.is_empty()
+        || !bare(left) && !bare(right) && own == other
+        || works_out(left) && other.is_subset(&own)
+        || works_out(right) && own.is_subset(&other)
+}
+
+/// Whether a term is a sum, a limit, an integral or a slope of something that is written out.
+fn works_out(term: &Expr) -> bool {
+    let body = match term {
+        Expr::Series { .. } | Expr::Integral { .. } => return true,
+        Expr::Limit { body, .. } | Expr::Derivative { body, .. } => body,
+        _ => return false,
+    };
+    !matches!(
+        **body,
+        Expr::Symbol(_) | Expr::Apply(..) | Expr::Derivative { .. }
+    )
+}
+
+/// A statement with one link edited.
+fn edited(statement: &Statement, goal: &Goal, edit: &Edit) -> Option<Statement> {
+    let Formula::Relation {
+        left,
+        relation,
+        right,
+    } = &edit.formula
+    else {
+        return None;
+    };
+    let mut edited = statement.clone();
+    let Clause::Chain { sides, links } = edited.clauses.get_mut(goal.clause)? else {
+        return None;
+    };
+    let at = sides
+        .windows(2)
+        .position(|pair| (pair[0].span, pair[1].span) == goal.sides)?;
+    links.get_mut(at)?.relation = *relation;
+    for (side, (kept, term)) in sides[at..]
+        .iter_mut()
+        .zip([(edit.left_kept, left), (edit.right_kept, right)])
+    {
+        if !kept {
+            side.expr = term.clone();
+            side.rounding = None;
+        }
+    }
+    Some(edited)
+}
