@@ -20,6 +20,9 @@ const MOST_STEPS: usize = 64;
 /// So far back is looked for displays that could not be read and speak of something in a step that fails.
 const MOST_BEFORE: usize = 64;
 
+/// Why nothing is proved from figures that are rounded, where they do not agree.
+const FIGURES: &str = "the figures before it are rounded, and not all can be exact";
+
 /// What was found of the links of a statement besides what is said of each.
 #[derive(Default)]
 struct Links {
@@ -150,6 +153,17 @@ impl Auditor<'_> {
         links
     }
 
+    /// Whether a premise of loose prose ends in a number that is rounded.
+    fn is_rounded(&self, at: usize, source: &Source) -> bool {
+        let page = &self.derivation.pages[self.derivation.equations[at].page];
+        let Source::Equation(premise) = *source else {
+            return false;
+        };
+        let mut said = self.derivation.equations[premise].statements().iter();
+        let is_rounded = |own: &Statement| goals(own).iter().any(|goal| goal.rounding.is_some());
+        !page.directs && said.any(is_rounded)
+    }
+
     /// What is found of a first link that defines something, or would if what stands before did not say what that is; nothing of others.
     fn begun(
         &self,
@@ -200,7 +214,7 @@ impl Auditor<'_> {
     }
 
     /// Enters what was found of a link.
-    fn take_up(&self, found: Found, links: &mut Links, entry: &mut Entry) {
+    fn take_up(&self, mut found: Found, links: &mut Links, entry: &mut Entry) {
         if !found.constant.is_empty() {
             entry.takes_as_constant(found.constant);
         }
@@ -235,6 +249,17 @@ impl Auditor<'_> {
             Source::Local(page, local) => self.derivation.local(*page, *local).is_contrary,
             _ => false,
         };
+        // Nor are figures one that are rounded, and do not agree to the last digit.
+        if found
+            .contradictory
+            .iter()
+            .any(|own| self.is_rounded(entry.equation, own))
+        {
+            found.contradictory.clear();
+            if let Outcome::Open(stop) = &mut found.judged.outcome {
+                stop.reason = FIGURES.to_owned();
+            }
+        }
         if !found.contradictory.is_empty() && !found.contradictory.iter().any(sought) {
             let contradictory = Note::InconsistentPremises(found.contradictory);
             entry.notes.push(contradictory);

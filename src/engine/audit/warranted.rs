@@ -7,16 +7,16 @@
 //! algebra or arithmetic, or where the text cites what speaks of all of it.
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
-use crate::derivation::{Goal, Source, values_at};
+use crate::derivation::{Assumed, Goal, Source, goals, values_at};
 use crate::kernel::Refuted;
 use crate::notation::{Clause, Statement, plain_formula};
-use crate::search::{Change, Edit, InChain, Mended, Slips};
+use crate::search::{self, Change, Decision, Edit, InChain, Mended, Slips};
 use crate::sorted::Set;
 
 use super::entry::{Entry, leave_open};
 use super::readings::Circumstances;
 use super::stated::quantities;
-use super::{Auditor, Judged, Note, Outcome, Verdict};
+use super::{Auditor, Judged, Note, Outcome, Verdict, judge};
 
 /// How much work may be done for that, in all and for each slip.
 const MOST_WORK: u64 = 2_000_000;
@@ -40,9 +40,16 @@ impl Auditor<'_> {
             || page.beside.is_some()
             || entry.numeric.is_some()
             || !statement.quantified.is_empty()
-            || self.has_repair(&entry)
-            || self.leaves_nothing_unsaid(how, &entry)
         {
+            return entry;
+        }
+        let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
+        if !refuted.any(|own| self.fails_where_positive(how.at, own)) {
+            let reason = unsaid(&entry);
+            leave_open(&mut entry, &reason);
+            return entry;
+        }
+        if self.has_repair(&entry) || self.leaves_nothing_unsaid(statement, how, &entry) {
             return entry;
         }
         match effort::altogether(MOST_WORK, || self.slip_in(statement, how, &entry)) {
@@ -84,14 +91,39 @@ impl Auditor<'_> {
         !is_kind && !self.derivation.equations[at].introduces.contains(printed)
     }
 
-    fn leaves_nothing_unsaid(&self, how: &Circumstances, entry: &Entry) -> bool {
+    fn leaves_nothing_unsaid(
+        &self,
+        statement: &Statement,
+        how: &Circumstances,
+        entry: &Entry,
+    ) -> bool {
+        // What a solution is put into is not what is printed.
+        let printed = goals(statement);
+        let is_printed = |own: &Judged| {
+            let mut printed = printed.iter();
+            printed.any(|goal| goal.formula == own.goal.formula)
+        };
         let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
         refuted.any(|own| {
             own.solution().is_some()
+                || !is_printed(own)
                 || own.is_propagated()
-                || is_closed(&own.goal.formula)
+                || is_closed(own)
                 || how.says_so && is_spoken_of(own)
         })
+    }
+
+    /// Whether a bound is wrong for positive numbers, too: most authors speak of no others, and few say so.
+    fn fails_where_positive(&self, at: usize, judged: &Judged) -> bool {
+        let formula = &judged.goal.formula;
+        if !formula.is_inequality() {
+            return true;
+        }
+        let names = formula.names().into_iter();
+        let positive = names.map(|own| judge::step(&Formula::positive(Expr::Symbol(own))));
+        let all: Vec<Assumed> = judged.assumed.iter().cloned().chain(positive).collect();
+        let claim = self.derivation.claim(at, &all, formula);
+        matches!(search::decide(claim, &self.hints()), Decision::Refuted(_))
     }
 
     /// One small edit with which what is refuted first would have been shown.
@@ -153,7 +185,8 @@ fn slips<'a>(statement: &Statement, judged: &Judged, refuted: &'a Refuted) -> Sl
 fn unsaid(entry: &Entry) -> String {
     let (mut values, mut dots) = (Vec::new(), "");
     if let Some((judged, refuted)) = entry.refuted() {
-        let names = judged.goal.formula.names();
+        let mut names = judged.goal.formula.names();
+        names.retain(|own| !own.is_unit());
         let own = refuted.witness().symbols.iter();
         let mut own = own.filter(|(symbol, _)| names.contains(*symbol));
         let told = own.by_ref().take(MOST_VALUES).map(|(symbol, value)| {
@@ -194,23 +227,52 @@ fn is_spoken_of(judged: &Judged) -> bool {
 
 /// Whether a link is said of numbers, or of the same symbols on both sides, or works something out: what would have to be said besides of
 /// those would be a condition.
-fn is_closed(formula: &Formula) -> bool {
+fn is_closed(judged: &Judged) -> bool {
     let Formula::Relation {
         left,
         relation,
         right,
-    } = formula
+    } = &judged.goal.formula
     else {
         return true;
     };
     // `x = 2 x` says that it is 0, where `x > 2 x` is said of all.
     let bare = |side: &Expr| matches!(side, Expr::Symbol(_)) && *relation == Relation::Equal;
     let (own, other): (Set<Symbol>, Set<Symbol>) = (quantities(left), quantities(right));
-    own.is_empty()
-        || other.is_empty()
-        || !bare(left) && !bare(right) && own == other
-        || works_out(left) && other.is_subset(&own)
-        || works_out(right) && own.is_subset(&other)
+    let known = known(judged);
+    let is_known = |symbol: &Symbol| known.contains(symbol);
+    match (own.is_empty(), other.is_empty()) {
+        (true, true) => true,
+        (true, false) => matches!(right, Expr::Symbol(_)) || other.iter().all(is_known),
+        (false, true) => matches!(left, Expr::Symbol(_)) || own.iter().all(is_known),
+        (false, false) => {
+            !bare(left) && !bare(right) && own == other
+                || works_out(left) && other.is_subset(&own)
+                || works_out(right) && own.is_subset(&other)
+        }
+    }
+}
+
+/// The symbols of which premises say what numbers they are, one by another.
+fn known(judged: &Judged) -> Set<Symbol> {
+    let said = judged.assumed.iter().filter_map(|own| {
+        let (left, right) = own.formula.as_equation()?;
+        match left {
+            Expr::Symbol(symbol) => Some((symbol.clone(), quantities(right))),
+            _ => None,
+        }
+    });
+    let said: Vec<(Symbol, Set<Symbol>)> = said.collect();
+    let mut known = Set::new();
+    loop {
+        let is_next = |(own, of): &&(Symbol, Set<Symbol>)| {
+            !known.contains(own) && of.iter().all(|other| known.contains(other))
+        };
+        let Some((next, _)) = said.iter().find(is_next) else {
+            return known;
+        };
+        known.insert(next.clone());
+    }
 }
 
 /// Whether a term is a sum, a limit, an integral or a slope of something that is written out.

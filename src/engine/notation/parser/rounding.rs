@@ -39,7 +39,20 @@ impl Parser<'_> {
         if (at + 1..self.at).any(is_number) {
             return None;
         }
-        rounded(text)
+        // Of `6 \cdot 10^{-4}` the one digit is all that is known.
+        let has_power = |at: usize| match self.kind(at) {
+            Kind::Number("10") | Kind::Quantity("", _) => true,
+            _ => false,
+        };
+        let is_scientific = text.len() == 1 && (at + 1..self.at).any(has_power);
+        let rounding = rounded(text)?;
+        Some(match is_scientific {
+            true => Rounding {
+                precision: Precision::Decimal,
+                ..rounding
+            },
+            false => rounding,
+        })
     }
 
     /// Whether a unit may stand after a factor: after a number, or one with its uncertainty, `(5.0 \pm 0.1)\,\mathrm{kg}`.
