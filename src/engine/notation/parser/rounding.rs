@@ -40,10 +40,8 @@ impl Parser<'_> {
             return None;
         }
         // Of `6 \cdot 10^{-4}` the one digit is all that is known.
-        let has_power = |at: usize| match self.kind(at) {
-            Kind::Number("10") | Kind::Quantity("", _) => true,
-            _ => false,
-        };
+        let has_power =
+            |at: usize| matches!(self.kind(at), Kind::Number("10") | Kind::Quantity("", _));
         let is_scientific = text.len() == 1 && (at + 1..self.at).any(has_power);
         let rounding = rounded(text)?;
         Some(match is_scientific {
