@@ -504,10 +504,14 @@ fn is_set_out_from(statement: &Statement, goal: &Goal) -> bool {
 
 /// Whether a goal puts to nought what the next clause is drawn from: `\frac{dD}{dx} = 1 - \frac{a}{x^2} = 0 \Rightarrow x = \sqrt{a}` supposes that.
 fn is_put_to_nought(statement: &Statement, goal: &Goal) -> bool {
-    let ends = goals(statement)
-        .into_iter()
-        .rfind(|own| own.clause == goal.clause)
-        .is_some_and(|last| last.formula == goal.formula);
+    let mut clause = goals(statement);
+    clause.retain(|own| own.clause == goal.clause);
+    // What it comes to is said before; `4 r - h = 0 \Rightarrow` alone is an equation like any other.
+    let ends = clause.len() > 1 || goal.formula.speaks_of_slopes();
+    let ends = ends
+        && clause
+            .last()
+            .is_some_and(|last| last.formula == goal.formula);
     let sides = goal.formula.as_equation();
     ends && sides.is_some_and(|(_, right)| *right == Expr::integer(0))
 }

@@ -20,7 +20,13 @@ pub enum Consistency {
 /// A point at which all hypotheses hold, or a proof that there is none. `hints` are points to start from.
 pub fn consistency(claim: &Claim, hints: &[Assignment]) -> Consistency {
     let of = |claim: &Claim, unfold: Vec<usize>| {
-        let premises = Obligation::of_premises(claim.clone(), unfold);
+        let read = |unfold| Obligation::of_premises(claim.clone(), unfold);
+        let is_plain = unfold.is_empty();
+        let premises = match read(unfold) {
+            // What makes no sense with a value put in may be impossible with it.
+            Err(_) if !is_plain => read(Vec::new()),
+            premises => premises,
+        };
         premises.map_or(Consistency::Unknown, |own| consistency_posed(&own, hints))
     };
     let unfold = unfold::definitions_to_unfold(claim);
