@@ -23,6 +23,10 @@ const MOST_BEFORE: usize = 64;
 /// Why nothing is proved from figures that are rounded, where they do not agree.
 const FIGURES: &str = "the figures before it are rounded, and not all can be exact";
 
+/// Why nothing is proved from what words say and displays do not agree with.
+const TOLD: &str =
+    "what the text says before it does not agree with what it cites, as far as it is understood";
+
 /// What was found of the links of a statement besides what is said of each.
 #[derive(Default)]
 struct Links {
@@ -153,15 +157,25 @@ impl Auditor<'_> {
         links
     }
 
-    /// Whether a premise of loose prose ends in a number that is rounded.
-    fn is_rounded(&self, at: usize, source: &Source) -> bool {
+    /// Why premises of loose prose that contradict one another may agree as they are meant.
+    fn may_agree(&self, at: usize, contradictory: &[Source]) -> Option<&'static str> {
         let page = &self.derivation.pages[self.derivation.equations[at].page];
+        let is_told = |own: &Source| matches!(own, Source::Local(..));
+        match contradictory {
+            _ if page.directs => None,
+            all if all.iter().any(|own| self.is_rounded(own)) => Some(FIGURES),
+            all if all.iter().any(is_told) => Some(TOLD),
+            _ => None,
+        }
+    }
+
+    /// Whether a premise ends in a number that is rounded.
+    fn is_rounded(&self, source: &Source) -> bool {
         let Source::Equation(premise) = *source else {
             return false;
         };
         let mut said = self.derivation.equations[premise].statements().iter();
-        let is_rounded = |own: &Statement| goals(own).iter().any(|goal| goal.rounding.is_some());
-        !page.directs && said.any(is_rounded)
+        said.any(|own| goals(own).iter().any(|goal| goal.rounding.is_some()))
     }
 
     /// What is found of a first link that defines something, or would if what stands before did not say what that is; nothing of others.
@@ -249,15 +263,12 @@ impl Auditor<'_> {
             Source::Local(page, local) => self.derivation.local(*page, *local).is_contrary,
             _ => false,
         };
-        // Nor are figures one that are rounded, and do not agree to the last digit.
-        if found
-            .contradictory
-            .iter()
-            .any(|own| self.is_rounded(entry.equation, own))
-        {
+        // Nor are figures one that are rounded, and do not agree to the last digit; nor what the words of loose prose say, and may say of
+        // something else.
+        if let Some(reason) = self.may_agree(entry.equation, &found.contradictory) {
             found.contradictory.clear();
             if let Outcome::Open(stop) = &mut found.judged.outcome {
-                stop.reason = FIGURES.to_owned();
+                stop.reason = reason.to_owned();
             }
         }
         if !found.contradictory.is_empty() && !found.contradictory.iter().any(sought) {

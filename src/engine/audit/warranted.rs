@@ -43,13 +43,21 @@ impl Auditor<'_> {
         {
             return entry;
         }
-        let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
-        if !refuted.any(|own| self.fails_where_positive(how.at, own)) {
-            let reason = unsaid(&entry);
-            leave_open(&mut entry, &reason);
+        let is_wrong =
+            |own: &&Judged| own.outcome.is_refuted() && self.fails_where_positive(how.at, own);
+        let wrong: Vec<&Judged> = entry.judged.iter().filter(is_wrong).collect();
+        let is_first = entry
+            .refuted()
+            .is_some_and(|(first, _)| wrong.first().is_some_and(|own| std::ptr::eq(*own, first)));
+        let is_warranted = is_first && self.has_repair(&entry)
+            || self.leaves_nothing_unsaid(statement, how, &wrong)
+            || entry.rescaled().is_some();
+        if is_warranted {
             return entry;
         }
-        if self.has_repair(&entry) || self.leaves_nothing_unsaid(statement, how, &entry) {
+        if !is_first {
+            let reason = unsaid(&entry);
+            leave_open(&mut entry, &reason);
             return entry;
         }
         match effort::altogether(MOST_WORK, || self.slip_in(statement, how, &entry)) {
@@ -74,7 +82,10 @@ impl Auditor<'_> {
             let own = judged.goal.formula.names();
             let names = implied.proven.claim().goal.names();
             let is_said = names.len() > 1 && names.is_subset(&own);
-            if implied.is_multiple() || is_said {
+            // What rests on a guess of what a name means may be a wrong guess.
+            let mut assumed = judged.assumed.iter();
+            let is_guessed = assumed.any(|own| own.source == Source::Taken);
+            if implied.is_multiple() || is_said && !is_guessed {
                 return true;
             }
         }
@@ -95,7 +106,7 @@ impl Auditor<'_> {
         &self,
         statement: &Statement,
         how: &Circumstances,
-        entry: &Entry,
+        wrong: &[&Judged],
     ) -> bool {
         // What a solution is put into is not what is printed.
         let printed = goals(statement);
@@ -103,13 +114,12 @@ impl Auditor<'_> {
             let mut printed = printed.iter();
             printed.any(|goal| goal.formula == own.goal.formula)
         };
-        let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
-        refuted.any(|own| {
+        wrong.iter().any(|own| {
             own.solution().is_some()
                 || !is_printed(own)
                 || own.is_propagated()
                 || is_closed(own)
-                || how.says_so && is_spoken_of(own)
+                || how.says_so && !is_condition(statement, own) && is_spoken_of(own)
         })
     }
 
@@ -208,6 +218,13 @@ fn unsaid(entry: &Entry) -> String {
         }
     };
     format!("false {point}, but {unless}: something may be left unsaid")
+}
+
+/// Whether a link says what it is under which the next clause follows: `\frac{dA}{dx} = 0 \Rightarrow`.
+fn is_condition(statement: &Statement, judged: &Judged) -> bool {
+    let sides = judged.goal.formula.as_equation();
+    let is_nought = sides.is_some_and(|(_, right)| *right == Expr::integer(0));
+    is_nought && judged.goal.clause + 1 < statement.clauses.len()
 }
 
 /// Whether equations that were named speak of all that a link does.

@@ -66,7 +66,15 @@ impl Auditor<'_> {
             |own: &&Judged| own.outcome.is_proven() || matches!(own.outcome, Outcome::Defined);
         let open = entry.judged.iter().filter(|own| !is_settled(own));
         // A whole number is exact, but not where what it is worked out from is rounded.
-        let as_meant = |own: &Judged| match usable.numeric.is_empty() {
+        // Two digits of an irrational number are rounded.
+        let is_irrational = |own: &Judged| match (&own.outcome, own.goal.formula.as_equation()) {
+            (Outcome::Refuted(refuted), Some((_, Expr::Number(value)))) => {
+                let ten = BigRational::from_integer(10.into());
+                refuted.witness().algebraic.is_some() && *value >= ten
+            }
+            _ => false,
+        };
+        let as_meant = |own: &Judged| match usable.numeric.is_empty() && !is_irrational(own) {
             true => own.goal.clone(),
             false => near_whole(&own.goal),
         };

@@ -165,7 +165,9 @@ impl Parser<'_> {
         // `a^2 (E^*)^2`: such a name needs its parentheses.
         let raised =
             self.peek() == Kind::Char('^') && matches!(arguments, [only] if is_raised(only));
-        if (bare || matches!(arguments, [Expr::Number(_)])) && !raised {
+        // `4 \pi^2 (0.800)`: that is a number.
+        let is_pi = name == "\\pi" && !bare;
+        if (bare || matches!(arguments, [Expr::Number(_)])) && !raised && !is_pi {
             let message =
                 format!("this may be a power of the value of a function `{name}`, or a product");
             let help = format!(

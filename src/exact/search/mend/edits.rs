@@ -415,6 +415,13 @@ impl Editor<'_> {
                         let own: Found = editor.found.drain(before..).filter(swapped).collect();
                         editor.found.extend(own);
                     }
+                    // The square of a quotient, `(2 s/T)^2`: what stands in the parentheses is written as a side is.
+                    base @ Expr::Quotient(..) if editor.is_equation && !root => {
+                        let before = editor.found.len();
+                        editor.factors(base);
+                        editor.found[before..].iter_mut().for_each(|f| f.1 += 1);
+                        editor.within(base);
+                    }
                     base => editor.within(base),
                 });
             }
@@ -522,9 +529,15 @@ impl Editor<'_> {
             &printed * &half,
             &printed + &half,
             &printed - &half,
+            match printed.is_zero() {
+                true => whole(0),
+                false => printed.recip(),
+            },
         ];
         for (at, other) in others.into_iter().enumerate() {
-            if other == printed || other == whole(0) {
+            // Upside down is only what is no whole number: `3/2` for `2/3`.
+            let is_turned = at == 7 && (printed.is_integer() || other.is_integer());
+            if other == printed || other == whole(0) || is_turned {
                 continue;
             }
             let term = match other == one {
