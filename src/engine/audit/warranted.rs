@@ -81,7 +81,7 @@ impl Auditor<'_> {
         if let Some(implied) = &entry.implied {
             let own = judged.goal.formula.names();
             let names = implied.proven.claim().goal.names();
-            let is_said = names.len() > 1 && names.is_subset(&own);
+            let is_said = names.is_subset(&own);
             // What rests on a guess of what a name means may be a wrong guess.
             let mut assumed = judged.assumed.iter();
             let is_guessed = assumed.any(|own| own.source == Source::Taken);
@@ -258,10 +258,17 @@ fn is_closed(judged: &Judged) -> bool {
     let (own, other): (Set<Symbol>, Set<Symbol>) = (quantities(left), quantities(right));
     let known = known(judged);
     let is_known = |symbol: &Symbol| known.contains(symbol);
+    // `x = 1 \iff x^2 = 1`
+    let suppositions = judged.goal.suppositions.iter();
+    let supposed = Formula::names_in(suppositions.flat_map(Formula::terms));
+    if !supposed.is_empty() && supposed == judged.goal.formula.names() {
+        return true;
+    }
     match (own.is_empty(), other.is_empty()) {
         (true, true) => true,
-        (true, false) => matches!(right, Expr::Symbol(_)) || other.iter().all(is_known),
-        (false, true) => matches!(left, Expr::Symbol(_)) || own.iter().all(is_known),
+        (true, false) | (false, true) if judged.goal.formula.is_inequality() => true,
+        (true, false) => other.iter().all(is_known),
+        (false, true) => own.iter().all(is_known),
         (false, false) => {
             !bare(left) && !bare(right) && own == other
                 || works_out(left) && other.is_subset(&own)
