@@ -266,7 +266,13 @@ fn is_closed(judged: &Judged) -> bool {
     }
     match (own.is_empty(), other.is_empty()) {
         (true, true) => true,
-        (true, false) | (false, true) if judged.goal.formula.is_inequality() => true,
+        // `k \geq 1` is about what `k` may be.
+        (true, false) | (false, true)
+            if judged.goal.formula.is_inequality()
+                && (matches!(left, Expr::Symbol(_)) || matches!(right, Expr::Symbol(_))) =>
+        {
+            true
+        }
         (true, false) => other.iter().all(is_known),
         (false, true) => own.iter().all(is_known),
         (false, false) => {
