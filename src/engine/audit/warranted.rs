@@ -133,7 +133,8 @@ impl Auditor<'_> {
         let positive = names.map(|own| judge::step(&Formula::positive(Expr::Symbol(own))));
         let all: Vec<Assumed> = judged.assumed.iter().cloned().chain(positive).collect();
         let claim = self.derivation.claim(at, &all, formula);
-        matches!(search::decide(claim, &self.hints()), Decision::Refuted(_))
+        let decision = effort::within(MOST_WORK, || search::decide(claim, &self.hints()));
+        matches!(decision, Decision::Refuted(_))
     }
 
     /// One small edit with which what is refuted first would have been shown.
@@ -233,9 +234,10 @@ fn is_spoken_of(judged: &Judged) -> bool {
     let said = said.filter(|own| matches!(own.source, Source::Equation(_)));
     let said: Set<Symbol> = said.flat_map(|own| own.formula.names()).collect();
     // By what is differentiated is clear.
-    let mut terms = judged.goal.formula.terms().into_iter();
+    let terms = judged.goal.formula.terms();
     let is_variable = |own: &Symbol| {
-        terms.any(|term| term.any(&|part| part.binder().is_some_and(|bound| bound == own)))
+        let binds = |part: &Expr| part.binder().is_some_and(|bound| bound == own);
+        terms.iter().any(|term| term.any(&binds))
     };
     let mut names = judged.goal.formula.names();
     names.retain(|own| !said.contains(own));
@@ -264,15 +266,12 @@ fn is_closed(judged: &Judged) -> bool {
     if !supposed.is_empty() && supposed == judged.goal.formula.names() {
         return true;
     }
+    // `k \geq 1` is about what `k` may be.
+    let is_bound =
+        |side: &Expr| matches!(side, Expr::Symbol(_)) && judged.goal.formula.is_inequality();
     match (own.is_empty(), other.is_empty()) {
         (true, true) => true,
-        // `k \geq 1` is about what `k` may be.
-        (true, false) | (false, true)
-            if judged.goal.formula.is_inequality()
-                && (matches!(left, Expr::Symbol(_)) || matches!(right, Expr::Symbol(_))) =>
-        {
-            true
-        }
+        (true, false) | (false, true) if is_bound(left) || is_bound(right) => true,
         (true, false) => other.iter().all(is_known),
         (false, true) => own.iter().all(is_known),
         (false, false) => {
