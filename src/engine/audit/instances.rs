@@ -52,6 +52,17 @@ impl Judge<'_> {
         }
         // Where there are slopes a prime may be one.
         let slopes = assumed.iter().any(|own| own.formula.speaks_of_slopes());
+        // `\omega = \sqrt{\omega_0^2 - \beta^2}`: there the index tells two quantities of one thing apart, as a prime does not.
+        let is_of_one_thing = |index: &str| {
+            laws().any(|law| {
+                let names = law.formula.names();
+                let mut both = names.iter().filter_map(|own| with_index(own, index));
+                both.any(|own| names.contains(&own))
+            })
+        };
+        let indices: Set<&str> = (indices.into_iter())
+            .filter(|&index| index == PRIME || !is_of_one_thing(index))
+            .collect();
         let instance = |law, index| match index {
             PRIME if slopes || goal.formula.speaks_of_slopes() => None,
             index => self.instance(law, index, &spoken, &has_law),
