@@ -55,12 +55,8 @@ impl Auditor<'_> {
         if is_warranted {
             return entry;
         }
-        if !is_first {
-            let reason = unsaid(&entry);
-            leave_open(&mut entry, &reason);
-            return entry;
-        }
-        match effort::altogether(MOST_WORK, || self.slip_in(statement, how, &entry)) {
+        let slip = || effort::altogether(MOST_WORK, || self.slip_in(statement, how, &entry));
+        match is_first.then(slip).flatten() {
             Some(mended) => {
                 (entry.mended, entry.implied) = (Some(Box::new(mended)), None);
                 entry.missing.clear();

@@ -208,17 +208,13 @@ impl Polynomial {
         if self.is_zero() {
             return other.scaled(factor);
         }
-        self.merged_with(other.terms.iter().map(|(m, c)| (m.clone(), factor * c)))
-    }
-
-    /// The sum with terms that come in order, none twice and none 0.
-    fn merged_with(&self, others: impl ExactSizeIterator<Item = (Monomial, Rational)>) -> Self {
-        spend(self.len() + others.len());
-        let mut terms = Vec::with_capacity(self.len() + others.len());
+        spend(self.len() + other.len());
+        let mut terms = Vec::with_capacity(self.len() + other.len());
         let mut own = &*self.terms;
-        for (monomial, mut coefficient) in others {
+        for (monomial, theirs) in other.terms.iter() {
+            let mut coefficient = factor * theirs;
             while let [(m, c), after @ ..] = own {
-                match m.cmp(&monomial) {
+                match m.cmp(monomial) {
                     Ordering::Less => terms.push((m.clone(), c.clone())),
                     Ordering::Equal => coefficient += c,
                     Ordering::Greater => break,
@@ -226,7 +222,7 @@ impl Polynomial {
                 own = after;
             }
             if !coefficient.is_zero() {
-                terms.push((monomial, coefficient));
+                terms.push((monomial.clone(), coefficient));
             }
         }
         terms.extend_from_slice(own);

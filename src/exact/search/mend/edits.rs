@@ -529,15 +529,12 @@ impl Editor<'_> {
             &printed * &half,
             &printed + &half,
             &printed - &half,
-            match printed.is_zero() {
-                true => whole(0),
-                false => printed.recip(),
-            },
         ];
-        for (at, other) in others.into_iter().enumerate() {
-            // Upside down is only what is no whole number: `3/2` for `2/3`.
-            let is_turned = at == 7 && (printed.is_integer() || other.is_integer());
-            if other == printed || other == whole(0) || is_turned {
+        // `3/2` for `2/3`; a root is no power upside down.
+        let upside_down = (!printed.is_integer()).then(|| printed.recip());
+        let upside_down = upside_down.filter(|own| !own.is_integer());
+        for (at, other) in others.into_iter().chain(upside_down).enumerate() {
+            if other == printed || other == whole(0) {
                 continue;
             }
             let term = match other == one {
@@ -588,7 +585,6 @@ fn whole_coefficient(term: &Expr) -> Option<Rational> {
     own.filter(Rational::is_integer)
 }
 
-/// Whether two names differ in primes or in an index alone.
 /// Two of these symbols at a time, where they are few.
 fn pairs(symbols: &Set<Symbol>) -> Vec<(Symbol, Symbol)> {
     let all: Vec<&Symbol> = symbols.iter().filter(|own| !own.is_unit()).collect();
@@ -613,6 +609,7 @@ fn exchange(term: &Expr, one: &Symbol, other: &Symbol) -> Expr {
     }
 }
 
+/// Whether two names differ in primes or in an index alone.
 fn alike(one: &Symbol, other: &Symbol) -> bool {
     let letters = |symbol: &Symbol| -> String {
         let name = symbol.name().replace('\'', "");

@@ -6,7 +6,7 @@
 mod edits;
 
 use std::cell::OnceCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::mem::{self, Discriminant};
 
 use num_traits::{One, Signed, Zero};
@@ -132,23 +132,22 @@ impl<'a> Slips<'a> {
         let mut candidates = Candidates::new(claim, chain);
         let all = candidates.left.clone();
         candidates.weigh_at_points(claim, witness, &[], evaluate);
-        let is_true = |edit: &Edit| {
-            candidates
-                .left
-                .iter()
-                .any(|own| own.formula == edit.formula)
-        };
         let own = claim.goal.names();
-        let mut seen: Vec<Discriminant<Change>> = Vec::new();
-        let is_rare = |edit: &Edit| edit.change == Change::Coefficient && edit.cost >= RARE;
-        let mut left = BTreeMap::new();
         // What an equation is solved for is right.
         let is_solved = matches!(claim.goal.as_equation(), Some((Expr::Symbol(_), _)));
-        let is_likely = |edit: &Edit| !is_rare(edit) && (edit.left_kept || !is_solved);
-        for edit in all.into_iter().filter(is_likely) {
-            let kind = mem::discriminant(&edit.change);
-            let before = seen.iter().filter(|own| **own == kind).count();
-            seen.push(kind);
+        let is_rare = |edit: &Edit| edit.change == Change::Coefficient && edit.cost >= RARE;
+        // Those that are left stand in the same order.
+        let mut kept = candidates.left.into_iter().peekable();
+        let mut seen: HashMap<Discriminant<Change>, u32> = HashMap::new();
+        let mut left = BTreeMap::new();
+        for edit in all {
+            let is_true = kept.next_if(|own| own.formula == edit.formula).is_some();
+            if is_rare(&edit) || is_solved && !edit.left_kept {
+                continue;
+            }
+            let seen = seen.entry(mem::discriminant(&edit.change)).or_insert(0);
+            let before = *seen;
+            *seen += 1;
             // There are many numbers to slip by.
             let before = match edit.change {
                 Change::Coefficient | Change::Sign => before / 6,
@@ -156,8 +155,8 @@ impl<'a> Slips<'a> {
             };
             // What the goal does not speak of at all is seldom missing.
             let is_foreign = !edit.formula.names().is_subset(&own);
-            let more = u32::from(is_foreign) + 2 * u32::from(!is_true(&edit));
-            let doubt = edit.cost + 2 * u32::try_from(before).unwrap_or(u32::MAX / 8) + 6 * more;
+            let more = u32::from(is_foreign) + 2 * u32::from(!is_true);
+            let doubt = edit.cost + 2 * before + 6 * more;
             let slip = Slip {
                 edit,
                 is_weighed: false,
