@@ -26,6 +26,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     ("search", &["algebra", "kernel"]),
+    ("sampling", &["algebra"]),
     ("cradle", &[]),
     (
         "figures",
@@ -190,7 +191,7 @@ fn each_library_is_known_where_it_belongs() {
 #[test]
 fn exact_modules_have_no_floating_point() {
     let lines = lines();
-    // In the cradle only contacts that take time are numeric.
+    // In the cradle only contacts that take time are numeric; `sampling` says what is worth asking the kernel, and nothing else.
     let numeric = ["src/cradle/contact/", "src/cradle/ode.rs"];
     let exact = |line: &&Line| {
         EXACT.contains(&line.module.as_str())
@@ -201,6 +202,18 @@ fn exact_modules_have_no_floating_point() {
             ["f32", "f64"].contains(word) || word.ends_with("_f32") || word.ends_with("_f64")
         });
         assert_eq!(float, None, "{}", line.place);
+    }
+}
+
+/// Floating point tells in one place alone what is tried first: no verdict rests on it.
+#[test]
+fn only_the_search_for_slips_knows_of_sampling() {
+    for line in lines() {
+        if words(&line.code).any(|word| word == "sampling") {
+            let may = ["src/engine/audit/slip.rs", "src/engine/lib.rs"];
+            let is_there = may.iter().any(|own| line.place.starts_with(own));
+            assert!(is_there, "{}", line.place);
+        }
     }
 }
 

@@ -842,7 +842,7 @@ fn statements_and_what_separates_them() {
         ),
         (
             r"a = \qty[per-mode = symbol]{-1.5e3}{\kilo\gram\per\cubic\metre\squared} + \SI{2}{MHz}",
-            r"a = -1500 \unit{kg} \unit{m}^{-6} + 2000000 \unit{s}^{-1}",
+            r"a = -1500 \unit{kg} \unit{m}^{-6} + 2 (1000000 \unit{s}^{-1})",
         ),
         (
             r"a = 5\,\mathrm{km}/\mathrm{h} + 2\,\mathrm{mm^2}",

@@ -268,7 +268,7 @@ fn short_names_of_units() {
             r"F = \SI{5}{\kg\m\per\s\squared}",
             r"F = 5 \unit{kg} \unit{m} \unit{s}^{-2}",
         ),
-        (r"x = \SI{5}{\um}", r"x = 0.000005 \unit{m}"),
+        (r"x = \SI{5}{\um}", r"x = 5 (0.000001 \unit{m})"),
     ]);
     are_refused(&[(
         r"x = \SI{5}{\quux}",

@@ -9,5 +9,6 @@ pub mod derivation;
 pub mod document;
 pub mod notation;
 pub mod parallel;
+mod sampling;
 
 pub use cradle_exact::{algebra, dimension, interval, kernel, search, sorted};

@@ -128,11 +128,16 @@ impl Auditor<'_> {
             };
             let mut entry = match equation.numeric {
                 Some(_) => effort::within(MOST_WORK, || self.numeric(at, statement, &usable)),
-                None => self.heed_what_is_unsaid(statement, &how, self.step(statement, &how)),
+                None => {
+                    let found = self.step(statement, &how);
+                    let found = self.heed_what_is_unsaid(statement, &how, found);
+                    self.look_for_slip(statement, &how, found)
+                }
             };
             if entry.numeric.is_none() {
                 self.note_other_reading(statement, &mut entry, &how);
             }
+            self.reckon(at, statement, &mut entry);
             (entry.part, entry.parts) = (part, parts);
             if part == 0 {
                 let unknown = unknown.iter();
@@ -160,9 +165,12 @@ impl Auditor<'_> {
         // A page must begin somewhere: what nothing precedes is given.
         if equation.opens && self.are_laws(at, &entries) {
             if !entries.iter().any(|e| stated::slips(e, equation)) {
-                return (0..parts)
-                    .map(|part| blank(at, part, parts, Kind::Given, Verdict::Given))
-                    .collect();
+                let begin = |(part, statement)| {
+                    let mut entry = blank(at, part, parts, Kind::Given, Verdict::Given);
+                    self.reckon(at, statement, &mut entry);
+                    entry
+                };
+                return statements.iter().enumerate().map(begin).collect();
             }
             if equation.continues == 0 {
                 entries.iter_mut().for_each(stated::begin);
@@ -185,6 +193,7 @@ impl Auditor<'_> {
                 defines: false,
             };
             self.note_other_reading(statement, &mut entry, &how);
+            self.reckon(at, statement, &mut entry);
             entry
         };
         statements.iter().enumerate().map(given).collect()

@@ -37,6 +37,7 @@ mod roots;
 mod scaling;
 mod schedule;
 mod shifted;
+mod slip;
 mod stated;
 mod statement;
 mod warranted;

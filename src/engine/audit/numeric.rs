@@ -2,6 +2,7 @@
 
 mod decimals;
 mod figures;
+mod reckoned;
 mod rounded;
 
 use num_traits::{One, Zero};

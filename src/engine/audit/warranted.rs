@@ -7,22 +7,18 @@
 //! algebra or arithmetic, or where the text cites what speaks of all of it.
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Source, goals, values_at};
-use crate::kernel::Refuted;
-use crate::notation::{Clause, Statement, plain_formula};
-use crate::search::{self, Change, Decision, Edit, InChain, Mended, Slips};
+use crate::derivation::{Assumed, Source, goals};
+use crate::notation::{Statement, plain_formula};
+use crate::search::{self, Decision};
 use crate::sorted::Set;
 
 use super::entry::{Entry, leave_open};
 use super::readings::Circumstances;
 use super::stated::quantities;
-use super::{Auditor, Judged, Note, Outcome, Verdict, judge};
+use super::{Auditor, Judged, Verdict, judge};
 
-/// How much work may be done for that, in all and for each slip.
+/// How much work may be done to see whether a bound is wrong for positive numbers, too.
 const MOST_WORK: u64 = 2_000_000;
-const MOST_WORK_FOR_ONE: u64 = 60_000;
-/// So many slips are tried.
-const MOST_TRIED: usize = 60;
 /// So many values are told of a point.
 const MOST_VALUES: usize = 6;
 
@@ -34,13 +30,7 @@ impl Auditor<'_> {
         how: &Circumstances,
         mut entry: Entry,
     ) -> Entry {
-        let page = &self.derivation.pages[self.derivation.equations[how.at].page];
-        if entry.verdict != Verdict::Fails
-            || page.directs
-            || page.beside.is_some()
-            || entry.numeric.is_some()
-            || !statement.quantified.is_empty()
-        {
+        if entry.verdict != Verdict::Fails || !self.may_leave_unsaid(statement, how, &entry) {
             return entry;
         }
         let is_wrong =
@@ -55,7 +45,7 @@ impl Auditor<'_> {
         if is_warranted {
             return entry;
         }
-        let slip = || effort::altogether(MOST_WORK, || self.slip_in(statement, how, &entry));
+        let slip = || self.slip_in(statement, how, &entry);
         match is_first.then(slip).flatten() {
             Some(mended) => {
                 (entry.mended, entry.implied) = (Some(Box::new(mended)), None);
@@ -67,6 +57,18 @@ impl Auditor<'_> {
             }
         }
         entry
+    }
+
+    /// Whether the text is one that may leave something unsaid: no directive says what follows from what.
+    pub(super) fn may_leave_unsaid(
+        &self,
+        statement: &Statement,
+        how: &Circumstances,
+        entry: &Entry,
+    ) -> bool {
+        let page = &self.derivation.pages[self.derivation.equations[how.at].page];
+        let is_directed = page.directs || page.beside.is_some();
+        !is_directed && entry.numeric.is_none() && statement.quantified.is_empty()
     }
 
     /// Whether something near to what is printed is known to follow.
@@ -87,15 +89,6 @@ impl Auditor<'_> {
         }
         let mended = entry.mended.as_ref();
         mended.is_some_and(|mended| self.is_likely(entry.equation, &mended.change))
-    }
-
-    /// Whether a change is one that a pen slips by: authors have more names for a thing than one, and new ones for what they come to.
-    fn is_likely(&self, at: usize, change: &Change) -> bool {
-        let Change::Symbol { printed, meant } = change else {
-            return true;
-        };
-        let is_kind = printed.is_variant_of(meant) || meant.is_variant_of(printed);
-        !is_kind && !self.derivation.equations[at].introduces.contains(printed)
     }
 
     fn leaves_nothing_unsaid(
@@ -132,60 +125,6 @@ impl Auditor<'_> {
         let decision = effort::within(MOST_WORK, || search::decide(claim, &self.hints()));
         matches!(decision, Decision::Refuted(_))
     }
-
-    /// One small edit with which what is refuted first would have been shown.
-    fn slip_in(&self, statement: &Statement, how: &Circumstances, entry: &Entry) -> Option<Mended> {
-        let (judged, refuted) = entry.refuted()?;
-        let mut slips = slips(statement, judged, refuted);
-        let mut tried = 0;
-        while let Some(edit) = slips.next().filter(|_| tried < MOST_TRIED) {
-            let likely = self.is_likely(how.at, &edit.change);
-            let edited = likely.then(|| edited(statement, &judged.goal, &edit));
-            let Some(edited) = edited.flatten() else {
-                continue;
-            };
-            tried += 1;
-            let other = effort::altogether(MOST_WORK_FOR_ONE, || self.step(&edited, how));
-            if effort::is_exhausted() {
-                break;
-            }
-            if let Some((_, refuted)) = other.refuted() {
-                slips.heed(refuted.witness());
-            }
-            let mut all = other.judged.iter();
-            let own = all.find(|own| own.goal.sides == judged.goal.sides);
-            let (Verdict::Holds, Some(Outcome::Proven(proven))) =
-                (other.verdict, own.map(|own| &own.outcome))
-            else {
-                continue;
-            };
-            let mut notes = other.notes.iter();
-            let under = notes.find_map(|note| match note {
-                Note::UnstatedCondition(under) => Some(under.clone()),
-                _ => None,
-            });
-            return Some(Mended {
-                proven: (**proven).clone(),
-                change: edit.change,
-                next: None,
-                under: under.unwrap_or_default(),
-            });
-        }
-        None
-    }
-}
-
-fn slips<'a>(statement: &Statement, judged: &Judged, refuted: &'a Refuted) -> Slips<'a> {
-    let begins = statement.clauses.get(judged.goal.clause);
-    let begins = begins.is_some_and(|clause| match clause {
-        Clause::Chain { sides, .. } => sides[0].span == judged.goal.sides.0,
-        Clause::AllEqual { .. } => true,
-    });
-    let chain = InChain {
-        left_settled: !begins,
-        ..InChain::default()
-    };
-    Slips::of(refuted.claim(), &chain, refuted.witness(), values_at)
 }
 
 /// Why nothing is said of what is false and near to nothing that follows.
@@ -311,34 +250,4 @@ fn works_out(term: &Expr) -> bool {
         **body,
         Expr::Symbol(_) | Expr::Apply(..) | Expr::Derivative { .. }
     )
-}
-
-/// A statement with one link edited.
-fn edited(statement: &Statement, goal: &Goal, edit: &Edit) -> Option<Statement> {
-    let Formula::Relation {
-        left,
-        relation,
-        right,
-    } = &edit.formula
-    else {
-        return None;
-    };
-    let mut edited = statement.clone();
-    let Clause::Chain { sides, links } = edited.clauses.get_mut(goal.clause)? else {
-        return None;
-    };
-    let at = sides
-        .windows(2)
-        .position(|pair| (pair[0].span, pair[1].span) == goal.sides)?;
-    links.get_mut(at)?.relation = *relation;
-    for (side, (kept, term)) in sides[at..]
-        .iter_mut()
-        .zip([(edit.left_kept, left), (edit.right_kept, right)])
-    {
-        if !kept {
-            side.expr = term.clone();
-            side.rounding = None;
-        }
-    }
-    Some(edited)
 }

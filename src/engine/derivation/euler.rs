@@ -4,9 +4,9 @@
 //! Whatever else is said of it, `1 - e^2`, `e v`, "where $e$ is", makes it a symbol throughout; so do powers that only count, `e^{2n}`,
 //! for a coefficient of restitution is raised to them.
 
-use num_traits::{One, Signed};
+use num_traits::Signed;
 
-use crate::algebra::{Expr, Formula, Function, Symbol};
+use crate::algebra::{BigInt, Expr, Formula, Function, Symbol};
 use crate::document::Prose;
 use crate::notation::{read_expr, read_formulas};
 
@@ -16,6 +16,8 @@ use super::page::{Page, exponentials};
 
 /// The letters that mostly count something.
 const COUNTING: [&str; 4] = ["j", "k", "n", "N"];
+/// `e^{3/2}` may be a root of the cube of a quantity.
+const LARGEST_ROOT: u32 = 4;
 /// Words that say what `e` is, where it stands in their sentence.
 const SAID: [&str; 3] = ["Euler", "natural log", "2.718"];
 
@@ -146,7 +148,9 @@ impl Use {
         match term {
             Expr::Power(base, exponent) if is_e(base) => {
                 match number(exponent) {
-                    Some(is_inverse) => self.other |= !is_inverse,
+                    Some(Power::Whole(value)) => self.other |= value.is_positive(),
+                    Some(Power::Root) => self.other = true,
+                    Some(Power::Decimal) => self.number = true,
                     None if counts(exponent, page) => self.other = true,
                     None => self.number = true,
                 }
@@ -177,15 +181,24 @@ fn speaks_of_e(text: &str) -> bool {
     })
 }
 
-/// Of an exponent that is a number, whether it is -1.
-fn number(exponent: &Expr) -> Option<bool> {
+/// An exponent that is a number.
+enum Power {
+    Whole(BigInt),
+    /// A quantity is seldom raised to one, `e^{-0.631}`.
+    Decimal,
+    /// A root, or what is worked out first.
+    Root,
+}
+
+fn number(exponent: &Expr) -> Option<Power> {
     match exponent {
-        Expr::Number(value) => Some(value.is_negative() && (-value).is_one()),
-        Expr::Negate(inner) => match &**inner {
-            Expr::Number(value) => Some(value.is_one()),
-            inner => number(inner).map(|_| false),
-        },
-        term => term.free_symbols().is_empty().then_some(false),
+        Expr::Number(value) if value.is_integer() => Some(Power::Whole(value.to_integer())),
+        Expr::Number(value) if *value.denom() > LARGEST_ROOT.into() => Some(Power::Decimal),
+        Expr::Negate(inner) => number(inner).map(|own| match own {
+            Power::Whole(value) => Power::Whole(-value),
+            own => own,
+        }),
+        term => term.free_symbols().is_empty().then_some(Power::Root),
     }
 }
 

@@ -10,6 +10,7 @@ use super::super::Outcome;
 use super::super::judge::{Found, Judge, NEARBY, step};
 use super::borrowed::speaks_of_all;
 use super::conditions::unbounded;
+use super::{ELSEWHERE, OPEN_ITSELF};
 
 /// What an equation is only written in another form by.
 const REARRANGING: [&str; 4] = ["rearranging", "rearranged", "rearrange", "inverting"];
@@ -125,7 +126,7 @@ impl Judge<'_> {
         match self.refuted_in_context(goal, assumed, larger) {
             Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
             None => {
-                found.leave_open("it may follow from what stands before and is left open itself");
+                found.leave_open(OPEN_ITSELF);
             }
         }
     }
@@ -147,9 +148,7 @@ impl Judge<'_> {
             return;
         }
         if !self.refutes_with(goal, assumed, elsewhere, premises, found) {
-            found.leave_open(
-                "what stands just before says nothing of some symbol in it, and nothing decides it with what does",
-            );
+            found.leave_open(ELSEWHERE);
         }
     }
 

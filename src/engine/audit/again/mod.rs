@@ -31,3 +31,9 @@ pub(super) mod there;
 pub(super) mod throughout;
 mod unitless;
 mod unstated;
+
+/// Why a step is left open that nothing shows: what stands before is not all that it may be meant to follow from.
+pub(super) const OPEN_ITSELF: &str =
+    "it may follow from what stands before and is left open itself";
+pub(super) const ELSEWHERE: &str = "what stands just before says nothing of some symbol in it, and nothing decides it with what does";
+pub(super) const UNSAID: &str = "no equation before says what some symbol in it is";

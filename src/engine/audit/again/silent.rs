@@ -8,6 +8,7 @@ use crate::sorted::Set;
 use super::super::Outcome;
 use super::super::judge::{Found, Judge};
 use super::super::stated::quantities;
+use super::UNSAID;
 
 const INTEGRATING: [&str; 3] = ["integrating", "integrate", "integration"];
 
@@ -114,7 +115,7 @@ impl Judge<'_> {
                     || is_new(own) && (is_said_beside(own) || is_named(own))
             })
         {
-            found.leave_open("no equation before says what some symbol in it is");
+            found.leave_open(UNSAID);
         }
     }
 

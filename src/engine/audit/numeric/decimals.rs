@@ -72,7 +72,7 @@ pub(super) fn as_near_as_decimals(goal: &Goal, source: &str, assumed: &[Assumed]
 }
 
 /// The decimals in a text that may be rounded, each with half a unit of its last digit.
-fn decimals(text: &str) -> Map<BigRational, BigRational> {
+pub(super) fn decimals(text: &str) -> Map<BigRational, BigRational> {
     let is_part = |c: char| c.is_ascii_digit() || c == '.';
     let mut found = Map::new();
     for number in text.split(|c: char| !is_part(c)) {

@@ -312,7 +312,7 @@ pub(in crate::audit) fn open_by_figures(entry: &mut Entry) {
 }
 
 /// A goal whose right side is a whole number, taken for rounded to its last digit that is not 0.
-fn near_whole(goal: &Goal) -> Goal {
+pub(super) fn near_whole(goal: &Goal) -> Goal {
     let number = match &goal.formula {
         Formula::Relation {
             relation: Relation::Equal,

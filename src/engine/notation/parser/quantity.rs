@@ -27,7 +27,19 @@ impl Parser<'_> {
                 return refuse_with(span, message, help);
             }
         };
-        let expr = product(value.as_ref(), &unit);
+        let is_scaled = !unit.number.is_one() && unit.factors().next().is_some();
+        let expr = match value.as_ref().filter(|_| is_scaled) {
+            // As `60\,\mathrm{cm}` is read: what is worked out in numbers alone is compared with the number as it is written.
+            Some(value) => {
+                let size = Expr::Number(value.abs());
+                let scaled = Expr::Product([size, product(None, &unit)].into());
+                match value.is_negative() {
+                    true => Expr::Negate(scaled.into()),
+                    false => scaled,
+                }
+            }
+            None => product(value.as_ref(), &unit),
+        };
         if let (Expr::Symbol(_), None) = (&expr, &value) {
             return self.scripts(start, expr, Shape::Tight, false);
         }

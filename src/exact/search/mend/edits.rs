@@ -439,6 +439,7 @@ impl Editor<'_> {
                 }
             }
             Expr::Sum(items) => {
+                self.between(items);
                 for at in 0..items.len() {
                     let mut others = items.to_vec();
                     others.remove(at);
@@ -496,7 +497,28 @@ impl Editor<'_> {
                 self.product(factors);
             }
             Expr::Negate(_) => self.inside(term, 0, Editor::part),
+            Expr::Integral { .. } | Expr::Limit { .. } | Expr::Series { .. } => {
+                for at in 0..term.children().count() {
+                    self.inside(term, at, Editor::whole);
+                }
+            }
             _ => {}
+        }
+    }
+
+    /// What may be wrong in what grows from one limit to another, `\left[\frac{r^4}{4}\right]_0^a`: it is written once.
+    fn between(&mut self, items: &[Expr]) {
+        let [Expr::Limit { body, .. }, Expr::Negate(lower)] = items else {
+            return;
+        };
+        if !matches!(&**lower, Expr::Limit { body: own, .. } if own == body) {
+            return;
+        }
+        let before = self.found.len();
+        self.whole(body);
+        for (_, _, found) in &mut self.found[before..] {
+            let both = items.iter().map(|item| item.replace(body, found));
+            *found = Expr::Sum(both.collect());
         }
     }
 

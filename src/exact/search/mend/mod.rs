@@ -126,12 +126,14 @@ impl<'a> Slips<'a> {
     pub fn of(
         claim: &'a Claim,
         chain: &InChain,
-        witness: &Assignment,
+        witness: Option<&Assignment>,
         evaluate: impl Fn(&Claim, &Assignment) -> Values,
     ) -> Slips<'a> {
         let mut candidates = Candidates::new(claim, chain);
         let all = candidates.left.clone();
-        candidates.weigh_at_points(claim, witness, &[], evaluate);
+        if let Some(witness) = witness {
+            candidates.weigh_at_points(claim, witness, &[], evaluate);
+        }
         let own = claim.goal.names();
         // What an equation is solved for is right.
         let is_solved = matches!(claim.goal.as_equation(), Some((Expr::Symbol(_), _)));
@@ -166,8 +168,15 @@ impl<'a> Slips<'a> {
         Slips {
             claim,
             left,
-            points: vec![witness.clone()],
+            points: witness.cloned().into_iter().collect(),
         }
+    }
+
+    /// Only those that are found worth a try.
+    #[must_use]
+    pub fn such_that(mut self, is_likely: impl Fn(&Formula) -> bool) -> Slips<'a> {
+        self.left.retain(|_, slip| is_likely(&slip.edit.formula));
+        self
     }
 
     /// Takes a point at which one was false for one at which others may be.

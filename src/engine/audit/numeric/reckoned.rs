@@ -1,0 +1,130 @@
+//! What a statement works out of numbers alone: `x_2/x_1 = e^{-0.631} = 0.532`.
+//!
+//! Nothing that is cited bears on that, so it is weighed even in what is given. A long number may be rounded, be it on the way or at the
+//! end; what is wrong whatever it was rounded from is an arithmetic slip.
+
+use num_traits::Zero;
+
+use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
+use crate::derivation::{Goal, goals};
+use crate::interval::{Compared, Figures, Interval};
+use crate::notation::{Statement, has_units, is_figures};
+use crate::sorted::Map;
+
+use super::super::{Auditor, Entry, Note, Verdict};
+use super::rounded::near_whole;
+use super::{Link, Numeric, Weighed, decimals, is_evaluable, weigh};
+
+/// A whole number with fewer digits is seldom rounded: `12`.
+const FEWEST_WHOLE: usize = 3;
+
+impl Auditor<'_> {
+    /// Says where numbers do not come to what a statement says that they do, if nothing else is said of it.
+    pub(in crate::audit) fn reckon(&self, at: usize, statement: &Statement, entry: &mut Entry) {
+        let is_open = matches!(entry.verdict, Verdict::Given | Verdict::Undecided);
+        if !is_open || entry.numeric.is_some() || self.derivation.equations[at].numeric.is_some() {
+            return;
+        }
+        let page = self.derivation.equations[at].page;
+        let source = &self.derivation.pages[page].document.source;
+        let links = goals(statement).into_iter();
+        let links = links.filter_map(|goal| reckoned(goal, source));
+        let links: Vec<Link> = links
+            .filter(|link| link.outcome == Weighed::Contradicted)
+            .collect();
+        if links.is_empty() {
+            return;
+        }
+        entry.verdict = Verdict::Undecided;
+        entry.notes.push(Note::NumericNotSupported);
+        entry.numeric = Some(Box::new(Numeric {
+            links,
+            data: Map::new(),
+            put_in: Vec::new(),
+        }));
+    }
+}
+
+/// A relation between numbers, weighed; nothing of what is none.
+fn reckoned(goal: Goal, source: &str) -> Option<Link> {
+    let goal = near_whole(&goal);
+    let Formula::Relation {
+        left,
+        relation: relation @ (Relation::Equal | Relation::Approximately),
+        right,
+    } = &goal.formula
+    else {
+        return None;
+    };
+    let is_number = |term: &Expr| is_figures(term) && is_evaluable(term);
+    if !goal.suppositions.is_empty()
+        || goal.questioned
+        || matches!(left, Expr::Number(_))
+        || !is_number(left)
+        || !is_number(right)
+        || has_units(left) != has_units(right)
+    {
+        return None;
+    }
+    let near = goal.rounding.as_ref().map(|own| own.share.clone());
+    let mut figures = Vec::new();
+    let mut loosely = |term: &Expr, text: &str| -> Option<Expr> {
+        let mut loose = term.clone();
+        for (value, half) in long(text) {
+            let symbol = Symbol::new(format!("\\figure{{{}}}", figures.len()));
+            loose = loose.replace(&Expr::Number(value.clone()), &Expr::Symbol(symbol.clone()));
+            figures.push((symbol, Interval::new(&value - &half, value + half)?));
+        }
+        Some(loose)
+    };
+    let loose_left = loosely(left, source.get(goal.sides.0.range())?)?;
+    // How near the number is that it comes to is known.
+    let loose_right = match near {
+        Some(_) => right.clone(),
+        None => loosely(right, source.get(goal.sides.1.range())?)?,
+    };
+    let units = [left, right].into_iter().flat_map(Expr::free_symbols);
+    let units = units.filter(Symbol::is_unit);
+    // Units are those of the SI.
+    let one = Interval::exactly(BigRational::from_integer(1.into()));
+    figures.extend(units.map(|unit| (unit, one.clone())));
+    let Compared {
+        left,
+        right,
+        difference,
+        ratio,
+    } = Figures::from_iter(figures)
+        .compared(&loose_left, &loose_right)
+        .ok()?;
+    let relation = match (&near, relation) {
+        (Some(_), _) => Relation::Approximately,
+        // Nothing says how near `≈` is meant.
+        (None, Relation::Approximately) => return None,
+        (None, own) => *own,
+    };
+    let outcome = weigh(relation, &difference, ratio.as_ref(), near.as_ref());
+    Some(Link {
+        goal,
+        sides: Some((left, right)),
+        ratio,
+        near,
+        outcome,
+    })
+}
+
+/// The numbers in a text that may be rounded, each with half a unit of its last digit.
+fn long(text: &str) -> Map<BigRational, BigRational> {
+    let mut all = decimals::decimals(text);
+    let is_part = |c: char| c.is_ascii_digit() || c == '.';
+    for number in text.split(|c: char| !is_part(c)) {
+        let significant = number.trim_end_matches('0').len();
+        if let Ok(value) = number.parse::<BigInt>()
+            && significant >= FEWEST_WHOLE
+            && !value.is_zero()
+        {
+            let half = BigRational::new(1.into(), 2.into());
+            all.insert(BigRational::from_integer(value), half);
+        }
+    }
+    all
+}

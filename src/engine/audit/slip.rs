@@ -1,0 +1,342 @@
+//! The slip of the pen in a step: one small edit with which it would have been shown.
+//!
+//! Of all that is near to what is printed little is true where all is true that stands before it, as far as floating point tells; that
+//! much is judged as what is printed was. What is shown so is said, and that what is printed is false: at a point, by the kernel.
+
+use crate::algebra::{Expr, Formula, Symbol, effort};
+use crate::derivation::{Assumed, Goal, values_at};
+use crate::kernel::{Assignment, Claim};
+use crate::notation::{Clause, Statement};
+use crate::sampling::Sample;
+use crate::search::{self, Change, Decision, Edit, InChain, Mended, Slips, Stop, UNDECIDED};
+
+use super::again::{ELSEWHERE, OPEN_ITSELF, UNSAID};
+use super::entry::Entry;
+use super::readings::Circumstances;
+use super::{Auditor, Judged, Note, Outcome, Verdict, judge};
+
+/// How much work may be done for that in all, and for one edit.
+const MOST_WORK: u64 = 2_000_000;
+const MOST_WORK_FOR_ONE: u64 = 60_000;
+/// The same for one that is right as far as floating point tells.
+const MOST_WORK_IF_LIKELY: u64 = 600_000;
+/// So many edits are tried.
+const MOST_TRIED: usize = 60;
+/// So many times it is tried to find out where all may be true; so many such places are enough, and so many are needed.
+const MOST_SEEDS: u32 = 6;
+const MOST_SAMPLES: usize = 3;
+const FEWEST_SAMPLES: usize = 2;
+
+impl Auditor<'_> {
+    /// One small edit with which what is refuted first would have been shown.
+    pub(super) fn slip_in(
+        &self,
+        statement: &Statement,
+        how: &Circumstances,
+        entry: &Entry,
+    ) -> Option<Mended> {
+        let (judged, refuted) = entry.refuted()?;
+        let (claim, witness) = (refuted.claim(), refuted.witness());
+        let slips = || slips(statement, &judged.goal, claim, Some(witness));
+        let samples = self.samples(how, entry, &judged.goal);
+        let likely = || {
+            let slips = slips().such_that(|own| is_true_in(&samples, own));
+            self.first_shown(statement, how, &judged.goal, slips, MOST_WORK_IF_LIKELY)
+        };
+        let any = || self.first_shown(statement, how, &judged.goal, slips(), MOST_WORK_FOR_ONE);
+        let found = match samples.len() < FEWEST_SAMPLES {
+            true => None,
+            false => effort::altogether(MOST_WORK, likely),
+        };
+        let found = found.or_else(|| effort::altogether(MOST_WORK, any));
+        Some(found?.mended)
+    }
+
+    /// Says of a step that is neither shown nor refuted that it fails, where it would have been shown with one small edit, and is false at a
+    /// point at which all is true that shows that.
+    pub(super) fn look_for_slip(
+        &self,
+        statement: &Statement,
+        how: &Circumstances,
+        mut entry: Entry,
+    ) -> Entry {
+        if entry.verdict != Verdict::Undecided || !self.may_leave_unsaid(statement, how, &entry) {
+            return entry;
+        }
+        let is_open = |own: &Judged| {
+            let goal = &own.goal;
+            let is_plain = goal.rounding.is_none() && !goal.questioned;
+            let is_equation = goal.formula.as_equation().is_some();
+            let is_open = matches!(&own.outcome, Outcome::Open(stop) if is_simply_open(stop));
+            is_open && is_equation && is_plain
+        };
+        let Some(open) = entry.judged.iter().position(is_open) else {
+            return entry;
+        };
+        let judged = &entry.judged[open];
+        let samples = self.samples(how, &entry, &judged.goal);
+        let is_right = |own: &Sample| own.holds(&judged.goal.formula) == Some(true);
+        if samples.len() < FEWEST_SAMPLES || samples.iter().any(is_right) {
+            return entry;
+        }
+        let (formula, assumed) = (&judged.goal.formula, &judged.assumed);
+        let claim = self.derivation.claim(how.at, assumed, formula);
+        let slips = slips(statement, &judged.goal, &claim, None);
+        let slips = slips.such_that(|own| is_true_in(&samples, own));
+        let most_work = MOST_WORK_IF_LIKELY;
+        let shown = || self.first_shown(statement, how, &judged.goal, slips, most_work);
+        let Some(shown) = effort::altogether(MOST_WORK, shown) else {
+            return entry;
+        };
+        let refuted = || self.refuted_beside(how.at, &judged.goal, &shown);
+        let Some(refuted) = effort::altogether(MOST_WORK, refuted) else {
+            return entry;
+        };
+        entry.judged[open] = refuted;
+        entry.verdict = Verdict::Fails;
+        entry.mended = Some(Box::new(shown.mended));
+        entry
+    }
+
+    /// What is printed, refuted where all is true that something near to it was shown from, and so that as well.
+    fn refuted_beside(&self, at: usize, printed: &Goal, shown: &Shown) -> Option<Judged> {
+        let from = self.needed(at, shown);
+        let decided = |assumed: Vec<Assumed>, formula: Formula| {
+            let claim = self.derivation.claim(at, &assumed, &formula);
+            let Decision::Refuted(refuted) = search::decide(claim, &self.hints()) else {
+                return None;
+            };
+            let goal = Goal {
+                formula,
+                ..printed.clone()
+            };
+            Some(Judged {
+                goal,
+                assumed,
+                outcome: Outcome::Refuted(refuted.into()),
+            })
+        };
+        let with_shown = from.iter().cloned().chain([judge::step(&shown.formula)]);
+        decided(with_shown.collect(), printed.formula.clone()).or_else(|| {
+            let between = between(&shown.formula, &printed.formula)?;
+            decided(but_names(from, &between), between)
+        })
+    }
+
+    /// What something is shown from: what it is not shown from may stand in the way of a point.
+    fn needed(&self, at: usize, shown: &Shown) -> Vec<Assumed> {
+        let mut assumed = shown.from.clone();
+        for from in (0..assumed.len()).rev() {
+            let own = assumed.remove(from);
+            let claim = self.derivation.claim(at, &assumed, &shown.formula);
+            let decision = search::decide(claim, &self.hints());
+            if !matches!(decision, Decision::Proven { .. }) {
+                assumed.insert(from, own);
+            }
+        }
+        assumed
+    }
+
+    /// Where all may be true that stands before a link.
+    fn samples(&self, how: &Circumstances, entry: &Entry, goal: &Goal) -> Vec<Sample> {
+        let judge = judge::Judge::new(self, how.at, how.usable);
+        let links = entry.judged.iter().map(|own| &own.goal);
+        let links = links.take_while(|own| own.sides != goal.sides);
+        let links: Vec<Assumed> = links.map(|own| judge::step(&own.formula)).collect();
+        let others = &judge.others(how.premises)[0];
+        let open = judge.open_before(how.premises);
+        let all = [&how.usable.assumed, &links, others, &open];
+        let premises = all.into_iter().flatten().map(|own| &*own.formula);
+        let premises: Vec<&Formula> = premises.collect();
+        let samples = (0..MOST_SEEDS).map(|seed| {
+            let premises = premises.iter().copied();
+            Sample::of(premises, &goal.formula, seed)
+        });
+        let samples = samples.filter(|own| own.holds(&goal.formula).is_some());
+        samples.take(MOST_SAMPLES).collect()
+    }
+
+    /// The first of some edits with which a link would have been shown.
+    fn first_shown(
+        &self,
+        statement: &Statement,
+        how: &Circumstances,
+        goal: &Goal,
+        mut slips: Slips,
+        most_work: u64,
+    ) -> Option<Shown> {
+        let mut tried = 0;
+        while let Some(edit) = slips.next().filter(|_| tried < MOST_TRIED) {
+            let likely = self.is_likely(how.at, &edit.change);
+            let edited = likely.then(|| edited(statement, goal, &edit));
+            let Some(edited) = edited.flatten() else {
+                continue;
+            };
+            tried += 1;
+            let other = effort::altogether(most_work, || self.step(&edited, how));
+            if effort::is_exhausted() {
+                break;
+            }
+            if let Some((_, refuted)) = other.refuted() {
+                slips.heed(refuted.witness());
+            }
+            let mut all = other.judged.iter();
+            let own = all.find(|own| own.goal.sides == goal.sides);
+            let (Verdict::Holds, Some(own)) = (other.verdict, own) else {
+                continue;
+            };
+            let Outcome::Proven(proven) = &own.outcome else {
+                continue;
+            };
+            let mut notes = other.notes.iter();
+            let under = notes.find_map(|note| match note {
+                Note::UnstatedCondition(under) => Some(under.clone()),
+                _ => None,
+            });
+            let under = under.unwrap_or_default();
+            let mut from = own.assumed.clone();
+            from.extend(under.iter().map(judge::step));
+            return Some(Shown {
+                formula: own.goal.formula.clone(),
+                from,
+                mended: Mended {
+                    proven: (**proven).clone(),
+                    change: edit.change,
+                    next: None,
+                    under,
+                },
+            });
+        }
+        None
+    }
+
+    /// Whether a change is one that a pen slips by: authors have more names for a thing than one, and new ones for what they come to.
+    pub(super) fn is_likely(&self, at: usize, change: &Change) -> bool {
+        let Change::Symbol { printed, meant } = change else {
+            return true;
+        };
+        let is_kind = printed.is_variant_of(meant) || meant.is_variant_of(printed);
+        !is_kind && !self.derivation.equations[at].introduces.contains(printed)
+    }
+}
+
+/// A link that would have been shown, as it should read.
+struct Shown {
+    formula: Formula,
+    /// From what, and under what besides.
+    from: Vec<Assumed>,
+    mended: Mended,
+}
+
+fn is_true_in(samples: &[Sample], formula: &Formula) -> bool {
+    let mut samples = samples.iter();
+    samples.all(|sample| sample.holds(formula) == Some(true))
+}
+
+/// Whether no more is known of what is left open than that it does not follow from what stands before, as far as was found.
+fn is_simply_open(stop: &Stop) -> bool {
+    let reasons = [UNDECIDED, OPEN_ITSELF, ELSEWHERE, UNSAID];
+    reasons.contains(&&*stop.reason)
+}
+
+/// That what should be printed on one side is what is printed there: the other side is the same.
+fn between(shown: &Formula, printed: &Formula) -> Option<Formula> {
+    let (left, right) = shown.as_equation()?;
+    let (printed_left, printed_right) = printed.as_equation()?;
+    if left == printed_left {
+        return Some(Formula::equal(right.clone(), printed_right.clone()));
+    }
+    (right == printed_right).then(|| Formula::equal(printed_left.clone(), left.clone()))
+}
+
+/// What is assumed, but for what only gives names to things of which nothing else speaks: what is true without these is true with them.
+fn but_names(mut assumed: Vec<Assumed>, goal: &Formula) -> Vec<Assumed> {
+    loop {
+        let is_name = |at: &usize| {
+            let named = assumed[*at].formula.as_equation();
+            let mut others: Vec<&Formula> = vec![goal];
+            let rest = assumed.iter().enumerate().filter(|(other, _)| other != at);
+            others.extend(rest.map(|(_, own)| &*own.formula));
+            named.is_some_and(|(left, right)| names(left, right, &others))
+        };
+        let Some(at) = (0..assumed.len()).rev().find(is_name) else {
+            return assumed;
+        };
+        assumed.remove(at);
+    }
+}
+
+/// Whether an equation is the only one that speaks of what its left side is, a name or how fast something changes.
+fn names(left: &Expr, right: &Expr, others: &[&Formula]) -> bool {
+    match left {
+        Expr::Symbol(own) | Expr::Apply(own, _) => {
+            let speaks = |term: &Expr| term.any(&|part| is_of(part, own));
+            let mut terms = others.iter().flat_map(|own| own.terms());
+            !speaks(right) && !terms.any(speaks)
+        }
+        Expr::Derivative { .. } => {
+            let is_slope = |part: &Expr| {
+                matches!(part, Expr::Derivative { .. } | Expr::Partial { .. })
+                    && part.any(&|own| own == left)
+            };
+            let mut terms = others.iter().flat_map(|own| own.terms());
+            !right.any(&is_slope) && !terms.any(|term| term.any(&is_slope))
+        }
+        _ => false,
+    }
+}
+
+fn is_of(part: &Expr, symbol: &Symbol) -> bool {
+    match part {
+        Expr::Symbol(own) | Expr::Apply(own, _) => own == symbol,
+        own => own.binder() == Some(symbol),
+    }
+}
+
+fn slips<'a>(
+    statement: &Statement,
+    goal: &Goal,
+    claim: &'a Claim,
+    witness: Option<&Assignment>,
+) -> Slips<'a> {
+    let begins = statement.clauses.get(goal.clause);
+    let begins = begins.is_some_and(|clause| match clause {
+        Clause::Chain { sides, .. } => sides[0].span == goal.sides.0,
+        Clause::AllEqual { .. } => true,
+    });
+    let chain = InChain {
+        left_settled: !begins,
+        ..InChain::default()
+    };
+    Slips::of(claim, &chain, witness, values_at)
+}
+
+/// A statement with one link edited.
+fn edited(statement: &Statement, goal: &Goal, edit: &Edit) -> Option<Statement> {
+    let Formula::Relation {
+        left,
+        relation,
+        right,
+    } = &edit.formula
+    else {
+        return None;
+    };
+    let mut edited = statement.clone();
+    let Clause::Chain { sides, links } = edited.clauses.get_mut(goal.clause)? else {
+        return None;
+    };
+    let at = sides
+        .windows(2)
+        .position(|pair| (pair[0].span, pair[1].span) == goal.sides)?;
+    links.get_mut(at)?.relation = *relation;
+    for (side, (kept, term)) in sides[at..]
+        .iter_mut()
+        .zip([(edit.left_kept, left), (edit.right_kept, right)])
+    {
+        if !kept {
+            side.expr = term.clone();
+            side.rounding = None;
+        }
+    }
+    Some(edited)
+}

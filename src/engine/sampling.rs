@@ -1,0 +1,516 @@
+//! Where premises may all be true, as far as floating point tells.
+//!
+//! It proves nothing and refutes nothing, and no verdict rests on it: of the many formulas that are near to what is printed it finds the few
+//! that are worth asking the kernel about.
+
+use std::cell::Cell;
+
+use num_traits::ToPrimitive;
+
+use crate::algebra::{Expr, Formula, Function, LimitPoint, Symbol};
+use crate::sorted::{Map, Set};
+
+/// More premises than this are not looked at.
+const MOST_PREMISES: usize = 80;
+/// So many terms are worked out for one sample.
+const MOST_STEPS: u64 = 400_000;
+/// Deeper terms are not.
+const DEEPEST: usize = 48;
+/// How near two values are that are taken for the same.
+const NEAR: f64 = 1e-6;
+/// What is less than so much of that is nought.
+const LEAST: f64 = 1e-4;
+/// How far apart the points are between which slopes are taken, as a share.
+const APART: f64 = 4e-3;
+/// Into so many pieces an interval of integration is cut.
+const PIECES: u32 = 64;
+/// What is far enough for infinity.
+const FAR: f64 = 40.0;
+/// A series with more terms is not summed.
+const MOST_TERMS: f64 = 200.0;
+/// A symbol is looked for between the powers of this to so many steps and their reciprocals.
+const GROWTH: f64 = 1.7;
+const STEPS: i32 = 13;
+/// What is the same at all of these is the same anywhere, and how near that must be.
+const ANYWHERE: [f64; 3] = [0.83, 1.37, 2.21];
+const SAME: f64 = 1e-10;
+/// The letter that mostly counts something.
+const COUNTING: &str = "n";
+
+/// Values of symbols with which premises are true, as near as that can be.
+pub struct Sample {
+    /// What a symbol is said to be, and of what it is said as a function.
+    defined: Map<Symbol, (Vec<Symbol>, Expr)>,
+    values: Map<Symbol, f64>,
+    seed: u32,
+    steps: Cell<u64>,
+}
+
+impl Sample {
+    /// Values for the symbols of a goal; the premises that are named first are heeded first.
+    pub fn of<'a>(
+        premises: impl IntoIterator<Item = &'a Formula>,
+        goal: &Formula,
+        seed: u32,
+    ) -> Sample {
+        let mut sample = Sample {
+            defined: Map::new(),
+            values: Map::new(),
+            seed,
+            steps: Cell::new(0),
+        };
+        let equations = premises.into_iter().filter_map(Formula::as_equation);
+        let mut left = Vec::new();
+        for (one, other) in equations.take(MOST_PREMISES) {
+            if !sample.define(one, other) && !sample.define(other, one) {
+                left.push((one, other));
+            }
+        }
+        let mut counted = Set::new();
+        let terms = left.iter().flat_map(|(one, other)| [*one, *other]);
+        for term in terms.chain(goal.terms()) {
+            collect_counted(term, &mut counted);
+        }
+        let defined: Vec<Expr> = sample
+            .defined
+            .values()
+            .map(|(_, own)| own.clone())
+            .collect();
+        for term in &defined {
+            collect_counted(term, &mut counted);
+        }
+        sample.solve(left, &counted);
+        let mut open = Set::new();
+        for term in goal.terms() {
+            sample.collect_open(term, &mut Vec::new(), &mut open);
+        }
+        for symbol in open {
+            sample.choose(&symbol, &counted);
+        }
+        sample
+    }
+
+    /// Whether a formula is true here; nothing where it has no value.
+    pub fn holds(&self, formula: &Formula) -> Option<bool> {
+        let (left, right) = formula.as_equation()?;
+        let (left, right) = (self.value(left)?, self.value(right)?);
+        Some((left - right).abs() <= NEAR * left.abs().max(right.abs()).max(LEAST))
+    }
+
+    /// Takes a premise for what it says that a symbol is, if it says so plainly and that is not said in a circle.
+    fn define(&mut self, of: &Expr, value: &Expr) -> bool {
+        let (symbol, arguments) = match of {
+            Expr::Symbol(own) if !own.is_unit() => (own, Vec::new()),
+            Expr::Apply(own, arguments) => {
+                let bare = arguments.iter().map(|own| match own {
+                    Expr::Symbol(own) => Some(own.clone()),
+                    _ => None,
+                });
+                match bare.collect() {
+                    Some(bare) => (own, bare),
+                    None => return false,
+                }
+            }
+            own => match self.slope(own) {
+                Some(slope) => return self.define(&Expr::Symbol(slope), value),
+                None => return false,
+            },
+        };
+        if self.defined.contains_key(symbol) {
+            return false;
+        }
+        let (mut open, mut met) = (Set::new(), Vec::new());
+        self.collect_open(value, &mut met, &mut open);
+        if open.contains(symbol) || met.contains(symbol) {
+            return false;
+        }
+        self.defined
+            .insert(symbol.clone(), (arguments, value.clone()));
+        true
+    }
+
+    /// The name of how fast something changes of which nothing says how it varies.
+    fn slope(&self, term: &Expr) -> Option<Symbol> {
+        let (Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. }) = term
+        else {
+            return None;
+        };
+        let of = match &**body {
+            Expr::Symbol(own) | Expr::Apply(own, _) => own.clone(),
+            own => self.slope(own)?,
+        };
+        let is_open = of != *variable && !self.defined.contains_key(&of);
+        is_open.then(|| slope(&of, variable))
+    }
+
+    /// The symbols on which the value of a term depends in the end.
+    fn collect_open(&self, term: &Expr, met: &mut Vec<Symbol>, open: &mut Set<Symbol>) {
+        match term {
+            Expr::Symbol(symbol) => self.collect_open_of(symbol, met, open),
+            Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
+                if let Some(slope) = self.slope(term) {
+                    return self.collect_open_of(&slope, met, open);
+                }
+                self.collect_open_of(variable, met, open);
+            }
+            Expr::Apply(function, _) => self.collect_open_of(function, met, open),
+            _ => {}
+        }
+        let bound = match term {
+            Expr::Integral { variable, .. } | Expr::Limit { variable, .. } => Some(variable),
+            Expr::Series { index, .. } => Some(index),
+            _ => None,
+        };
+        let is_new = bound.is_some_and(|own| !met.contains(own));
+        met.extend(bound.filter(|_| is_new).cloned());
+        term.children()
+            .for_each(|part| self.collect_open(part, met, open));
+        if is_new {
+            met.retain(|own| Some(own) != bound);
+        }
+    }
+
+    fn collect_open_of(&self, symbol: &Symbol, met: &mut Vec<Symbol>, open: &mut Set<Symbol>) {
+        if met.contains(symbol) {
+            return;
+        }
+        met.push(symbol.clone());
+        match self.defined.get(symbol) {
+            Some((_, value)) => self.collect_open(value, met, open),
+            None if is_known(symbol) => {}
+            None => {
+                open.insert(symbol.clone());
+            }
+        }
+    }
+
+    /// Chooses values, and finds those that are left no choice, one premise after another.
+    fn solve(&mut self, mut left: Vec<(&Expr, &Expr)>, counted: &Set<Symbol>) {
+        while !left.is_empty() {
+            let unknown = |sample: &Sample, (one, other): &(&Expr, &Expr)| {
+                let mut open = Set::new();
+                sample.collect_open(one, &mut Vec::new(), &mut open);
+                sample.collect_open(other, &mut Vec::new(), &mut open);
+                open.retain(|own| !sample.values.contains_key(own));
+                open
+            };
+            let fewest = left.iter().enumerate();
+            let fewest = fewest.map(|(at, own)| (at, unknown(self, own)));
+            let Some((at, open)) = fewest.min_by_key(|(at, open)| (open.len(), *at)) else {
+                return;
+            };
+            let mut open: Vec<Symbol> = open.into_iter().collect();
+            // What an equation is written for comes last.
+            let (one, other) = left.remove(at);
+            open.sort_by_key(|own| {
+                (
+                    one.mentions(own),
+                    !counted.contains(own),
+                    own.name() != COUNTING,
+                )
+            });
+            let last = open.pop();
+            for symbol in &open {
+                self.choose(symbol, counted);
+            }
+            if let Some(last) = last {
+                match self.root(one, other, &last) {
+                    Some(value) => drop(self.values.insert(last, value)),
+                    None => self.choose(&last, counted),
+                }
+            }
+        }
+    }
+
+    fn choose(&mut self, symbol: &Symbol, counted: &Set<Symbol>) {
+        if self.values.contains_key(symbol) {
+            return;
+        }
+        let share = share(symbol.name(), self.seed);
+        let value = match counted.contains(symbol) || symbol.name() == COUNTING {
+            true => 2.0 + (3.0 * share).floor(),
+            false => 0.4 + 1.2 * share,
+        };
+        self.values.insert(symbol.clone(), value);
+    }
+
+    /// Where both sides are the same for a value of a symbol, next to 1; nothing where they are the same for any.
+    fn root(&mut self, one: &Expr, other: &Expr, symbol: &Symbol) -> Option<f64> {
+        let mut difference = |at: f64| {
+            self.values.insert(symbol.clone(), at);
+            let found = self.value(one).zip(self.value(other));
+            self.values.remove(symbol);
+            let (one, other) = found?;
+            let is_same = (one - other).abs() <= SAME * one.abs().max(other.abs());
+            Some(if is_same { 0.0 } else { one - other })
+        };
+        if ANYWHERE.iter().all(|at| difference(*at) == Some(0.0)) {
+            return None;
+        }
+        for sign in [1.0, -1.0] {
+            let grid = (-STEPS..=STEPS).map(|step| sign * GROWTH.powi(step));
+            let grid: Vec<(f64, Option<f64>)> = grid.map(|at| (at, difference(at))).collect();
+            let mut pairs: Vec<&[(f64, Option<f64>)]> = grid.windows(2).collect();
+            pairs.sort_by(|one, other| {
+                let far = |own: &[(f64, Option<f64>)]| own[0].0.abs().ln().abs();
+                far(one).total_cmp(&far(other))
+            });
+            for pair in pairs {
+                let [(low, Some(there)), (high, Some(here))] = *pair else {
+                    continue;
+                };
+                if here == 0.0 {
+                    return Some(high);
+                }
+                if (there < 0.0) == (here < 0.0) || there == 0.0 {
+                    continue;
+                }
+                let (mut low, mut high) = (low, high);
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    match difference(middle)? {
+                        own if (own < 0.0) == (there < 0.0) => low = middle,
+                        _ => high = middle,
+                    }
+                }
+                return Some(0.5 * (low + high));
+            }
+        }
+        None
+    }
+
+    fn value(&self, term: &Expr) -> Option<f64> {
+        let mut scope = Vec::new();
+        self.steps.set(0);
+        self.evaluate(term, &mut scope, 0)
+            .filter(|own| own.is_finite())
+    }
+
+    /// The value of a term where some symbols have other values: what is defined with these has another one, too.
+    fn evaluate(&self, term: &Expr, scope: &mut Vec<(Symbol, f64)>, depth: usize) -> Option<f64> {
+        self.steps.set(self.steps.get() + 1);
+        if self.steps.get() > MOST_STEPS || depth > DEEPEST {
+            return None;
+        }
+        let next = depth + 1;
+        match term {
+            Expr::Number(own) => own.to_f64(),
+            Expr::Symbol(symbol) => self.symbol(symbol, scope, next),
+            Expr::Element { sequence, index } => {
+                let index = self.symbol(index, scope, next)?;
+                Some(0.4 + 1.2 * share(&format!("{}_{index}", sequence.name()), self.seed))
+            }
+            Expr::Sum(terms) => terms
+                .iter()
+                .try_fold(0.0, |sum, own| Some(sum + self.evaluate(own, scope, next)?)),
+            Expr::Product(factors) => factors
+                .iter()
+                .try_fold(1.0, |all, own| Some(all * self.evaluate(own, scope, next)?)),
+            Expr::Negate(inner) => Some(-self.evaluate(inner, scope, next)?),
+            Expr::Quotient(above, below) => {
+                let (above, below) = (
+                    self.evaluate(above, scope, next)?,
+                    self.evaluate(below, scope, next)?,
+                );
+                Some(above / below)
+            }
+            Expr::Power(base, exponent) => {
+                let base = self.evaluate(base, scope, next)?;
+                Some(base.powf(self.evaluate(exponent, scope, next)?))
+            }
+            Expr::Call(function, inner) => {
+                Some(apply(*function, self.evaluate(inner, scope, next)?))
+            }
+            Expr::Apply(function, arguments) => {
+                let (parameters, value) = self.defined.get(function)?;
+                let mut values = Vec::new();
+                for argument in arguments.iter() {
+                    values.push(self.evaluate(argument, scope, next)?);
+                }
+                let bound = if parameters.is_empty() {
+                    arguments
+                        .iter()
+                        .all(|own| matches!(own, Expr::Symbol(_)))
+                        .then_some(0)?
+                } else {
+                    parameters.len()
+                };
+                let length = scope.len();
+                scope.extend(parameters.iter().cloned().zip(values).take(bound));
+                let found = self.evaluate(value, scope, next);
+                scope.truncate(length);
+                found
+            }
+            Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } => {
+                if let Some(slope) = self.slope(term) {
+                    return self.symbol(&slope, scope, next);
+                }
+                let at = self.symbol(variable, scope, next)?;
+                let mut sum = self.steepness(body, variable, at, scope, next)?;
+                let mut open = Set::new();
+                self.collect_open(body, &mut Vec::new(), &mut open);
+                for own in open.iter().filter(|own| *own != variable) {
+                    if let Some(slope) = self.symbol(&slope(own, variable), scope, next) {
+                        let at = self.symbol(own, scope, next)?;
+                        sum += slope * self.steepness(body, own, at, scope, next)?;
+                    }
+                }
+                // What does not change as far as is known is of what is not known.
+                (sum != 0.0).then_some(sum)
+            }
+            Expr::Integral {
+                body,
+                variable,
+                from,
+                to,
+            } => {
+                let from = self.evaluate(from, scope, next)?;
+                let to = self.evaluate(to, scope, next)?;
+                let width = (to - from) / f64::from(PIECES);
+                let mut sum = 0.0;
+                // By Gauß and Legendre: what has no value at an end is integrated, too.
+                let off = (1.0_f64 / 3.0).sqrt();
+                for piece in 0..PIECES {
+                    for side in [-off, off] {
+                        let at = from + width * (f64::from(piece) + 0.5 + 0.5 * side);
+                        sum += 0.5 * width * self.with(variable, at, body, scope, next)?;
+                    }
+                }
+                Some(sum)
+            }
+            Expr::Limit {
+                body,
+                variable,
+                point,
+            } => {
+                let (point, near) = match point {
+                    LimitPoint::Finite(point) => {
+                        let point = self.evaluate(point, scope, next)?;
+                        (point, point + 1e-8 * point.abs().max(1e-2))
+                    }
+                    LimitPoint::PlusInfinity => (FAR, FAR),
+                    LimitPoint::MinusInfinity => (-FAR, -FAR),
+                };
+                [point, near].into_iter().find_map(|value| {
+                    let found = self.with(variable, value, body, scope, next);
+                    found.filter(|own| own.is_finite())
+                })
+            }
+            Expr::Series {
+                index,
+                from,
+                to,
+                body,
+            } => {
+                let from = self.evaluate(from, scope, next)?;
+                let to = self.evaluate(to, scope, next)?;
+                if from.fract() != 0.0 || to.fract() != 0.0 || to - from > MOST_TERMS {
+                    return None;
+                }
+                let (mut sum, mut at) = (0.0, from);
+                while at <= to {
+                    sum += self.with(index, at, body, scope, next)?;
+                    at += 1.0;
+                }
+                Some(sum)
+            }
+        }
+    }
+
+    /// The value of a term where a symbol has this one.
+    fn with(
+        &self,
+        symbol: &Symbol,
+        value: f64,
+        term: &Expr,
+        scope: &mut Vec<(Symbol, f64)>,
+        depth: usize,
+    ) -> Option<f64> {
+        scope.push((symbol.clone(), value));
+        let found = self.evaluate(term, scope, depth);
+        scope.pop();
+        found
+    }
+
+    /// How fast a term grows with a symbol.
+    fn steepness(
+        &self,
+        term: &Expr,
+        by: &Symbol,
+        at: f64,
+        scope: &mut Vec<(Symbol, f64)>,
+        depth: usize,
+    ) -> Option<f64> {
+        let apart = APART * at.abs().max(0.1);
+        let mut beside = |steps: f64| self.with(by, at + steps * apart, term, scope, depth);
+        let near = beside(1.0)? - beside(-1.0)?;
+        let far = beside(2.0)? - beside(-2.0)?;
+        Some((8.0 * near - far) / (12.0 * apart))
+    }
+
+    fn symbol(&self, symbol: &Symbol, scope: &mut Vec<(Symbol, f64)>, depth: usize) -> Option<f64> {
+        if let Some((_, value)) = scope.iter().rev().find(|(own, _)| own == symbol) {
+            return Some(*value);
+        }
+        if let Some(value) = known(symbol) {
+            return Some(value);
+        }
+        match self.defined.get(symbol) {
+            Some((_, value)) => self.evaluate(value, scope, depth),
+            None => self.values.get(symbol).copied(),
+        }
+    }
+}
+
+/// The name of how fast a symbol changes.
+fn slope(of: &Symbol, by: &Symbol) -> Symbol {
+    Symbol::new(format!("\\slope{{{}}}{{{}}}", of.name(), by.name()))
+}
+
+/// Units are those of the SI.
+fn known(symbol: &Symbol) -> Option<f64> {
+    match symbol.name() {
+        "\\pi" => Some(std::f64::consts::PI),
+        _ => symbol.is_unit().then_some(1.0),
+    }
+}
+
+fn is_known(symbol: &Symbol) -> bool {
+    known(symbol).is_some()
+}
+
+/// The symbols that count: those that a series ends at.
+fn collect_counted(term: &Expr, found: &mut Set<Symbol>) {
+    if let Expr::Series { to, from, .. } = term {
+        found.extend(to.free_symbols());
+        found.extend(from.free_symbols());
+    }
+    term.children()
+        .for_each(|part| collect_counted(part, found));
+}
+
+fn apply(function: Function, at: f64) -> f64 {
+    match function {
+        Function::Sin => at.sin(),
+        Function::Cos => at.cos(),
+        Function::Tan => at.tan(),
+        Function::ArcSin => at.asin(),
+        Function::ArcCos => at.acos(),
+        Function::ArcTan => at.atan(),
+        Function::Exp => at.exp(),
+        Function::Ln => at.ln(),
+        Function::Abs => at.abs(),
+        Function::Ceiling => at.ceil(),
+        Function::Floor => at.floor(),
+    }
+}
+
+/// A number from 0 to 1 that is always the same for a name and a seed (FNV-1a).
+fn share(name: &str, seed: u32) -> f64 {
+    let bytes = name.bytes().chain(seed.to_le_bytes());
+    let hash = bytes.fold(0x811c_9dc5_u32, |hash, byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
+    });
+    let mixed = (hash ^ (hash >> 15)).wrapping_mul(0x2c1b_3c6d);
+    f64::from(mixed ^ (mixed >> 13)) / f64::from(u32::MAX)
+}
