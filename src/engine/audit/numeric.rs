@@ -71,6 +71,15 @@ pub enum Weighed {
 }
 
 impl Numeric {
+    /// Links that were weighed without figures of symbols.
+    fn of_links(links: Vec<Link>) -> Numeric {
+        Numeric {
+            links,
+            data: Map::new(),
+            put_in: Vec::new(),
+        }
+    }
+
     /// What the links together come to: the first that is not supported.
     pub fn outcome(&self) -> &Weighed {
         let mut outcomes = self.links.iter().map(|link| &link.outcome);

@@ -167,7 +167,10 @@ impl Auditor<'_> {
     ) -> Option<Shown> {
         let mut tried = 0;
         while let Some(edit) = slips.next().filter(|_| tried < MOST_TRIED) {
-            let likely = self.is_likely(how.at, &edit.change);
+            // What speaks of more may be said of more, and lack nothing.
+            let is_less = matches!(edit.change, Change::Summand | Change::Factor)
+                && !goal.formula.names().is_subset(&edit.formula.names());
+            let likely = !is_less && self.is_likely(how.at, &edit.change);
             let edited = likely.then(|| edited(statement, goal, &edit));
             let Some(edited) = edited.flatten() else {
                 continue;

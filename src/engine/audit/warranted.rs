@@ -6,8 +6,10 @@
 //! slip of: one small edit with which the same step would have been shown; or where nothing can have been left unsaid, as in a piece of
 //! algebra or arithmetic, or where the text cites what speaks of all of it.
 
+use num_traits::Signed;
+
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
-use crate::derivation::{Assumed, Source, goals};
+use crate::derivation::{Assumed, Source, first_goal, goals};
 use crate::notation::{Statement, plain_formula};
 use crate::search::{self, Decision};
 use crate::sorted::Set;
@@ -15,7 +17,7 @@ use crate::sorted::Set;
 use super::entry::{Entry, leave_open};
 use super::readings::Circumstances;
 use super::stated::quantities;
-use super::{Auditor, Judged, Verdict, judge};
+use super::{Auditor, Judged, Outcome, Verdict, judge, numeric};
 
 /// How much work may be done to see whether a bound is wrong for positive numbers, too.
 const MOST_WORK: u64 = 2_000_000;
@@ -79,7 +81,8 @@ impl Auditor<'_> {
         if let Some(implied) = &entry.implied {
             let own = judged.goal.formula.names();
             let names = implied.proven.claim().goal.names();
-            let is_said = names.is_subset(&own);
+            // What speaks of more may be said of more.
+            let is_said = names == own;
             // What rests on a guess of what a name means may be a wrong guess.
             let mut assumed = judged.assumed.iter();
             let is_guessed = assumed.any(|own| own.source == Source::Taken);
@@ -108,22 +111,41 @@ impl Auditor<'_> {
                 || !is_printed(own)
                 || own.is_propagated()
                 || is_closed(own)
-                || how.says_so && !is_condition(statement, own) && is_spoken_of(own)
+                || how.says_so
+                    && !is_condition(statement, own)
+                    && !numeric::is_measured(&own.goal)
+                    && is_spoken_of(own)
         })
     }
 
-    /// Whether a bound is wrong for positive numbers, too: most authors speak of no others, and few say so.
+    /// Whether a bound is wrong for positive numbers, too, and so is what is said to be a root: most authors speak of no others, and few say
+    /// so.
     fn fails_where_positive(&self, at: usize, judged: &Judged) -> bool {
         let formula = &judged.goal.formula;
+        let mut names = formula.names();
         if !formula.is_inequality() {
-            return true;
+            match formula.as_equation() {
+                Some((Expr::Symbol(own), root)) if root.any(&Expr::is_root) => {
+                    names.retain(|name| name == own);
+                }
+                _ => return true,
+            }
         }
-        let names = formula.names().into_iter();
-        let positive = names.map(|own| judge::step(&Formula::positive(Expr::Symbol(own))));
+        let terms = names.iter().cloned().map(Expr::Symbol);
+        let positive = terms.map(|own| judge::step(&Formula::positive(own)));
         let all: Vec<Assumed> = judged.assumed.iter().cloned().chain(positive).collect();
         let claim = self.derivation.claim(at, &all, formula);
         let decision = effort::within(MOST_WORK, || search::decide(claim, &self.hints()));
-        matches!(decision, Decision::Refuted(_))
+        match (decision, &judged.outcome) {
+            (Decision::Refuted(_), _) => true,
+            // Not known, but that is where it is false.
+            (Decision::Open(_), Outcome::Refuted(refuted)) if !formula.is_inequality() => {
+                let values = &refuted.witness().symbols;
+                let mut values = names.iter().filter_map(|own| values.get(own));
+                values.all(|value| !value.is_negative())
+            }
+            _ => false,
+        }
     }
 }
 
@@ -156,8 +178,22 @@ fn unsaid(entry: &Entry) -> String {
     format!("false {point}, but {unless}: something may be left unsaid")
 }
 
-/// Whether a link says what it is under which the next clause follows: `\frac{dA}{dx} = 0 \Rightarrow`.
+/// Whether a link says what it is under which the next clause follows: `\frac{dA}{dx} = 0 \Rightarrow`; or bounds what a statement begins
+/// with by a number, `R_0 = \frac{\beta}{\gamma} > 1`.
 fn is_condition(statement: &Statement, judged: &Judged) -> bool {
+    let first = first_goal(statement).map(|own| own.formula);
+    let is_named =
+        matches!(&first, Some(own) if matches!(own.as_equation(), Some((Expr::Symbol(_), _))));
+    if is_named
+        && let Formula::Relation {
+            left: _,
+            right: Expr::Number(_),
+            ..
+        } = &judged.goal.formula
+        && judged.goal.formula.is_inequality()
+    {
+        return true;
+    }
     let sides = judged.goal.formula.as_equation();
     let is_nought = sides.is_some_and(|(_, right)| *right == Expr::integer(0));
     is_nought && judged.goal.clause + 1 < statement.clauses.len()
@@ -167,6 +203,8 @@ fn is_condition(statement: &Statement, judged: &Judged) -> bool {
 fn is_spoken_of(judged: &Judged) -> bool {
     let said = judged.assumed.iter();
     let said = said.filter(|own| matches!(own.source, Source::Equation(_)));
+    let all = judged.assumed.iter();
+    let said_of = applied(all.flat_map(|own| own.formula.terms()));
     let said: Set<Symbol> = said.flat_map(|own| own.formula.names()).collect();
     // By what is differentiated is clear.
     let terms = judged.goal.formula.terms();
@@ -176,7 +214,16 @@ fn is_spoken_of(judged: &Judged) -> bool {
     };
     let mut names = judged.goal.formula.names();
     names.retain(|own| !said.contains(own));
-    names.iter().all(is_variable)
+    names.iter().all(is_variable) && applied(judged.goal.formula.terms()).is_subset(&said_of)
+}
+
+/// What is applied in terms: `f` in `f(x)`.
+fn applied<'a>(terms: impl IntoIterator<Item = &'a Expr>) -> Set<Symbol> {
+    let mut found = Set::new();
+    for term in terms {
+        term.collect_applied(&|_| true, &mut found);
+    }
+    found
 }
 
 /// Whether a link is said of numbers, or of the same symbols on both sides, or works something out: what would have to be said besides of

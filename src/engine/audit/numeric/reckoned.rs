@@ -7,8 +7,9 @@ use num_traits::Zero;
 
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
 use crate::derivation::{Goal, goals};
+use crate::document::Span;
 use crate::interval::{Compared, Figures, Interval};
-use crate::notation::{Statement, has_units, is_figures};
+use crate::notation::{Statement, has_units, is_figures, without_units};
 use crate::sorted::Map;
 
 use super::super::{Auditor, Entry, Note, Verdict};
@@ -37,16 +38,26 @@ impl Auditor<'_> {
         }
         entry.verdict = Verdict::Undecided;
         entry.notes.push(Note::NumericNotSupported);
-        entry.numeric = Some(Box::new(Numeric {
-            links,
-            data: Map::new(),
-            put_in: Vec::new(),
-        }));
+        entry.numeric = Some(Box::new(Numeric::of_links(links)));
     }
 }
 
+/// Whether a goal is a relation between numbers that is not so as they stand, and may be so as they are rounded.
+pub(super) fn agrees_loosely(goal: &Goal, source: &str) -> bool {
+    let is_so = |source: Option<&str>| {
+        let link = weighed(goal.clone(), source)?;
+        Some(link.outcome != Weighed::Contradicted)
+    };
+    is_so(Some(source)) == Some(true) && is_so(None) == Some(false)
+}
+
 /// A relation between numbers, weighed; nothing of what is none.
-fn reckoned(goal: Goal, source: &str) -> Option<Link> {
+pub(super) fn reckoned(goal: Goal, source: &str) -> Option<Link> {
+    weighed(goal, Some(source))
+}
+
+/// The same; as the numbers stand where no text tells how many digits they have.
+fn weighed(goal: Goal, source: Option<&str>) -> Option<Link> {
     let goal = near_whole(&goal);
     let Formula::Relation {
         left,
@@ -59,7 +70,7 @@ fn reckoned(goal: Goal, source: &str) -> Option<Link> {
     let is_number = |term: &Expr| is_figures(term) && is_evaluable(term);
     if !goal.suppositions.is_empty()
         || goal.questioned
-        || matches!(left, Expr::Number(_))
+        || matches!(without_units(left), Expr::Number(_))
         || !is_number(left)
         || !is_number(right)
         || has_units(left) != has_units(right)
@@ -68,8 +79,9 @@ fn reckoned(goal: Goal, source: &str) -> Option<Link> {
     }
     let near = goal.rounding.as_ref().map(|own| own.share.clone());
     let mut figures = Vec::new();
-    let mut loosely = |term: &Expr, text: &str| -> Option<Expr> {
+    let mut loosely = |term: &Expr, span: Span| -> Option<Expr> {
         let mut loose = term.clone();
+        let text = source.map_or(Some(""), |own| own.get(span.range()))?;
         for (value, half) in long(text) {
             let symbol = Symbol::new(format!("\\figure{{{}}}", figures.len()));
             loose = loose.replace(&Expr::Number(value.clone()), &Expr::Symbol(symbol.clone()));
@@ -77,11 +89,11 @@ fn reckoned(goal: Goal, source: &str) -> Option<Link> {
         }
         Some(loose)
     };
-    let loose_left = loosely(left, source.get(goal.sides.0.range())?)?;
+    let loose_left = loosely(left, goal.sides.0)?;
     // How near the number is that it comes to is known.
     let loose_right = match near {
         Some(_) => right.clone(),
-        None => loosely(right, source.get(goal.sides.1.range())?)?,
+        None => loosely(right, goal.sides.1)?,
     };
     let units = [left, right].into_iter().flat_map(Expr::free_symbols);
     let units = units.filter(Symbol::is_unit);

@@ -16,10 +16,12 @@ use crate::search;
 use super::super::entry::leave_open;
 use super::super::judge::{self, Judge};
 use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, premise};
-use super::{Numeric, Taken, Weighed, decimals};
+use super::{Numeric, Taken, Weighed, decimals, reckoned};
 
 /// Why a step that ends in a rounded number is neither.
 const ROUNDED: &str = "it is rounded";
+/// Why nothing is said of a number that differs from another one that is told of the same.
+const SAID_AGAIN: &str = "another number is told of it before, and it may be told of another case";
 
 impl Auditor<'_> {
     /// Goals that end in rounded numbers, from the figures as they are printed; if these say otherwise, from all that may have been
@@ -78,7 +80,25 @@ impl Auditor<'_> {
             true => own.goal.clone(),
             false => near_whole(&own.goal),
         };
-        let open: Vec<Goal> = open.map(as_meant).collect();
+        // What is worked out of numbers alone, and rounded on the way.
+        let page = self.derivation.equations[at].page;
+        let source = &self.derivation.pages[page].document.source;
+        let (agreed, open): (Vec<Goal>, Vec<Goal>) = open
+            .map(as_meant)
+            .partition(|own| reckoned::agrees_loosely(own, source));
+        if open.is_empty() && !agreed.is_empty() {
+            leave_open(entry, ROUNDED);
+            let links = agreed.into_iter();
+            let links = links.filter_map(|own| reckoned::reckoned(own, source));
+            entry.numeric = Some(Box::new(Numeric::of_links(links.collect())));
+            return;
+        }
+        for judged in &mut entry.judged {
+            let is_own = |own: &Goal| own.sides == judged.goal.sides;
+            if judged.outcome.is_refuted() && agreed.iter().any(is_own) {
+                judged.outcome = Outcome::open(ROUNDED);
+            }
+        }
         if open.is_empty() || !open.iter().all(is_weighed) {
             let refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
             let refuted: Vec<Goal> = refuted.map(as_meant).collect();
@@ -127,6 +147,21 @@ impl Auditor<'_> {
             if with.is_supported() {
                 numeric = with;
             }
+        }
+        // What is said again of something, and not worked out, is said of another case.
+        let is_said_again = |link: &super::Link| match &link.goal.formula {
+            Formula::Relation {
+                left: Expr::Symbol(own),
+                ..
+            } => numeric.data.contains_key(own),
+            _ => false,
+        };
+        let mut wrong = numeric
+            .links
+            .iter()
+            .filter(|own| own.outcome == Weighed::Contradicted);
+        if wrong.any(is_said_again) {
+            return leave_open(entry, SAID_AGAIN);
         }
         match (numeric.outcome(), entry.verdict) {
             (Weighed::Supported | Weighed::NotSettled, _) => {
