@@ -10,7 +10,7 @@ use crate::notation::{Clause, Statement};
 use crate::sampling::Sample;
 use crate::search::{self, Change, Decision, Edit, InChain, Mended, Slips, Stop, UNDECIDED};
 
-use super::again::{ELSEWHERE, OPEN_ITSELF, UNSAID};
+use super::again::{ELEMENT, ELSEWHERE, NAMED, OPEN_ITSELF, UNSAID};
 use super::entry::Entry;
 use super::readings::Circumstances;
 use super::{Auditor, Judged, Note, Outcome, Verdict, judge};
@@ -39,11 +39,12 @@ impl Auditor<'_> {
         let (claim, witness) = (refuted.claim(), refuted.witness());
         let slips = || slips(statement, &judged.goal, claim, Some(witness));
         let samples = self.samples(how, entry, &judged.goal);
+        let link = (entry, &judged.goal);
         let likely = || {
             let slips = slips().such_that(|own| is_true_in(&samples, own));
-            self.first_shown(statement, how, &judged.goal, slips, MOST_WORK_IF_LIKELY)
+            self.first_shown(statement, how, link, slips, MOST_WORK_IF_LIKELY)
         };
-        let any = || self.first_shown(statement, how, &judged.goal, slips(), MOST_WORK_FOR_ONE);
+        let any = || self.first_shown(statement, how, link, slips(), MOST_WORK_FOR_ONE);
         let found = match samples.len() < FEWEST_SAMPLES {
             true => None,
             false => effort::altogether(MOST_WORK, likely),
@@ -84,7 +85,7 @@ impl Auditor<'_> {
         let slips = slips(statement, &judged.goal, &claim, None);
         let slips = slips.such_that(|own| is_true_in(&samples, own));
         let most_work = MOST_WORK_IF_LIKELY;
-        let shown = || self.first_shown(statement, how, &judged.goal, slips, most_work);
+        let shown = || self.first_shown(statement, how, (&entry, &judged.goal), slips, most_work);
         let Some(shown) = effort::altogether(MOST_WORK, shown) else {
             return entry;
         };
@@ -161,7 +162,7 @@ impl Auditor<'_> {
         &self,
         statement: &Statement,
         how: &Circumstances,
-        goal: &Goal,
+        (entry, goal): (&Entry, &Goal),
         mut slips: Slips,
         most_work: u64,
     ) -> Option<Shown> {
@@ -185,12 +186,12 @@ impl Auditor<'_> {
             }
             let mut all = other.judged.iter();
             let own = all.find(|own| own.goal.sides == goal.sides);
-            let (Verdict::Holds, Some(own)) = (other.verdict, own) else {
+            let Some((own, Outcome::Proven(proven))) = own.map(|own| (own, &own.outcome)) else {
                 continue;
             };
-            let Outcome::Proven(proven) = &own.outcome else {
+            if !is_right(&other, entry, own) {
                 continue;
-            };
+            }
             let mut notes = other.notes.iter();
             let under = notes.find_map(|note| match note {
                 Note::UnstatedCondition(under) => Some(under.clone()),
@@ -231,6 +232,28 @@ struct Shown {
     mended: Mended,
 }
 
+/// Whether an edited statement is right as far as was found: what is shown of it as it is printed is shown still, and no more is left open.
+fn is_right(edited: &Entry, printed: &Entry, link: &Judged) -> bool {
+    let is_settled = |own: &Judged| {
+        own.outcome.is_proven() || matches!(own.outcome, Outcome::Defined | Outcome::Stated)
+    };
+    let was_open = |own: &Judged| {
+        let mut printed = printed.judged.iter();
+        let as_printed = printed.find(|other| other.goal.sides == own.goal.sides);
+        as_printed.is_some_and(|other| matches!(other.outcome, Outcome::Open(_)))
+    };
+    // What goes on with what was edited is no longer open.
+    let goes_on = |own: &Judged| own.goal.sides.0 == link.goal.sides.1;
+    let fits = |own: &Judged| {
+        is_settled(own) || matches!(own.outcome, Outcome::Open(_)) && was_open(own) && !goes_on(own)
+    };
+    match edited.verdict {
+        Verdict::Holds => true,
+        Verdict::Undecided => edited.numeric.is_none() && edited.judged.iter().all(fits),
+        _ => false,
+    }
+}
+
 fn is_true_in(samples: &[Sample], formula: &Formula) -> bool {
     let mut samples = samples.iter();
     samples.all(|sample| sample.holds(formula) == Some(true))
@@ -238,7 +261,7 @@ fn is_true_in(samples: &[Sample], formula: &Formula) -> bool {
 
 /// Whether no more is known of what is left open than that it does not follow from what stands before, as far as was found.
 fn is_simply_open(stop: &Stop) -> bool {
-    let reasons = [UNDECIDED, OPEN_ITSELF, ELSEWHERE, UNSAID];
+    let reasons = [UNDECIDED, OPEN_ITSELF, ELSEWHERE, ELEMENT, NAMED, UNSAID];
     reasons.contains(&&*stop.reason)
 }
 

@@ -89,7 +89,9 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
         return (!is_scale).then_some(Factor::Degrees);
     }
     let is_sign = spaced.starts_with(['%', '\\']);
-    if spaces == 0 && !is_sign {
+    // `$L = 80\,$mm`
+    let is_spaced = SPACES.iter().any(|own| source[..end].ends_with(own));
+    if spaces == 0 && !is_sign && !is_spaced {
         return None;
     }
     unit_at(spaced).map(Factor::Unit)

@@ -143,7 +143,7 @@ impl Judge<'_> {
         };
         let alone = |own: &Formula| follows(std::slice::from_ref(own));
         if written.iter().any(alone) || written.len() > 1 && follows(&written) {
-            found.leave_open("it may follow with what the text before it names");
+            found.leave_open(super::NAMED);
         }
     }
 

@@ -36,4 +36,6 @@ mod unstated;
 pub(super) const OPEN_ITSELF: &str =
     "it may follow from what stands before and is left open itself";
 pub(super) const ELSEWHERE: &str = "what stands just before says nothing of some symbol in it, and nothing decides it with what does";
+pub(super) const ELEMENT: &str = "what the text says of an element may be meant of all";
+pub(super) const NAMED: &str = "it may follow with what the text before it names";
 pub(super) const UNSAID: &str = "no equation before says what some symbol in it is";

@@ -147,7 +147,7 @@ impl Judge<'_> {
             return;
         }
         if speaks_of_elements(all, goal) {
-            found.leave_open("what the text says of an element may be meant of all");
+            found.leave_open(super::ELEMENT);
             return;
         }
         let formulas = || all.iter().map(|own| &*own.formula).chain([&goal.formula]);

@@ -189,7 +189,7 @@ impl Judge<'_> {
             let is_heeded = named.is_none() || self.heed_what_is_named(goal, all, found);
             self.instead(goal, all, premises, found);
             if !is_heeded && found.mended.is_none() {
-                found.leave_open("it may follow with what the text before it names");
+                found.leave_open(super::super::again::NAMED);
             }
             if !strong {
                 self.heed_what_is_elsewhere(goal, assumed, premises, found);
