@@ -132,9 +132,19 @@ pub(super) fn lend_units(sides: &mut [Side]) {
     let Some((last, before)) = sides.split_last_mut() else {
         return;
     };
-    let (Expr::Product(factors), Some(_)) = (&last.expr, &last.rounding) else {
+    let Expr::Product(factors) = &last.expr else {
         return;
     };
+    // `\frac{1}{200}\,\mathrm{mm}^{-1}` is a number, too.
+    let is_fraction = |own: &Expr| match own {
+        Expr::Quotient(over, under) => {
+            matches!((&**over, &**under), (Expr::Number(_), Expr::Number(_)))
+        }
+        _ => false,
+    };
+    if last.rounding.is_none() && !factors.first().is_some_and(is_fraction) {
+        return;
+    }
     let units: Vec<Expr> = factors
         .iter()
         .filter(|own| has_units(own))

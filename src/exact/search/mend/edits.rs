@@ -229,6 +229,9 @@ struct Editor<'a> {
 impl Editor<'_> {
     /// A side, a summand, or the argument of a function: what may have a sign and a coefficient.
     fn whole(&mut self, term: &Expr) {
+        if is_unit(term) {
+            return;
+        }
         if !matches!(term, Expr::Sum(_)) {
             self.factors(term);
         }
@@ -373,6 +376,9 @@ impl Editor<'_> {
 
     /// What may be wrong in the parts of a term.
     fn within(&mut self, term: &Expr) {
+        if is_unit(term) {
+            return;
+        }
         match term {
             Expr::Symbol(symbol) => {
                 for name in self.names.all.iter().filter(|name| *name != symbol) {
@@ -590,6 +596,19 @@ impl Editor<'_> {
             });
         }
     }
+}
+
+/// Whether a term is nothing but a unit, `(0.001 m)^{-1}`: whoever slips by one writes another.
+fn is_unit(term: &Expr) -> bool {
+    let is_unit = |own: &Expr| matches!(own, Expr::Symbol(own) if own.is_unit());
+    let is_letter = |own: &Expr| matches!(own, Expr::Symbol(own) if !own.is_unit());
+    let begins_with_it = match term {
+        Expr::Product(factors) => {
+            factors.len() < 2 || factors[1..].iter().all(|own| own.any(&is_unit))
+        }
+        _ => true,
+    };
+    begins_with_it && term.any(&is_unit) && !term.any(&is_letter)
 }
 
 /// The whole number that a term is or begins with, 1 if it begins with none; nothing where that is a fraction.
