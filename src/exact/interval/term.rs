@@ -75,7 +75,8 @@ impl Figures {
 
     /// What is known of a symbol; π is known to everybody.
     pub fn of(&self, symbol: &Symbol) -> Option<Interval> {
-        let pi = || (symbol.name() == "\\pi").then(|| PI.clone());
+        let is_pi = symbol.name() == "\\pi" && !self.free.contains(symbol);
+        let pi = || is_pi.then(|| PI.clone());
         self.known.get(symbol).cloned().or_else(pi)
     }
 

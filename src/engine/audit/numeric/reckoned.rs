@@ -28,7 +28,11 @@ impl Auditor<'_> {
         }
         let page = self.derivation.equations[at].page;
         let source = &self.derivation.pages[page].document.source;
+        // A profit has that letter, too.
+        let is_a_symbol =
+            |own: &Symbol| !own.is_unit() && self.derivation.pages[page].domains.get(own).is_some();
         let links = goals(statement).into_iter();
+        let links = links.filter(|own| !own.formula.names().iter().any(is_a_symbol));
         let links = links.filter_map(|goal| reckoned(goal, source));
         let links: Vec<Link> = links
             .filter(|link| link.outcome == Weighed::Contradicted)
