@@ -12,8 +12,8 @@ use crate::sorted::{Map, Set};
 
 /// More premises than this are not looked at.
 const MOST_PREMISES: usize = 80;
-/// So many terms are worked out for one sample.
-const MOST_STEPS: u64 = 400_000;
+/// So many terms are worked out for one sample, and with it, in all.
+const MOST_STEPS: u64 = 3_000_000;
 /// Deeper terms are not.
 const DEEPEST: usize = 48;
 /// How near two values are that are taken for the same.
@@ -281,7 +281,6 @@ impl Sample {
 
     fn value(&self, term: &Expr) -> Option<f64> {
         let mut scope = Vec::new();
-        self.steps.set(0);
         self.evaluate(term, &mut scope, 0)
             .filter(|own| own.is_finite())
     }

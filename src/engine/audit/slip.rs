@@ -117,8 +117,10 @@ impl Auditor<'_> {
                 outcome: Outcome::Refuted(refuted.into()),
             })
         };
-        let with_shown = from.iter().cloned().chain([judge::step(&shown.formula)]);
-        decided(with_shown.collect(), printed.formula.clone()).or_else(|| {
+        let with_shown = || from.iter().cloned().chain([judge::taken(&shown.formula)]);
+        let plain = decided(from.clone(), printed.formula.clone());
+        let plain = plain.or_else(|| decided(with_shown().collect(), printed.formula.clone()));
+        plain.or_else(|| {
             let between = between(&shown.formula, &printed.formula)?;
             decided(but_names(from, &between), between)
         })
@@ -199,7 +201,8 @@ impl Auditor<'_> {
             });
             let under = under.unwrap_or_default();
             let mut from = own.assumed.clone();
-            from.extend(under.iter().map(judge::step));
+            from.retain(|own| !under.contains(&own.formula));
+            from.extend(under.iter().map(judge::taken));
             return Some(Shown {
                 formula: own.goal.formula.clone(),
                 from,

@@ -491,7 +491,12 @@ impl Editor<'_> {
                 let other = other.map(|f| Expr::Call(f, argument.clone()));
                 self.found
                     .extend(other.map(|call| (Change::Function, 2, call)));
+                let before = self.found.len();
                 self.inside(term, 0, Editor::whole);
+                // A sign is rather lost before a function than within.
+                for (change, cost, _) in &mut self.found[before..] {
+                    *cost += u32::from(*change == Change::Sign);
+                }
             }
             Expr::Product(factors) => {
                 for at in 0..factors.len() {
