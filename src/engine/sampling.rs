@@ -42,6 +42,8 @@ pub struct Sample {
     /// What a symbol is said to be, and of what it is said as a function.
     defined: Map<Symbol, (Vec<Symbol>, Expr)>,
     values: Map<Symbol, f64>,
+    /// The symbols that count something.
+    counted: Set<Symbol>,
     seed: u32,
     steps: Cell<u64>,
 }
@@ -56,36 +58,29 @@ impl Sample {
         let mut sample = Sample {
             defined: Map::new(),
             values: Map::new(),
+            counted: Set::new(),
             seed,
             steps: Cell::new(0),
         };
         let equations = premises.into_iter().filter_map(Formula::as_equation);
+        let equations: Vec<(&Expr, &Expr)> = equations.take(MOST_PREMISES).collect();
+        let terms = equations.iter().flat_map(|(one, other)| [*one, *other]);
+        for term in terms.chain(goal.terms()) {
+            collect_counted(term, &mut sample.counted);
+        }
         let mut left = Vec::new();
-        for (one, other) in equations.take(MOST_PREMISES) {
+        for (one, other) in equations {
             if !sample.define(one, other) && !sample.define(other, one) {
                 left.push((one, other));
             }
         }
-        let mut counted = Set::new();
-        let terms = left.iter().flat_map(|(one, other)| [*one, *other]);
-        for term in terms.chain(goal.terms()) {
-            collect_counted(term, &mut counted);
-        }
-        let defined: Vec<Expr> = sample
-            .defined
-            .values()
-            .map(|(_, own)| own.clone())
-            .collect();
-        for term in &defined {
-            collect_counted(term, &mut counted);
-        }
-        sample.solve(left, &counted);
+        sample.solve(left);
         let mut open = Set::new();
         for term in goal.terms() {
             sample.collect_open(term, &mut Vec::new(), &mut open);
         }
         for symbol in open {
-            sample.choose(&symbol, &counted);
+            sample.choose(&symbol);
         }
         sample
     }
@@ -177,7 +172,7 @@ impl Sample {
         met.push(symbol.clone());
         match self.defined.get(symbol) {
             Some((_, value)) => self.collect_open(value, met, open),
-            None if is_known(symbol) => {}
+            None if known(symbol).is_some() => {}
             None => {
                 open.insert(symbol.clone());
             }
@@ -185,7 +180,7 @@ impl Sample {
     }
 
     /// Chooses values, and finds those that are left no choice, one premise after another.
-    fn solve(&mut self, mut left: Vec<(&Expr, &Expr)>, counted: &Set<Symbol>) {
+    fn solve(&mut self, mut left: Vec<(&Expr, &Expr)>) {
         while !left.is_empty() {
             let unknown = |sample: &Sample, (one, other): &(&Expr, &Expr)| {
                 let mut open = Set::new();
@@ -205,29 +200,29 @@ impl Sample {
             open.sort_by_key(|own| {
                 (
                     one.mentions(own),
-                    !counted.contains(own),
+                    !self.counted.contains(own),
                     own.name() != COUNTING,
                 )
             });
             let last = open.pop();
             for symbol in &open {
-                self.choose(symbol, counted);
+                self.choose(symbol);
             }
             if let Some(last) = last {
                 match self.root(one, other, &last) {
                     Some(value) => drop(self.values.insert(last, value)),
-                    None => self.choose(&last, counted),
+                    None => self.choose(&last),
                 }
             }
         }
     }
 
-    fn choose(&mut self, symbol: &Symbol, counted: &Set<Symbol>) {
+    fn choose(&mut self, symbol: &Symbol) {
         if self.values.contains_key(symbol) {
             return;
         }
         let share = share(symbol.name(), self.seed);
-        let value = match counted.contains(symbol) || symbol.name() == COUNTING {
+        let value = match self.counted.contains(symbol) || symbol.name() == COUNTING {
             true => 2.0 + (3.0 * share).floor(),
             false => 0.4 + 1.2 * share,
         };
@@ -326,16 +321,13 @@ impl Sample {
                 for argument in arguments.iter() {
                     values.push(self.evaluate(argument, scope, next)?);
                 }
-                let bound = if parameters.is_empty() {
-                    arguments
-                        .iter()
-                        .all(|own| matches!(own, Expr::Symbol(_)))
-                        .then_some(0)?
-                } else {
-                    parameters.len()
-                };
+                // What is said of `u` is so of `u(r)`, and not of `u(2 r)`.
+                let is_bare = |own: &Expr| matches!(own, Expr::Symbol(_));
+                if parameters.is_empty() && !arguments.iter().all(is_bare) {
+                    return None;
+                }
                 let length = scope.len();
-                scope.extend(parameters.iter().cloned().zip(values).take(bound));
+                scope.extend(parameters.iter().cloned().zip(values));
                 let found = self.evaluate(value, scope, next);
                 scope.truncate(length);
                 found
@@ -472,10 +464,6 @@ fn known(symbol: &Symbol) -> Option<f64> {
         "\\pi" => Some(std::f64::consts::PI),
         _ => symbol.is_unit().then_some(1.0),
     }
-}
-
-fn is_known(symbol: &Symbol) -> bool {
-    known(symbol).is_some()
 }
 
 /// The symbols that count: those that a series ends at.

@@ -117,9 +117,12 @@ impl Auditor<'_> {
                 outcome: Outcome::Refuted(refuted.into()),
             })
         };
-        let with_shown = || from.iter().cloned().chain([judge::taken(&shown.formula)]);
         let plain = decided(from.clone(), printed.formula.clone());
-        let plain = plain.or_else(|| decided(with_shown().collect(), printed.formula.clone()));
+        let plain = plain.or_else(|| {
+            let mut with_shown = from.clone();
+            with_shown.push(judge::taken(&shown.formula));
+            decided(with_shown, printed.formula.clone())
+        });
         plain.or_else(|| {
             let between = between(&shown.formula, &printed.formula)?;
             decided(but_names(from, &between), between)

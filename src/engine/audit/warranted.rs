@@ -9,7 +9,7 @@
 use num_traits::Signed;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
-use crate::derivation::{Assumed, Source, first_goal, goals};
+use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
 use crate::notation::{Statement, plain_formula};
 use crate::search::{self, Decision};
 use crate::sorted::Set;
@@ -69,8 +69,7 @@ impl Auditor<'_> {
         entry: &Entry,
     ) -> bool {
         let page = &self.derivation.pages[self.derivation.equations[how.at].page];
-        let is_directed = page.directs || page.beside.is_some();
-        !is_directed && entry.numeric.is_none() && statement.quantified.is_empty()
+        !page.is_annotated() && entry.numeric.is_none() && statement.quantified.is_empty()
     }
 
     /// Whether something near to what is printed is known to follow.
@@ -181,30 +180,25 @@ fn unsaid(entry: &Entry) -> String {
 /// Whether a link says what it is under which the next clause follows: `\frac{dA}{dx} = 0 \Rightarrow`; or bounds what a statement begins
 /// with by a number, `R_0 = \frac{\beta}{\gamma} > 1`.
 fn is_condition(statement: &Statement, judged: &Judged) -> bool {
-    let first = first_goal(statement).map(|own| own.formula);
-    let is_named =
-        matches!(&first, Some(own) if matches!(own.as_equation(), Some((Expr::Symbol(_), _))));
-    if is_named
-        && let Formula::Relation {
-            left: _,
-            right: Expr::Number(_),
-            ..
-        } = &judged.goal.formula
-        && judged.goal.formula.is_inequality()
+    let formula = &judged.goal.formula;
+    let names = |own: &Goal| matches!(own.formula.as_equation(), Some((Expr::Symbol(_), _)));
+    let is_number = |own: &&Expr| matches!(own, Expr::Number(_));
+    if formula.is_inequality()
+        && formula.terms().get(1).is_some_and(is_number)
+        && first_goal(statement).as_ref().is_some_and(names)
     {
         return true;
     }
-    let sides = judged.goal.formula.as_equation();
+    let sides = formula.as_equation();
     let is_nought = sides.is_some_and(|(_, right)| *right == Expr::integer(0));
     is_nought && judged.goal.clause + 1 < statement.clauses.len()
 }
 
 /// Whether equations that were named speak of all that a link does.
 fn is_spoken_of(judged: &Judged) -> bool {
-    let said = judged.assumed.iter();
-    let said = said.filter(|own| matches!(own.source, Source::Equation(_)));
     let all = judged.assumed.iter();
-    let said_of = applied(all.flat_map(|own| own.formula.terms()));
+    let said_of = applied(all.clone().flat_map(|own| own.formula.terms()));
+    let said = all.filter(|own| matches!(own.source, Source::Equation(_)));
     let said: Set<Symbol> = said.flat_map(|own| own.formula.names()).collect();
     // By what is differentiated is clear.
     let terms = judged.goal.formula.terms();

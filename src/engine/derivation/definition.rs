@@ -90,7 +90,7 @@ fn settle_page(
 
 /// Whether a page goes on from no other: no directive says what its equations follow from, and it cites nothing that is not its own. Its letters are its own, too.
 fn stands_alone(page: &Page, own: &[Equation]) -> bool {
-    if page.directs || page.beside.is_some() || page.document.is_latex {
+    if page.is_annotated() || page.document.is_latex {
         return false;
     }
     let labels = own.iter().flat_map(|e| e.keys.iter().chain(&e.tag));

@@ -278,6 +278,11 @@ pub(super) fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
 }
 
 impl Page {
+    /// Whether its author says more of it than the text does, in directives about equations or in a file beside it.
+    pub(crate) fn is_annotated(&self) -> bool {
+        self.directs || self.beside.is_some()
+    }
+
     pub(super) fn complain(&mut self, error: SyntaxError) {
         self.problems.push(Problem {
             span: error.span,

@@ -37,21 +37,9 @@ pub(super) fn as_near_as_decimals(goal: &Goal, source: &str, assumed: &[Assumed]
         terms.any(|term| term.any(&|part| part == number))
     };
     written.retain(|value, _| !is_told(&Expr::Number(value.clone())));
-    let (mut loose, mut figures) = (right.clone(), Vec::new());
-    for (at, (value, half)) in written.iter().enumerate() {
-        let symbol = Symbol::new(format!("\\decimal{{{at}}}"));
-        loose = loose.replace(&Expr::Number(value.clone()), &Expr::Symbol(symbol.clone()));
-        figures.push((symbol, Interval::new(value - half, value + half)?));
-    }
-    // Units are those of the SI.
-    let one = Interval::new(BigRational::one(), BigRational::one())?;
-    let units = right.free_symbols().into_iter();
-    figures.extend(units.map(|unit| (unit, one.clone())));
-    let value = figures
-        .into_iter()
-        .collect::<Figures>()
-        .value(&loose)
-        .ok()?;
+    let mut figures = Vec::new();
+    let loose = loosened(right, &written, &mut figures)?;
+    let value = Figures::from_iter(figures).value(&loose).ok()?;
     let (low, high) = (value.low(), value.high());
     let (two, sum) = (BigRational::from_integer(2.into()), low + high);
     let is_wide =
@@ -69,6 +57,24 @@ pub(super) fn as_near_as_decimals(goal: &Goal, source: &str, assumed: &[Assumed]
         rounding,
         ..goal.clone()
     })
+}
+
+/// A term with symbols for numbers that may be rounded. What these may be, with half a unit of their last digits, comes to the figures, and
+/// the units in the term do: they are those of the SI.
+pub(super) fn loosened(
+    term: &Expr,
+    rounded: &Map<BigRational, BigRational>,
+    figures: &mut Vec<(Symbol, Interval)>,
+) -> Option<Expr> {
+    let mut loose = term.clone();
+    for (value, half) in rounded {
+        let symbol = Symbol::new(format!("\\decimal{{{}}}", figures.len()));
+        loose = loose.replace(&Expr::Number(value.clone()), &Expr::Symbol(symbol.clone()));
+        figures.push((symbol, Interval::new(value - half, value + half)?));
+    }
+    let units = term.free_symbols().into_iter().filter(Symbol::is_unit);
+    figures.extend(units.map(|unit| (unit, Interval::exactly(BigRational::one()))));
+    Some(loose)
 }
 
 /// The decimals in a text that may be rounded, each with half a unit of its last digit.

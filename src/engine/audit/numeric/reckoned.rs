@@ -8,7 +8,7 @@ use num_traits::Zero;
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
 use crate::derivation::{Goal, goals};
 use crate::document::Span;
-use crate::interval::{Compared, Figures, Interval};
+use crate::interval::{Compared, Figures};
 use crate::notation::{Statement, has_units, is_figures, without_units};
 use crate::sorted::Map;
 
@@ -33,7 +33,7 @@ impl Auditor<'_> {
             |own: &Symbol| !own.is_unit() && self.derivation.pages[page].domains.get(own).is_some();
         let links = goals(statement).into_iter();
         let links = links.filter(|own| !own.formula.names().iter().any(is_a_symbol));
-        let links = links.filter_map(|goal| reckoned(goal, source));
+        let links = links.filter_map(|goal| reckoned(goal, Some(source)));
         let links: Vec<Link> = links
             .filter(|link| link.outcome == Weighed::Contradicted)
             .collect();
@@ -46,22 +46,16 @@ impl Auditor<'_> {
     }
 }
 
-/// Whether a goal is a relation between numbers that is not so as they stand, and may be so as they are rounded.
-pub(super) fn agrees_loosely(goal: &Goal, source: &str) -> bool {
-    let is_so = |source: Option<&str>| {
-        let link = weighed(goal.clone(), source)?;
-        Some(link.outcome != Weighed::Contradicted)
-    };
-    is_so(Some(source)) == Some(true) && is_so(None) == Some(false)
+/// A relation between numbers that is not so as they stand, and may be so as they are rounded, weighed.
+pub(super) fn agreed_loosely(goal: &Goal, source: &str) -> Option<Link> {
+    let is_wrong = |link: &Link| link.outcome == Weighed::Contradicted;
+    let loosely = reckoned(goal.clone(), Some(source)).filter(|link| !is_wrong(link))?;
+    let exactly = reckoned(goal.clone(), None)?;
+    is_wrong(&exactly).then_some(loosely)
 }
 
-/// A relation between numbers, weighed; nothing of what is none.
-pub(super) fn reckoned(goal: Goal, source: &str) -> Option<Link> {
-    weighed(goal, Some(source))
-}
-
-/// The same; as the numbers stand where no text tells how many digits they have.
-fn weighed(goal: Goal, source: Option<&str>) -> Option<Link> {
+/// A relation between numbers, weighed; as they stand where no text tells how many digits they have. Nothing of what is none.
+fn reckoned(goal: Goal, source: Option<&str>) -> Option<Link> {
     let goal = near_whole(&goal);
     let Formula::Relation {
         left,
@@ -83,27 +77,17 @@ fn weighed(goal: Goal, source: Option<&str>) -> Option<Link> {
     }
     let near = goal.rounding.as_ref().map(|own| own.share.clone());
     let mut figures = Vec::new();
-    let mut loosely = |term: &Expr, span: Span| -> Option<Expr> {
-        let mut loose = term.clone();
-        let text = source.map_or(Some(""), |own| own.get(span.range()))?;
-        for (value, half) in long(text) {
-            let symbol = Symbol::new(format!("\\figure{{{}}}", figures.len()));
-            loose = loose.replace(&Expr::Number(value.clone()), &Expr::Symbol(symbol.clone()));
-            figures.push((symbol, Interval::new(&value - &half, value + half)?));
-        }
-        Some(loose)
+    let rounded = |span: Span| match source {
+        Some(own) => own.get(span.range()).map(long),
+        None => Some(Map::new()),
     };
-    let loose_left = loosely(left, goal.sides.0)?;
+    let loose_left = decimals::loosened(left, &rounded(goal.sides.0)?, &mut figures)?;
     // How near the number is that it comes to is known.
-    let loose_right = match near {
-        Some(_) => right.clone(),
-        None => loosely(right, goal.sides.1)?,
+    let rounded_right = match near {
+        Some(_) => Map::new(),
+        None => rounded(goal.sides.1)?,
     };
-    let units = [left, right].into_iter().flat_map(Expr::free_symbols);
-    let units = units.filter(Symbol::is_unit);
-    // Units are those of the SI.
-    let one = Interval::exactly(BigRational::from_integer(1.into()));
-    figures.extend(units.map(|unit| (unit, one.clone())));
+    let loose_right = decimals::loosened(right, &rounded_right, &mut figures)?;
     let Compared {
         left,
         right,

@@ -16,7 +16,7 @@ use crate::search;
 use super::super::entry::leave_open;
 use super::super::judge::{self, Judge};
 use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, premise};
-use super::{Numeric, Taken, Weighed, decimals, reckoned};
+use super::{Link, Numeric, Taken, Weighed, decimals, reckoned};
 
 /// Why a step that ends in a rounded number is neither.
 const ROUNDED: &str = "it is rounded";
@@ -83,18 +83,21 @@ impl Auditor<'_> {
         // What is worked out of numbers alone, and rounded on the way.
         let page = self.derivation.equations[at].page;
         let source = &self.derivation.pages[page].document.source;
-        let (agreed, open): (Vec<Goal>, Vec<Goal>) = open
-            .map(as_meant)
-            .partition(|own| reckoned::agrees_loosely(own, source));
+        let (mut agreed, mut left) = (Vec::new(), Vec::new());
+        for goal in open.map(as_meant) {
+            match reckoned::agreed_loosely(&goal, source) {
+                Some(link) => agreed.push(link),
+                None => left.push(goal),
+            }
+        }
+        let open = left;
         if open.is_empty() && !agreed.is_empty() {
             leave_open(entry, ROUNDED);
-            let links = agreed.into_iter();
-            let links = links.filter_map(|own| reckoned::reckoned(own, source));
-            entry.numeric = Some(Box::new(Numeric::of_links(links.collect())));
+            entry.numeric = Some(Box::new(Numeric::of_links(agreed)));
             return;
         }
         for judged in &mut entry.judged {
-            let is_own = |own: &Goal| own.sides == judged.goal.sides;
+            let is_own = |own: &Link| own.goal.sides == judged.goal.sides;
             if judged.outcome.is_refuted() && agreed.iter().any(is_own) {
                 judged.outcome = Outcome::open(ROUNDED);
             }
@@ -149,7 +152,7 @@ impl Auditor<'_> {
             }
         }
         // What is said again of something, and not worked out, is said of another case.
-        let is_said_again = |link: &super::Link| match &link.goal.formula {
+        let is_said_again = |link: &Link| match &link.goal.formula {
             Formula::Relation {
                 left: Expr::Symbol(own),
                 ..

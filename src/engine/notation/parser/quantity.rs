@@ -27,19 +27,7 @@ impl Parser<'_> {
                 return refuse_with(span, message, help);
             }
         };
-        let is_scaled = !unit.number.is_one() && unit.factors().next().is_some();
-        let expr = match value.as_ref().filter(|_| is_scaled) {
-            // As `60\,\mathrm{cm}` is read: what is worked out in numbers alone is compared with the number as it is written.
-            Some(value) => {
-                let size = Expr::Number(value.abs());
-                let scaled = Expr::Product([size, product(None, &unit)].into());
-                match value.is_negative() {
-                    true => Expr::Negate(scaled.into()),
-                    false => scaled,
-                }
-            }
-            None => product(value.as_ref(), &unit),
-        };
+        let expr = product(value.as_ref(), &unit);
         if let (Expr::Symbol(_), None) = (&expr, &value) {
             return self.scripts(start, expr, Shape::Tight, false);
         }
@@ -62,23 +50,32 @@ impl Parser<'_> {
     }
 }
 
-/// A number of a unit as a term.
+/// A number of a unit as a term. As `60\,\mathrm{cm}` is read, a number stands by itself before a unit that is none of the SI: what is worked out
+/// in numbers alone is compared with the number as it is written.
 pub(super) fn product(value: Option<&BigRational>, unit: &Unit) -> Expr {
-    let number = match value {
-        Some(value) => value * &unit.number,
-        None => unit.number.clone(),
-    };
+    let has_bases = unit.factors().next().is_some();
     let mut factors = Vec::new();
-    if value.is_some() || !number.is_one() || unit.factors().next().is_none() {
-        factors.push(Expr::Number(number.abs()));
-    }
-    for (base, power) in unit.factors() {
-        let base = Expr::Symbol(base);
-        factors.push(match power {
-            1 => base,
-            power => Expr::Power(base.into(), Expr::integer(power).into()),
-        });
-    }
+    let number = match value {
+        Some(value) if has_bases && !unit.number.is_one() => {
+            factors.push(Expr::Number(value.abs()));
+            factors.push(product(None, unit));
+            value.clone()
+        }
+        value => {
+            let number = value.map_or_else(|| unit.number.clone(), |own| own * &unit.number);
+            if value.is_some() || !number.is_one() || !has_bases {
+                factors.push(Expr::Number(number.abs()));
+            }
+            factors.extend(unit.factors().map(|(base, power)| {
+                let base = Expr::Symbol(base);
+                match power {
+                    1 => base,
+                    power => Expr::Power(base.into(), Expr::integer(power).into()),
+                }
+            }));
+            number
+        }
+    };
     let expr = match factors.len() {
         1 => factors.remove(0),
         _ => Expr::Product(factors.into()),
