@@ -8,7 +8,9 @@ use crate::derivation::{Assumed, Goal, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::notation::{Clause, Statement};
 use crate::sampling::Sample;
-use crate::search::{self, Change, Decision, Edit, InChain, Mended, Slips, Stop, UNDECIDED};
+use crate::search::{
+    self, Change, Decision, Edit, Effort, InChain, Mended, Slips, Stop, UNDECIDED,
+};
 
 use super::again::{ELEMENT, ELSEWHERE, NAMED, OPEN_ITSELF, UNSAID};
 use super::entry::Entry;
@@ -194,7 +196,7 @@ impl Auditor<'_> {
             let Some((own, Outcome::Proven(proven))) = own.map(|own| (own, &own.outcome)) else {
                 continue;
             };
-            if !is_right(&other, entry, own) {
+            if !is_right(&other, entry, own) || self.says_the_same(how.at, &own.goal, goal) {
                 continue;
             }
             let mut notes = other.notes.iter();
@@ -218,6 +220,17 @@ impl Auditor<'_> {
             });
         }
         None
+    }
+
+    /// Whether what is shown says what is printed, but for what both divide by, so that no pen slipped.
+    fn says_the_same(&self, at: usize, shown: &Goal, printed: &Goal) -> bool {
+        let printed = &printed.formula;
+        let nonzero = printed.free_symbols().into_iter();
+        let nonzero = nonzero.map(|own| Formula::nonzero(Expr::Symbol(own.clone())));
+        let with: Vec<Formula> = nonzero.chain([shown.formula.clone()]).collect();
+        let with: Vec<Assumed> = with.iter().map(judge::taken).collect();
+        let claim = self.derivation.claim(at, &with, printed);
+        search::prove_unconditionally(claim, Effort::Light).is_some()
     }
 
     /// Whether a change is one that a pen slips by: authors have more names for a thing than one, and new ones for what they come to.

@@ -13,7 +13,7 @@ use crate::sorted::Tree;
 
 use super::Equation;
 use super::equation::{all_terms, conditions, formulas, map_terms};
-use super::names::{names_a_place, undotted};
+use super::names::{self, names_a_place, undotted};
 use super::page::Page;
 
 /// How a page speaks of a name.
@@ -48,18 +48,25 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     for formula in page.locals.iter().flat_map(|local| &local.formulas) {
         see_together(std::iter::once(&**formula), &mut all);
     }
+    let in_text = names::arguments_in_text(&page.document.source, page.document.inline());
     // What has one argument throughout, and whether it is left out.
     let mut functions: Tree<Symbol, (Symbol, bool)> = Tree::new();
     let mut any = false;
     for (name, own) in all.into_entries() {
+        let told = in_text.get(&name);
         let argument = the_argument(&own.arguments).filter(|_| own.arguments.len() == 1);
+        // `w(L)` beside `w(0)`, of a `w` that is not known to depend on that.
+        let is_place = |own: &&Symbol| names_a_place(own);
+        let argument =
+            argument.filter(|only| !is_place(only) || told.is_none_or(|own| own == *only));
         let may_be_left_out = own.solved && own.alone && !own.apart;
         // "At $t_1$ it is $y(t_1)$", where `y` is elsewhere what `y(t)` is.
         let beside_values = || the_argument(&own.arguments).filter(|_| may_be_left_out);
         // "At the free end it is $y(L)$", where `y` changes with `x`.
         let of_places = || {
             let mut places = own.arguments.iter();
-            let by = own.moves.first().filter(|_| own.moves.len() == 1)?;
+            let by = own.moves.first().filter(|_| own.moves.len() == 1);
+            let by = by.or(told.filter(|_| own.moves.is_empty()))?;
             let is_moved = may_be_left_out && !own.arguments.is_empty();
             (is_moved && places.all(|place| place != by && names_a_place(place))).then_some(by)
         };

@@ -8,7 +8,10 @@ use crate::document::{Inline, Span};
 use crate::notation::{Before, BeforeKind, SyntaxError, read_expr, read_symbol};
 
 use super::{Equation, formulas, slopes};
+use crate::sorted::{Map, Tree};
 
+/// No function that a text speaks of is written longer: `\tilde{\theta}_{\mathrm{out}}(t)`.
+const MOST_SPOKEN: usize = 40;
 /// The accents for one dot, two and three.
 const DOTS: [&str; 3] = ["\\dot{", "\\ddot{", "\\dddot{"];
 
@@ -85,6 +88,38 @@ pub(super) fn functions_in_text<'a>(
         }
     });
     named.collect()
+}
+
+/// What the functions that the text of a page speaks of are functions of, each of one symbol that varies: `x` where it says "let $w(x)$ be the
+/// deflection". Not where it says so of several.
+pub(super) fn arguments_in_text<'a>(
+    source: &str,
+    inline: impl Iterator<Item = &'a Inline>,
+) -> Map<Symbol, Symbol> {
+    let mut all: Tree<Symbol, Option<Symbol>> = Tree::new();
+    for math in inline {
+        let text = source.get(math.body.range()).unwrap_or_default();
+        // Little else in a text is that short.
+        if text.len() > MOST_SPOKEN || !text.ends_with(')') {
+            continue;
+        }
+        let Ok(Expr::Apply(name, arguments)) = read_expr(text, Span::new(0, text.len())) else {
+            continue;
+        };
+        let [Expr::Symbol(argument)] = &arguments[..] else {
+            continue;
+        };
+        if names_a_place(argument) {
+            continue;
+        }
+        let known = all.entry(name);
+        let known = known.or_insert_with(|| Some(argument.clone()));
+        if known.as_ref() != Some(argument) {
+            *known = None;
+        }
+    }
+    let of_one = |(name, argument): (Symbol, Option<Symbol>)| Some((name, argument?));
+    all.into_entries().filter_map(of_one).collect()
 }
 
 /// Refuses the equations of a page in which a name is read as a factor before a parenthesis and elsewhere on the page as a function.

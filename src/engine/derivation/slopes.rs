@@ -9,7 +9,7 @@ use crate::sorted::{Map, Set};
 
 use super::Equation;
 use super::equation::{all_terms, conditions, formulas, map_terms};
-use super::names::without_dots;
+use super::names::{self, without_dots};
 use super::page::Page;
 
 /// What a dot stands for a slope by. A prime stands for another thing there, what comes after, or another frame, unless a page that speaks
@@ -68,6 +68,10 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
         }
     }
     given.tie_together();
+    given.heed(names::arguments_in_text(
+        &page.document.source,
+        page.document.inline(),
+    ));
     let source = &page.document.source;
     let of_slopes = LazyCell::new(|| {
         let mut words = ["derivative", "Derivative", "ifferentiat"].into_iter();
@@ -134,6 +138,16 @@ impl Given {
                     .chain([name.clone()])
                     .filter(|own| !varied.contains(own));
                 self.moving.extend(tied);
+            }
+        }
+    }
+
+    /// What the text calls a function, "let $w(x)$ be the deflection", is one where its slope has two primes: with one, something else may be meant.
+    fn heed(&mut self, in_text: Map<Symbol, Symbol>) {
+        for (name, argument) in in_text {
+            let twice = Symbol::new(format!("{name}''"));
+            if self.marked.contains(&twice) && !self.functions.contains_key(&name) {
+                self.functions.insert(name, Some(argument));
             }
         }
     }
