@@ -2,6 +2,7 @@
 
 mod decimals;
 mod figures;
+mod put_in;
 mod reckoned;
 mod rounded;
 
@@ -36,6 +37,10 @@ pub struct Numeric {
     pub data: Map<Symbol, (usize, Datum)>,
     /// What was put in for the symbols without figures, or for a whole side, each once, and where it comes from.
     pub put_in: Vec<(Expr, Expr, Source)>,
+    /// The symbols of which nothing was found that says how great they are.
+    pub unknown: Set<Symbol>,
+    /// What a link that is contradicted would say, with one small edit with which all is supported.
+    pub nearest: Option<Formula>,
 }
 
 /// A link of a numeric claim.
@@ -77,6 +82,8 @@ impl Numeric {
             links,
             data: Map::new(),
             put_in: Vec::new(),
+            unknown: Set::new(),
+            nearest: None,
         }
     }
 
@@ -146,6 +153,7 @@ fn weigh_rounded(
         free: Set::new(),
         data: Map::new(),
         put_in: Vec::new(),
+        unknown: Set::new(),
     };
     let near = derivation.equations[at].numeric.clone().flatten();
     let links = goals.iter().cloned();
@@ -154,6 +162,8 @@ fn weigh_rounded(
         links,
         data: known.data,
         put_in: known.put_in,
+        unknown: known.unknown,
+        nearest: None,
     }
 }
 
@@ -170,6 +180,7 @@ struct Known<'a> {
     free: Set<Symbol>,
     data: Map<Symbol, (usize, Datum)>,
     put_in: Vec<(Expr, Expr, Source)>,
+    unknown: Set<Symbol>,
 }
 
 impl Known<'_> {
@@ -403,6 +414,7 @@ impl Known<'_> {
                 }
             }
         }
+        self.unknown.insert(symbol.clone());
         Err(first.unwrap_or(unknown))
     }
 
@@ -490,12 +502,25 @@ impl Known<'_> {
         let is_symbol = |term: &Expr| matches!(term, Expr::Symbol(own) if own == symbol);
         let defines = is_symbol(left) && !right.mentions(symbol);
         if plain || defines {
-            return (plain && defines).then(|| right.clone());
+            return (plain && defines).then(|| self.worked_out(right).unwrap_or(right).clone());
         }
         match (occurrences(left, symbol), occurrences(right, symbol)) {
             (1, 0) => self.isolate(left, right.clone(), symbol),
             (0, 1) => self.isolate(right, left.clone(), symbol),
             _ => None,
+        }
+    }
+
+    /// What a term comes to that is no arithmetic, where the next link of its chain says so: `\int_a^b p \, dV = n R T \ln\frac{b}{a}`.
+    fn worked_out(&self, term: &Expr) -> Option<&Expr> {
+        let says = |own: &&Assumed| {
+            own.formula
+                .as_equation()
+                .is_some_and(|(left, _)| left == term)
+        };
+        match is_evaluable(term) {
+            true => None,
+            false => Some(self.assumed.iter().find(says)?.formula.as_equation()?.1),
         }
     }
 

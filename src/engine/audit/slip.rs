@@ -263,12 +263,23 @@ fn is_right(edited: &Entry, printed: &Entry, link: &Judged) -> bool {
     };
     // What goes on with what was edited is no longer open.
     let goes_on = |own: &Judged| own.goal.sides.0 == link.goal.sides.1;
-    let fits = |own: &Judged| {
-        is_settled(own) || matches!(own.outcome, Outcome::Open(_)) && was_open(own) && !goes_on(own)
+    // What figures are put in for is as good as they are.
+    let is_supported = |own: &Judged| {
+        let numeric = edited.numeric.as_ref().filter(|own| own.is_supported());
+        numeric.is_some_and(|all| {
+            all.links
+                .iter()
+                .any(|link| link.goal.sides == own.goal.sides)
+        })
     };
+    let fits = |own: &Judged| {
+        let is_open = || matches!(own.outcome, Outcome::Open(_)) && was_open(own) && !goes_on(own);
+        is_settled(own) || is_supported(own) || is_open()
+    };
+    let is_weighed = || edited.numeric.as_ref().is_none_or(|own| own.is_supported());
     match edited.verdict {
         Verdict::Holds => true,
-        Verdict::Undecided => edited.numeric.is_none() && edited.judged.iter().all(fits),
+        Verdict::Undecided => is_weighed() && edited.judged.iter().all(fits),
         _ => false,
     }
 }

@@ -1,5 +1,7 @@
 //! What the text says that a symbol is the value of: `v(0) = v_0`, "$q = q_0$ at $t = 0$".
 
+use num_traits::Zero;
+
 use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::document::{Document, Item, Span};
 use crate::notation::{Statement, read_formulas};
@@ -297,7 +299,10 @@ fn figure(statement: &Statement) -> Option<Goal> {
         return None;
     };
     let is_symbol = matches!(left, Expr::Symbol(symbol) if !symbol.is_unit());
-    let is_number = right.free_symbols().iter().all(Symbol::is_unit);
+    // That something is 0 is a case or a condition.
+    let is_nought = matches!(right, Expr::Number(value) if value.is_zero());
+    let is_figure = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
+    let is_number = !is_nought && right.free_symbols().iter().all(is_figure);
     let plain = statement.mark.is_none() && goals.iter().all(is_near);
     (plain && is_symbol && is_number).then(|| Goal {
         formula: Formula::Relation {

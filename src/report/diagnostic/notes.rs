@@ -56,8 +56,15 @@ impl Report<'_> {
                     let text = super::super::numeric::headline(numeric);
                     finding.said.push((Level::NOTE, text));
                 }
-                let text = "it is false whatever the figures are within their bounds";
-                finding.said.push((Level::NOTE, text.into()));
+                let nearest = entry.numeric.as_ref().and_then(|own| own.nearest.as_ref());
+                if let Some(nearest) = nearest {
+                    let written = crate::notation::latex_formula(nearest);
+                    let text = format!("the figures support `{written}`; did the pen slip?");
+                    finding.said.push((Level::HELP, text));
+                } else {
+                    let text = "it is false whatever the figures are within their bounds";
+                    finding.said.push((Level::NOTE, text.into()));
+                }
             }
             Note::GivenUp => {
                 finding.level = Level::ERROR;

@@ -10,8 +10,13 @@ use crate::interval::{Figures, Interval};
 use crate::notation::{Precision, Rounding};
 use crate::sorted::Map;
 
+use super::rounded::is_quantity;
+
 /// A number with fewer digits is seldom rounded on the way: `0.5`.
 const FEWEST_DIGITS: usize = 3;
+
+/// One in so many is as near as anything is weighed.
+const NEAREST: i64 = 1_000_000;
 
 /// A goal whose right side is calculated from decimals that nobody told, taken for as near as these are.
 pub(super) fn as_near_as_decimals(goal: &Goal, source: &str, assumed: &[Assumed]) -> Option<Goal> {
@@ -24,7 +29,7 @@ pub(super) fn as_near_as_decimals(goal: &Goal, source: &str, assumed: &[Assumed]
         return None;
     };
     let is_calculated = right.is_arithmetic() && right.free_symbols().iter().all(Symbol::is_unit);
-    if goal.rounding.is_some() || !is_calculated || matches!(right, Expr::Number(_)) {
+    if goal.rounding.is_some() || !is_calculated || is_quantity(goal) {
         return None;
     }
     let text = source.get(goal.sides.1.range())?;
@@ -42,13 +47,14 @@ pub(super) fn as_near_as_decimals(goal: &Goal, source: &str, assumed: &[Assumed]
     let value = Figures::from_iter(figures).value(&loose).ok()?;
     let (low, high) = (value.low(), value.high());
     let (two, sum) = (BigRational::from_integer(2.into()), low + high);
-    let is_wide =
-        low == high || sum.is_zero() || *low <= BigRational::zero() && *high >= BigRational::zero();
+    let is_wide = sum.is_zero() || *low <= BigRational::zero() && *high >= BigRational::zero();
     if is_wide {
         return None;
     }
     let middle = Interval::new(&sum / &two, &sum / &two)?.abs();
     let share = (high - low) / &two / middle.high();
+    // Roots and the like are bounded no nearer.
+    let share = share.max(BigRational::new(1.into(), NEAREST.into()));
     let rounding = Some(Rounding {
         share,
         precision: Precision::Decimal,

@@ -16,10 +16,10 @@ use crate::search;
 use super::super::entry::leave_open;
 use super::super::judge::{self, Judge};
 use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, premise};
-use super::{Link, Numeric, Taken, Weighed, decimals, reckoned};
+use super::{Link, Numeric, Taken, Weighed, reckoned};
 
 /// Why a step that ends in a rounded number is neither.
-const ROUNDED: &str = "it is rounded";
+pub(super) const ROUNDED: &str = "it is rounded";
 /// Why nothing is said of a number that differs from another one that is told of the same.
 const SAID_AGAIN: &str = "another number is told of it before, and it may be told of another case";
 
@@ -37,7 +37,7 @@ impl Auditor<'_> {
     }
 
     /// What the page prints before, but for what is wrong.
-    fn printed_before(&self, at: usize) -> Vec<Printed> {
+    pub(super) fn printed_before(&self, at: usize) -> Vec<Printed> {
         let wrong = |premise: usize| {
             let mut entries = self.entries_of(at, premise);
             entries.any(|entry| match entry.verdict {
@@ -195,48 +195,6 @@ impl Auditor<'_> {
         entry.numeric = Some(numeric.into());
     }
 
-    /// Weighs a statement in which something is calculated from what was rounded on the way. It is left open where that is as near as it can be.
-    fn weigh_decimals(
-        &self,
-        judge: &Judge,
-        premises: &[usize],
-        open: &[Goal],
-        entry: &mut Entry,
-    ) -> bool {
-        let (at, usable) = (judge.at, judge.usable);
-        let page = self.derivation.equations[at].page;
-        let source = &self.derivation.pages[page].document.source;
-        let near = |goal: &Goal| match is_weighed(goal) {
-            true => Some(goal.clone()),
-            false => decimals::as_near_as_decimals(goal, source, &usable.assumed),
-        };
-        let near: Option<Vec<Goal>> = open.iter().map(near).collect();
-        let Some(near) = near.filter(|near| !near.is_empty() && near.iter().all(is_weighed)) else {
-            return false;
-        };
-        let figures = self.figures(at, usable);
-        let exactly = |all: &[Assumed]| {
-            numeric::weigh_rounded(self.derivation, at, &near, all, Taken::Exactly, &[])
-        };
-        let mut numeric = exactly(&figures);
-        if matches!(numeric.outcome(), Weighed::NoValue(_)) && judge.cites_loosely() {
-            let [others, _] = judge.others(premises);
-            let all: Vec<Assumed> = figures.iter().chain(others).cloned().collect();
-            numeric = exactly(&all);
-        }
-        if !numeric.is_supported() {
-            return false;
-        }
-        leave_open(entry, ROUNDED);
-        let used = numeric::used(&numeric);
-        let unproved = self.unproved(at, &used);
-        if !unproved.is_empty() {
-            entry.notes.push(Note::RestsOnUnproved(unproved));
-        }
-        entry.numeric = Some(numeric.into());
-        true
-    }
-
     /// Leaves open what fails only for rounded numbers that may be so, as far as what it was judged from tells: somebody measured them.
     ///
     /// A whole number, `400\,\Omega`, must be possible as far as anything before tells.
@@ -295,7 +253,7 @@ impl Auditor<'_> {
     }
 
     /// What figures may be taken from: what is cited and sound, what the text tells, and what is supported by figures itself.
-    fn figures(&self, at: usize, usable: &premise::Usable) -> Vec<Assumed> {
+    pub(super) fn figures(&self, at: usize, usable: &premise::Usable) -> Vec<Assumed> {
         let mut all = self.sound_figures(at, usable);
         all.extend(self.derivation.told(at));
         for &premise in &usable.numeric {
@@ -306,7 +264,7 @@ impl Auditor<'_> {
 }
 
 /// Whether a goal that is not proved is weighed: it ends in a rounded number, and is asserted as it stands.
-fn is_weighed(goal: &Goal) -> bool {
+pub(super) fn is_weighed(goal: &Goal) -> bool {
     goal.rounding.is_some() && goal.suppositions.is_empty() && !goal.questioned
 }
 
@@ -328,18 +286,24 @@ pub(in crate::audit) fn is_measured(goal: &Goal) -> bool {
 }
 
 /// Whether a goal ends in a number with units beside it, and in nothing that is worked out.
-fn is_quantity(goal: &Goal) -> bool {
+pub(super) fn is_quantity(goal: &Goal) -> bool {
     let is_unit = |own: &Expr| {
         let symbols = own.free_symbols();
         !symbols.is_empty() && symbols.iter().all(Symbol::is_unit)
     };
-    match goal.formula.as_equation() {
-        Some((_, Expr::Product(factors))) => match factors.split_first() {
+    let Some((_, right)) = goal.formula.as_equation() else {
+        return false;
+    };
+    let right = match right {
+        Expr::Negate(inner) => inner,
+        right => right,
+    };
+    match right {
+        Expr::Product(factors) => match factors.split_first() {
             Some((Expr::Number(_), units)) => units.iter().all(is_unit),
             _ => false,
         },
-        Some((_, right)) => matches!(right, Expr::Number(_)),
-        None => false,
+        right => matches!(right, Expr::Number(_)),
     }
 }
 
