@@ -10,19 +10,23 @@ fn read(page: &str) -> Vec<bool> {
 }
 
 #[test]
-fn differentials_are_refused() {
-    assert_eq!(read(r"$$ dU = T\,dS - p\,dV $$"), [false]);
-    assert_eq!(read(r"$$ \mathrm{d}U = T \mathrm{d}S $$"), [false]);
+fn differentials_are_read_where_each_term_has_one() {
+    assert_eq!(read(r"$$ dU = T\,dS - p\,dV $$"), [true]);
+    assert_eq!(read(r"$$ \mathrm{d}U = T \mathrm{d}S $$"), [true]);
+    assert_eq!(read(r"$$ dU = T\,dS - p\,V $$"), [false]);
+    assert_eq!(read(r"$$ dS \geq dQ $$"), [false]);
     // Derivatives and integrals are understood.
     assert_eq!(read(r"$$ \frac{dU}{dT} = \int_0^T c\, dT $$"), [true]);
     // Before a parenthesis and before a power they are differentials too.
-    assert_eq!(read(r"$$ \mathrm{d}(v^2) = 2v\,\mathrm{d}v $$"), [false]);
-    assert_eq!(read(r"$$ d(x^2) = 2x\,dx $$"), [false]);
-    assert_eq!(read(r"$$ d(xy) = x\,dy + y\,dx $$"), [false]);
+    assert_eq!(read(r"$$ \mathrm{d}(v^2) = 2v\,\mathrm{d}v $$"), [true]);
+    assert_eq!(read(r"$$ d(x^2) = 2x\,dx $$"), [true]);
+    assert_eq!(read(r"$$ dx^2 = 2x\,dx $$"), [false]);
+    assert_eq!(read(r"$$ d(xy) = x\,dy + y\,dx $$"), [true]);
+    // Small changes have names, and no rules.
     assert_eq!(read(r"$$ \delta(x^2) = 2x\delta x $$"), [false]);
-    assert_eq!(read(r"$$ \delta W = F\,\delta x $$"), [false]);
+    assert_eq!(read(r"$$ \delta W = F\,\delta x $$"), [true]);
     assert_eq!(read(r"$$ ds^2 = dx^2 + dy^2 $$"), [false]);
-    assert_eq!(read(r"$$ P = d(m v^2)/dt $$"), [false]);
+    assert_eq!(read(r"$$ P = d(m v^2)/dt $$"), [true]);
     // An upright one needs no second.
     for single in ["v = a", "(v) = a", "^2 x = a", "(v^2) = 2 v a"] {
         assert_eq!(
@@ -32,7 +36,8 @@ fn differentials_are_refused() {
         );
     }
     // What a page shows in one display is so in the next.
-    assert_eq!(read("$$ dU = T\\,dS $$\n$$ dU = 0 $$"), [false, false]);
+    assert_eq!(read("$$ dU = T\\,dS $$\n$$ dU = 0 $$"), [true, true]);
+    assert_eq!(read("$$ dU = T\\,dS $$\n$$ dU = 1 $$"), [true, false]);
 }
 
 #[test]

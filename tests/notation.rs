@@ -1124,7 +1124,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "between which limits is integrated is not told: this does not run with `x`",
     ),
     (
-        r"\int \frac{dv}{v} = -k \int dt",
+        r"\int \frac{dv}{v} = \int g \, dt = g t",
         r"\int",
         "integrals over different variables cannot be compared without limits",
     ),

@@ -46,8 +46,9 @@ impl<'a> Point<'a> {
     /// `v₀ = 1`, `u = (1, 1, 4)`: every value that was chosen.
     pub fn values(&self) -> Vec<(String, String)> {
         let symbols = self.at.symbols.iter();
-        // Figures are in units of the SI.
+        // Figures are in units of the SI, and no page names by what its differentials are taken.
         let symbols = symbols.filter(|(own, value)| !own.is_unit() || !value.is_one());
+        let symbols = symbols.filter(|(own, _)| !own.is_change());
         let mut all: Vec<(String, String)> = symbols
             .map(|(symbol, value)| (self.label(symbol), number(value)))
             .collect();
@@ -59,7 +60,10 @@ impl<'a> Point<'a> {
             ));
         }
         for ((symbol, variable), value) in &self.at.derivatives {
-            let name = format!("d{}/d{}", words::symbol(symbol), words::symbol(variable));
+            let name = match variable.is_change() {
+                true => format!("d{}", words::symbol(symbol)),
+                false => format!("d{}/d{}", words::symbol(symbol), words::symbol(variable)),
+            };
             all.push((name, number(value)));
         }
         for ((symbol, variable), higher) in self.at.course.iter().flat_map(|c| &c.higher) {

@@ -482,6 +482,7 @@ fn values(at: &Assignment) -> Map<String, ValueView> {
     let symbols = at.symbols.iter();
     // Figures are in units of the SI.
     let symbols = symbols.filter(|(own, value)| !own.is_unit() || !value.is_one());
+    let symbols = symbols.filter(|(own, _)| !own.is_change());
     let mut all: Map<String, ValueView> = symbols
         .map(|(symbol, value)| (words::key(symbol), ValueView::Number(value.to_string())))
         .collect();

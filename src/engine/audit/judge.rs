@@ -9,7 +9,7 @@ use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
 use crate::algebra::{Formula, Symbol};
-use crate::derivation::{Assumed, Derivation, Goal, Source};
+use crate::derivation::{Assumed, Beyond, Derivation, Goal, Source};
 use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
 use crate::search::{self, Decision, Effort, Implied, Mended};
 use crate::sorted;
@@ -25,9 +25,17 @@ use super::{Auditor, Judged, Outcome, stated};
 pub(super) const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
 /// Why nothing is said of partial derivatives of which the page does not say what they hold fixed.
 pub(super) const UNCLEAR: &str = "it is not clear what a partial derivative in it is meant of";
-/// Why nothing is said of what may be complex.
-pub(super) const COMPLEX: &str =
-    "it speaks of complex numbers, as far as can be told, and only real ones are decided";
+/// Why nothing is said of what is no exact statement about real numbers.
+pub(super) fn beyond(own: Beyond) -> &'static str {
+    match own {
+        Beyond::Complex => {
+            "it speaks of complex numbers, as far as can be told, and only real ones are decided"
+        }
+        Beyond::Small => {
+            "it speaks of small changes, as far as can be told, and is meant up to their squares"
+        }
+    }
+}
 /// Why nothing is proved from premises that cannot all be true.
 pub(super) const CONTRADICTORY: &str =
     "the premises contradict one another, so anything would follow";
@@ -138,11 +146,11 @@ impl Found {
 
 impl Judge<'_> {
     pub fn goal(&self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
-        if self.is_complex(goal) {
+        if let Some(own) = self.beyond(goal) {
             return Found::open(Judged {
                 goal: goal.clone(),
                 assumed: Vec::new(),
-                outcome: Outcome::open(COMPLEX),
+                outcome: Outcome::open(beyond(own)),
             });
         }
         let found = self.judged_from(goal, steps, premises);

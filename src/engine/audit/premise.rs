@@ -2,7 +2,8 @@ use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{
-    Approach, Assumed, Derivation, Kind, Local, Running, Source, conditions, formulas, is_open,
+    Approach, Assumed, Beyond, Derivation, Kind, Local, Running, Source, conditions, formulas,
+    is_open,
 };
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
@@ -225,8 +226,8 @@ pub struct Usable {
     pub in_limit: Vec<usize>,
     /// Premises that could not be read.
     pub unreadable: Vec<usize>,
-    /// Some speak of what may be complex, and are left out: claims are about real numbers.
-    pub has_complex: bool,
+    /// Why some are left out: claims are exact, and about real numbers.
+    pub beyond: Option<Beyond>,
     /// Some speak of partial derivatives of terms in which something may depend on the variable, and are left out: if they are laws, it does.
     pub has_presumed: bool,
 }
@@ -364,9 +365,9 @@ pub fn usable<'a>(
         usable.assumed.retain(|own| !speaks(own));
         usable.has_presumed = usable.assumed.len() < all;
     }
-    let all = usable.assumed.len();
-    usable.assumed.retain(|own| !page.is_complex(&own.formula));
-    usable.has_complex = usable.assumed.len() < all;
+    let beyond = |own: &Assumed| page.beyond(&own.formula);
+    usable.beyond = usable.assumed.iter().find_map(beyond);
+    usable.assumed.retain(|own| beyond(own).is_none());
     usable
 }
 

@@ -106,7 +106,7 @@ impl Judge<'_> {
         if !self.usable.unreadable.is_empty() {
             return None;
         }
-        if self.is_complex(&judged.goal) {
+        if self.beyond(&judged.goal).is_some() {
             return None;
         }
         // Nor is what a law that it is said to solve rules out.

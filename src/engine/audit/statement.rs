@@ -9,7 +9,7 @@ use crate::sorted::Set;
 
 use super::again::there::There;
 use super::entry::{blank, leave_open, verdict};
-use super::judge::{COMPLEX, Found, Judge, UNCLEAR};
+use super::judge::{Found, Judge, UNCLEAR, beyond};
 use super::mark::mark;
 use super::premise::Usable;
 use super::readings::Circumstances;
@@ -358,8 +358,10 @@ impl Auditor<'_> {
                 "it may follow from what it cites and is derived for a case",
             );
         }
-        if entry.verdict == Verdict::Fails && usable.has_complex {
-            leave_open(entry, COMPLEX);
+        if entry.verdict == Verdict::Fails
+            && let Some(own) = usable.beyond
+        {
+            leave_open(entry, beyond(own));
         }
         if entry.verdict == Verdict::Fails && usable.has_presumed {
             leave_open(entry, UNCLEAR);

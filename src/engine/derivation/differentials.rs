@@ -1,40 +1,70 @@
-//! Differentials, `dU = T\,dS - p\,dV` and `\mathrm{d}(v^2) = 2 v\,\mathrm{d}v`: refused. What they mean is not known here, and products with a
-//! number `d` they are not.
+//! Differentials, `dU = T\,dS - p\,dV` and `\mathrm{d}(v^2) = 2 v\,\mathrm{d}v`: rates along any change, where each term of an equation has one
+//! factor that is one. All else with them is refused: products with a number `d` they are not. Small changes, `\delta p`, have names.
 
-use crate::algebra::{Expr, Symbol};
+mod along;
+mod degree;
+mod written;
+
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::notation::{BeforeKind, Clause, Statement, SyntaxError};
+use crate::sorted::Set;
 
 use super::Equation;
-use super::equation::terms;
+use super::equation::all_terms;
+use super::page::Page;
 
 /// What is written for a differential.
-const SIGNS: [&str; 3] = ["d", "\\text{d}", "\\delta"];
+const SIGNS: [&str; 3] = ["d", "\\text{d}", DELTA];
+/// What is written for small changes: `\delta V` is a name, as `\Delta V` is.
+const DELTA: &str = "\\delta";
+/// How their names begin.
+const SMALL: &str = "\\delta ";
 /// So many in one display are no accident where the sign may be a number; an upright one is none.
 const FEWEST: usize = 2;
 
-/// Refuses the equations of a page with differentials outside of derivatives and integrals.
+/// Reads differentials outside of derivatives and integrals, in the equations of a page and in what is supposed on it, or refuses them.
 ///
-/// A `d` that is a symbol (`is_symbol`: declared, or by itself in the text), or stands anywhere but before what it would be the differential
+/// A `d` that is a symbol (declared, or `spoken_of` by itself in the text), or stands anywhere but before what it would be the differential
 /// of, is a symbol like others. Where one display shows that it is none, it is none in the others of the page either.
-pub(super) fn refuse(equations: &mut [Equation], is_symbol: impl Fn(&Symbol) -> bool) {
+pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<Symbol>) {
+    let mut signs = Set::new();
     for d in SIGNS.map(Symbol::new) {
-        let mut statements = equations.iter().flat_map(Equation::statements);
-        let is_written = statements.any(|own| terms(own).any(|term| term.mentions(&d)));
-        if !is_written || is_symbol(&d) {
+        let is_written = all_terms(page, equations).any(|term| written::has(term, &d));
+        let is_declared = page.domains.contains_key(&d) || page.dimensions.contains_key(&d);
+        if !is_written || is_declared || spoken_of.contains(&d) {
             continue;
         }
-        let count = |equation: &Equation| Occurrences::of(equation.statements(), &d);
-        let all: Vec<Occurrences> = equations.iter().map(count).collect();
-        if all.iter().any(|found| found.alone > 0) || !all.iter().any(|found| found.show(&d)) {
+        let in_equations = equations
+            .iter()
+            .map(|own| Occurrences::of(own.statements(), &d));
+        let supposed = page.locals.iter().map(|own| {
+            let mut found = Occurrences::default();
+            let terms = own.formulas.iter().flat_map(|formula| formula.terms());
+            terms.for_each(|term| found.count(term, &d));
+            found
+        });
+        let all: Vec<Occurrences> = in_equations.chain(supposed).collect();
+        if all.iter().all(|found| found.alone == 0) && all.iter().any(|found| found.show(&d)) {
+            signs.insert(d);
+        }
+    }
+    for equation in equations.iter_mut() {
+        let Ok(statements) = &mut equation.statements else {
             continue;
+        };
+        if let Err(error) = written::read(statements, &signs) {
+            equation.statements = Err(error);
         }
-        for (equation, found) in equations.iter_mut().zip(&all) {
-            if found.differentials > 0
-                && let Some(error) = refusal(equation.statements(), &d)
-            {
-                equation.statements = Err(error);
-            }
+    }
+    for formula in page.locals.iter_mut().flat_map(|local| &mut local.formulas) {
+        if let Some(read) = written::in_formula(formula, &signs) {
+            *formula = read.into();
         }
+    }
+    along::follow(page, equations);
+    if signs.contains(&Symbol::new(DELTA)) {
+        let names = Formula::names_in(all_terms(page, equations)).into_iter();
+        page.small = names.filter(|own| own.name().starts_with(SMALL)).collect();
     }
 }
 
@@ -46,20 +76,23 @@ pub(super) fn shown(
     SIGNS.map(Symbol::new).iter().find_map(|d| {
         let found = Occurrences::of(statements, d);
         match !is_symbol(d) && found.alone == 0 && found.show(d) {
-            true => refusal(statements, d),
+            true => {
+                let signs = Set::from([d.clone()]);
+                written::read(&mut statements.to_vec(), &signs).err()
+            }
             false => None,
         }
     })
 }
 
-fn refusal(statements: &[Statement], d: &Symbol) -> Option<SyntaxError> {
-    Some(SyntaxError {
-        span: statements.first()?.span,
-        message: "differentials are not understood".to_owned(),
+fn refusal(statement: &Statement, sign: &Symbol) -> SyntaxError {
+    SyntaxError {
+        span: statement.span,
+        message: "these differentials are not understood".to_owned(),
         help: Some(format!(
-            "write a derivative, `\\frac{{d}}{{dt}}`, or an integral; where `{d}` is a number, say `symbols {d}: …`"
+            "write one in each term, `dU = T\\,dS`, a derivative, `\\frac{{d}}{{dt}}`, or an integral; where `{sign}` is a number, say `symbols {sign}: …`"
         )),
-    })
+    }
 }
 
 /// Where a symbol stands that may be the sign of differentials.
@@ -67,7 +100,7 @@ fn refusal(statements: &[Statement], d: &Symbol) -> Option<SyntaxError> {
 struct Occurrences {
     /// Before a name, a power of one or a parenthesis.
     differentials: usize,
-    /// Elsewhere.
+    /// Elsewhere, but for before a function: `d\ln p` and `d\sin\theta` show nothing.
     alone: usize,
 }
 
@@ -83,12 +116,8 @@ impl Occurrences {
             found.count(&side.expr, d);
         }
         // A parenthesis does not show in the term: `d \cdot (a + b)` is the same product, and is one.
-        let before = statements.iter().flat_map(|own| &own.before);
-        let groups = before.filter(|own| {
-            let is_factor = matches!(own.kind, BeforeKind::Factor | BeforeKind::Product);
-            is_factor && own.name == *d
-        });
-        let groups = groups.count().min(found.alone);
+        let groups = statements.iter().map(|own| groups(own, d)).sum::<usize>();
+        let groups = groups.min(found.alone);
         found.alone -= groups;
         found.differentials += groups;
         found
@@ -107,9 +136,11 @@ impl Occurrences {
         let children: Vec<&Expr> = term.children().collect();
         for (at, child) in children.iter().enumerate() {
             let is_factor = matches!(term, Expr::Product(_));
-            let follows = is_factor && children.get(at + 1).is_some_and(|next| is_name(next));
+            let next = children.get(at + 1).filter(|_| is_factor);
+            let follows = next.is_some_and(|next| is_name(next));
             match child {
                 child if follows && is_sign(child, d) => self.differentials += 1,
+                Expr::Symbol(own) if own == d && matches!(next, Some(Expr::Call(..))) => {}
                 // `d(u v)/dt` is read as `(d(u v)/d) t`.
                 Expr::Quotient(over, under) if follows && is_sign(under, d) => {
                     self.differentials += 1;
@@ -128,6 +159,15 @@ impl Occurrences {
             }
         }
     }
+}
+
+/// How often a statement has a sign right before a parenthesis.
+fn groups(statement: &Statement, d: &Symbol) -> usize {
+    let before = statement.before.iter().filter(|own| {
+        let is_factor = matches!(own.kind, BeforeKind::Factor | BeforeKind::Product);
+        is_factor && own.name == *d
+    });
+    before.count()
 }
 
 /// Whether a factor is the sign, or a second one, `\mathrm{d}^2 x`.

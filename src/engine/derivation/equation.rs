@@ -345,7 +345,7 @@ pub(super) fn all_terms<'a>(
     statements.flat_map(terms).chain(supposed)
 }
 
-fn terms_of_clause(clause: &Clause) -> impl Iterator<Item = &Expr> {
+pub(super) fn terms_of_clause(clause: &Clause) -> impl Iterator<Item = &Expr> {
     let (to, sides) = match clause {
         Clause::Chain { sides, .. } => (None, sides.as_slice()),
         Clause::AllEqual { to, value, .. } => (Some(to), value.as_slice()),

@@ -62,7 +62,7 @@ pub use claim::is_open;
 pub use equation::{Equation, Goal, Kind, conditions, first_goal, formulas, goals, unconditional};
 pub(crate) use meanings::renamed;
 pub(crate) use names::{dotted, without_dots};
-pub use page::{Datum, Page, Premises};
+pub use page::{Beyond, Datum, Page, Premises};
 pub use qualities::Said;
 pub use running::Running;
 pub use supposed::{Local, is_put};

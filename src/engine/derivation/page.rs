@@ -48,6 +48,8 @@ pub struct Page {
     pub euler: BTreeSet<Symbol>,
     /// The imaginary unit where the document has one, and what is given by it: nothing is decided of these.
     pub complex: BTreeSet<Symbol>,
+    /// Small changes, `\delta V`: of these nothing is decided either, for what is said of them is said up to their squares.
+    pub small: BTreeSet<Symbol>,
     /// What is differentiated partially.
     pub dependent: Set<Symbol>,
     /// The same with the variable, where it is not clear what is held fixed: nothing that is said with it fails.
@@ -74,6 +76,15 @@ pub struct Page {
     pub(super) approaches: Vec<approach::Told>,
 }
 
+/// Why nothing is decided of a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// It speaks of what may be complex, and claims are about real numbers.
+    Complex,
+    /// It speaks of small changes, and is meant up to their squares.
+    Small,
+}
+
 /// What an equation is said to follow from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Premises {
@@ -98,6 +109,7 @@ pub(super) fn read_page(
         data: Tree::new(),
         euler: BTreeSet::new(),
         complex: BTreeSet::new(),
+        small: BTreeSet::new(),
         dependent: Set::new(),
         unclear_slopes: Set::new(),
         general: Vec::new(),
@@ -168,9 +180,8 @@ pub(super) fn read_page(
     let named: BTreeSet<&str> = named.collect();
     let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
     let spoken_of: Set<Symbol> = alone.collect();
-    let is_symbol = |name: &Symbol| declared(name) || spoken_of.contains(name);
     doubts::refuse(&mut equations, declared, spoken_of.iter().cloned());
-    differentials::refuse(&mut equations, is_symbol);
+    differentials::read(&mut page, &mut equations, &spoken_of);
     if let Some(beside) = page.beside.clone() {
         page.give(&beside, &mut equations, &derived);
     }
@@ -312,8 +323,17 @@ impl Page {
         }
     }
 
-    /// Whether a formula speaks of something that may be complex.
-    pub fn is_complex(&self, formula: &Formula) -> bool {
-        !self.complex.is_empty() && formula.names().iter().any(|own| self.complex.contains(own))
+    /// Whether a formula speaks of something of which nothing is decided.
+    pub fn beyond(&self, formula: &Formula) -> Option<Beyond> {
+        if self.complex.is_empty() && self.small.is_empty() {
+            return None;
+        }
+        let names = formula.names();
+        let speaks = |of: &BTreeSet<Symbol>| names.iter().any(|own| of.contains(own));
+        match (speaks(&self.complex), speaks(&self.small)) {
+            (true, _) => Some(Beyond::Complex),
+            (false, true) => Some(Beyond::Small),
+            (false, false) => None,
+        }
     }
 }

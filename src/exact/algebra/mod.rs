@@ -8,6 +8,7 @@
 mod atom;
 mod conditions;
 mod derivative;
+mod differential;
 mod dimension;
 mod division;
 pub mod effort;

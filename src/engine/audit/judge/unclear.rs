@@ -1,7 +1,7 @@
-//! What makes a verdict doubtful: complex numbers, partial derivatives that hold nobody knows what fixed, what is constant here and changes there.
+//! What makes a verdict doubtful: complex numbers and small changes, partial derivatives that hold nobody knows what fixed, what is constant here and changes there.
 
 use crate::algebra::{Expr, Symbol};
-use crate::derivation::{Assumed, Goal, Source};
+use crate::derivation::{Assumed, Beyond, Goal, Source};
 use crate::kernel::Standing;
 
 use super::super::Judged;
@@ -50,10 +50,10 @@ impl Judge<'_> {
         })
     }
 
-    /// Whether a goal speaks of what may be complex.
-    pub(in crate::audit) fn is_complex(&self, goal: &Goal) -> bool {
+    /// Whether a goal speaks of what may be complex, or of small changes.
+    pub(in crate::audit) fn beyond(&self, goal: &Goal) -> Option<Beyond> {
         let page = self.derivation.equations[self.at].page;
-        self.derivation.pages[page].is_complex(&goal.formula)
+        self.derivation.pages[page].beyond(&goal.formula)
     }
 
     /// Whether a step takes slopes or integrals, and it cannot be told whether something in it changes.

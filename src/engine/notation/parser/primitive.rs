@@ -4,9 +4,11 @@
 //! the equation says is what it says of slopes: each side is differentiated by what is integrated over, `f = \frac{d}{dx}[F]`. A symbol that is
 //! added and stands nowhere else in the equation, `C`, is the constant that may always be added. A side without an
 //! integral must be written in that, or be a name for such a side: `W = \int F \, dx` and `m = \int \rho \, dV = \rho V_0` leave their limits to
-//! the reader.
+//! the reader. Integrals over different variables, `\int \frac{dN}{N} = \int r \, dt`, are compared as the differentials that they sum up.
 
 use std::sync::Arc;
+
+use num_traits::One;
 
 use super::{Parser, Read, refuse_with};
 use crate::algebra::{Expr, Relation, Symbol};
@@ -55,15 +57,14 @@ impl Parser<'_> {
         let Some(first) = all.first() else {
             return Ok(sides);
         };
-        if let Some(other) = all.iter().find(|own| own.variable != first.variable) {
-            let message = "integrals over different variables cannot be compared without limits";
-            return refuse_with(other.span, message, "write `\\int_{a}^{b} f \\, dx`");
-        }
         if links.iter().any(|link| link.relation != Relation::Equal) {
             return no_equation(first.span);
         }
         let variable = &first.variable;
         leave_out_constants(&mut sides, &all);
+        if let Some(other) = all.iter().find(|own| own.variable != first.variable) {
+            return separated(sides, &all, other.span);
+        }
         let integrands = all.iter().map(|own| &own.integrand);
         let terms = || {
             integrands
@@ -111,6 +112,23 @@ impl Parser<'_> {
         };
         sides.into_iter().map(slope).collect()
     }
+}
+
+/// The sides of `\int \frac{dN}{N} = \int r \, dt`, which says of differentials what `\frac{dN}{N} = r \, dt` says.
+fn separated(sides: Vec<Side>, all: &[Primitive], span: Span) -> Read<Vec<Side>> {
+    let of_side = |side: Side| match differential(&side.expr, all) {
+        Some(expr) => Ok(Side {
+            expr,
+            span: side.span,
+            terms: vec![side.span],
+            rounding: None,
+        }),
+        None => {
+            let message = "integrals over different variables cannot be compared without limits";
+            refuse_with(span, message, "write `\\int_{a}^{b} f \\, dx`")
+        }
+    };
+    sides.into_iter().map(of_side).collect()
 }
 
 fn no_equation<T>(span: Span) -> Read<T> {
@@ -170,6 +188,40 @@ fn has_slope_by_name<'a>(terms: impl Iterator<Item = &'a Expr>) -> bool {
         let plain = dotted.map_or(name.name().replace('\'', ""), str::to_owned);
         plain != name.name() && names.contains(plain.as_str())
     })
+}
+
+/// The differential of a side, where it is clear what that is: of a sum of integrals, each with factors that are constant.
+fn differential(term: &Expr, all: &[Primitive]) -> Option<Expr> {
+    let is_constant = |own: &Expr| {
+        let mut integrals = all.iter();
+        integrals.all(|integral| !own.mentions(&integral.name) && !own.mentions(&integral.variable))
+    };
+    let of_part = |part: &Expr| differential(part, all).map(Arc::new);
+    match term {
+        Expr::Symbol(name) => {
+            let own = all.iter().find(|own| own.name == *name)?;
+            let change = Expr::Symbol(own.variable.clone()).differential();
+            Some(match &own.integrand {
+                Expr::Number(one) if one.is_one() => change,
+                integrand => Expr::Product([integrand.clone(), change].into()),
+            })
+        }
+        Expr::Negate(part) => Some(Expr::Negate(of_part(part)?)),
+        Expr::Quotient(part, by) if is_constant(by) => {
+            Some(Expr::Quotient(of_part(part)?, by.clone()))
+        }
+        Expr::Product(factors) => {
+            let (last, others) = factors.split_last()?;
+            let mut factors = others.to_vec();
+            factors.push(differential(last, all)?);
+            (others.iter().all(is_constant)).then_some(Expr::Product(factors.into()))
+        }
+        Expr::Sum(terms) => {
+            let all = terms.iter().map(|part| differential(part, all));
+            Some(Expr::Sum(all.collect::<Option<_>>()?))
+        }
+        _ => None,
+    }
 }
 
 /// The slope of a side, where it is clear what that is.

@@ -234,6 +234,10 @@ fn factor(expr: &Expr, last: bool) -> String {
             let arguments: Vec<String> = arguments.iter().map(latex).collect();
             format!("{}({})", &name(function), arguments.join(", "))
         }
+        Expr::Derivative { body, variable } if variable.is_change() => match **body {
+            Expr::Symbol(_) => differential(&latex(body)),
+            _ => format!("d{}", parentheses(body)),
+        },
         Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
             format!(
                 "\\frac{{{}}}{{{}}}",

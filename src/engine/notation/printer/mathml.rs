@@ -226,6 +226,10 @@ fn factor(expr: &Expr, last: bool) -> String {
                 arguments.join("<mo>,</mo>")
             )
         }
+        Expr::Derivative { body, variable } if variable.is_change() => match **body {
+            Expr::Symbol(_) => format!("<mi>d</mi>{}", mathml(body)),
+            _ => format!("<mi>d</mi>{}", parentheses(body)),
+        },
         Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => fraction(
             &format!("<mi>d</mi>{}", mathml(body)),
             &differential(variable),

@@ -191,6 +191,10 @@ fn factor(expr: &Expr, last: bool) -> String {
             let arguments: Vec<String> = arguments.iter().map(plain).collect();
             format!("{}({})", name(function.name()), arguments.join(", "))
         }
+        Expr::Derivative { body, variable } if variable.is_change() => match **body {
+            Expr::Symbol(_) => format!("d{}", plain(body)),
+            _ => format!("d({})", plain(body)),
+        },
         Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
             format!("d{}/d{}", plain(body), name(variable.name()))
         }
