@@ -627,7 +627,29 @@ fn spellings_of_one_term() {
         ),
         (&["2[a+b]"], "2 (a + b)"),
         (&["(a)[b]"], "a b"),
-        (&[r"\mathrm{Var}(X) + 1"], r"\text{Var}(X) + 1"),
+        (
+            &[
+                r"\mathrm{Var}(X) + 1",
+                r"\operatorname{Var}\left[ X \right] + 1",
+            ],
+            r"\text{Var}(X) + 1",
+        ),
+        (
+            &[r"\operatorname{Var}(aX)^2 b", r"{\rm Var}\{aX\}^2b"],
+            r"\text{Var}(a X)^2 b",
+        ),
+        (
+            &[r"\left\langle x^{2}\right\rangle^2", r"⟨x²⟩^2"],
+            r"\langle x^2 \rangle^2",
+        ),
+        (
+            &[r"P(A|B)P(X\ge3)", r"P(A \mid B) P(X \geqslant 3)"],
+            r"P(A \mid B) P(X \geq 3)",
+        ),
+        (
+            &[r"k[\mathrm{CO_3^{2-}}]_0^2", r"k [\text{CO}_3^{2-}]^2_0"],
+            r"k [\text{CO3}^{2-}]_0^2",
+        ),
         (
             &[r"\mathrm{Var} \cdot \mathrm{Re} \cdot (a + b)"],
             r"\text{Var} \cdot \text{Re} \cdot (a + b)",
@@ -1321,14 +1343,14 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"whether `\mathbb{P}` is applied",
     ),
     (
-        r"a = \mathrm{Var}(aX)",
-        r"\mathrm{Var}(aX)",
-        r"whether `\text{Var}` is applied",
+        r"a = \mathrm{Arg}(aX)",
+        r"\mathrm{Arg}(aX)",
+        r"whether `\text{Arg}` is applied",
     ),
     (
-        r"a = {\rm Cov}\{b + c\}",
-        r"{\rm Cov}\{b + c\}",
-        r"whether `\text{Cov}` is applied",
+        r"a = {\rm Det}\{b + c\}",
+        r"{\rm Det}\{b + c\}",
+        r"whether `\text{Det}` is applied",
     ),
     (
         r"a = \mathrm{Var} X",
@@ -1582,7 +1604,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         r"\circ",
         "temperatures on a scale of degrees",
     ),
-    (r"P(A \mid B) = c", r"\mid", "`\\mid` is not read"),
+    (r"f(A \mid B) = c", r"\mid", "`\\mid` is not read"),
     (
         r"c = \mathrm{H_x}",
         r"\mathrm{H_x}",
@@ -1689,8 +1711,8 @@ fn name() -> impl Strategy<Value = Symbol> {
         r"\Delta E_{\text{total}}",
         r"\dot{\delta}",
         r"\text{KE}",
-        r"\text{Var}",
-        r"\mathbb{E}",
+        r"\text{erf}",
+        r"\mathbb{P}",
         r"\rho_{\text{air}}",
         "v_{12}",
         r"\eta_{\max}",
@@ -1703,6 +1725,21 @@ fn name() -> impl Strategy<Value = Symbol> {
     .prop_map(Symbol::new)
 }
 
+fn bracketed() -> impl Strategy<Value = Symbol> {
+    let names = [
+        r"\langle x^2 \rangle",
+        r"\langle v_1 \rangle_2",
+        r"\text{E}[X]",
+        r"\mathbb{E}[X^2]",
+        r"\text{Cov}(X, Y)",
+        r"P(X > 3)",
+        r"\text{Pr}(A \mid B)",
+        r"[\text{A}]_0",
+        r"[\text{H}^+]",
+    ];
+    prop::sample::select(names.to_vec()).prop_map(Symbol::new)
+}
+
 fn variable() -> impl Strategy<Value = Symbol> {
     prop::sample::select(vec!["x", r"\mu", "t", "v'_1", r"\dot{\delta}"]).prop_map(Symbol::new)
 }
@@ -1711,6 +1748,7 @@ fn variable() -> impl Strategy<Value = Symbol> {
 fn term() -> impl Strategy<Value = Expr> {
     let leaf = prop_oneof![
         4 => name().prop_map(Expr::Symbol),
+        1 => bracketed().prop_map(Expr::Symbol),
         2 => (0i64..200).prop_map(|n| number(n, 1)),
         1 => (1i64..50).prop_map(|n| number(n, 8)),
         1 => (name(), prop::collection::vec(name(), 1..3))

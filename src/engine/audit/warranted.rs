@@ -32,7 +32,10 @@ impl Auditor<'_> {
         how: &Circumstances,
         mut entry: Entry,
     ) -> Entry {
-        if entry.verdict != Verdict::Fails || !self.may_leave_unsaid(statement, how, &entry) {
+        let by_laws = (entry.refuted()).is_some_and(|(own, _)| may_follow_from_laws(own));
+        if entry.verdict != Verdict::Fails
+            || !by_laws && !self.may_leave_unsaid(statement, how, &entry)
+        {
             return entry;
         }
         let is_wrong =
@@ -42,8 +45,9 @@ impl Auditor<'_> {
             .refuted()
             .is_some_and(|(first, _)| wrong.first().is_some_and(|own| std::ptr::eq(*own, first)));
         let is_warranted = is_first && self.has_repair(&entry)
-            || self.leaves_nothing_unsaid(statement, how, &wrong)
-            || entry.rescaled().is_some();
+            || !by_laws
+                && (self.leaves_nothing_unsaid(statement, how, &wrong)
+                    || entry.rescaled().is_some());
         if is_warranted {
             return entry;
         }
@@ -146,6 +150,41 @@ impl Auditor<'_> {
             _ => false,
         }
     }
+}
+
+/// Whether a link speaks of a mean or a chance of which no premise says what it is, beside others: there are laws that relate these, as that
+/// the mean of a sum is the sum of the means, and none of them is known here.
+fn may_follow_from_laws(judged: &Judged) -> bool {
+    let is_value = |own: &Symbol| own.is_bracketed() && !own.name().starts_with('[');
+    let values = |formula: &Formula| -> Set<Symbol> {
+        formula.names().into_iter().filter(is_value).collect()
+    };
+    let mut open = values(&judged.goal.formula);
+    if open.is_empty() {
+        return false;
+    }
+    let told: Vec<Set<Symbol>> = (judged.assumed.iter())
+        .filter(|own| own.formula.as_equation().is_some())
+        .map(|own| values(&own.formula))
+        .collect();
+    let mut all = open.clone();
+    all.extend(told.iter().flatten().cloned());
+    if all.len() < 2 {
+        return false;
+    }
+    let mut known: Set<Symbol> = Set::new();
+    loop {
+        let mut unknown = told
+            .iter()
+            .map(|own| own.iter().filter(|own| !known.contains(*own)));
+        let Some(next) = unknown.find_map(|mut own| own.next().filter(|_| own.next().is_none()))
+        else {
+            break;
+        };
+        known.insert(next.clone());
+    }
+    open.retain(|own| !known.contains(own));
+    !open.is_empty()
 }
 
 /// Why nothing is said of what is false and near to nothing that follows.

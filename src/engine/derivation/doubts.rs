@@ -17,6 +17,8 @@ pub(super) struct OnPage {
     pub quantities: Set<Symbol>,
     /// Those that stand by themselves in the text, as indices may: "where $\mu$ runs from 0 to 3".
     pub spoken_of: Set<Symbol>,
+    /// Concentrations, `[\mathrm{A}]`, where they are no units of something.
+    pub concentrations: Set<Symbol>,
     /// Those of which sines and cosines are taken where nothing else could be meant: `\sin\theta = x/\ell`.
     pub angles: Set<Symbol>,
 }
@@ -34,11 +36,16 @@ pub(super) fn refuse(
         return;
     }
     // What stands in words says nothing of its letters.
-    let is_worded =
-        |doubt: &Doubt| !matches!(doubt.kind, DoubtKind::Raised { .. } | DoubtKind::Angle(_));
+    let is_worded = |doubt: &Doubt| {
+        matches!(
+            doubt.kind,
+            DoubtKind::Operator(_) | DoubtKind::Letters { .. }
+        )
+    };
     let standing = OnPage {
         quantities: standing_in(all().filter(|own| !own.doubts.iter().any(is_worded))),
         spoken_of: spoken_of.collect(),
+        concentrations: concentrations_in(all()),
         angles: angles_in(all()),
     };
     for equation in equations {
@@ -86,6 +93,11 @@ fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
         }
         // Asked of the page, not of letters.
         DoubtKind::Angle(_) => None,
+        DoubtKind::Applied(name) => letters.stands(name).then(|| no_value(name, doubt.span)),
+        DoubtKind::Concentration(name) => {
+            let known = letters.is_declared(name) || letters.has_concentrations();
+            (!known).then(|| no_concentration(name, doubt.span))
+        }
         DoubtKind::Operator(name) => (!letters.is_known(name)).then(|| no_factor(name, doubt.span)),
     }
 }
@@ -96,6 +108,30 @@ fn no_end(span: Span) -> SyntaxError {
         span,
         message: "where the argument of this function ends is not clear".to_owned(),
         help: Some("put the argument in parentheses".to_owned()),
+    }
+}
+
+/// The refusal of a name before brackets that is a quantity elsewhere.
+fn no_value(name: &Symbol, span: Span) -> SyntaxError {
+    SyntaxError {
+        span,
+        message: format!(
+            "whether `{name}` is applied to what follows, or multiplied by it, is not clear"
+        ),
+        help: Some(format!(
+            "`{name}` is a quantity elsewhere; for what is applied write `\\operatorname{{…}}`"
+        )),
+    }
+}
+
+/// The refusal of a word in brackets that may be the unit of what stands before it.
+fn no_concentration(name: &Symbol, span: Span) -> SyntaxError {
+    SyntaxError {
+        span,
+        message: "whether this is a concentration or a unit in brackets is not clear".to_owned(),
+        help: Some(format!(
+            "leave the brackets around a unit out; for a concentration declare `{name}`"
+        )),
     }
 }
 
@@ -148,6 +184,23 @@ pub(super) fn standing_in<'s>(statements: impl Iterator<Item = &'s Statement>) -
             indices::standing(term, &mut found);
         }
         found.extend(statement.runs.iter().map(|run| run.symbol.clone()));
+    }
+    found
+}
+
+/// The concentrations in statements, but those that may be units.
+fn concentrations_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol> {
+    let mut found = Set::new();
+    for statement in statements {
+        let in_doubt = |name: &Symbol| {
+            let mut doubts = statement.doubts.iter();
+            doubts.any(|own| matches!(&own.kind, DoubtKind::Concentration(own) if own == name))
+        };
+        symbols_in(std::slice::from_ref(statement), &mut |name| {
+            if name.name().starts_with('[') && !in_doubt(name) {
+                found.insert(name.clone());
+            }
+        });
     }
     found
 }

@@ -62,6 +62,16 @@ impl<'p> Letters<'p> {
         (self.declared)(symbol)
     }
 
+    /// Whether the page speaks of concentrations.
+    pub(super) fn has_concentrations(&self) -> bool {
+        !self.on_page.concentrations.is_empty()
+    }
+
+    /// Whether a symbol stands for a quantity in displays.
+    pub(super) fn stands(&self, symbol: &Symbol) -> bool {
+        self.on_page.quantities.contains(symbol)
+    }
+
     /// Whether a symbol is declared, or stands for something on the page.
     pub(super) fn is_known(&self, symbol: &Symbol) -> bool {
         let OnPage {

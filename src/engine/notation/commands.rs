@@ -147,6 +147,8 @@ const GRAMMAR: &[&str] = &[
     "rbrace",
     "lbrack",
     "rbrack",
+    "langle",
+    "rangle",
     "sum",
     "int",
     "lim",
@@ -284,14 +286,17 @@ const APPLIED: &[&str] = &[
 
 /// The upright word that a name begins with: `Var` in `\text{Var}_1`.
 fn word(name: &str) -> Option<&str> {
-    name.strip_prefix("\\text{")?.split('}').next()
+    let (word, scripts) = name.strip_prefix("\\text{")?.split_once('}')?;
+    // `\text{Var}(X)` is a value.
+    (!scripts.starts_with(['(', '['])).then_some(word)
 }
 
 /// Whether a name is that of an operator, which has no value by itself: `\text{Var}`, `\mathbb{E}`.
 pub(super) fn is_applied(name: &str) -> bool {
     let expectation = ["\\mathbb{E}", "\\mathbb{P}"];
-    expectation.iter().any(|own| name.starts_with(own))
-        || word(name).is_some_and(|word| APPLIED.contains(&word))
+    let is_value = |rest: &str| rest.starts_with(['(', '[']);
+    let mut rests = expectation.iter().filter_map(|own| name.strip_prefix(own));
+    rests.any(|rest| !is_value(rest)) || word(name).is_some_and(|word| APPLIED.contains(&word))
 }
 
 /// Whether a name is a word, which before a parenthesis may be a function: `\text{Re}(x + 1)`.

@@ -124,6 +124,10 @@ pub enum DoubtKind {
     Operator(Symbol),
     /// A symbol of which a sine, a cosine or a tangent is taken, right before a parenthesis that is read as a factor: `\sin\theta (1 - x)`.
     Angle(Symbol),
+    /// A name that is read as applied to the brackets after it, `P(X > 3)`, unless it is a quantity itself.
+    Applied(Symbol),
+    /// A concentration right after a name or a number, whose unit it may be: `k [\mathrm{A}]`.
+    Concentration(Symbol),
     /// Letters written without a space between them, which TeX sets as a product, and which spell something: `cos`, `intensity`.
     Letters {
         /// The letters.

@@ -42,6 +42,9 @@ impl Symbol {
 
     /// The name without its subscript, and what that says of an index; `None` where it says nothing.
     pub fn place(&self, index: &Symbol) -> Option<(Symbol, Place)> {
+        if self.is_bracketed() && speaks_of(self.name(), index.name()) {
+            return Some((self.clone(), Place::Unclear));
+        }
         let (stem, text) = split_subscript(self.name())?;
         let figures = |text: &str| {
             let plain = text.bytes().all(|b| b.is_ascii_digit()) && text.len() <= MOST_FIGURES;

@@ -82,6 +82,11 @@ impl Symbol {
         added.is_some_and(|added| added.starts_with(['_', '\'', '^']))
     }
 
+    /// Whether its name is written with brackets, and says what it is a value of: `\langle x^2 \rangle`, `\text{E}[X]`.
+    pub fn is_bracketed(&self) -> bool {
+        opens_bracket(self.name())
+    }
+
     /// Whether it stands for a unit of measurement: `\unit{m}`.
     pub fn is_unit(&self) -> bool {
         self.name.starts_with("\\unit{")
@@ -135,13 +140,28 @@ pub fn as_printed(name: &str) -> (Cow<'_, str>, Option<usize>) {
     (Cow::Owned(format!("{before}{after}")), line)
 }
 
-/// Takes the subscript off a canonical name: `v'_1` is `v'` and `1`.
+/// Whether brackets stand in a name, outside of braces.
+fn opens_bracket(name: &str) -> bool {
+    let mut depth = 0usize;
+    name.char_indices().any(|(at, c)| {
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth == 0 && (matches!(c, '[' | '(') || c == '\\' && name[at..].starts_with("\\langle"))
+    })
+}
+
+/// Takes the subscript off a canonical name: `v'_1` is `v'` and `1`. What stands in brackets has none of its own.
 pub fn split_subscript(name: &str) -> Option<(&str, &str)> {
     let mut depth = 0usize;
     for (at, c) in name.char_indices() {
         match c {
-            '{' => depth += 1,
-            '}' => depth = depth.saturating_sub(1),
+            '{' | '[' | '(' => depth += 1,
+            '}' | ']' | ')' => depth = depth.saturating_sub(1),
+            '\\' if name[at..].starts_with("\\langle") => depth += 1,
+            '\\' if name[at..].starts_with("\\rangle") => depth = depth.saturating_sub(1),
             '_' if depth == 0 => {
                 let (stem, text) = (name.get(..at)?, name.get(at + 1..)?);
                 let inner = text

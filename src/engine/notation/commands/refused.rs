@@ -67,7 +67,6 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         "`\\exists` is not read: state the quantifier in the text",
         None,
     ),
-    ("langle", "angle brackets are not read", None),
     ("over", "`\\over` is not read", Some("write `\\frac{…}{…}`")),
     (
         "circ",

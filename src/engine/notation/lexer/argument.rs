@@ -249,8 +249,17 @@ impl<'s> Lexer<'s> {
     }
 }
 
-/// Whether a text is a chemical formula: letters, and numbers below the line, `H_2O`, `C_{12}H_{22}O_{11}`.
+/// Whether a text is a chemical formula: letters, and numbers below the line, `H_2O`, `C_{12}H_{22}O_{11}`, perhaps with a charge, `CO_3^{2-}`.
 fn is_chemical(text: &str) -> bool {
+    let (text, charge) = text.split_once('^').unwrap_or((text, "+"));
+    let charge = match charge.strip_prefix('{') {
+        Some(braced) => braced.strip_suffix('}'),
+        None => Some(charge).filter(|own| own.len() == 1),
+    };
+    let number = charge.and_then(|charge| charge.strip_suffix(['+', '-']));
+    if !number.is_some_and(|number| number.bytes().all(|b| b.is_ascii_digit())) {
+        return false;
+    }
     let mut parts = text.split('_');
     let letters = |text: &str| text.chars().all(|c| c.is_ascii_alphanumeric());
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());

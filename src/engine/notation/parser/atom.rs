@@ -5,7 +5,7 @@ use super::name::Superscript;
 use super::term::{counted, invisible};
 use super::vector::refuse_vector;
 use super::{DIGITS, Factor, Kind, LastName, Parser, Read, Shape, refuse, refuse_with};
-use crate::algebra::{BigInt, BigRational, Expr};
+use crate::algebra::{BigInt, BigRational, Expr, Symbol};
 use crate::document::Span;
 use crate::notation::commands;
 
@@ -19,7 +19,7 @@ impl<'s> Parser<'s> {
             Kind::Number(_) | Kind::Quantity(..) | Kind::Open | Kind::Bad(_) => true,
             Kind::Char('(' | '[') => true,
             Kind::Char('|') => !self.bar,
-            Kind::Command(name) => commands::begins_term(name),
+            Kind::Command(name) => commands::begins_term(name) || self.starts_bracketed(self.at),
             _ => self.starts_name(self.at),
         }
     }
@@ -171,6 +171,9 @@ impl<'s> Parser<'s> {
         let name = self.name()?;
         let factor = self.finish_name(start, name)?;
         self.doubt_operator(start, &factor.expr);
+        if stem(&factor.expr).is_some_and(Symbol::is_bracketed) {
+            return Ok(factor);
+        }
         if let Kind::Operator(text) = self.kind(start)
             && (self.pending.is_some() || self.starts_factor())
         {
@@ -226,7 +229,10 @@ impl<'s> Parser<'s> {
     /// Whether brackets open here, in which arguments may stand.
     pub(super) fn at_argument(&self) -> bool {
         let left = usize::from(self.peek() == Kind::Command("left"));
-        if self.kind(self.at + left) == Kind::Char('[') && self.bracket_has_limits(self.at + left) {
+        if self.starts_bracketed(self.at)
+            || self.kind(self.at + left) == Kind::Char('[')
+                && self.bracket_has_limits(self.at + left)
+        {
             return false;
         }
         matches!(

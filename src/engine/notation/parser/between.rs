@@ -149,8 +149,8 @@ impl Parser<'_> {
         let mut depth = 0usize;
         (open..end).any(|at| {
             match self.kind(at) {
-                Kind::Open => depth += 1,
-                Kind::Close => depth = depth.saturating_sub(1),
+                Kind::Open | Kind::Char('(' | '[') => depth += 1,
+                Kind::Close | Kind::Char(')' | ']') => depth = depth.saturating_sub(1),
                 _ => {}
             }
             depth == 1 && matches!(self.kind(at), Kind::Relation(..))

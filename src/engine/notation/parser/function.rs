@@ -265,7 +265,9 @@ impl Parser<'_> {
                 }
             };
         }
-        let argument = match self.delimiter() {
+        let is_quantity = matches!(name, "ln" | "log" | "lg") && self.starts_bracketed(self.at);
+        let delimiter = if is_quantity { None } else { self.delimiter() };
+        let argument = match delimiter {
             Some(delimiter) => {
                 let group = self.group(delimiter)?;
                 if self.peek() == Kind::Char('^') {

@@ -135,6 +135,7 @@ impl Parser<'_> {
 
     pub(super) fn at_delimiter(&self) -> bool {
         match self.peek() {
+            Kind::Char('[') | Kind::Command("left") if self.starts_bracketed(self.at) => false,
             Kind::Char('(' | '[') => true,
             Kind::Char('|') => !self.bar,
             Kind::Command("left") => self.kind(self.at + 1) != Kind::Char('.'),

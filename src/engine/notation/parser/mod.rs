@@ -2,7 +2,7 @@
 //!
 //! `statement` reads what is said, `cases` what is said under conditions, `quantifier` of what all it is said, `aside` remarks beside it, `reason` what it cites there, `shared` what is said of several names at once, `term` the arithmetic, `atom`, `group` and `function` single factors, `quantity` and `unit` numbers with units, `count` factorials and binomial coefficients, `name` whole
 //! symbol names, `doubt` and `word` what may be no power and no product, `vector` what may be no number, `series` the sums over an index and the ones with dots, `calculus` derivatives, integrals and limits, `partial` partial derivatives, `primitive` integrals without limits,
-//! `between` what a term grows by from one limit to another, `both` what is said with `\pm`, `rounding` how near a number is meant.
+//! `between` what a term grows by from one limit to another, `both` what is said with `\pm`, `bracketed` quantities that are written with brackets, `rounding` how near a number is meant.
 //!
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
 //! [`DEPTH`], so that no input can exhaust the stack.
@@ -11,6 +11,7 @@ mod aside;
 mod atom;
 mod between;
 mod both;
+mod bracketed;
 mod calculus;
 mod cases;
 mod count;
@@ -100,6 +101,8 @@ pub(super) struct Parser<'s> {
     before: Vec<Before>,
     /// The places that may be no power and no product.
     doubts: Vec<Doubt>,
+    /// The quantities with brackets in the statement that is being read.
+    bracketed: Vec<bracketed::Bracketed>,
     /// What runs through whole numbers, as is said after the statement that is being read.
     runs: Vec<Run>,
     /// What that statement is said of all values of.
@@ -212,6 +215,7 @@ impl<'s> Parser<'s> {
             choices: Vec::new(),
             before: Vec::new(),
             doubts: Vec::new(),
+            bracketed: Vec::new(),
             cases: Vec::new(),
             runs: Vec::new(),
             quantified: Set::new(),

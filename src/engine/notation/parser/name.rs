@@ -64,9 +64,22 @@ pub(crate) fn with_subscript(stem: &str, text: &str) -> String {
     subscripted(stem.to_owned(), text)
 }
 
-/// A word as a name. The numbers below the line of a formula, `\mathrm{H_2O}`, are no less part of it than the letters.
+/// A word as a name. The numbers below the line of a formula, `\mathrm{H_2O}`, are no less part of it than the letters; a charge stands above
+/// it, `\mathrm{CO_3^{2-}}`.
 fn upright(text: &str) -> String {
-    format!("\\text{{{}}}", text.replace(['_', '{', '}'], ""))
+    let (word, charge) = text.split_once('^').unwrap_or((text, ""));
+    charged(word, charge)
+}
+
+/// A word with the charge that stands above it.
+pub(super) fn charged(word: &str, charge: &str) -> String {
+    let word = word.replace(['_', '{', '}'], "");
+    let charge = charge.trim_matches(['{', '}']);
+    match charge.len() {
+        0 => format!("\\text{{{word}}}"),
+        1 => format!("\\text{{{word}}}^{charge}"),
+        _ => format!("\\text{{{word}}}^{{{charge}}}"),
+    }
 }
 
 fn subscripted(mut stem: String, text: &str) -> String {
@@ -131,6 +144,7 @@ impl Parser<'_> {
                     && words.chars().all(char::is_alphanumeric)
                     && !PROSE.contains(&words)
             }
+            Kind::Command("left" | "langle" | "Pr") | Kind::Char('[') => self.starts_bracketed(at),
             Kind::Command(name) => {
                 commands::find(LETTERS, name).is_some() || commands::find(ACCENTS, name).is_some()
             }
@@ -171,6 +185,12 @@ impl Parser<'_> {
     /// `\Delta`, accent and letter, without scripts unless the accent is over them.
     fn head(&mut self) -> Read<Name> {
         self.nested(|parser| {
+            if let Some(head) = parser.bracketed()? {
+                return Ok(Name {
+                    head,
+                    ..Name::default()
+                });
+            }
             let head = match parser.peek() {
                 Kind::Command("Delta") => return parser.difference(),
                 Kind::Command(accent) if commands::find(ACCENTS, accent).is_some() => {

@@ -291,6 +291,7 @@ impl<'s> Parser<'s> {
         }
         under.extend(self.trailing_conditions(&clauses)?);
         self.no_primitive_is_left()?;
+        self.end_bracketed(clauses.iter().chain(&under))?;
         self.doubt_letters(start);
         Ok(Statement {
             label,

@@ -63,7 +63,8 @@ impl Borne {
         match expr {
             Expr::Symbol(name) | Expr::Element { sequence: name, .. } | Expr::Apply(name, _) => {
                 self.vector |= is_vector(name);
-                if bears(name, HATS) {
+                // A mean is a number, whatever it is of.
+                if bears(name, HATS) && !name.is_bracketed() {
                     self.hats.insert(name.clone());
                 }
             }

@@ -12,7 +12,9 @@
 
 use super::decimal;
 use super::partial::Slope;
-use crate::algebra::{BigRational, Expr, Formula, Function, LimitPoint, Relation, Symbol};
+use crate::algebra::{
+    BigRational, Expr, Formula, Function, LimitPoint, Relation, Symbol, split_subscript,
+};
 use crate::notation::commands;
 use crate::notation::parser::{is_minus_one, stem, with_subscript};
 use crate::notation::{Clause, Connective, Mark, Statement};
@@ -195,6 +197,10 @@ fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
     if printed.starts_with(|c: char| c.is_ascii_digit()) {
         return true;
     }
+    // `2 [\text{A}]` may have a unit.
+    if printed.starts_with('[') && matches!(before, Expr::Number(_)) {
+        return true;
+    }
     let grouped = printed.starts_with('(') || printed.starts_with("\\left(");
     if let Some(name) = stem(before).map(Symbol::name)
         && (commands::is_applied(name) || grouped && commands::is_word(name))
@@ -316,7 +322,7 @@ fn factor(expr: &Expr, last: bool) -> String {
 }
 
 fn differential(name: &str) -> String {
-    format!("d{}{name}", if name.starts_with('\\') { "" } else { " " }).replace("d ", "d")
+    format!("d{name}")
 }
 
 fn numeral(number: &BigRational) -> String {
@@ -416,7 +422,11 @@ fn raised(expr: &Expr) -> bool {
 
 /// A name that can take a superscript without a second one on the page.
 pub(super) fn raised_name(name: &str) -> String {
-    if name.contains('^') || name.contains(' ') {
+    let stem = split_subscript(name).map_or(name, |(stem, _)| stem);
+    // `\langle x \rangle^2`
+    if stem.ends_with([']', ')']) || stem.ends_with("\\rangle") {
+        name.to_owned()
+    } else if name.contains('^') || name.contains(' ') {
         format!("({name})")
     } else if name.contains('\'') {
         format!("{{{name}}}")

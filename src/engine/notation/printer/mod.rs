@@ -1,5 +1,6 @@
 //! The inverse of the reader: terms as canonical LaTeX, as one line of text for a terminal, and as MathML for a browser.
 
+mod bracketed;
 mod latex;
 mod mathml;
 mod partial;

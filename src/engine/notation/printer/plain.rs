@@ -2,6 +2,7 @@
 //!
 //! Digits in scripts have their own characters; anything else stands after `_` or `^`, as in `E_{total}` and `δ^(3/2)`.
 
+use super::bracketed::{Bracketed, Piece};
 use super::decimal;
 use crate::algebra::{Expr, Formula, Function, LimitPoint, Relation, Symbol};
 use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
@@ -351,10 +352,51 @@ fn name(canonical: &str) -> String {
     use crate::algebra::{as_printed, split_subscript};
     let (canonical, _) = as_printed(canonical);
     let canonical = &*canonical;
+    if let Some(own) = Bracketed::of(canonical) {
+        return bracketed(&own);
+    }
     match split_subscript(canonical) {
         Some((stem, under)) => format!("{}{}", letters(stem), subscript(&letters(under))),
         None => letters(canonical),
     }
+}
+
+/// `⟨x²⟩`, `Cov(X, Y)`, `P(X > 3)`, `[CO₃²⁻]`.
+fn bracketed(own: &Bracketed) -> String {
+    let content: String = match own.is_concentration() {
+        true => species(own.content()),
+        false => own.pieces().iter().map(piece).collect(),
+    };
+    let (open, close) = own.around;
+    // What is below the brackets is read as it is below a letter.
+    let scripts = name(&format!("x{}", own.scripts));
+    let scripts = scripts.strip_prefix('x').unwrap_or("");
+    format!("{}{open}{content}{close}{scripts}", letters(own.head))
+}
+
+fn piece(piece: &Piece) -> String {
+    match piece {
+        Piece::Term(Ok(term)) => plain(term),
+        Piece::Term(Err(text)) => letters(text),
+        Piece::Relation(relation) => format!(" {} ", relation_sign(*relation)),
+        Piece::Sign(sign) => (*sign).to_owned(),
+    }
+}
+
+/// A chemical formula: `CO₃²⁻`.
+fn species(canonical: &str) -> String {
+    let (word, charge) = canonical.split_once('^').unwrap_or((canonical, ""));
+    let below = |c: char| match c.to_digit(10) {
+        Some(digit) => char::from_u32(0x2080 + digit).unwrap_or(c),
+        None => c,
+    };
+    let above = |c: char| match c {
+        '+' => Some("⁺".to_owned()),
+        '-' => Some("⁻".to_owned()),
+        c => superscript_digits(&c.to_string()),
+    };
+    let word = letters(word).chars().map(below).collect::<String>();
+    word + &charge.chars().filter_map(above).collect::<String>()
 }
 
 fn letters(mut rest: &str) -> String {

@@ -238,6 +238,7 @@ impl Parser<'_> {
                     self.subscript_content(&mut inner)?;
                     self.close(open)?;
                 } else if matches!(self.peek(), Kind::Number(text) if text.len() == 1)
+                    || sign == '^' && matches!(self.peek(), Kind::Char('+' | '-'))
                     || self.is_letter(self.at)
                 {
                     self.subscript_piece(&mut inner)?;

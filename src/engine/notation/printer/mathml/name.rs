@@ -1,7 +1,9 @@
 //! Canonical names in MathML: `v'_1` is a letter with a prime and an index, `\Delta E_{\text{total}}` two letters.
 
+use super::{mathml, sign};
 use crate::algebra::{as_printed, split_subscript};
 use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
+use crate::notation::printer::bracketed::{Bracketed, Piece};
 use crate::notation::printer::xml::escape;
 use crate::notation::typeset::{Face, accent};
 
@@ -35,7 +37,13 @@ impl Name {
             None => (canonical, None),
         };
         let mut name = Name::default();
-        name.read(&mut { stem }, 0);
+        match Bracketed::of(stem) {
+            Some(own) => {
+                name.letters.push(bracketed(&own));
+                name.read(&mut { own.scripts }, 0);
+            }
+            None => name.read(&mut { stem }, 0),
+        }
         name.subscript = under.map(|under| {
             let mut name = Name::default();
             name.read(&mut { under }, 0);
@@ -189,6 +197,31 @@ impl Name {
             self.letters.push(format!("<mo>{}</mo>", escape(sign)));
         }
     }
+}
+
+/// A name with its brackets, as one element.
+fn bracketed(own: &Bracketed) -> String {
+    let written = |text: &str| {
+        let mut name = Name::default();
+        name.read(&mut { text }, 0);
+        name.markup()
+    };
+    let piece = |piece: Piece| match piece {
+        Piece::Term(Ok(term)) => mathml(&term),
+        Piece::Term(Err(text)) => written(text),
+        Piece::Relation(relation) => sign(relation),
+        Piece::Sign(sign) => format!("<mo>{}</mo>", sign.trim()),
+    };
+    let content: String = match own.is_concentration() {
+        true => written(own.content()),
+        false => own.pieces().into_iter().map(piece).collect(),
+    };
+    let head = match own.head {
+        "" => String::new(),
+        head => written(head),
+    };
+    let (open, close) = own.around;
+    format!("<mrow>{head}<mo>{open}</mo>{content}<mo>{close}</mo></mrow>")
 }
 
 /// Text as it was typed: upright, one letter or a word.
