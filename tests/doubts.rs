@@ -235,11 +235,14 @@ fn a_parenthesis_after_the_sine_of_an_angle_is_a_factor() {
             r"a = b",
             r"y = \sin\theta (\omega_c^2 - \omega^2 \cos\theta)",
         ),
+        // The sine of a product with that name makes the parenthesis part of the argument.
+        (r"y = A \sin \omega t", r"y = A \sin\omega (t - t_0)"),
     ] {
         assert_eq!(page(before, math), Ok(()), "{math}");
     }
     for (before, math) in [
-        (r"y = A \sin \omega t", r"y = A \sin\omega (t - t_0)"),
+        (r"y = A \sin k t", r"y = A \sin\omega (t - t_0)"),
+        (r"y = A \sin \omega t", r"y = A \sin\omega (t - t_0) u"),
         (r"\sin\theta_2 = \frac{a}{c}", r"y = \sin\theta_1 (a + b)"),
         (r"z = \sin\theta (a + c)", r"y = \sin\theta (a + b)"),
     ] {

@@ -1024,8 +1024,8 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "whether this is a factor or says where the slope is taken is not clear",
     ),
     (
-        r"\frac{d\ln y}{d\ln x} = n",
-        r"\ln",
+        r"\frac{d\ln y}{d\log x} = n",
+        r"\log",
         "derivatives are read with respect to a symbol, not to a term",
     ),
     (

@@ -31,7 +31,7 @@ impl Report<'_> {
             Note::OtherReading(other) if !note.is_quiet() => {
                 let write = match other.choice {
                     Choice::Below(_) => "write `\\frac{…}{…}`, or parentheses below the stroke",
-                    Choice::FirstName => "put the argument of the function in parentheses",
+                    Choice::FirstName | Choice::Group => "put the argument of the function in parentheses",
                     Choice::OfValue => "put the power directly after the function, or the whole value in parentheses",
                     Choice::Product => "write `\\cdot` before the parenthesis",
                 };

@@ -1,9 +1,9 @@
 //! What is read as a power or a product and may be meant otherwise: decided here, where the whole page is known, and refused where nothing
 //! on it says that the reading is what was meant.
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Function, Symbol};
 use crate::document::Span;
-use crate::notation::{Doubt, DoubtKind, Spelt, Statement, SyntaxError, angle_of};
+use crate::notation::{Choice, Doubt, DoubtKind, Other, Spelt, Statement, SyntaxError, angle_of};
 use crate::sorted::Set;
 
 use super::Equation;
@@ -21,6 +21,8 @@ pub(super) struct OnPage {
     pub concentrations: Set<Symbol>,
     /// Those of which sines and cosines are taken where nothing else could be meant: `\sin\theta = x/\ell`.
     pub angles: Set<Symbol>,
+    /// Those that begin products of which sines are taken: `\sin \omega t`.
+    pub factors: Set<Symbol>,
 }
 
 /// Refuses the equations of a page in which something is no power or no product, as far as the page lets one see that.
@@ -47,11 +49,37 @@ pub(super) fn refuse(
         spoken_of: spoken_of.collect(),
         concentrations: concentrations_in(all()),
         angles: angles_in(all()),
+        factors: factors_in(all()),
     };
     for equation in equations {
+        let statements = equation.statements.iter_mut().flatten();
+        statements.for_each(|statement| settle(statement, &standing));
         if let Some(error) = doubtful(equation.statements(), &declared, &standing) {
             equation.statements = Err(error);
         }
+    }
+}
+
+/// Reads `\sin\omega(t - t_0)` as the sine of a product where the page has `\sin\omega t`, and not `\sin\omega`.
+fn settle(statement: &mut Statement, standing: &OnPage) {
+    let is_factor = |doubt: &Doubt| match &doubt.kind {
+        DoubtKind::Angle(own) => !standing.angles.contains(own) && standing.factors.contains(own),
+        _ => true,
+    };
+    let others = &mut statement.others;
+    let other = others
+        .iter()
+        .position(|other| other.choice == Choice::Group);
+    let Some(other) = other.map(|at| others.remove(at)) else {
+        return;
+    };
+    if statement.doubts.iter().all(is_factor) {
+        let product = std::mem::replace(statement, other.statement);
+        statement.others = vec![Other {
+            choice: Choice::FirstName,
+            span: other.span,
+            statement: product,
+        }];
     }
 }
 
@@ -231,6 +259,31 @@ fn collect_angles(term: &Expr, see: &mut impl FnMut(&Symbol)) {
         see(name);
     }
     term.children().for_each(|part| collect_angles(part, see));
+}
+
+/// The symbols that begin a product of names of which statements take sines, cosines or tangents.
+fn factors_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol> {
+    let mut found = Set::new();
+    for formula in statements.flat_map(formulas) {
+        let terms = formula.terms().into_iter();
+        terms.for_each(|term| collect_factors(term, &mut found));
+    }
+    found
+}
+
+fn collect_factors(term: &Expr, found: &mut Set<Symbol>) {
+    if let Expr::Call(Function::Sin | Function::Cos | Function::Tan, of) = term
+        && let Expr::Product(factors) = &**of
+    {
+        let mut names = factors.iter().filter(|own| !matches!(own, Expr::Number(_)));
+        if let Some(Expr::Symbol(first)) = names.next()
+            && let Some(Expr::Symbol(_)) = names.next()
+        {
+            found.insert(first.clone());
+        }
+    }
+    term.children()
+        .for_each(|part| collect_factors(part, found));
 }
 
 /// All symbols of statements, those with scripts among them.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::document::{Inline, Span};
-use crate::notation::{Before, BeforeKind, SyntaxError, read_expr, read_symbol};
+use crate::notation::{Before, BeforeKind, Statement, SyntaxError, read_expr, read_symbol};
 
 use super::{Equation, formulas, slopes};
 use crate::sorted::{Map, Tree};
@@ -156,7 +156,9 @@ pub(super) fn refuse(
     let angles = of(BeforeKind::Degrees);
     let angles: BTreeSet<Symbol> = angles.into_iter().filter(|name| declared(name)).collect();
     let values = of(BeforeKind::Value);
-    if functions.is_empty() && symbols.is_empty() && angles.is_empty() && values.is_empty() {
+    let multiplied = of(BeforeKind::Quantity);
+    let all = [&functions, &symbols, &angles, &values, &multiplied];
+    if all.into_iter().all(BTreeSet::is_empty) {
         return;
     }
     for equation in equations {
@@ -169,6 +171,10 @@ pub(super) fn refuse(
                     && !moving.is_some_and(|own| functions.contains(&own.0))
             }
             BeforeKind::Factor => functions.contains(&before.name),
+            BeforeKind::Quantity => {
+                functions.contains(&before.name)
+                    || !stands_by_itself(equation.statements(), &before.name)
+            }
             BeforeKind::Unit => symbols.contains(&before.name),
             BeforeKind::Degrees => angles.contains(&before.name),
         });
@@ -186,6 +192,14 @@ pub(super) fn refuse(
                 format!("this may be the value of a function `{name}` at a number, or a product"),
                 format!(
                     "for a product write `\\cdot` before the parenthesis; values are read of what the page has as a function, as `{name}(t)`"
+                ),
+            ),
+            BeforeKind::Quantity => (
+                format!(
+                    "whether `{name}` is applied to what follows, or multiplied by it, is not clear"
+                ),
+                format!(
+                    "for a product write `{name} \\cdot (…)`; functions are read as `f(x)`, of bare symbols"
                 ),
             ),
             BeforeKind::Degrees => (
@@ -207,4 +221,18 @@ pub(super) fn refuse(
             help: Some(help),
         });
     }
+}
+
+/// Whether a name stands in statements elsewhere than before what it might be applied to.
+fn stands_by_itself(statements: &[Statement], name: &Symbol) -> bool {
+    fn count(term: &Expr, name: &Symbol) -> usize {
+        let own = matches!(term, Expr::Symbol(own) if own == name);
+        usize::from(own) + term.children().map(|part| count(part, name)).sum::<usize>()
+    }
+    let all: Vec<Formula> = statements.iter().flat_map(formulas).collect();
+    let terms = all.iter().flat_map(Formula::terms);
+    let found: usize = terms.map(|term| count(term, name)).sum();
+    let before = statements.iter().flat_map(|own| &own.before);
+    let before = before.filter(|own| own.kind == BeforeKind::Quantity && own.name == *name);
+    found > before.count()
 }

@@ -161,6 +161,34 @@ fn unit_at(text: &str) -> Option<BigRational> {
     found
 }
 
+/// Units in words with spaces or strokes between them as one unit is spelt, `N.m./rad.` of "N m/rad"; nothing of other words.
+pub(super) fn spelt(words: &str) -> Option<String> {
+    let mut spelt = String::new();
+    let parted = ["/", "(", ")"]
+        .into_iter()
+        .fold(words.to_owned(), |words, sign| {
+            words.replace(sign, &format!(" {sign} "))
+        });
+    for word in parted.split_whitespace() {
+        match word {
+            "per" | "/" if !spelt.is_empty() => spelt.push('/'),
+            "(" | ")" => spelt.push_str(word),
+            "\\AA" => spelt.push_str("Å."),
+            _ => {
+                let (name, after) = word.split_at(length_of_name(word));
+                let (power, after) = power_at(after);
+                if name.is_empty() || ORDINARY.contains(&name) || !after.is_empty() {
+                    return None;
+                }
+                spelt.push_str(&symbol_of(name)?);
+                spelt.push_str(&power);
+                spelt.push('.');
+            }
+        }
+    }
+    Some(spelt)
+}
+
 /// The letters of a unit, or its sign.
 fn length_of_name(text: &str) -> usize {
     let sign = ["\\%", "%", "°"]

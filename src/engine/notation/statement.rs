@@ -60,6 +60,8 @@ pub enum Choice {
     OfValue,
     /// `P(t)` as `P \cdot t`.
     Product,
+    /// `\cos\omega(t - t_0)` as `\cos(\omega (t - t_0))`: a group after the first name belongs to the argument.
+    Group,
 }
 
 /// Another reading of a statement.
@@ -95,6 +97,8 @@ pub enum BeforeKind {
     Factor,
     /// A factor before a parenthesis in which it stands itself, `N (K - N)`: no argument holds the function that it is one of.
     Product,
+    /// A factor before brackets, which only what is a quantity elsewhere is: `P[R + S]`, `\alpha(k^*)^2`.
+    Quantity,
     /// A unit after a number, `5\,\mathrm{km}`.
     Unit,
     /// The number π, which degrees bring in, `30^\circ`.

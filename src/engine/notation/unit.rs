@@ -160,6 +160,16 @@ impl Unit {
             .map(|((name, _), power)| (Symbol::new(format!("\\unit{{{name}}}")), power))
     }
 
+    /// Raises the last part of it to a power, `2` of `m/s` in `\text{m/s}^2`. Of `m/s^{-1}` nobody knows what is meant.
+    pub(super) fn raise(&mut self, last: &Last, power: i32) -> Option<()> {
+        let more = match last.below {
+            true if power < 1 => return None,
+            true => 1 - power,
+            false => power - 1,
+        };
+        self.times(&last.unit, more)
+    }
+
     pub(super) fn times(&mut self, other: &Unit, power: i32) -> Option<()> {
         if power.abs() > MOST_POWER {
             return None;
@@ -237,7 +247,21 @@ fn by_symbol(text: &str) -> Option<Unit> {
         let row = UNITS.iter().find(|row| row.4 && row.0 == rest)?;
         Some(row_unit(row, *power))
     });
-    prefixed.into_iter().next()
+    prefixed.into_iter().next().or_else(|| molar(text))
+}
+
+/// Moles per litre, `M`, with the prefixes that they have: `GM` is a product.
+fn molar(text: &str) -> Option<Unit> {
+    let prefix = text.strip_suffix('M')?;
+    let power = match prefix {
+        "" => 0,
+        "m" | "µ" | "n" | "p" => PREFIXES.iter().find(|own| own.0 == prefix)?.2,
+        _ => return None,
+    };
+    let mut unit = by_symbol("mol")?;
+    unit.times(&by_symbol("L")?, -1)?;
+    unit.number *= tens(power);
+    Some(unit)
 }
 
 /// A unit by the command that is spelt as its symbol, a `u` for the sign of a millionth: `\kg`, `\m`, `\um`.
@@ -261,9 +285,10 @@ pub(super) fn symbol(command: &str) -> Option<&'static str> {
     }
 }
 
-/// Whether upright letters after a number can only be a unit, as far as the letters tell. A `d` may be that of a differential.
+/// Whether upright letters after a number can only be a unit, as far as the letters tell. A `d` may be that of a differential, and an `M` by
+/// itself is a mass as often; of concentrations in it logarithms are taken, as if it were 1.
 pub(super) fn is_symbol(text: &str) -> bool {
-    text != "d" && by_symbol(text).is_some()
+    text != "d" && !text.ends_with('M') && by_symbol(text).is_some()
 }
 
 /// A unit as siunitx takes it, `m/s^2`, `kg.m^2.s^{-2}`, `\kilo\metre\per\second\squared`, or as it is written by hand,
@@ -272,6 +297,18 @@ pub(super) fn is_symbol(text: &str) -> bool {
 /// # Errors
 /// What in it is not read.
 pub(super) fn read(text: &str) -> Result<Unit, String> {
+    Ok(read_with_last(text)?.0)
+}
+
+/// The last part of a unit, of which a power behind the whole is meant: the second in `m/s`.
+#[derive(Clone, Debug)]
+pub(super) struct Last {
+    unit: Unit,
+    below: bool,
+}
+
+/// The same, with the last part of it, if that has no power yet.
+pub(super) fn read_with_last(text: &str) -> Result<(Unit, Option<Last>), String> {
     let mut reader = Reader {
         rest: text,
         unit: Unit::one(),
@@ -280,6 +317,7 @@ pub(super) fn read(text: &str) -> Result<Unit, String> {
         after_stroke: 0,
         raised: 1,
         group: false,
+        last: None,
     };
     while reader.step()? {}
     if reader.below || reader.raised != 1 || reader.group {
@@ -292,7 +330,7 @@ pub(super) fn read(text: &str) -> Result<Unit, String> {
             text.trim()
         ));
     }
-    Ok(reader.unit)
+    Ok((reader.unit, reader.last))
 }
 
 struct Reader<'a> {
@@ -307,10 +345,12 @@ struct Reader<'a> {
     raised: i32,
     /// Inside the parentheses that stand below the stroke.
     group: bool,
+    /// The unit that was read last, if it has no power.
+    last: Option<Last>,
 }
 
 /// Signs in the names of units that are spelt as commands.
-const SIGNS: &[(&str, &str)] = &[("Omega", "Ω"), ("mu", "µ"), ("%", "%")];
+const SIGNS: &[(&str, &str)] = &[("Omega", "Ω"), ("mu", "µ"), ("AA", "Å"), ("%", "%")];
 
 impl<'a> Reader<'a> {
     fn step(&mut self) -> Result<bool, String> {
@@ -335,6 +375,7 @@ impl<'a> Reader<'a> {
             ')' if self.group && self.after_stroke == 0 => {
                 self.rest = &self.rest[1..];
                 (self.group, self.after_stroke) = (false, 1);
+                self.last = None;
             }
             '\\' if self.sign().is_none() => {
                 let rest = &self.rest[1..];
@@ -391,6 +432,7 @@ impl<'a> Reader<'a> {
 
     /// `\frac{J}{mol\,K}`
     fn fraction(&mut self) -> Result<(), String> {
+        self.last = None;
         for power in [1, -1] {
             let (inner, after) = braced(self.rest.trim_start())
                 .ok_or("a fraction in a unit needs two pairs of braces")?;
@@ -428,7 +470,7 @@ impl<'a> Reader<'a> {
                     Some((.., power)) => {
                         let rest = self.rest.trim_start();
                         let Some(rest) = rest.strip_prefix('\\') else {
-                            return Err(format!("a unit is missing after `\\{name}`"));
+                            return self.after_prefix(name, *power);
                         };
                         let length = rest.find(|c: char| !c.is_ascii_alphabetic());
                         let own = &rest[..length.unwrap_or(rest.len())];
@@ -454,10 +496,20 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
+    /// `\micro s`: letters after a prefix that is spelt as a command.
+    fn after_prefix(&mut self, prefix: &str, power: i32) -> Result<(), String> {
+        self.rest = self.rest.trim_start();
+        let name = self.name();
+        let row = UNITS.iter().find(|row| row.4 && row.0 == name);
+        let row = row.ok_or_else(|| format!("a unit is missing after `\\{prefix}`"))?;
+        self.take(&row_unit(row, power))
+    }
+
     /// A unit, with the power that follows it.
     fn take(&mut self, unit: &Unit) -> Result<(), String> {
         let mut power = std::mem::replace(&mut self.raised, 1);
         let rest = self.rest.trim_start();
+        let before = (power, rest.len());
         if let Some(after) = rest.strip_prefix("\\squared") {
             (power, self.rest) = (power * 2, after);
         } else if let Some(after) = rest.strip_prefix("\\cubed") {
@@ -478,9 +530,15 @@ impl<'a> Reader<'a> {
                 .ok_or_else(|| format!("the power `{}` of a unit is not read", digits.trim()))?;
             (power, self.rest) = (power * exponent, after);
         }
-        if std::mem::take(&mut self.below) || self.group {
+        let is_bare = before == (1, self.rest.trim_start().len());
+        let below = std::mem::take(&mut self.below) || self.group;
+        if below {
             power = -power;
         }
+        self.last = (is_bare && !self.group).then(|| Last {
+            unit: unit.clone(),
+            below,
+        });
         if !self.group {
             self.after_stroke += self.strokes;
         }

@@ -121,8 +121,12 @@ impl Parser<'_> {
         if self.kind(under) != Kind::Open || !self.is_d(under + 1) {
             return Ok(None);
         }
+        // `\frac{dS}{d\ln T}` is `T` times the slope by `T`.
+        let logarithmic =
+            self.kind(under + 2) == Kind::Command("ln") && self.starts_name(under + 3);
         if let Kind::Command("ln" | "log" | "lg" | "exp" | "sin" | "cos" | "tan" | "sqrt") =
             self.kind(under + 2)
+            && !logarithmic
         {
             self.at = under + 2;
             let help = "write the derivative with respect to the symbol, as in `\\frac{x}{y} \\frac{dy}{dx}`";
@@ -132,13 +136,14 @@ impl Parser<'_> {
                 help,
             );
         }
-        if !self.starts_name(under + 2) {
+        let name = under + 2 + usize::from(logarithmic);
+        if !self.starts_name(name) {
             return Ok(None);
         }
         let Some(end) = self.after_group(under) else {
             return Ok(None);
         };
-        self.at = under + 2;
+        self.at = name;
         let denominator = self.variable(true);
         let ends = self.at + 1 == end;
         if self.is_d(self.at) && self.starts_name(self.at + 1) {
@@ -160,7 +165,7 @@ impl Parser<'_> {
             Kind::Char('_' | '\'') => return self.unexpected(),
             _ => 1usize,
         };
-        if above != below || !(1..=ORDER).contains(&above) {
+        if above != below || !(1..=ORDER).contains(&above) || logarithmic && above > 1 {
             self.at = end;
             let message =
                 "the orders above and below in this derivative do not agree, or are too high";
@@ -184,7 +189,12 @@ impl Parser<'_> {
             );
         }
         let derive = |body: Expr, _| body.differentiated_by(&variable);
-        Ok(Some(((0..above).fold(body, derive), shape)))
+        let slope = (0..above).fold(body, derive);
+        let slope = match logarithmic {
+            true => Expr::Product([Expr::Symbol(variable.clone()), slope].into()),
+            false => slope,
+        };
+        Ok(Some((slope, shape)))
     }
 
     /// The token after the subscript that may begin here.

@@ -1,10 +1,8 @@
 //! Functions: the known ones, `\sin x`, and unknown ones applied to bare symbols, `P(t)`.
 
-use super::vector::{Borne, refuse_vector};
-use super::{
-    Before, BeforeKind, Choice, Doubt, DoubtKind, Factor, Kind, Parser, Read, Shape, refuse,
-    refuse_with,
-};
+use super::group::Delimiter;
+use super::vector::refuse_vector;
+use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Function, Symbol};
 use crate::notation::figures;
 use crate::notation::{commands, latex};
@@ -36,6 +34,17 @@ impl Parser<'_> {
             }
         })?;
         self.end_group(&delimiter, open_span)?;
+        if let Expr::Symbol(name) = &function.expr
+            && self.may_be_multiplied(name, bare, &delimiter, &arguments)
+        {
+            // Whether it is a quantity elsewhere, the page tells.
+            self.before.push(Before {
+                name: name.clone(),
+                span: self.since(start),
+                kind: BeforeKind::Quantity,
+            });
+            return self.before_factor(start, open, function, arguments);
+        }
         if self.may_be_applied(&function.expr, delimiter.close, bare, &arguments) {
             return self.unclear(start, &function.expr);
         }
@@ -63,15 +72,6 @@ impl Parser<'_> {
                     span: self.since(start),
                     kind: BeforeKind::Function,
                 });
-                let raised = self.peek() == Kind::Char('^');
-                if raised && matches!(arguments.as_slice(), [only] if is_raised(only)) {
-                    let help = "for a product write `\\cdot` before the parenthesis";
-                    return refuse_with(
-                        self.since(open),
-                        "this may be a factor or an argument",
-                        help,
-                    );
-                }
                 self.scripts(
                     start,
                     Expr::Apply(symbol, arguments.into()),
@@ -85,7 +85,9 @@ impl Parser<'_> {
                 "for a product write `\\cdot` before the parenthesis",
             ),
             (false, expr) => {
-                if let (Expr::Symbol(name), [Expr::Number(_)]) = (&expr, arguments.as_slice()) {
+                if let (Expr::Symbol(name), [Expr::Number(_)]) = (&expr, arguments.as_slice())
+                    && !(name.name() == "\\pi" && self.is_measure(open))
+                {
                     // Whether there is such a function, the page tells.
                     self.before.push(Before {
                         name: name.clone(),
@@ -102,6 +104,19 @@ impl Parser<'_> {
         }
     }
 
+    /// Whether the number in the parentheses that opened at `open` is one that is measured: π is multiplied by it, `\pi (0.20)^2`, and profits,
+    /// `\pi(50)`, are of whole ones.
+    fn is_measure(&self, open: usize) -> bool {
+        let number = self.tokens[open..self.at]
+            .iter()
+            .any(|token| match token.kind {
+                Kind::Number(text) => text.contains(['.', '{']),
+                Kind::Quantity(..) => true,
+                _ => false,
+            });
+        number || self.peek() == Kind::Char('^')
+    }
+
     /// Whether a reader may take a name for a function of what stands in brackets after it, other than `P(t)`.
     ///
     /// Square ones are those of expectations and functionals, `E[X]`; around a sum they are parentheses too, `m[1 + (a - b)]`.
@@ -111,6 +126,22 @@ impl Parser<'_> {
         match close {
             ")" => !bare && is(commands::is_word),
             _ => bare || number || is(commands::is_functional),
+        }
+    }
+
+    /// Whether a letter that is a quantity is multiplied by what stands in brackets after it, though others are applied to it: `P[R + S]`, and
+    /// `\alpha(k^*)^2`, where the power needs the parentheses.
+    fn may_be_multiplied(
+        &self,
+        name: &Symbol,
+        bare: bool,
+        delimiter: &Delimiter,
+        group: &[Expr],
+    ) -> bool {
+        match (delimiter.close, group) {
+            ("]", [Expr::Sum(_)]) => matches!(name.name(), "E" | "P"),
+            (")", [only]) => bare && self.peek() == Kind::Char('^') && is_raised(only),
+            _ => false,
         }
     }
 
@@ -368,152 +399,6 @@ impl Parser<'_> {
             span: self.since(start),
             braces: false,
         }
-    }
-
-    pub(super) fn plain_argument(&mut self) -> Read<Expr> {
-        let help = "put the argument in parentheses";
-        let start = self.at;
-        let mut factors: Vec<Expr> = Vec::new();
-        let mut borne = Borne::default();
-        let mut last = None;
-        if let Kind::Command(inner) = self.peek()
-            && commands::is_function(inner)
-        {
-            return self.function_inside();
-        }
-        while self.starts_factor() && !self.at_delimiter() && self.is_plain() {
-            // Nobody takes `\sin 2x` for `(\sin 2) x`.
-            if !matches!(factors.as_slice(), [] | [Expr::Number(_)]) {
-                if self.is_rate(start) {
-                    break;
-                }
-                self.choices
-                    .push((Choice::FirstName, self.since(start.saturating_sub(1))));
-                if self.choice == Some(Choice::FirstName) {
-                    break;
-                }
-            }
-            let factor = self.factor()?;
-            if self.is_angle_before_group(start, &factors, &factor) {
-                factors.push(factor.expr);
-                return Ok(product_of(factors));
-            }
-            let group = self.pending.take().map(|group| group.span);
-            let unclear = factor.braces && (factor.shape == Shape::Loose || self.starts_factor());
-            if let Some(span) = group.or(unclear.then_some(factor.span)) {
-                return refuse_with(
-                    span,
-                    "where the argument of this function ends is not clear",
-                    help,
-                );
-            }
-            if last == Some(Shape::Number) && factor.shape == Shape::Number {
-                return refuse(factor.span, "two numbers stand side by side");
-            }
-            borne.join(&factor, None)?;
-            last = Some(factor.shape);
-            factors.push(factor.expr);
-        }
-        let next_is_function =
-            matches!(self.kind(self.at + 1), Kind::Command(name) if commands::is_function(name));
-        let ambiguous = match self.peek() {
-            // Nobody takes `\sin x/\cos x` for the sine of a quotient.
-            Kind::Command("cdot" | "times") | Kind::Char('*' | '/') => !next_is_function,
-            _ => self.at_delimiter(),
-        };
-        if ambiguous && !factors.is_empty() {
-            return refuse_with(
-                self.span(),
-                "where the argument of this function ends is not clear",
-                help,
-            );
-        }
-        if !factors.is_empty() {
-            return Ok(product_of(factors));
-        }
-        match self.peek() {
-            Kind::Char('+' | '-') => refuse_with(
-                self.span(),
-                "the argument of a function is missing before this",
-                help,
-            ),
-            _ => self.no_term(),
-        }
-    }
-
-    /// `\cosh x` in `\ln \cosh x`, with nothing beside it that might go with the outer function or with none.
-    fn function_inside(&mut self) -> Read<Expr> {
-        let inner = self.factor()?;
-        let beside = matches!(
-            self.peek(),
-            Kind::Char('/' | '*') | Kind::Command("cdot" | "times")
-        );
-        if beside || self.pending.is_some() || self.starts_factor() || self.at_delimiter() {
-            return refuse_with(
-                self.span(),
-                "where the argument of this function ends is not clear",
-                "put the argument in parentheses",
-            );
-        }
-        Ok(inner.expr)
-    }
-
-    /// Whether a parenthesis after `\sin\theta` multiplies the sine: it does where it holds another sine or cosine of that angle, and may do so
-    /// where the page takes those of it elsewhere, as is looked at later. The group is then left pending.
-    fn is_angle_before_group(&mut self, start: usize, before: &[Expr], factor: &Factor) -> bool {
-        let (Some(group), Expr::Symbol(name)) = (&self.pending, &factor.expr) else {
-            return false;
-        };
-        if !self.angle || !matches!(before, [] | [Expr::Number(_)]) {
-            return false;
-        }
-        if !group.expr.any(&|part| angle_of(part) == Some(name)) {
-            let kind = DoubtKind::Angle(name.clone());
-            let span = self.since(start.saturating_sub(1));
-            self.doubts.push(Doubt { span, kind });
-        }
-        true
-    }
-
-    /// Whether a rate or a differential stands here, beside an argument that began at `start`: nobody means it in
-    /// `\cos\theta\dot\theta`, `\cos\theta\,d\theta`, `\cos\theta\,\theta'`.
-    fn is_rate(&self, start: usize) -> bool {
-        let here = self.peek();
-        let prime = |at: usize| self.kind(at) == Kind::Char('\'');
-        let has = |letter: Kind| {
-            let before = start..self.at;
-            let mut same = before.filter(|&at| self.is_letter(at) && self.kind(at) == letter);
-            same.any(|at| !prime(at + 1))
-        };
-        match here {
-            Kind::Command("dot" | "ddot") => true,
-            Kind::Command(name) if commands::is_fraction(name) => self.at_derivative(),
-            _ if self.at_differential() => {
-                let upright = !matches!(here, Kind::Letter(_));
-                let spaced = self.tokens.get(self.at).is_some_and(|token| token.spaced);
-                upright || spaced || has(self.kind(self.at + 1))
-            }
-            letter => prime(self.at + 1) && has(letter),
-        }
-    }
-
-    pub(super) fn is_plain(&self) -> bool {
-        match self.peek() {
-            Kind::Number(_) | Kind::Open => true,
-            Kind::Command("sqrt") => true,
-            Kind::Command(name) if commands::is_fraction(name) || commands::is_binomial(name) => {
-                true
-            }
-            _ => self.starts_name(self.at),
-        }
-    }
-}
-
-/// The product of some factors, one of them at least.
-fn product_of(mut factors: Vec<Expr>) -> Expr {
-    match factors.len() {
-        1 => factors.remove(0),
-        _ => Expr::Product(factors.into()),
     }
 }
 

@@ -7,6 +7,7 @@
 //! Invariant: every token is either used or named in an error. Nothing is skipped. Nesting is bounded by
 //! [`DEPTH`], so that no input can exhaust the stack.
 
+mod argument;
 mod aside;
 mod atom;
 mod between;

@@ -35,8 +35,11 @@ impl Parser<'_> {
         };
         self.at = under + 1;
         let mut variables = Vec::new();
+        // `\frac{\partial f}{\partial \ln x}` is `x` times the slope by `x`.
+        let mut logarithmic = false;
         while self.is_partial(self.at) {
             self.advance();
+            logarithmic |= self.accept(Kind::Command("ln"));
             if !self.starts_name(self.at) {
                 return self.no_term();
             }
@@ -54,7 +57,7 @@ impl Parser<'_> {
             },
             _ => 1usize,
         };
-        if order != variables.len() || order > ORDER {
+        if order != variables.len() || order > ORDER || logarithmic && order > 1 {
             self.at = end;
             let message =
                 "the orders above and below in this derivative do not agree, or are too high";
@@ -62,7 +65,13 @@ impl Parser<'_> {
             return refuse_with(self.since(start), message, help);
         }
         let (body, shape) = self.differentiated_above(open, end)?;
-        Ok(Some((by_all(body, variables), shape)))
+        let factor = variables.first().filter(|_| logarithmic).cloned();
+        let slope = by_all(body, variables);
+        let slope = match factor {
+            Some(variable) => Expr::Product([Expr::Symbol(variable), slope].into()),
+            None => slope,
+        };
+        Ok(Some((slope, shape)))
     }
 
     /// `\partial_x f`, `\partial_t^2 f`.

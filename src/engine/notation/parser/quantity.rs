@@ -20,13 +20,18 @@ impl Parser<'_> {
                 return refuse_with(span, format!("`{text}` is not read as a number"), help);
             }
         };
-        let unit = match unit::read(of) {
-            Ok(unit) => unit,
+        let (mut unit, last) = match unit::read_with_last(of) {
+            Ok(read) => read,
             Err(message) => {
                 let help = "give the quantity a name, and declare its dimension or its figures";
                 return refuse_with(span, message, help);
             }
         };
+        // `\mathrm{m/s}^2`
+        let several = of.contains(|c: char| !c.is_alphanumeric());
+        if let Some(last) = last.filter(|_| value.is_none() && several) {
+            self.raise_last(&mut unit, &last)?;
+        }
         let expr = product(value.as_ref(), &unit);
         if let (Expr::Symbol(_), None) = (&expr, &value) {
             return self.scripts(start, expr, Shape::Tight, false);

@@ -15,6 +15,8 @@ use crate::notation::{commands, measured};
 
 /// How many `/` one term may hold; more than one is hard enough to read.
 const SLASHES: usize = 8;
+/// An uncertainty has so many digits, or one more where the number before it has as many.
+const FIGURES_IN_DOUBT: usize = 2;
 /// How many factors beside what a stroke divides by are read or tried below it.
 const MOST_BELOW: u8 = 5;
 
@@ -240,6 +242,7 @@ impl Parser<'_> {
                 }
                 _ if self.starts_factor() => {
                     differential |= self.at_differential();
+                    product.grouped = self.at_delimiter() && !self.may_be_uncertainty();
                     product.push(self.factor()?)?;
                     self.beside(&mut stroke);
                     if self.pending.is_some() {
@@ -255,6 +258,24 @@ impl Parser<'_> {
 }
 
 impl Parser<'_> {
+    /// Whether a number in parentheses here may say how uncertain the decimal before it is, `1.0(2)`: it has a digit or two then, and is whole.
+    fn may_be_uncertainty(&self) -> bool {
+        let (Some(Kind::Number(before)), Kind::Number(number)) = (
+            self.at.checked_sub(1).map(|at| self.kind(at)),
+            self.kind(self.at + 1),
+        ) else {
+            return false;
+        };
+        let decimals = before.split(['.', '}']).nth(1).map_or(0, str::len);
+        let digits = number
+            .bytes()
+            .all(|c| c.is_ascii_digit())
+            .then_some(number.len());
+        let is_short = digits
+            .is_some_and(|own| own <= FIGURES_IN_DOUBT.max(decimals.min(FIGURES_IN_DOUBT + 1)));
+        decimals > 0 && is_short && self.kind(self.at + 2) == Kind::Char(')')
+    }
+
     /// A factor was read beside what a stroke divides by: it may be meant to stand below the stroke too.
     fn beside(&mut self, stroke: &mut Option<(usize, u8)>) {
         if let Some((start, count)) = stroke
@@ -313,6 +334,8 @@ struct Product {
     divided: bool,
     /// Whether a sign stands before the next factor, so that two numbers do not run together.
     signed: bool,
+    /// Whether parentheses around the next factor part it from a number before it, `3(200)`.
+    grouped: bool,
     /// Whether the last factor is a unit after a number, so that another may go on with it.
     measured: bool,
     /// The `\times` before the next factor.
@@ -350,10 +373,10 @@ impl Product {
 
     fn push(&mut self, factor: Factor) -> Read<()> {
         self.measured = false;
-        let signed = std::mem::take(&mut self.signed);
+        let parted = std::mem::take(&mut self.signed) | std::mem::take(&mut self.grouped);
         self.borne.join(&factor, self.times.take())?;
         if let Some(before) = self.factors.last()
-            && !signed
+            && !parted
             && before.shape == Shape::Number
         {
             if factor.shape == Shape::Number

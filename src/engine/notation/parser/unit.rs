@@ -9,7 +9,7 @@ use super::name::PROSE;
 use super::quantity::product;
 use super::{Before, BeforeKind, Factor, Kind, Parser, Read, Shape, refuse};
 use crate::algebra::{Expr, Symbol};
-use crate::notation::unit::{self, Unit};
+use crate::notation::unit::{self, Last, Unit};
 use crate::notation::{beside, commands};
 
 /// A shorter word spells no unit out.
@@ -24,6 +24,8 @@ pub(super) struct Written {
     shy: bool,
     /// Whether a power after it is that of a part of it, so that it takes none.
     closed: bool,
+    /// That part, where it is known: `\text{m/s}^2`.
+    last: Option<Last>,
     /// The place after it.
     end: usize,
 }
@@ -35,8 +37,19 @@ impl Written {
             names,
             shy: false,
             closed: false,
+            last: None,
             end,
         }
+    }
+
+    /// Several units in one word, of which a power behind them raises the last alone.
+    fn several(text: &str, end: usize) -> Option<Written> {
+        let (unit, last) = unit::read_with_last(text).ok()?;
+        Some(Written {
+            closed: true,
+            last,
+            ..Written::of(unit, Vec::new(), end)
+        })
     }
 
     /// Multiplies by a power of another unit, which ends at `end`.
@@ -113,7 +126,11 @@ impl<'s> Parser<'s> {
                 kind: BeforeKind::Unit,
             });
         }
-        let mut expr = product(None, &written.unit);
+        let mut unit = written.unit;
+        if let Some(last) = written.last.filter(|_| written.closed) {
+            self.raise_last(&mut unit, &last)?;
+        }
+        let mut expr = product(None, &unit);
         if self.peek() == Kind::Char('^') && !written.closed {
             let span = self.span();
             match self.superscript()?.power {
@@ -129,10 +146,27 @@ impl<'s> Parser<'s> {
         })
     }
 
+    /// Takes the power that stands here, if there is one, as that of the last part of a unit.
+    pub(super) fn raise_last(&mut self, unit: &mut Unit, last: &Last) -> Read<()> {
+        if self.peek() != Kind::Char('^') {
+            return Ok(());
+        }
+        let raised = self.whole_power(self.at).and_then(|(power, end)| {
+            unit.raise(last, power)?;
+            Some(end)
+        });
+        match raised {
+            Some(end) => self.at = end,
+            None => return refuse(self.span(), "this power of a unit is not read"),
+        }
+        Ok(())
+    }
+
     /// `\mathrm{km}`, `\text{m/s}`, `\Omega`, `\mathrm{k}\Omega`, `\mu\mathrm{m}`, `\%`, without a power.
     fn unit_word(&self, at: usize) -> Option<Written> {
         let written = match self.kind(at) {
             Kind::Command("%") => Written::of(unit::read("%").ok()?, Vec::new(), at + 1),
+            Kind::Command("AA") => Written::of(unit::read("Å").ok()?, Vec::new(), at + 1),
             Kind::Command("Omega") => Written {
                 shy: true,
                 ..Written::of(unit::read("Ω").ok()?, vec!["\\Omega".to_owned()], at + 1)
@@ -152,19 +186,24 @@ impl<'s> Parser<'s> {
         (!named).then_some(written)
     }
 
-    /// `\mu\mathrm{m}`, with no space between the two.
+    /// `\mu\mathrm{m}`, `\mu\text{m/s}`, with no space between the two.
     fn micro(&self, at: usize) -> Option<Written> {
-        let Kind::Upright(text) = self.kind(at + 1) else {
+        let (Kind::Upright(text) | Kind::Text(text)) = self.kind(at + 1) else {
             return None;
         };
-        if !self.joins(at, Kind::Upright(text)) {
+        let next = self.tokens.get(at + 1)?;
+        if next.spaced || text.starts_with(char::is_whitespace) {
             return None;
         }
-        let unit = unit::read(&format!("µ{text}")).ok()?;
-        Some(Written {
-            shy: true,
-            ..Written::of(unit, vec!["\\mu".to_owned(), upright(text)], at + 2)
-        })
+        let text = text.trim_end();
+        let several = text.contains(|c: char| !c.is_alphanumeric());
+        if !several && !unit::is_symbol(text) {
+            return None;
+        }
+        let mut written = Written::several(&format!("µ{text}"), at + 2)?;
+        written.names = vec!["\\mu".to_owned(), upright(text)];
+        (written.shy, written.closed) = (true, several);
+        Some(written)
     }
 
     /// Whether this stands after the token at this place, and no space between them.
@@ -254,10 +293,10 @@ impl<'s> Parser<'s> {
     }
 }
 
-/// `\text{km}`, `\text{ m/s}`: one unit, or several with a stroke, but no words that are found in a sentence.
+/// `\text{km}`, `\text{ m/s}`, `\text{N m}`: one unit, or several, but no words that are found in a sentence.
 fn text_unit(words: &str, end: usize) -> Option<Written> {
     let name = words.trim();
-    if PROSE.contains(&name) || name.contains(|c: char| c == '.' || c.is_whitespace()) {
+    if PROSE.contains(&name) || name.contains('.') {
         return None;
     }
     if unit::is_symbol(name) {
@@ -278,9 +317,10 @@ fn text_unit(words: &str, end: usize) -> Option<Written> {
         ));
     }
     let several = name.contains(|c: char| !c.is_alphanumeric());
-    let unit = unit::read(name).ok().filter(|_| several)?;
-    Some(Written {
-        closed: true,
-        ..Written::of(unit, Vec::new(), end)
-    })
+    if !several {
+        return None;
+    }
+    Written::several(name, end)
+        .filter(|_| !name.contains(char::is_whitespace))
+        .or_else(|| Written::several(&beside::spelt(name)?, end))
 }
