@@ -53,7 +53,10 @@ pub(super) fn refuse(
     };
     for equation in equations {
         let statements = equation.statements.iter_mut().flatten();
-        statements.for_each(|statement| settle(statement, &standing));
+        statements.for_each(|statement| {
+            settle(statement, &standing);
+            end_at_spaces(statement, &standing);
+        });
         if let Some(error) = doubtful(equation.statements(), &declared, &standing) {
             equation.statements = Err(error);
         }
@@ -78,6 +81,30 @@ fn settle(statement: &mut Statement, standing: &OnPage) {
         statement.others = vec![Other {
             choice: Choice::FirstName,
             span: other.span,
+            statement: product,
+        }];
+    }
+}
+
+/// Reads `v \cos\theta\,t` as `(v \cos\theta) t` where the page takes sines or cosines of that angle alone.
+fn end_at_spaces(statement: &mut Statement, standing: &OnPage) {
+    let mut doubts = statement.doubts.iter();
+    let is_angle = |doubt: &Doubt| matches!(&doubt.kind, DoubtKind::Spaced(own) if standing.angles.contains(own));
+    if !doubts.any(is_angle) {
+        return;
+    }
+    let others = &mut statement.others;
+    let is_it = |other: &Other| other.choice == Choice::FirstName;
+    if let Some(other) = others.iter().position(is_it).map(|at| others.remove(at)) {
+        let Other {
+            choice,
+            span,
+            statement: ended,
+        } = other;
+        let product = std::mem::replace(statement, ended);
+        statement.others = vec![Other {
+            choice,
+            span,
             statement: product,
         }];
     }
@@ -120,7 +147,7 @@ fn refusal(doubt: &Doubt, letters: &Letters) -> Option<SyntaxError> {
             (!product).then(|| no_product(word, spelt, doubt.span))
         }
         // Asked of the page, not of letters.
-        DoubtKind::Angle(_) => None,
+        DoubtKind::Angle(_) | DoubtKind::Spaced(_) => None,
         DoubtKind::Applied(name) => letters.stands(name).then(|| no_value(name, doubt.span)),
         DoubtKind::Concentration(name) => {
             let known = letters.is_declared(name) || letters.has_concentrations();

@@ -128,6 +128,8 @@ pub enum DoubtKind {
     Operator(Symbol),
     /// A symbol of which a sine, a cosine or a tangent is taken, right before a parenthesis that is read as a factor: `\sin\theta (1 - x)`.
     Angle(Symbol),
+    /// A symbol of which a sine, a cosine or a tangent is taken, with a space before what else is read as its argument: `\cos\theta\,t`.
+    Spaced(Symbol),
     /// A name that is read as applied to the brackets after it, `P(X > 3)`, unless it is a quantity itself.
     Applied(Symbol),
     /// A concentration right after a name or a number, whose unit it may be: `k [\mathrm{A}]`.

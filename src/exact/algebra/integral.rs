@@ -255,14 +255,15 @@ impl Lowering<'_> {
                 Ok(Some(part.times(&slope)?))
             }
             (factors, []) if plain => {
-                let before = self.conditions.clone();
+                let before = std::mem::take(&mut self.conditions);
                 let found = self.antiderivative(factors, range)?;
+                let own = std::mem::replace(&mut self.conditions, before);
                 // What would have to be so all the way is not looked at.
-                let sure = !(self.conditions.polynomials()).any(|own| self.moves(own, range));
+                let sure = !own.polynomials().any(|own| self.moves(own, range));
                 let Some(found) = found.filter(|_| sure) else {
-                    self.conditions = before;
                     return Ok(None);
                 };
+                self.conditions.extend(own);
                 let found = expr_of_fraction(&found, self.atoms);
                 let at = |limit: &Expr| found.substitute(range.variable, limit);
                 let (end, start) = (self.lower(&at(&range.to))?, self.lower(&at(&range.from))?);
@@ -446,6 +447,7 @@ impl Lowering<'_> {
             Some(own) => own.1 += exponent,
             None => moving.factors.push((var, exponent)),
         }
+        moving.factors.retain(|own| own.1 != 0);
     }
 }
 

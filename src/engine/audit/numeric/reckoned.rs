@@ -23,7 +23,12 @@ impl Auditor<'_> {
     /// Says where numbers do not come to what a statement says that they do, if nothing else is said of it.
     pub(in crate::audit) fn reckon(&self, at: usize, statement: &Statement, entry: &mut Entry) {
         let is_open = matches!(entry.verdict, Verdict::Given | Verdict::Undecided);
-        if !is_open || entry.numeric.is_some() || self.derivation.equations[at].numeric.is_some() {
+        let is_told = |note: &Note| matches!(note, Note::NumericNotSupported);
+        let is_weighed = match &entry.numeric {
+            Some(own) => *own.outcome() != Weighed::Contradicted || entry.notes.iter().any(is_told),
+            None => false,
+        };
+        if !is_open || is_weighed || self.derivation.equations[at].numeric.is_some() {
             return;
         }
         let page = self.derivation.equations[at].page;

@@ -29,6 +29,13 @@ impl Parser<'_> {
                 if self.choice == Some(Choice::FirstName) {
                     break;
                 }
+                if let [.., Expr::Symbol(name)] = factors.as_slice()
+                    && self.tokens.get(self.at).is_some_and(|token| token.spaced)
+                {
+                    let kind = DoubtKind::Spaced(name.clone());
+                    let span = self.since(start.saturating_sub(1));
+                    self.doubts.push(Doubt { span, kind });
+                }
             }
             let factor = self.factor()?;
             if let Some(in_doubt) = self.angle_before_group(start, &factors, &factor) {
