@@ -11,10 +11,11 @@ use std::rc::Rc;
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Beyond, Derivation, Goal, Source};
 use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
+use crate::notation::plain;
 use crate::search::{self, Decision, Effort, Implied, Mended};
 use crate::sorted;
 
-use self::unclear::takes_slope_at_a_point;
+use self::unclear::{moves_unseen, takes_slope_at_a_point};
 use super::again::borrowed::Before;
 use super::again::limiting::is_told_of;
 use super::premise::Usable;
@@ -246,6 +247,14 @@ impl Judge<'_> {
         }
         if found.judged.outcome.is_refuted() && takes_slope_at_a_point(&found.judged) {
             found.leave_open("it takes the slope of what the text gives for one moment alone");
+        }
+        if found.judged.outcome.is_refuted()
+            && let Some(moves) = moves_unseen(&found.judged)
+        {
+            let moves = plain(&moves);
+            found.leave_open(format!(
+                "`{moves}` is given by what it changes with, and by something that is not seen to change"
+            ));
         }
         if found.judged.outcome.is_refuted() && self.is_unclear(&found.judged) {
             found = Found::open(Judged {

@@ -205,6 +205,10 @@ impl Known<'_> {
         {
             return link;
         }
+        if let Some(term) = self.logarithm_of_units(&link.goal.formula) {
+            link.outcome = Weighed::NoValue(NoInterval::Unsupported(term));
+            return link;
+        }
         let rounding = link.goal.rounding.as_ref();
         let relation = match relation {
             // What is rounded is near what it is rounded from.
@@ -239,6 +243,27 @@ impl Known<'_> {
             self.leave_units(relation, &mut link);
         }
         link
+    }
+
+    /// The logarithm of a quantity that is printed with units, `\mathrm{pH} = -\log_{10} h` after `h = 8 \cdot 10^{-3}\,\mathrm{mol/L}`: that is meant in
+    /// just these, and figures are in those of the SI.
+    fn logarithm_of_units(&self, formula: &Formula) -> Option<Expr> {
+        let is_printed = |symbol: &Symbol, own: &Formula| match own.as_equation() {
+            Some((Expr::Symbol(of), value)) => of == symbol && has_units(value),
+            _ => false,
+        };
+        let has_units = |symbol: &Symbol| {
+            let mut assumed = self.assumed.iter();
+            let mut said = self.said.iter();
+            assumed.any(|own| is_printed(symbol, &own.formula))
+                || said.any(|own| is_printed(symbol, &own.goal.formula))
+        };
+        let is_one = |part: &Expr| match part {
+            Expr::Call(Function::Ln, of) => matches!(&**of, Expr::Symbol(of) if has_units(of)),
+            _ => false,
+        };
+        let mut terms = formula.terms().into_iter();
+        terms.find(|term| term.any(&is_one)).cloned()
     }
 
     /// Weighs a link of which one side has units and the other none again without them, `\frac{320 \cdot 480}{800} = 192\,\Omega`, if that

@@ -47,7 +47,8 @@ impl Judge<'_> {
         // That there is a root at all may have to be proved.
         conditions.is_some_and(|conditions| {
             self.holds_under(goal, set.clone(), &conditions, Effort::Full, found)
-        }) || effort == Effort::Full && self.follows_on_one_side(goal, &set, found)
+        }) || takes_root(&goal.formula) && self.follows_by_signs(goal, &set, found)
+            || effort == Effort::Full && self.follows_on_one_side(goal, &set, found)
     }
 
     /// Whether the step follows where nothing that is divided by is 0, if words say that something is: "Dividing (2) by (1)".
@@ -199,6 +200,34 @@ impl Judge<'_> {
                     .flatten()
             })
         })
+    }
+
+    /// Whether the step follows where its own symbols are positive, from what speaks of nothing else: whether all that is before it is
+    /// possible so may be more than can be told, beside exponentials.
+    fn follows_by_signs(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
+        let named = goal.formula.names();
+        let mut set = set.to_vec();
+        set.retain(|own| own.formula.names().is_subset(&named));
+        let claim = self.derivation.claim(self.at, &set, &goal.formula);
+        let mut free = unbounded(&claim);
+        free.retain(|own| named.contains(own));
+        let conditions: Vec<Formula> = free
+            .into_iter()
+            .map(|own| Formula::positive(Expr::Symbol(own)))
+            .collect();
+        let with: Vec<Assumed> = set
+            .iter()
+            .cloned()
+            .chain(conditions.iter().map(step))
+            .collect();
+        let claim = self.derivation.claim(self.at, &with, &goal.formula);
+        let is_possible = || {
+            let possible = search::consistency(&claim, &self.auditor.hints());
+            matches!(possible, search::Consistency::Model(_))
+        };
+        !conditions.is_empty()
+            && is_possible()
+            && self.holds_under(goal, set, &conditions, Effort::Full, found)
     }
 
     fn all_positive(

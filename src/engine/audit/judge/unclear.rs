@@ -85,3 +85,33 @@ pub(super) fn takes_slope_at_a_point(judged: &Judged) -> bool {
     };
     given.any(|(left, right)| takes(left, right))
 }
+
+/// What a goal takes the slope of, if that is given twice, by a term with the variable and by one without: what is constant in a counterexample
+/// by the second is not by the first, `\theta = T - T_0` beside `\theta = \theta_0 e^{-x/a}`.
+pub(super) fn moves_unseen(judged: &Judged) -> Option<Expr> {
+    let given = |of: &Expr, variable: &Symbol, moves: bool| {
+        let mut assumed = judged.assumed.iter();
+        assumed.any(|own| match own.formula.as_equation() {
+            Some((left, right)) => left == of && right.mentions(variable) == moves,
+            None => false,
+        })
+    };
+    let is_unseen = |part: &Expr| match part {
+        Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
+            given(body, variable, true) && given(body, variable, false)
+        }
+        _ => false,
+    };
+    let terms = judged.goal.formula.terms();
+    terms
+        .into_iter()
+        .find_map(|term| slope_in(term, &is_unseen))
+}
+
+/// What the first slope in a term that is as asked is taken of.
+fn slope_in(term: &Expr, is_meant: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
+    match term {
+        Expr::Derivative { body, .. } if is_meant(term) => Some((**body).clone()),
+        _ => (term.children()).find_map(|part| slope_in(part, is_meant)),
+    }
+}
