@@ -69,21 +69,29 @@ fn settle(statement: &mut Statement, standing: &OnPage) {
         DoubtKind::Angle(own) => !standing.angles.contains(own) && standing.factors.contains(own),
         _ => true,
     };
-    let others = &mut statement.others;
-    let other = others
-        .iter()
-        .position(|other| other.choice == Choice::Group);
-    let Some(other) = other.map(|at| others.remove(at)) else {
+    let Some(other) = take_other(statement, Choice::Group) else {
         return;
     };
     if statement.doubts.iter().all(is_factor) {
-        let product = std::mem::replace(statement, other.statement);
-        statement.others = vec![Other {
-            choice: Choice::FirstName,
-            span: other.span,
-            statement: product,
-        }];
+        choose(statement, other);
     }
+}
+
+/// Takes away the reading of a statement that makes a choice, if there is one.
+fn take_other(statement: &mut Statement, choice: Choice) -> Option<Other> {
+    let others = &mut statement.others;
+    let at = others.iter().position(|other| other.choice == choice)?;
+    Some(others.remove(at))
+}
+
+/// Takes a statement as another reading has it. How long an argument of it is remains a choice.
+fn choose(statement: &mut Statement, other: Other) {
+    let before = std::mem::replace(statement, other.statement);
+    statement.others = vec![Other {
+        choice: Choice::FirstName,
+        span: other.span,
+        statement: before,
+    }];
 }
 
 /// Reads `v \cos\theta\,t` as `(v \cos\theta) t` where the page takes sines or cosines of that angle alone.
@@ -93,20 +101,8 @@ fn end_at_spaces(statement: &mut Statement, standing: &OnPage) {
     if !doubts.any(is_angle) {
         return;
     }
-    let others = &mut statement.others;
-    let is_it = |other: &Other| other.choice == Choice::FirstName;
-    if let Some(other) = others.iter().position(is_it).map(|at| others.remove(at)) {
-        let Other {
-            choice,
-            span,
-            statement: ended,
-        } = other;
-        let product = std::mem::replace(statement, ended);
-        statement.others = vec![Other {
-            choice,
-            span,
-            statement: product,
-        }];
+    if let Some(ended) = take_other(statement, Choice::FirstName) {
+        choose(statement, ended);
     }
 }
 
@@ -243,14 +239,16 @@ pub(super) fn standing_in<'s>(statements: impl Iterator<Item = &'s Statement>) -
     found
 }
 
+/// Whether something in a statement is in doubt.
+fn doubts(statement: &Statement, kind: &DoubtKind) -> bool {
+    statement.doubts.iter().any(|own| own.kind == *kind)
+}
+
 /// The concentrations in statements, but those that may be units.
 fn concentrations_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol> {
     let mut found = Set::new();
     for statement in statements {
-        let in_doubt = |name: &Symbol| {
-            let mut doubts = statement.doubts.iter();
-            doubts.any(|own| matches!(&own.kind, DoubtKind::Concentration(own) if own == name))
-        };
+        let in_doubt = |name: &Symbol| doubts(statement, &DoubtKind::Concentration(name.clone()));
         symbols_in(std::slice::from_ref(statement), &mut |name| {
             if name.name().starts_with('[') && !in_doubt(name) {
                 found.insert(name.clone());
@@ -264,10 +262,7 @@ fn concentrations_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set
 fn angles_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol> {
     let mut found = Set::new();
     for statement in statements {
-        let in_doubt = |name: &Symbol| {
-            let mut doubts = statement.doubts.iter();
-            doubts.any(|own| matches!(&own.kind, DoubtKind::Angle(own) if own == name))
-        };
+        let in_doubt = |name: &Symbol| doubts(statement, &DoubtKind::Angle(name.clone()));
         for formula in formulas(statement) {
             for term in formula.terms() {
                 collect_angles(term, &mut |name| {

@@ -68,10 +68,10 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
         }
     }
     given.tie_together();
-    given.heed(names::arguments_in_text(
-        &page.document.source,
-        page.document.inline(),
-    ));
+    if given.marked.iter().any(|own| own.name().ends_with("''")) {
+        let in_text = names::arguments_in_text(&page.document.source, page.document.inline());
+        given.heed(in_text);
+    }
     let source = &page.document.source;
     let of_slopes = LazyCell::new(|| {
         let mut words = ["derivative", "Derivative", "ifferentiat"].into_iter();

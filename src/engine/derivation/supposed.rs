@@ -452,7 +452,7 @@ fn set_to_a_number(formula: &Formula) -> Option<Symbol> {
 }
 
 /// Whether a symbol stands for a number, or for so much of a unit.
-fn is_number(symbol: &Symbol) -> bool {
+pub(super) fn is_number(symbol: &Symbol) -> bool {
     symbol.is_unit() || symbol.name() == "\\pi"
 }
 

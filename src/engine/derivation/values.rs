@@ -11,6 +11,7 @@ use super::equation::{Goal, formulas, goals};
 use super::names::names_a_place;
 use super::page::Page;
 use super::slopes::base;
+use super::supposed::is_number as is_number_or_unit;
 
 /// More pieces of mathematics in the text than this are not looked through.
 const MOST_SAID: usize = 500;
@@ -301,8 +302,7 @@ fn figure(statement: &Statement) -> Option<Goal> {
     let is_symbol = matches!(left, Expr::Symbol(symbol) if !symbol.is_unit());
     // That something is 0 is a case or a condition.
     let is_nought = matches!(right, Expr::Number(value) if value.is_zero());
-    let is_figure = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
-    let is_number = !is_nought && right.free_symbols().iter().all(is_figure);
+    let is_number = !is_nought && right.free_symbols().iter().all(is_number_or_unit);
     let plain = statement.mark.is_none() && goals.iter().all(is_near);
     (plain && is_symbol && is_number).then(|| Goal {
         formula: Formula::Relation {

@@ -211,23 +211,8 @@ impl Judge<'_> {
         let claim = self.derivation.claim(self.at, &set, &goal.formula);
         let mut free = unbounded(&claim);
         free.retain(|own| named.contains(own));
-        let conditions: Vec<Formula> = free
-            .into_iter()
-            .map(|own| Formula::positive(Expr::Symbol(own)))
-            .collect();
-        let with: Vec<Assumed> = set
-            .iter()
-            .cloned()
-            .chain(conditions.iter().map(step))
-            .collect();
-        let claim = self.derivation.claim(self.at, &with, &goal.formula);
-        let is_possible = || {
-            let possible = search::consistency(&claim, &self.auditor.hints());
-            matches!(possible, search::Consistency::Model(_))
-        };
-        !conditions.is_empty()
-            && is_possible()
-            && self.holds_under(goal, set, &conditions, Effort::Full, found)
+        let conditions = self.all_positive(goal, &set, &free);
+        conditions.is_some_and(|own| self.holds_under(goal, set, &own, Effort::Full, found))
     }
 
     fn all_positive(

@@ -119,10 +119,10 @@ impl Auditor<'_> {
         let is_result = |own: &Symbol| weighed.links.iter().any(|link| link.goal.is_of(own));
         let may_be = weighed.unknown.iter().filter(|own| !is_result(own));
         let may_be: Vec<&Symbol> = may_be.take(MOST_UNKNOWN).collect();
-        let numbers = may_be
+        let mut numbers = may_be
             .iter()
             .flat_map(|&own| written.keys().map(move |number| (own, number)));
-        numbers.into_iter().find_map(|(symbol, number)| {
+        numbers.find_map(|(symbol, number)| {
             let mut said = said.to_vec();
             said.push(Printed {
                 goal: Goal {

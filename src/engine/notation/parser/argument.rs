@@ -3,7 +3,7 @@
 use super::function::angle_of;
 use super::vector::Borne;
 use super::{Choice, Doubt, DoubtKind, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
-use crate::algebra::Expr;
+use crate::algebra::{Expr, product_of};
 use crate::notation::commands;
 
 impl Parser<'_> {
@@ -176,13 +176,5 @@ impl Parser<'_> {
             }
             _ => self.starts_name(self.at),
         }
-    }
-}
-
-/// The product of some factors, one of them at least.
-fn product_of(mut factors: Vec<Expr>) -> Expr {
-    match factors.len() {
-        1 => factors.remove(0),
-        _ => Expr::Product(factors.into()),
     }
 }

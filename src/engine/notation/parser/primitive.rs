@@ -6,8 +6,6 @@
 //! integral must be written in that, or be a name for such a side: `W = \int F \, dx` and `m = \int \rho \, dV = \rho V_0` leave their limits to
 //! the reader. Integrals over different variables, `\int \frac{dN}{N} = \int r \, dt`, are compared as the differentials that they sum up.
 
-use std::sync::Arc;
-
 use num_traits::One;
 
 use super::{Parser, Read, refuse_with};
@@ -196,8 +194,7 @@ fn differential(term: &Expr, all: &[Primitive]) -> Option<Expr> {
         let mut integrals = all.iter();
         integrals.all(|integral| !own.mentions(&integral.name) && !own.mentions(&integral.variable))
     };
-    let of_part = |part: &Expr| differential(part, all).map(Arc::new);
-    match term {
+    let of_integral = |term: &Expr| match term {
         Expr::Symbol(name) => {
             let own = all.iter().find(|own| own.name == *name)?;
             let change = Expr::Symbol(own.variable.clone()).differential();
@@ -206,49 +203,50 @@ fn differential(term: &Expr, all: &[Primitive]) -> Option<Expr> {
                 integrand => Expr::Product([integrand.clone(), change].into()),
             })
         }
-        Expr::Negate(part) => Some(Expr::Negate(of_part(part)?)),
-        Expr::Quotient(part, by) if is_constant(by) => {
-            Some(Expr::Quotient(of_part(part)?, by.clone()))
-        }
-        Expr::Product(factors) => {
-            let (last, others) = factors.split_last()?;
-            let mut factors = others.to_vec();
-            factors.push(differential(last, all)?);
-            (others.iter().all(is_constant)).then_some(Expr::Product(factors.into()))
-        }
-        Expr::Sum(terms) => {
-            let all = terms.iter().map(|part| differential(part, all));
-            Some(Expr::Sum(all.collect::<Option<_>>()?))
-        }
         _ => None,
-    }
+    };
+    linearly(term, &of_integral, &is_constant)
 }
 
 /// The slope of a side, where it is clear what that is.
 fn slope(term: &Expr, all: &[Primitive], variable: &Symbol) -> Option<Expr> {
-    let known = |name: &Symbol| all.iter().find(|own| own.name == *name);
-    if !all.iter().any(|own| term.mentions(&own.name)) {
-        return Some(term.clone().differentiated_by(variable));
+    let of_part = |term: &Expr| match term {
+        term if !all.iter().any(|own| term.mentions(&own.name)) => {
+            Some(term.clone().differentiated_by(variable))
+        }
+        Expr::Symbol(name) => {
+            let known = all.iter().find(|own| own.name == *name);
+            known.map(|own| own.integrand.clone())
+        }
+        _ => None,
+    };
+    linearly(term, &of_part, &is_number)
+}
+
+/// What is linear and known of some terms, of a sum of such with constant factors.
+fn linearly(
+    term: &Expr,
+    known: &dyn Fn(&Expr) -> Option<Expr>,
+    is_constant: &dyn Fn(&Expr) -> bool,
+) -> Option<Expr> {
+    if let Some(own) = known(term) {
+        return Some(own);
     }
-    let of_part = |part: &Expr| slope(part, all, variable).map(Arc::new);
+    let of_part = |part: &Expr| linearly(part, known, is_constant);
     match term {
-        Expr::Symbol(name) => known(name).map(|own| own.integrand.clone()),
-        Expr::Negate(part) => Some(Expr::Negate(of_part(part)?)),
-        Expr::Quotient(part, by) if is_number(by) => {
-            Some(Expr::Quotient(of_part(part)?, by.clone()))
+        Expr::Negate(part) => Some(Expr::Negate(of_part(part)?.into())),
+        Expr::Quotient(part, by) if is_constant(by) => {
+            Some(Expr::Quotient(of_part(part)?.into(), by.clone()))
         }
         Expr::Product(factors) => {
-            let (last, numbers) = factors.split_last()?;
-            let mut factors = numbers.to_vec();
-            factors.push(slope(last, all, variable)?);
-            numbers
-                .iter()
-                .all(is_number)
-                .then_some(Expr::Product(factors.into()))
+            let (last, others) = factors.split_last()?;
+            let mut factors = others.to_vec();
+            factors.push(of_part(last)?);
+            (others.iter().all(is_constant)).then_some(Expr::Product(factors.into()))
         }
         Expr::Sum(terms) => {
-            let slopes = terms.iter().map(|part| slope(part, all, variable));
-            Some(Expr::Sum(slopes.collect::<Option<_>>()?))
+            let all = terms.iter().map(of_part);
+            Some(Expr::Sum(all.collect::<Option<_>>()?))
         }
         _ => None,
     }
