@@ -15,6 +15,7 @@ use crate::search::{
 use super::again::{ELEMENT, ELSEWHERE, NAMED, OPEN_ITSELF, UNSAID};
 use super::entry::Entry;
 use super::readings::Circumstances;
+use super::warranted::is_supposed;
 use super::{Auditor, Judged, Note, Outcome, Verdict, judge};
 
 /// How much work may be done for that in all, and for one edit.
@@ -205,6 +206,9 @@ impl Auditor<'_> {
                 _ => None,
             });
             let under = under.unwrap_or_default();
+            if is_supposed(&goal.formula, &under) {
+                continue;
+            }
             let mut from = own.assumed.clone();
             from.retain(|own| !under.contains(&own.formula));
             from.extend(under.iter().map(judge::taken));
@@ -239,7 +243,8 @@ impl Auditor<'_> {
             return true;
         };
         let is_kind = printed.is_variant_of(meant) || meant.is_variant_of(printed);
-        !is_kind && !self.derivation.equations[at].introduces.contains(printed)
+        // Nobody writes an angle for the number π.
+        !is_kind && meant.name() != "\\pi" && !self.derivation.equations[at].introduces.contains(printed)
     }
 }
 

@@ -10,7 +10,7 @@ use num_traits::Signed;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
-use crate::notation::{Statement, plain_formula};
+use crate::notation::{Statement, has_units, plain_formula};
 use crate::search::{self, Decision};
 use crate::sorted::Set;
 
@@ -94,7 +94,10 @@ impl Auditor<'_> {
             }
         }
         let mended = entry.mended.as_ref();
-        mended.is_some_and(|mended| self.is_likely(entry.equation, &mended.change))
+        mended.is_some_and(|mended| {
+            !is_supposed(&judged.goal.formula, &mended.under)
+                && self.is_likely(entry.equation, &mended.change)
+        })
     }
 
     fn leaves_nothing_unsaid(
@@ -150,6 +153,11 @@ impl Auditor<'_> {
             _ => false,
         }
     }
+}
+
+/// Whether what is near to a link is only a bound under what is supposed besides: with enough of that any bound is so.
+pub(super) fn is_supposed(link: &Formula, under: &[Formula]) -> bool {
+    link.is_inequality() && !under.is_empty()
 }
 
 /// Whether a link speaks of a mean or a chance of which no premise says what it is, beside others: there are laws that relate these, as that
@@ -286,7 +294,11 @@ fn is_closed(judged: &Judged) -> bool {
         |side: &Expr| matches!(side, Expr::Symbol(_)) && judged.goal.formula.is_inequality();
     match (own.is_empty(), other.is_empty()) {
         (true, true) => true,
-        (true, false) | (false, true) if is_bound(left) || is_bound(right) => true,
+        (true, false) | (false, true)
+            if (is_bound(left) || is_bound(right)) && !has_units(left) && !has_units(right) =>
+        {
+            true
+        }
         (true, false) => other.iter().all(is_known),
         (false, true) => own.iter().all(is_known),
         (false, false) => {

@@ -10,7 +10,7 @@ use crate::notation::{Clause, Connective, Spanned, Statement, read_expr, read_fo
 use super::equation::{conditions, formulas, of_page};
 use super::page::{Page, Premises};
 use super::running::family;
-use super::supposed::Local;
+use super::supposed::{Local, is_number};
 use super::{Equation, Kind, counts};
 use crate::sorted::{Set, Tree};
 
@@ -70,7 +70,8 @@ fn settle_page(
             for formula in formulas(statement) {
                 for symbol in formula.names() {
                     let is_new = seen.insert(symbol.clone()) && !sequences.have(&symbol);
-                    if is_new {
+                    let is_name = !is_number(&symbol) || page.domains.contains_key(&symbol);
+                    if is_new && is_name {
                         introduces.insert(symbol);
                     }
                 }

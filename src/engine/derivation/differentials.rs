@@ -3,6 +3,7 @@
 
 mod along;
 mod degree;
+mod relative;
 mod written;
 
 use crate::algebra::{Expr, Formula, Symbol};
@@ -52,6 +53,7 @@ pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<
         let Ok(statements) = &mut equation.statements else {
             continue;
         };
+        statements.iter_mut().for_each(relative::read);
         if let Err(error) = written::read(statements, &signs) {
             equation.statements = Err(error);
         }

@@ -7,7 +7,8 @@ mod reason;
 mod words;
 
 use self::words::{DRAWN, WORKED};
-use super::prose::{Placed, Token};
+use super::Span;
+use super::prose::{Placed, Token, whole};
 
 pub(super) use self::announced::{
     announces_laws, announces_several, defines, replaces, says_what_is_meant, supposes,
@@ -86,12 +87,6 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
     if says_the_same(sentence) || says_it_is(sentence) {
         return Some(true);
     }
-    // "The time of the fall follows from": what is displayed is what it follows from.
-    let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_) | Token::Math(_));
-    let is_source = || {
-        let ends = sentence.iter().rev().find(words);
-        ends.is_some_and(|(token, _)| token.is_among(&["from", "by", "through", "via"]))
-    };
     let otherwise = |at: usize| {
         let (token, next) = (sentence[at].0, sentence.get(at + 1));
         // "From then on mechanical energy is conserved" tells when.
@@ -104,8 +99,8 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
         );
         // "Momentum is conserved, and so is the energy"
         let adds = |(next, _): &Placed<'_>| next.is_among(&["is", "are", "does", "do"]);
-        let source_follows = before.is_some() && token.is_among(&FOLLOWING) && is_source();
-        source_follows
+        let source_follows = before.is_some() && token.is_among(&FOLLOWING);
+        source_follows && ends_with_from(sentence)
             || token.is_among(&["then"]) && tells_when
             || token.is_among(&["so"]) && next.is_some_and(adds)
             || token.is_among(&["means"]) && !refers(&sentence[..at])
@@ -120,4 +115,22 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
         (token.is_among(&WORKED) || draws_on(token) || from_which()) && !otherwise(at)
     };
     Some((0..sentence.len()).any(follows))
+}
+
+/// Whether a sentence ends with "from": what is displayed is what something comes from.
+fn ends_with_from(sentence: &[Placed<'_>]) -> bool {
+    let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_) | Token::Math(_));
+    let last = sentence.iter().rev().find(words);
+    last.is_some_and(|(token, _)| token.is_among(&["from", "by", "through", "via"]))
+}
+
+/// What a sentence cites only to say of what something follows from the display: "The maximum of (5) follows from".
+pub(super) fn source_of(sentence: &[Placed<'_>]) -> Option<Span> {
+    let at = |own: &Placed<'_>| own.0.is_among(&FOLLOWING);
+    let follows = sentence.iter().position(at)?;
+    let of = sentence[..follows].iter().position(|(own, _)| own.is_among(&["of"]))?;
+    if !ends_with_from(sentence) {
+        return None;
+    }
+    whole(&sentence[of..follows])
 }

@@ -231,7 +231,8 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     let tail = conclusion::tail(source, &tokens);
     let mut citations = citation::read(&tokens);
     if !citations.is_empty() {
-        let used_up = used_up(source, &tokens, last, tail.len());
+        let mut used_up = used_up(source, &tokens, last, tail.len());
+        used_up.extend(conclusion::source_of(last));
         let is_within = |own: Span, all: &Span| all.start <= own.start && own.end <= all.end;
         citations.retain(|own| !used_up.iter().any(|all| is_within(own.span, all)));
     }

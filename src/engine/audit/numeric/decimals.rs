@@ -13,7 +13,7 @@ use crate::sorted::Map;
 use super::rounded::is_quantity;
 
 /// A number with fewer digits is seldom rounded on the way: `0.5`.
-const FEWEST_DIGITS: usize = 3;
+pub(super) const FEWEST_DIGITS: usize = 3;
 
 /// One in so many is as near as anything is weighed.
 const NEAREST: i64 = 1_000_000;
@@ -33,7 +33,7 @@ pub(super) fn as_near_as_decimals(goal: &Goal, source: &str, assumed: &[Assumed]
         return None;
     }
     let text = source.get(goal.sides.1.range())?;
-    let mut written = decimals(text);
+    let mut written = decimals(text, FEWEST_DIGITS);
     let is_told = |number: &Expr| {
         let told = assumed
             .iter()
@@ -83,8 +83,8 @@ pub(super) fn loosened(
     Some(loose)
 }
 
-/// The decimals in a text that may be rounded, each with half a unit of its last digit.
-pub(super) fn decimals(text: &str) -> Map<BigRational, BigRational> {
+/// The decimals in a text that may be rounded, with the fewest digits or more, each with half a unit of its last digit.
+pub(super) fn decimals(text: &str, fewest: usize) -> Map<BigRational, BigRational> {
     let is_part = |c: char| c.is_ascii_digit() || c == '.';
     let mut found = Map::new();
     for number in text.split(|c: char| !is_part(c)) {
@@ -97,7 +97,7 @@ pub(super) fn decimals(text: &str) -> Map<BigRational, BigRational> {
         else {
             continue;
         };
-        if significant < FEWEST_DIGITS || decimals.is_empty() {
+        if significant < fewest || decimals.is_empty() {
             continue;
         }
         let unit = BigInt::from(10).pow(places);

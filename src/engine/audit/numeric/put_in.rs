@@ -12,6 +12,7 @@ use super::super::entry::leave_open;
 use super::super::judge::Judge;
 use super::super::{Auditor, Entry, Note, Verdict, numeric};
 use super::rounded::{ROUNDED, is_weighed};
+use super::decimals::FEWEST_DIGITS;
 use super::{Link, Numeric, Taken, Weighed, decimals};
 
 /// So many symbols may stand for numbers that are written where they are put in.
@@ -57,7 +58,7 @@ impl Auditor<'_> {
             let printed = self.printed_before(at);
             numeric = exactly(&figures, &printed);
             let written = source.get(self.derivation.equations[at].body.range());
-            let mut written = decimals::decimals(written.unwrap_or_default());
+            let mut written = decimals::decimals(written.unwrap_or_default(), FEWEST_DIGITS);
             // What is come to is not put in.
             let is_result = |own: &Goal, number: &BigRational| {
                 let right = own.formula.as_equation().map(|(_, right)| right);

@@ -13,6 +13,7 @@ use crate::notation::{Statement, has_units, is_figures, without_units};
 use crate::sorted::Map;
 
 use super::super::{Auditor, Entry, Note, Verdict};
+use super::decimals::FEWEST_DIGITS;
 use super::rounded::near_whole;
 use super::{Link, Numeric, Weighed, decimals, is_evaluable, weigh};
 
@@ -81,9 +82,14 @@ fn reckoned(goal: Goal, source: Option<&str>) -> Option<Link> {
         return None;
     }
     let near = goal.rounding.as_ref().map(|own| own.share.clone());
+    // What is added up to about so much was added up before it was rounded: `0.54 + 0.25 \approx 0.78`.
+    let fewest = match (left, relation) {
+        (Expr::Sum(_), Relation::Approximately) => FEWEST_DIGITS - 1,
+        _ => FEWEST_DIGITS,
+    };
     let mut figures = Vec::new();
     let rounded = |span: Span| match source {
-        Some(own) => own.get(span.range()).map(long),
+        Some(own) => own.get(span.range()).map(|text| long(text, fewest)),
         None => Some(Map::new()),
     };
     let loose_left = decimals::loosened(left, &rounded(goal.sides.0)?, &mut figures)?;
@@ -117,9 +123,9 @@ fn reckoned(goal: Goal, source: Option<&str>) -> Option<Link> {
     })
 }
 
-/// The numbers in a text that may be rounded, each with half a unit of its last digit.
-fn long(text: &str) -> Map<BigRational, BigRational> {
-    let mut all = decimals::decimals(text);
+/// The numbers in a text that may be rounded, decimals with the fewest digits or more, each with half a unit of its last digit.
+fn long(text: &str, fewest: usize) -> Map<BigRational, BigRational> {
+    let mut all = decimals::decimals(text, fewest);
     let is_part = |c: char| c.is_ascii_digit() || c == '.';
     for number in text.split(|c: char| !is_part(c)) {
         let significant = number.trim_end_matches('0').len();

@@ -6,8 +6,8 @@
 
 use num_traits::Zero;
 
-use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Goal, Printed, Source};
+use crate::algebra::{BigInt, BigRational, Expr, Formula, Symbol};
+use crate::derivation::{Assumed, Goal, Page, Printed, Source};
 use crate::kernel::Standing;
 use crate::notation::{Precision, Rounding, has_decimals, has_units, is_figures};
 
@@ -68,21 +68,13 @@ impl Auditor<'_> {
             |own: &&Judged| own.outcome.is_proven() || matches!(own.outcome, Outcome::Defined);
         let open = entry.judged.iter().filter(|own| !is_settled(own));
         // A whole number is exact, but not where what it is worked out from is rounded.
-        // Two digits of an irrational number are rounded.
-        let is_irrational = |own: &Judged| match (&own.outcome, own.goal.formula.as_equation()) {
-            (Outcome::Refuted(refuted), Some((_, Expr::Number(value)))) => {
-                let ten = BigRational::from_integer(10.into());
-                refuted.witness().algebraic.is_some() && *value >= ten
-            }
-            _ => false,
-        };
-        let as_meant = |own: &Judged| match usable.numeric.is_empty() && !is_irrational(own) {
-            true => own.goal.clone(),
+        let page = &self.derivation.pages[self.derivation.equations[at].page];
+        let as_meant = |own: &Judged| match usable.numeric.is_empty() {
+            true => as_rounded(own, page),
             false => near_whole(&own.goal),
         };
         // What is worked out of numbers alone, and rounded on the way.
-        let page = self.derivation.equations[at].page;
-        let source = &self.derivation.pages[page].document.source;
+        let source = &page.document.source;
         let (mut agreed, mut left) = (Vec::new(), Vec::new());
         for goal in open.map(as_meant) {
             match reckoned::agreed_loosely(&goal, source) {
@@ -313,28 +305,48 @@ pub(in crate::audit) fn open_by_figures(entry: &mut Entry) {
     entry.notes.push(Note::NumericNotSupported);
 }
 
-/// A goal whose right side is a whole number, taken for rounded to its last digit that is not 0.
-pub(super) fn near_whole(goal: &Goal) -> Goal {
-    let number = match &goal.formula {
-        Formula::Relation {
-            relation: Relation::Equal,
-            right: Expr::Number(number),
-            ..
-        } => Some(number),
-        Formula::Relation {
-            relation: Relation::Equal,
-            right: Expr::Product(factors),
-            ..
-        } => match factors.split_first() {
-            Some((Expr::Number(number), units))
-                if (units.iter()).all(|own| own.free_symbols().iter().all(Symbol::is_unit)) =>
-            {
-                Some(number)
+/// How many units a term is, if it is nothing but so many.
+fn number_of(term: &Expr) -> Option<&BigRational> {
+    match term {
+        Expr::Number(number) => Some(number),
+        Expr::Product(factors) => match factors.split_first()? {
+            (Expr::Number(number), units) => {
+                let is_unit = |own: &Expr| own.free_symbols().iter().all(Symbol::is_unit);
+                units.iter().all(is_unit).then_some(number)
             }
             _ => None,
         },
         _ => None,
+    }
+}
+
+/// The goal of a link that ends in a whole number, taken for rounded where it is irrational: two digits of a root, and three of a multiple
+/// of π, which may have been worked out from more digits than are printed.
+fn as_rounded(judged: &Judged, page: &Page) -> Goal {
+    let goal = &judged.goal;
+    let sides = goal.formula.as_equation();
+    let value = sides.and_then(|(left, right)| Some((left, number_of(right)?)));
+    let (Outcome::Refuted(refuted), Some((left, value))) = (&judged.outcome, value) else {
+        return goal.clone();
     };
+    let reaches = |least: i64| *value >= BigRational::from_integer(least.into());
+    let pi = Symbol::new("\\pi");
+    if refuted.witness().algebraic.is_some() && reaches(10) {
+        return near_whole(goal);
+    }
+    if !left.mentions(&pi) || page.domains.contains_key(&pi) || !reaches(100) {
+        return goal.clone();
+    }
+    let mut loosely = near_whole(goal);
+    if let (None, Some(rounding)) = (&goal.rounding, &mut loosely.rounding) {
+        rounding.share *= BigRational::from_integer(2.into());
+    }
+    loosely
+}
+
+/// A goal whose right side is a whole number, taken for rounded to its last digit that is not 0.
+pub(super) fn near_whole(goal: &Goal) -> Goal {
+    let number = (goal.formula.as_equation()).and_then(|(_, right)| number_of(right));
     let whole = number.filter(|number| number.is_integer() && !number.is_zero());
     let rounding = whole.map(|number| {
         let digits = number.to_integer().to_string();
