@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{
-    Approach, Assumed, Beyond, Derivation, Kind, Local, Running, Source, conditions, formulas,
+    Approach, Assumed, Beyond, Derivation, Kind, Local, Page, Running, Source, conditions, formulas,
     is_open,
 };
 use crate::kernel::Standing;
@@ -365,10 +365,52 @@ pub fn usable<'a>(
         usable.assumed.retain(|own| !speaks(own));
         usable.has_presumed = usable.assumed.len() < all;
     }
-    let beyond = |own: &Assumed| page.beyond(&own.formula);
-    usable.beyond = usable.assumed.iter().find_map(beyond);
-    usable.assumed.retain(|own| beyond(own).is_none());
+    leave_what_is_beyond(page, &mut usable);
     usable
+}
+
+/// Leaves out what speaks of complex numbers or small changes. Where a chain goes through complex members from a real one to a real one,
+/// `w^2 = 2 - e^{i k} - e^{-i k} = 2 - 2 \cos k`, its ends are kept.
+fn leave_what_is_beyond(page: &Page, usable: &mut Usable) {
+    let is_real = |term: &Expr| {
+        let mut names = Formula::names_in([term].into_iter()).into_iter();
+        names.all(|own| !page.complex.contains(&own))
+    };
+    let mut kept: Vec<Assumed> = Vec::new();
+    // The real member that a chain goes on from, and the complex one it has come to.
+    let mut way: Option<(Assumed, Expr, Expr)> = None;
+    for own in std::mem::take(&mut usable.assumed) {
+        let Some(beyond) = page.beyond(&own.formula) else {
+            kept.push(own);
+            continue;
+        };
+        let sides = own.formula.as_equation();
+        let Some((left, right)) = sides.filter(|_| beyond == Beyond::Complex) else {
+            usable.beyond.get_or_insert(beyond);
+            continue;
+        };
+        let goes_on = |(link, _, end): &(Assumed, Expr, Expr)| link.source == own.source && end == left;
+        let begin = match way.take() {
+            Some(before) if goes_on(&before) => Some(before.1),
+            Some(_) => {
+                usable.beyond.get_or_insert(beyond);
+                None
+            }
+            None => None,
+        };
+        match begin.or_else(|| is_real(left).then(|| left.clone())) {
+            Some(begin) if is_real(right) => kept.push(Assumed {
+                formula: Formula::equal(begin, right.clone()).into(),
+                ..own.clone()
+            }),
+            Some(begin) => way = Some((own.clone(), begin, right.clone())),
+            None => _ = usable.beyond.get_or_insert(beyond),
+        }
+    }
+    if way.is_some() {
+        usable.beyond.get_or_insert(Beyond::Complex);
+    }
+    usable.assumed = kept;
 }
 
 /// Of `L = T - V = w`, where `L` is differentiated partially, also that `L = w`: that may be the formula of which this is meant.

@@ -170,6 +170,7 @@ impl<'p> Reader<'p> {
         (self.extent, self.told_extent) = (Extent::Throughout, Extent::Throughout);
         self.leave_section();
         self.leave_stationary();
+        self.between.turn();
         self.begins = span.start;
         let locals = &self.page.locals;
         self.active.retain(|&at| locals[at].outlasts(level));

@@ -231,7 +231,8 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     let tail = conclusion::tail(source, &tokens);
     let mut citations = citation::read(&tokens);
     if !citations.is_empty() {
-        let mut used_up = used_up(source, &tokens, last, tail.len());
+        let closed = closed(source, &tokens, last, concludes);
+        let mut used_up = used_up(source, closed.get(tail.len()..).unwrap_or_default());
         used_up.extend(conclusion::source_of(last));
         let is_within = |own: Span, all: &Span| all.start <= own.start && own.end <= all.end;
         citations.retain(|own| !used_up.iter().any(|all| is_within(own.span, all)));
@@ -279,17 +280,27 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
     }
 }
 
-/// The sentences in paragraphs before the last sentence that draw their own formula from what they cite: "For carbon (7) gives only
-/// $48/169 = 0.284$." What is displayed after the next paragraph comes from something else.
-fn used_up(source: &str, tokens: &[Placed<'_>], last: &[Placed<'_>], tail: usize) -> Vec<Span> {
+/// What is said before the last sentence and done with: in paragraphs before it, and in its own unless it concludes.
+fn closed<'t, 'a>(
+    source: &str,
+    tokens: &'t [Placed<'a>],
+    last: &[Placed<'_>],
+    concludes: Option<bool>,
+) -> &'t [Placed<'a>] {
     let ends_paragraph = |(token, span): &Placed<'_>| {
         let text = source.get(span.range()).unwrap_or_default();
         token.is_stop() && text.starts_with(['\n', '\r'])
     };
     let before = before(tokens, last);
-    let Some(end) = before.iter().rposition(ends_paragraph) else {
-        return Vec::new();
-    };
+    match (concludes, before.iter().rposition(ends_paragraph)) {
+        (Some(false), _) => before,
+        (_, end) => &before[..end.unwrap_or(0)],
+    }
+}
+
+/// The sentences that draw their own formula from what they cite: "For carbon (7) gives only $48/169 = 0.284$." What is displayed after them
+/// comes from something else.
+fn used_up(source: &str, closed: &[Placed<'_>]) -> Vec<Span> {
     let draws = |sentence: &[Placed<'_>]| {
         let cites = sentence.iter().position(|(token, _)| token.cites());
         let after = cites.map_or(&[][..], |at| &sentence[at..]);
@@ -305,7 +316,6 @@ fn used_up(source: &str, tokens: &[Placed<'_>], last: &[Placed<'_>], tail: usize
         };
         drawn.is_some_and(|at| after[at..].iter().any(states))
     };
-    let closed = tokens.get(tail..end).unwrap_or_default();
     let sentences = closed.split(|(token, _)| token.is_stop());
     sentences
         .filter(|own| draws(own))

@@ -17,6 +17,8 @@ pub(super) struct Between {
     /// What says that the display is derived.
     pub(super) derives: Option<Span>,
     pub(super) cited: Vec<Citation>,
+    /// How many of these stand above the last heading.
+    cited_above: usize,
     pub(super) mentioned: Vec<Span>,
     pub(super) named: Vec<usize>,
     /// Conditions that are met at one place, and where that is.
@@ -70,6 +72,10 @@ pub(super) struct Between {
 impl Between {
     /// Takes up a piece of text, with those of its citations that are of the next display.
     pub(super) fn hear(&mut self, prose: &Prose, cited: &[Citation]) {
+        if !cited.is_empty() {
+            let above = std::mem::take(&mut self.cited_above);
+            self.cited.drain(..above.min(self.cited.len()));
+        }
         self.cited.extend_from_slice(cited);
         self.relative |= prose.is_relative && self.concludes.is_none();
         self.concludes = prose.concludes.or(self.concludes);
@@ -89,6 +95,11 @@ impl Between {
         self.extent = prose.extent.or(self.extent);
         self.cites |= prose.closing > 0;
         self.defines |= prose.defines;
+    }
+
+    /// Turns to a new section: what it cites itself takes the place of what is cited above its heading.
+    pub(super) fn turn(&mut self) {
+        self.cited_above = self.cited.len();
     }
 
     /// Whether nothing is said of what the display comes from.
