@@ -65,7 +65,10 @@ impl Lowering<'_> {
         if let Some((exponential, _)) = &growing {
             others.remove(exponential);
         }
-        let plain = (others.iter()).all(|&other| matches!(self.atoms.atom(other), Atom::Symbol(_)));
+        let plain = others.iter().all(|&other| match self.atoms.atom(other) {
+            Atom::Symbol(_) => true,
+            other => self.is_constant(other, variable),
+        });
         let held = self.slopes(&others, variable)?;
         // That something is positive all the way is known at infinity only, from where on does not matter.
         let far = *point == LimitPoint::PlusInfinity;
