@@ -698,6 +698,10 @@ fn spellings_of_one_term() {
             r"\lim_{x' \to \infty} \int_{a}^{x'} f \, dx",
         ),
         (
+            &[r"\sum_{k=0}^\infty r^k", r"\sum_{k=0}^{+\infty} r^k"],
+            r"\lim_{k' \to \infty} \sum_{k = 0}^{k'} r^k",
+        ),
+        (
             &[r"\int_{-\infty}^b x' \, dx"],
             r"\lim_{x'' \to -\infty} \int_{x''}^{b} x' \, dx",
         ),
@@ -1268,11 +1272,6 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
     (r"é = 1", "é", "the character `é` is not known"),
     (r"a = \infty", r"\infty", r"`\infty` is no number"),
-    (
-        r"\sum_{n=1}^{\infty} a",
-        r"\infty",
-        "infinite sums are not read",
-    ),
     (r"a = x!", "!", "only factorials of numerals are read"),
     (r"a = 3!!", "!", "double factorials are not read"),
     (r"a = 0.5!", "0.5!", "factorials are read of whole numbers"),

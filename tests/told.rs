@@ -1253,11 +1253,27 @@ fn of_what_an_unreadable_display_speaks_nothing_else_is_refuted() {
         ))
         .0
     };
-    let unreadable = r"K = \sum_{n=0}^{\infty} n (1 - q) q^n";
+    let unreadable = r"K = \prod_{n=0}^{\infty} n (1 - q) q^n";
     assert_eq!(page(unreadable, r"K = \frac{u}{w - u}"), "undecided");
     // It speaks of something else.
-    let other = r"J = \sum_{n=0}^{\infty} n (1 - q) q^n";
+    let other = r"J = \prod_{n=0}^{\infty} n (1 - q) q^n";
     assert_eq!(page(other, r"q = \frac{w}{u}"), "fails");
+}
+
+#[test]
+fn powers_to_which_no_charge_is_raised_are_those_of_eulers_number() {
+    let page = |energy: &str, value: &str| {
+        last_noted(&format!(
+            "An electron has the charge $-e$ and the energy\n\n$$ V = {energy} \\tag{{1}} $$\n\nWith $a > 0$ a mean is\n\n\
+             $$ A = \\frac{{4}}{{a^3}} \\int_0^\\infty r e^{{-2r/a}} \\, dr = {value} $$\n"
+        ))
+        .0
+    };
+    let energy = r"-\frac{e^2 C}{r}";
+    assert_eq!(page(energy, r"\frac{1}{a}"), "holds");
+    assert_eq!(page(energy, r"\frac{2}{a}"), "fails");
+    // A temperature over a charge, or over the number?
+    assert_eq!(page(r"\frac{C}{e} + e r", r"\frac{1}{a}"), "undecided");
 }
 
 /// What a sentence says of a moment or a case is over with that sentence, where the next one names something and says what it comes from.

@@ -104,9 +104,14 @@ fn limits<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, found: &mut BTreeSet<
         body,
     } = term
     else {
-        return term
-            .children()
-            .for_each(|child| limits(child, bound, found));
+        let runs = match term {
+            Expr::Limit { variable, .. } => Some(variable),
+            _ => None,
+        };
+        bound.extend(runs);
+        (term.children()).for_each(|child| limits(child, bound, found));
+        bound.truncate(bound.len() - usize::from(runs.is_some()));
+        return;
     };
     for limit in [from, to] {
         let symbols = limit.free_symbols();

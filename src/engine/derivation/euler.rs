@@ -1,8 +1,11 @@
 //! Euler's number where nobody declares it: what `e` is, is seen from all that a document says of it.
 //!
 //! It is the number where it is nowhere anything but the base of powers such as `e^{-t/\tau}`, in a denominator by itself, or in `\ln e`.
-//! Whatever else is said of it, `1 - e^2`, `e v`, "where $e$ is", makes it a symbol throughout; so do powers that only count, `e^{2n}`,
+//! Whatever else is said of it, `1 - e^2`, `e v`, "where $e$ is", makes it a symbol; so do powers that only count, `e^{2n}`,
 //! for a coefficient of restitution is raised to them.
+//!
+//! A charge $e$ is raised to no power like $-\kappa r$ or $-t/\tau$. Where there is one, such powers are the number's beside a symbol `e`,
+//! unless `e` stands where both could be meant: `U/e`, `\ln e`.
 
 use num_traits::Signed;
 
@@ -12,7 +15,7 @@ use crate::notation::{read_expr, read_formulas};
 
 use super::Equation;
 use super::equation::{all_terms, conditions, each_side, formulas, of_pages};
-use super::page::{Page, exponentials};
+use super::page::Page;
 
 /// The letters that mostly count something.
 const COUNTING: [&str; 4] = ["j", "k", "n", "N"];
@@ -28,6 +31,22 @@ struct Use {
     number: bool,
     /// As something else.
     other: bool,
+    /// As the base of a power to which no quantity is raised: `e^{-\kappa r}`.
+    sure: bool,
+    /// Where both the number and a quantity could be meant.
+    either: bool,
+}
+
+impl Use {
+    /// Whether it is the number wherever it stands.
+    fn is_the_number(&self) -> bool {
+        self.number && !self.other
+    }
+
+    /// Whether it is the number as the base of powers, and something else besides.
+    fn is_both(&self) -> bool {
+        self.other && self.sure && !self.either
+    }
 }
 
 /// Reads `e` as the number where it can be nothing else, and `\mathrm e` wherever it is not declared; `own` are the pages of one
@@ -35,41 +54,42 @@ struct Use {
 pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &mut [Equation]) {
     let italic = Symbol::new("e");
     let upright = Symbol::new("\\text{e}");
-    let is_number = is_the_number(own, pages, equations);
+    let found = used(own, pages, equations);
     for &at in own {
         let page = &mut pages[at];
-        if is_number {
+        if found.is_the_number() {
             page.euler.insert(italic.clone());
         }
+        page.has_both_e = found.is_both();
         if !page.is_declared(&upright) {
             page.euler.insert(upright.clone());
         }
     }
+    let speaks = |term: &Expr| term.mentions(&italic) || term.mentions(&upright);
     for equation in of_pages(own, equations) {
-        let euler = &pages[equation.page].euler;
+        let page = &pages[equation.page];
         for statement in equation.statements.iter_mut().flatten() {
             each_side(statement, &mut |term, _| {
-                if euler.iter().any(|e| term.mentions(e)) {
-                    *term = exponentials(term, euler);
+                if speaks(term) {
+                    *term = page.with_exponentials(term);
                 }
             });
         }
     }
     for &at in own {
-        let Page { locals, euler, .. } = &mut pages[at];
+        let mut locals = std::mem::take(&mut pages[at].locals);
         for formula in locals.iter_mut().flat_map(|local| &mut local.formulas) {
-            if formula
-                .terms()
-                .iter()
-                .any(|term| euler.iter().any(|e| term.mentions(e)))
-            {
-                *formula = formula.map_terms(|term| exponentials(term, euler)).into();
+            if formula.terms().into_iter().any(speaks) {
+                let read = formula.map_terms(|term| pages[at].with_exponentials(term));
+                *formula = read.into();
             }
         }
+        pages[at].locals = locals;
     }
 }
 
-fn is_the_number(own: &[usize], pages: &[Page], equations: &[Equation]) -> bool {
+/// How a document speaks of an `e` that it does not declare.
+fn used(own: &[usize], pages: &[Page], equations: &[Equation]) -> Use {
     let mut found = Use::default();
     let e = Symbol::new("e");
     let speaks_of_it = |&at: &usize| {
@@ -78,12 +98,12 @@ fn is_the_number(own: &[usize], pages: &[Page], equations: &[Equation]) -> bool 
         terms.any(|term| term.mentions(&e))
     };
     if !own.iter().any(speaks_of_it) {
-        return false;
+        return found;
     }
     for &at in own {
         let page = &pages[at];
         if page.is_declared(&e) || page.euler.contains(&e) {
-            return false;
+            return Use::default();
         }
         let of_page = super::equation::of_page(at, equations);
         for statement in equations[of_page].iter().flat_map(Equation::statements) {
@@ -95,7 +115,7 @@ fn is_the_number(own: &[usize], pages: &[Page], equations: &[Equation]) -> bool 
             found.see_formula(formula, page);
         }
     }
-    if found.number && !found.other {
+    if found.is_the_number() || found.is_both() {
         for &at in own {
             let page = &pages[at];
             for prose in page.document.prose() {
@@ -103,7 +123,7 @@ fn is_the_number(own: &[usize], pages: &[Page], equations: &[Equation]) -> bool 
             }
         }
     }
-    found.number && !found.other
+    found
 }
 
 impl Use {
@@ -152,12 +172,18 @@ impl Use {
                     Some(Power::Root) => self.other = true,
                     Some(Power::Decimal) => self.number = true,
                     None if counts(exponent, page) => self.other = true,
-                    None => self.number = true,
+                    None => {
+                        self.number = true;
+                        self.sure |= is_no_count(exponent);
+                    }
                 }
                 self.see(exponent, page);
             }
-            Expr::Quotient(above, below) if is_e(below) => self.see(above, page),
-            Expr::Call(Function::Ln, argument) if is_e(argument) => {}
+            Expr::Quotient(above, below) if is_e(below) => {
+                self.either = true;
+                self.see(above, page);
+            }
+            Expr::Call(Function::Ln, argument) if is_e(argument) => self.either = true,
             Expr::Symbol(symbol) => self.other |= symbol.name() == "e",
             Expr::Element { sequence, index } => {
                 self.other |= sequence.name() == "e" || index.name() == "e";
@@ -199,6 +225,44 @@ fn number(exponent: &Expr) -> Option<Power> {
             own => own,
         }),
         term => term.free_symbols().is_empty().then_some(Power::Root),
+    }
+}
+
+/// Whether nothing but Euler's number is raised to a power: less than nothing of a product, or a quotient.
+fn is_no_count(exponent: &Expr) -> bool {
+    match exponent {
+        Expr::Negate(inner) => matches!(**inner, Expr::Product(_) | Expr::Quotient(..)),
+        Expr::Product(factors) => factors.iter().any(|own| matches!(own, Expr::Quotient(..))),
+        exponent => matches!(exponent, Expr::Quotient(..)),
+    }
+}
+
+impl Page {
+    /// A term with the powers of Euler's number as exponentials.
+    pub(super) fn with_exponentials(&self, term: &Expr) -> Expr {
+        let is_power = |exponent: &Expr| match number(exponent) {
+            Some(Power::Whole(value)) => value.is_negative(),
+            Some(Power::Decimal) => true,
+            Some(Power::Root) => false,
+            None => !counts(exponent, self),
+        };
+        self.exponentials(term, &is_power)
+    }
+
+    fn exponentials(&self, term: &Expr, is_power: &dyn Fn(&Expr) -> bool) -> Expr {
+        let is_euler =
+            |term: &Expr| matches!(term, Expr::Symbol(symbol) if self.euler.contains(symbol));
+        let is_both = |term: &Expr| matches!(term, Expr::Symbol(own) if own.name() == "e");
+        let raised = |exponent: Expr| Expr::Call(Function::Exp, exponent.into());
+        match term {
+            Expr::Power(base, exponent)
+                if is_euler(base) || self.has_both_e && is_both(base) && is_power(exponent) =>
+            {
+                raised(self.exponentials(exponent, is_power))
+            }
+            term if is_euler(term) => raised(Expr::integer(1)),
+            term => term.map_children(|child| self.exponentials(child, is_power)),
+        }
     }
 }
 

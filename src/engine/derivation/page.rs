@@ -6,7 +6,7 @@ mod figures;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::algebra::{Dimension, Expr, Formula, Function, Relation, Symbol};
+use crate::algebra::{Dimension, Expr, Formula, Relation, Symbol};
 use crate::document::{Citation, Directive, Document, Inline, Item, Premise, Problem, Row, Span};
 use crate::kernel::Domain;
 use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
@@ -46,6 +46,8 @@ pub struct Page {
     pub data: Tree<Symbol, Datum>,
     /// The symbols that stand for Euler's number: their powers are read as exponentials.
     pub euler: BTreeSet<Symbol>,
+    /// Whether `e` is a quantity, and Euler's number where it is the base of powers that no quantity is raised to.
+    pub has_both_e: bool,
     /// The imaginary unit where the document has one, and what is given by it: nothing is decided of these.
     pub complex: BTreeSet<Symbol>,
     /// Small changes, `\delta V`: of these nothing is decided either, for what is said of them is said up to their squares.
@@ -108,6 +110,7 @@ pub(super) fn read_page(
         directs: false,
         data: Tree::new(),
         euler: BTreeSet::new(),
+        has_both_e: false,
         complex: BTreeSet::new(),
         small: BTreeSet::new(),
         dependent: Set::new(),
@@ -277,17 +280,6 @@ pub(super) fn of_documents(pages: &[Page]) -> Vec<Vec<usize>> {
     documents.into_values().collect()
 }
 
-/// Reads powers of Euler's number as exponentials.
-pub(super) fn exponentials(term: &Expr, euler: &BTreeSet<Symbol>) -> Expr {
-    let is_euler = |term: &Expr| matches!(term, Expr::Symbol(symbol) if euler.contains(symbol));
-    let raised = |exponent: Expr| Expr::Call(Function::Exp, exponent.into());
-    match term {
-        Expr::Power(base, exponent) if is_euler(base) => raised(exponentials(exponent, euler)),
-        term if is_euler(term) => raised(Expr::integer(1)),
-        term => term.map_children(|child| exponentials(child, euler)),
-    }
-}
-
 impl Page {
     /// Whether its author says more of it than the text does, in directives about equations or in a file beside it.
     pub(crate) fn is_annotated(&self) -> bool {
@@ -313,12 +305,12 @@ impl Page {
         &self,
         statements: impl Iterator<Item = &'a mut Statement>,
     ) {
-        if self.euler.is_empty() {
+        if self.euler.is_empty() && !self.has_both_e {
             return;
         }
         for statement in statements {
             each_side(statement, &mut |term, _| {
-                *term = exponentials(term, &self.euler)
+                *term = self.with_exponentials(term)
             });
         }
     }

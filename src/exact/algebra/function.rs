@@ -372,6 +372,9 @@ impl Lowering<'_> {
         let positive = |var: &Var| match self.atoms.atom(*var) {
             Atom::Root { .. } | Atom::Opaque(Expr::Call(Function::Exp, _)) => true,
             Atom::Symbol(symbol) => self.functions.is_some_and(|f| f.positive.contains(symbol)),
+            Atom::Opaque(Expr::Power(base, _)) => {
+                matches!(&**base, Expr::Number(base) if base.is_positive())
+            }
             _ => false,
         };
         let mut terms = polynomial.terms();

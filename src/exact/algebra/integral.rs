@@ -5,12 +5,13 @@
 //! | x^r | x^(r+1)/(r+1) | r ≠ -1; where r < 0, 0 does not lie between the limits |
 //! | 1/x | ln x | 0 does not lie between the limits |
 //! | 1/(a + b x)^m | the same of a + b x, over b | it does not vanish between the limits |
-//! | f with f' = k f | f/k | k ≠ 0 |
-//! | f with f'' = k f | f'/k | k ≠ 0 |
-//! | sin², cos² | (x + f f'/k)/2, for f'' = k f | k ≠ 0 |
+//! | x^n f with f' = k f | by parts, n times | k ≠ 0 |
+//! | x^n f with f'' = k f + c, as sin and sin² are | by parts, two at a time | k ≠ 0 |
 //! | f g with g' = k f | g²/(2 k) | k ≠ 0 |
 //!
 //! What is linear does not vanish between two places if, and only if, its values there have one sign: their product is positive.
+
+use num_traits::ToPrimitive;
 
 use super::function::{alone, inverse, square_root};
 use super::lower::{LowerError, Lowered, Lowering};
@@ -254,9 +255,9 @@ impl Lowering<'_> {
                 let part = self.power_between(&linear, &Rational::from(*exponent), range)?;
                 Ok(Some(part.times(&slope)?))
             }
-            (factors, []) if plain => {
+            (factors, []) if let Some(power) = small(&term.power) => {
                 let before = std::mem::take(&mut self.conditions);
-                let found = self.antiderivative(factors, range)?;
+                let found = self.antiderivative(power, factors, range)?;
                 let own = std::mem::replace(&mut self.conditions, before);
                 // What would have to be so all the way is not looked at.
                 let sure = !own.polynomials().any(|own| self.moves(own, range));
@@ -288,9 +289,10 @@ impl Lowering<'_> {
         Ok(above.minus(&below)?.times(&power.recip().into())?)
     }
 
-    /// An antiderivative of a product of unknowns that are no powers of the variable.
+    /// An antiderivative of `x^power` times a product of unknowns that are no powers of the variable.
     fn antiderivative(
         &mut self,
+        power: u32,
         factors: &[(Var, i64)],
         range: &Range,
     ) -> Result<Option<Fraction>, LowerError> {
@@ -312,9 +314,9 @@ impl Lowering<'_> {
             };
         }
         if let Some(rate) = rate.filter(|rate| !rate.is_zero()) {
-            return Ok(Some(product.times(&self.recip(&rate)?)?));
+            return self.by_parts(power, &product, &rate, range).map(Some);
         }
-        let half = Fraction::from(Rational::from(2).recip());
+        let zero = Fraction::default();
         match *factors {
             [(var, exponent @ (1 | 2))] => {
                 let first = self.atom_derivative(var, range.variable)?;
@@ -322,27 +324,67 @@ impl Lowering<'_> {
                 let Some(factor) = self.quotient_that_stays(&second, var, range)? else {
                     return Ok(None);
                 };
-                let part = first.times(&self.recip(&factor)?)?;
                 if exponent == 1 {
-                    return Ok(Some(part));
+                    let swing = [product, first, factor, zero];
+                    return self.by_parts_twice(power, &swing, range).map(Some);
                 }
                 if !self.is_sine_or_cosine(var) {
                     return Ok(None);
                 }
-                let own = Fraction::from(Polynomial::var(range.own));
-                let all = own.plus(&part.times(&Polynomial::var(var).into())?)?;
-                Ok(Some(all.times(&half)?))
+                // f'² = k (f² - 1), for sines and cosines.
+                let times = |value: &Fraction, number| value.times(&whole(number).into());
+                let slope = times(&first.times(&Polynomial::var(var).into())?, 2)?;
+                let swing = [product, slope, times(&factor, 4)?, times(&factor, -2)?];
+                self.by_parts_twice(power, &swing, range).map(Some)
             }
-            [(f, 1), (g, 1)] => {
+            [(f, 1), (g, 1)] if power == 0 => {
                 let slope = self.atom_derivative(g, range.variable)?;
                 let Some(factor) = self.quotient_that_stays(&slope, f, range)? else {
                     return Ok(None);
                 };
                 let square = Fraction::from(Polynomial::var(g)).pow(2)?;
+                let half = Fraction::from(Rational::from(2).recip());
                 Ok(Some(square.times(&half)?.times(&self.recip(&factor)?)?))
             }
             _ => Ok(None),
         }
+    }
+
+    /// ∫ xⁿ f dx for f' = k f: it is (xⁿ f - n ∫ xⁿ⁻¹ f dx)/k.
+    fn by_parts(&mut self, n: u32, f: &Fraction, k: &Fraction, range: &Range) -> Lowered {
+        let own = Fraction::from(Polynomial::var(range.own));
+        let over = self.recip(k)?;
+        let mut all = f.times(&over)?;
+        for n in 1..=n {
+            let less = all.times(&Rational::from(n).into())?;
+            all = own.pow(n)?.times(f)?.minus(&less)?.times(&over)?;
+        }
+        Ok(all)
+    }
+
+    /// ∫ xⁿ f dx for f'' = k f + c: it is (xⁿ f' - n xⁿ⁻¹ f + n (n-1) ∫ xⁿ⁻² f dx - c xⁿ⁺¹/(n+1))/k.
+    fn by_parts_twice(
+        &mut self,
+        n: u32,
+        [f, slope, k, c]: &[Fraction; 4],
+        range: &Range,
+    ) -> Lowered {
+        let own = Fraction::from(Polynomial::var(range.own));
+        let over = self.recip(k)?;
+        let mut all = Fraction::default();
+        for n in (n % 2..=n).step_by(2) {
+            let next = Rational::from(n + 1).recip();
+            let straight = own.pow(n + 1)?.times(&next.into())?.times(c)?;
+            let factor = whole(i64::from(n) * (i64::from(n) - 1));
+            let mut sum = all.times(&factor.into())?.minus(&straight)?;
+            sum = sum.plus(&own.pow(n)?.times(slope)?)?;
+            if n > 0 {
+                let less = own.pow(n - 1)?.times(&Rational::from(n).into())?;
+                sum = sum.minus(&less.times(f)?)?;
+            }
+            all = sum.times(&over)?;
+        }
+        Ok(all)
     }
 
     /// k in f' = k f, where it does not move with the variable.
@@ -463,6 +505,15 @@ fn transferred(polynomial: &Polynomial, from: &Atoms, to: &mut Atoms) -> Polynom
         all = all.plus(&Polynomial::term(own, coefficient.clone()));
     }
     all
+}
+
+/// How often something is integrated by parts at most.
+const HIGHEST_POWER: u32 = 16;
+
+/// A power of the variable that integration by parts takes down to none.
+fn small(power: &Rational) -> Option<u32> {
+    let power = power.is_integer().then(|| power.numer().to_u32())??;
+    (power <= HIGHEST_POWER).then_some(power)
 }
 
 fn whole(number: i64) -> Rational {

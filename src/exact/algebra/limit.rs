@@ -1,4 +1,4 @@
-//! Limits: of rational functions, at a place of what sines, exponentials and roots are in, and at infinity of what exponentials are in, too.
+//! Limits: of rational functions, of sums without end, at a place of what sines, exponentials and roots are in, and at infinity of what exponentials are in, too.
 
 use super::effort::is_spent;
 use super::lower::{LowerError, Lowered, Lowering};
@@ -17,6 +17,11 @@ type Parts = (Fraction, Fraction);
 impl Lowering<'_> {
     /// A limit, where it can be told; otherwise an unknown of which it is not known whether it has a value.
     pub(super) fn limit(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
+        if let Some((index, from, term)) = endless(body, variable, point)
+            && let Some(sum) = self.endless_sum(index, from, term)?
+        {
+            return Ok(sum);
+        }
         if !is_no_more_than_a_limit(body, variable) {
             return self.limit_of(body, variable, point);
         }
@@ -60,7 +65,10 @@ impl Lowering<'_> {
         if let Some((exponential, _)) = &growing {
             others.remove(exponential);
         }
-        let plain = (others.iter()).all(|&other| matches!(self.atoms.atom(other), Atom::Symbol(_)));
+        let plain = others.iter().all(|&other| match self.atoms.atom(other) {
+            Atom::Symbol(_) => true,
+            other => self.is_constant(other, variable),
+        });
         let held = self.slopes(&others, variable)?;
         // That something is positive all the way is known at infinity only, from where on does not matter.
         let far = *point == LimitPoint::PlusInfinity;
@@ -259,6 +267,27 @@ impl Lowering<'_> {
         let signs = inner.positive.iter().chain(&inner.nonnegative);
         self.conditions.positive.extend(signs.map(lead));
     }
+}
+
+/// The index of a sum without end, where it starts and what is summed.
+fn endless<'a>(
+    body: &'a Expr,
+    variable: &Symbol,
+    point: &LimitPoint,
+) -> Option<(&'a Symbol, &'a Expr, &'a Expr)> {
+    let Expr::Series {
+        index,
+        from,
+        to,
+        body,
+    } = body
+    else {
+        return None;
+    };
+    let ends = matches!(&**to, Expr::Symbol(own) if own == variable);
+    let is_endless = ends && *point == LimitPoint::PlusInfinity && index != variable;
+    (is_endless && !from.mentions(variable) && !body.mentions(variable))
+        .then_some((index, from, body))
 }
 
 /// Whether a variable is nothing but a limit of an integral: what `\int_a^\infty` is read with.

@@ -12,6 +12,7 @@ mod differential;
 mod dimension;
 mod division;
 pub mod effort;
+mod endless;
 mod evaluate;
 mod expr;
 mod formula;

@@ -209,7 +209,7 @@ impl Lowering<'_> {
 
     /// The divisors and the bases that a term needs not to be 0 beside what it needs of its index, which it is seen to
     /// have from the first value on; `None` where it needs anything else.
-    fn conditions_outside(&self, index: &Symbol) -> Option<[Vec<Expr>; 2]> {
+    pub(super) fn conditions_outside(&self, index: &Symbol) -> Option<[Vec<Expr>; 2]> {
         let conditions = &self.conditions;
         let limits = !conditions.zero.is_empty() || !conditions.away.is_empty();
         let others = limits || !conditions.doubtful.is_empty();
@@ -254,7 +254,7 @@ fn number(value: i64) -> Rational {
 }
 
 /// What is known in the body of a sum.
-fn with_index(known: &Functions, index: &Symbol, first: i64) -> Functions {
+pub(super) fn with_index(known: &Functions, index: &Symbol, first: i64) -> Functions {
     let mut known = known.clone();
     known.naturals.insert(index.clone());
     known.integers.insert(index.clone());

@@ -1,4 +1,5 @@
-//! Sums over an index: `\sum_{i=1}^{k} u_i`, and `u_1 + u_2 + \cdots + u_k`.
+//! Sums over an index: `\sum_{i=1}^{k} u_i`, and `u_1 + u_2 + \cdots + u_k`. A sum without end is a limit: `\sum_{k=0}^\infty r^k` is
+//! `\lim_{k' \to \infty} \sum_{k=0}^{k'} r^k`.
 //!
 //! The summand of a `\sum` is the product that follows it, up to the next `+`, `-`, relation or closing delimiter.
 //! For a sum with dots, the term before the dots and the one after them must be the same but for a subscript; the
@@ -10,7 +11,7 @@ use std::sync::Arc;
 use super::name::with_subscript;
 use super::progression::{Progression, progression};
 use super::{Kind, Parser, Read, Term, refuse, refuse_with};
-use crate::algebra::{BigRational, Expr, Relation, Symbol, split_subscript};
+use crate::algebra::{BigRational, Expr, LimitPoint, Relation, Symbol, split_subscript};
 use crate::document::Span;
 use crate::notation::{Clause, Link, Side, SyntaxError};
 
@@ -33,13 +34,10 @@ impl Parser<'_> {
                 }
                 Kind::Char('^') if upper.is_none() => {
                     self.advance();
-                    let number = self.at + usize::from(self.peek() == Kind::Open);
-                    if self.kind(number) == Kind::Command("infty") {
-                        self.at = number;
-                        let help = "only sums of finitely many terms are: write `\\sum_{n=1}^{N}`, and what it comes to";
-                        return refuse_with(self.span(), "infinite sums are not read", help);
-                    }
-                    upper = Some(self.argument("\\sum^")?);
+                    upper = Some(match self.without_end()? {
+                        true => None,
+                        false => Some(self.argument("\\sum^")?),
+                    });
                 }
                 Kind::Bad(_) => return self.unexpected(),
                 _ => break,
@@ -56,12 +54,43 @@ impl Parser<'_> {
         self.bound.push(index.name().to_owned());
         let body = self.operand();
         self.bound.pop();
-        Ok(Expr::Series {
+        let body = body?;
+        // A name that nothing else in it has.
+        let mut far = Symbol::new(format!("{index}'"));
+        while body.mentions(&far) || from.mentions(&far) {
+            far = Symbol::new(format!("{far}'"));
+        }
+        let is_endless = to.is_none();
+        let sum = Expr::Series {
             index,
             from: from.into(),
-            to: to.into(),
-            body: body?.into(),
+            to: to.unwrap_or_else(|| Expr::Symbol(far.clone())).into(),
+            body: body.into(),
+        };
+        Ok(match is_endless {
+            true => Expr::Limit {
+                body: sum.into(),
+                variable: far,
+                point: LimitPoint::PlusInfinity,
+            },
+            false => sum,
         })
+    }
+
+    /// Takes `\infty`, `+\infty` or the same in braces, if that comes next.
+    fn without_end(&mut self) -> Read<bool> {
+        let open = self.span();
+        let braces = self.peek() == Kind::Open;
+        let first = self.at + usize::from(braces);
+        let signed = usize::from(braces && self.kind(first) == Kind::Char('+'));
+        if self.kind(first + signed) != Kind::Command("infty") {
+            return Ok(false);
+        }
+        self.at = first + signed + 1;
+        if braces {
+            self.close(open)?;
+        }
+        Ok(true)
     }
 
     /// `i=1`

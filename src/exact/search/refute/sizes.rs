@@ -34,6 +34,14 @@ pub fn count_symbols(claim: &Claim) -> Vec<Symbol> {
     fn collect(expr: &Expr, is_definite: &impl Fn(&Symbol) -> bool, found: &mut Set<Symbol>) {
         match expr {
             Expr::Series { to, .. } => found.extend(to.free_symbols()),
+            // A sum without end has no number of terms.
+            Expr::Limit { body, variable, .. } => {
+                let mut within = Set::new();
+                collect(body, is_definite, &mut within);
+                within.remove(variable);
+                found.extend(within);
+                return;
+            }
             Expr::Power(_, exponent) if !matches!(**exponent, Expr::Number(_)) => {
                 found.extend(exponent.free_symbols().into_iter().filter(is_definite));
             }
