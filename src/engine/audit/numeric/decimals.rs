@@ -85,6 +85,15 @@ pub(super) fn loosened(
 
 /// The decimals in a text that may be rounded, each with half a unit of its last digit.
 pub(super) fn decimals(text: &str) -> Map<BigRational, BigRational> {
+    decimals_of(text, FEWEST_DIGITS)
+}
+
+/// The same of all decimals, however few digits they have: what is come to is rounded.
+pub(super) fn all_decimals(text: &str) -> Map<BigRational, BigRational> {
+    decimals_of(text, 1)
+}
+
+fn decimals_of(text: &str, fewest: usize) -> Map<BigRational, BigRational> {
     let is_part = |c: char| c.is_ascii_digit() || c == '.';
     let mut found = Map::new();
     for number in text.split(|c: char| !is_part(c)) {
@@ -97,7 +106,7 @@ pub(super) fn decimals(text: &str) -> Map<BigRational, BigRational> {
         else {
             continue;
         };
-        if significant < FEWEST_DIGITS || decimals.is_empty() {
+        if significant < fewest || decimals.is_empty() {
             continue;
         }
         let unit = BigInt::from(10).pow(places);
