@@ -70,7 +70,12 @@ pub(super) fn listed(derivation: &Derivation) -> Vec<Listed> {
     let dimensions = Dimensions::inferred(derivation);
     let pages = 0..derivation.pages.len();
     let found: Vec<Vec<Found>> = pages
-        .map(|page| symbols(derivation, &dimensions, page))
+        .map(|page| {
+            let mut found = symbols(derivation, &dimensions, page);
+            // What is declared is a quantity, and real.
+            found.retain(|own| !derivation.pages[page].is_imaginary_unit(&own.name));
+            found
+        })
         .collect();
     let mut proposals: Vec<Proposal> = Vec::new();
     for (page, symbols) in found.iter().enumerate() {

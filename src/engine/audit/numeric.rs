@@ -1,5 +1,6 @@
 //! Numeric claims: definitions put in until figures are left, then weighed.
 
+mod complex;
 mod decimals;
 mod figures;
 mod put_in;
@@ -151,6 +152,7 @@ fn weigh_rounded(
         said,
         tried: 0,
         free: Set::new(),
+        unit: None,
         data: Map::new(),
         put_in: Vec::new(),
         unknown: Set::new(),
@@ -178,6 +180,8 @@ struct Known<'a> {
     tried: usize,
     /// What nothing gives a value, and which may be cancelled.
     free: Set<Symbol>,
+    /// The imaginary unit in what is weighed.
+    unit: Option<Symbol>,
     data: Map<Symbol, (usize, Datum)>,
     put_in: Vec<(Expr, Expr, Source)>,
     unknown: Set<Symbol>,
@@ -200,13 +204,19 @@ impl Known<'_> {
         else {
             return link;
         };
-        if matches!(relation, Relation::Scales | Relation::Proportional)
-            || !link.goal.suppositions.is_empty()
+        if matches!(
+            relation,
+            Relation::Scales | Relation::Proportional | Relation::Tends
+        ) || !link.goal.suppositions.is_empty()
         {
             return link;
         }
         if let Some(term) = self.logarithm_of_units(&link.goal.formula) {
             link.outcome = Weighed::NoValue(NoInterval::Unsupported(term));
+            return link;
+        }
+        if let Some(outcome) = self.weigh_complex(&link.goal) {
+            link.outcome = outcome;
             return link;
         }
         let rounding = link.goal.rounding.as_ref();
@@ -365,6 +375,9 @@ impl Known<'_> {
         // Figures are in SI units.
         if measured(symbol).is_some() {
             return Ok(Expr::integer(1));
+        }
+        if self.unit.as_ref() == Some(symbol) {
+            return Ok(Expr::Symbol(symbol.clone()));
         }
         let pages = self.pages.iter();
         let mut figures = pages.filter_map(|&page| {
@@ -572,7 +585,7 @@ fn weigh(
             }
             (Some(_), None) => Weighed::NotSettled,
         },
-        Relation::Scales | Relation::Proportional => Weighed::NoComparison,
+        Relation::Scales | Relation::Proportional | Relation::Tends => Weighed::NoComparison,
     }
 }
 

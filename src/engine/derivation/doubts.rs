@@ -1,9 +1,11 @@
 //! What is read as a power or a product and may be meant otherwise: decided here, where the whole page is known, and refused where nothing
 //! on it says that the reading is what was meant.
 
-use crate::algebra::{Expr, Formula, Function, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::Span;
-use crate::notation::{Choice, Doubt, DoubtKind, Other, Spelt, Statement, SyntaxError, angle_of};
+use crate::notation::{
+    Choice, Doubt, DoubtKind, Other, Spelt, Statement, SyntaxError, angle_of, argument_of,
+};
 use crate::sorted::Set;
 
 use super::Equation;
@@ -294,9 +296,7 @@ fn factors_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol
 }
 
 fn collect_factors(term: &Expr, found: &mut Set<Symbol>) {
-    if let Expr::Call(Function::Sin | Function::Cos | Function::Tan, of) = term
-        && let Expr::Product(factors) = &**of
-    {
+    if let Some(Expr::Product(factors)) = argument_of(term) {
         let mut names = factors.iter().filter(|own| !matches!(own, Expr::Number(_)));
         if let Some(Expr::Symbol(first)) = names.next()
             && let Some(Expr::Symbol(_)) = names.next()

@@ -110,7 +110,44 @@ fn shows(formula: &Formula, unit: &Symbol) -> bool {
             || *right == Expr::integer(-1);
         squared && minus_one
     });
-    says || formula.terms().into_iter().any(|term| term.any(&turns))
+    let adds = |part: &Expr| is_beside_a_number(part, unit);
+    let shown = |part: &Expr| turns(part) || adds(part);
+    says || formula.terms().into_iter().any(|term| term.any(&shown))
+}
+
+/// Whether a decimal of times the unit is added to a number, `-0.40 + 0.30j`: no quantity is.
+fn is_beside_a_number(term: &Expr, unit: &Symbol) -> bool {
+    let Expr::Sum(terms) = term else {
+        return false;
+    };
+    let mut decimals = false;
+    let mut is_number = |own: &Expr| match own {
+        Expr::Number(number) => {
+            decimals |= !number.is_integer();
+            true
+        }
+        _ => false,
+    };
+    let (mut bare, mut times) = (false, false);
+    for own in terms.iter() {
+        let own = match own {
+            Expr::Negate(inner) => inner,
+            own => own,
+        };
+        match own {
+            Expr::Product(factors) => {
+                let is_unit = |own: &Expr| matches!(own, Expr::Symbol(own) if own == unit);
+                times |= factors.iter().any(is_unit) && factors.iter().any(&mut is_number);
+            }
+            own => bare |= is_number(own),
+        }
+    }
+    bare && times && decimals
+}
+
+/// Whether a symbol is spelt as the imaginary unit is.
+pub(crate) fn is_imaginary_unit(symbol: &Symbol) -> bool {
+    UNITS.iter().any(|(name, _)| *name == symbol.name())
 }
 
 /// Whether a letter counts in a formula, or numbers something.

@@ -15,6 +15,7 @@ use crate::sorted::{self, Set, Tree};
 use super::beside::{Beside, Clash, Place};
 use super::called::{self, Called};
 use super::equation::each_side;
+use super::imaginary::is_imaginary_unit;
 use super::meanings::Meanings;
 use super::reader::Reader;
 use super::supposed::Local;
@@ -313,6 +314,11 @@ impl Page {
                 *term = self.with_exponentials(term)
             });
         }
+    }
+
+    /// Whether a symbol is the imaginary unit here.
+    pub fn is_imaginary_unit(&self, symbol: &Symbol) -> bool {
+        self.complex.contains(symbol) && is_imaginary_unit(symbol)
     }
 
     /// Whether a formula speaks of something of which nothing is decided.

@@ -248,6 +248,11 @@ pub(super) fn is_hyperbolic(command: &str) -> bool {
     names.contains(&command)
 }
 
+/// Whether an arrow says what something tends to.
+pub(super) fn tends(command: &str) -> bool {
+    matches!(command, "to" | "rightarrow" | "longrightarrow")
+}
+
 const FUNCTIONS: &[&str] = &[
     "sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "exp", "log", "sinh",
     "cosh", "tanh", "coth", "sech", "csch", "lg",

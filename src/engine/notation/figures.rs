@@ -51,7 +51,37 @@ pub(crate) fn without_units(term: &Expr) -> Expr {
             }
         }
         Expr::Negate(inner) => Expr::Negate(without_units(inner).into()),
+        Expr::Quotient(over, under) if is_unit(under) => without_units(over),
         own => own.clone(),
+    }
+}
+
+/// Whether a term is made of units alone, with no number beside them.
+fn is_unit(term: &Expr) -> bool {
+    match term {
+        Expr::Symbol(own) => own.is_unit(),
+        Expr::Power(base, _) => is_unit(base),
+        Expr::Product(factors) => factors.iter().all(is_unit),
+        _ => false,
+    }
+}
+
+/// The units that stand beside a number: `\mathrm{m}^3` and `\mathrm{s}^{-1}` of `2\,\mathrm{m}^3/\mathrm{s}`.
+pub(crate) fn units_beside(term: &Expr) -> Option<Vec<Expr>> {
+    match term {
+        Expr::Product(factors) => Some(
+            factors
+                .iter()
+                .filter(|own| has_units(own))
+                .cloned()
+                .collect(),
+        ),
+        Expr::Quotient(over, under) if is_unit(under) => {
+            let mut units = units_beside(over).unwrap_or_default();
+            units.push(Expr::Power(under.clone(), Expr::integer(-1).into()));
+            Some(units)
+        }
+        _ => None,
     }
 }
 

@@ -430,7 +430,9 @@ impl<'s> Folder<'_, 's> {
                 Kind::Wide => {}
                 Kind::Char('&') => empty_cell = true,
                 Kind::Char('+' | '-') => return empty_cell,
-                Kind::Command(name) if connective(name).is_some() => return true,
+                Kind::Command(name) if connective(name).is_some() || commands::tends(name) => {
+                    return true;
+                }
                 _ => return self.relation(at).is_some(),
             }
             at += 1;

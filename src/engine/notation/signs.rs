@@ -37,10 +37,75 @@ pub(super) fn apart(tokens: Vec<Token<'_>>) -> Vec<Token<'_>> {
                 });
                 all.extend(lower);
             }
-            _ => all.extend(part),
+            _ => match in_numbers(part) {
+                Some(numbers) => all.extend(numbers),
+                None => all.extend(part),
+            },
         }
     }
     all
+}
+
+/// `x = a \pm b = -0.40 \pm 0.30j`: what `x` is, and what each of the two comes to in complex numbers. `1.5 \pm 0.1` has no unit, and is one value.
+fn in_numbers<'s>(part: &[Token<'s>]) -> Option<Vec<Token<'s>>> {
+    let equals = |token: &Token<'_>| matches!(token.kind, Kind::Relation(..));
+    let mut signs = (0..part.len()).filter(|&at| equals(&part[at]));
+    let (Some(first), Some(second), None) = (signs.next(), signs.next(), signs.next()) else {
+        return None;
+    };
+    let (name, of, numbers) = (&part[..first], &part[first + 1..second], &part[second..]);
+    let has_sign = |tokens: &[Token<'_>]| tokens.iter().any(is_sign);
+    let is_unit = |token: &Token<'_>| matches!(token.kind, Kind::Letter('i' | 'j'));
+    let is_number = |token: &Token<'_>| {
+        let plain = matches!(
+            token.kind,
+            Kind::Number(_) | Kind::Quantity(..) | Kind::Upright(_) | Kind::Text(_) | Kind::Wide
+        );
+        plain || is_unit(token) || is_sign(token) || equals(token) || is_part_of_a_number(token)
+    };
+    let complex = numbers.iter().any(is_unit) && numbers.iter().all(is_number);
+    if has_sign(name) || !has_sign(of) || !has_sign(numbers) || !complex {
+        return None;
+    }
+    let parted = |lower| {
+        let sign = |token: &Token<'s>| match is_sign(token) {
+            true => signed(*token, lower),
+            false => *token,
+        };
+        part[first + 1..].iter().map(sign).collect::<Vec<_>>()
+    };
+    let wide = Token {
+        kind: Kind::Wide,
+        ..part[second]
+    };
+    let mut upper = parted(false);
+    while upper.last().is_some_and(ends_a_statement) {
+        upper.pop();
+    }
+    let said = part[..second].iter().copied();
+    Some(
+        said.chain([wide])
+            .chain(upper)
+            .chain([wide])
+            .chain(parted(true))
+            .collect(),
+    )
+}
+
+/// Whether a token may stand in a number with its units, or ends a statement.
+fn is_part_of_a_number(token: &Token<'_>) -> bool {
+    matches!(token.kind, Kind::Char('-' | '.' | ',' | ';' | '/' | '^'))
+}
+
+fn ends_a_statement(token: &Token<'_>) -> bool {
+    matches!(token.kind, Kind::Char('.' | ',' | ';') | Kind::Wide)
+}
+
+/// A `\pm` or `\mp` as one of both signs.
+fn signed(token: Token<'_>, lower: bool) -> Token<'_> {
+    let minus = (token.kind == Kind::Command("mp")) != lower;
+    let kind = Kind::Char(if minus { '-' } else { '+' });
+    Token { kind, ..token }
 }
 
 fn is_sign(token: &Token<'_>) -> bool {
@@ -52,11 +117,7 @@ fn with<'s>(part: &[Token<'s>], lower: bool) -> Option<Vec<Token<'s>>> {
     let (mut read, mut at, mut indexed) = (Vec::with_capacity(part.len()), 0, false);
     let has_sign = part.iter().any(is_sign);
     while let Some(&token) = part.get(at) {
-        let signed = |token: Token<'s>| {
-            let minus = (token.kind == Kind::Command("mp")) != lower;
-            let kind = Kind::Char(if minus { '-' } else { '+' });
-            Token { kind, ..token }
-        };
+        let signed = |token: Token<'s>| signed(token, lower);
         let braced = |kind: Kind<'s>| Token { kind, ..token };
         let kinds: Vec<Kind<'s>> = part[at..].iter().take(6).map(|own| own.kind).collect();
         let is_index = matches!(token.kind, Kind::Char('_' | '^'));

@@ -184,6 +184,8 @@ pub enum Clause {
 /// One side of a relation.
 #[derive(Clone, Debug)]
 pub struct Side {
+    /// Whether it ends in dots, so that it is near to what it is said to be, and nobody knows how near: `1 + x + \dots`.
+    pub truncated: bool,
     /// The term.
     pub expr: Expr,
     /// Where the side stands.

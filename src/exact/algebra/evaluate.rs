@@ -514,6 +514,7 @@ fn compare(
         Relation::Scales
         | Relation::Proportional
         | Relation::Approximately
+        | Relation::Tends
         | Relation::MuchLess
         | Relation::MuchGreater => return Err(EvaluateError::Undecidable(relation)),
     })

@@ -27,6 +27,8 @@ pub enum Relation {
     Proportional,
     /// `\approx`
     Approximately,
+    /// `\to`: in a limit that is named elsewhere
+    Tends,
     /// `\ll`
     MuchLess,
     /// `\gg`

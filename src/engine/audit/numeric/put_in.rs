@@ -146,7 +146,7 @@ impl Auditor<'_> {
     }
 
     /// What a link that is contradicted says with one small edit, if all is supported with that.
-    fn slip_of_figures(
+    pub(super) fn slip_of_figures(
         &self,
         at: usize,
         goals: &[Goal],

@@ -16,7 +16,7 @@ use crate::search;
 use super::super::entry::leave_open;
 use super::super::judge::{self, Judge};
 use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, premise};
-use super::{Link, Numeric, Taken, Weighed, reckoned};
+use super::{Link, Numeric, Taken, Weighed, complex, reckoned};
 
 /// Why a step that ends in a rounded number is neither.
 pub(super) const ROUNDED: &str = "it is rounded";
@@ -110,6 +110,7 @@ impl Auditor<'_> {
                 true => leave_open(entry, ROUNDED),
                 false => self.leave_possible(judge, premises, entry),
             }
+            self.weigh_beside(at, usable, &open, entry);
             return;
         }
         let mut assumed = self.figures(at, usable);
@@ -143,19 +144,7 @@ impl Auditor<'_> {
                 numeric = with;
             }
         }
-        // What is said again of something, and not worked out, is said of another case.
-        let is_said_again = |link: &Link| match &link.goal.formula {
-            Formula::Relation {
-                left: Expr::Symbol(own),
-                ..
-            } => numeric.data.contains_key(own),
-            _ => false,
-        };
-        let mut wrong = numeric
-            .links
-            .iter()
-            .filter(|own| own.outcome == Weighed::Contradicted);
-        if wrong.any(is_said_again) {
+        if says_again(&numeric) {
             return leave_open(entry, SAID_AGAIN);
         }
         match (numeric.outcome(), entry.verdict) {
@@ -185,6 +174,44 @@ impl Auditor<'_> {
             entry.notes.push(Note::RestsOnUnproved(open));
         }
         entry.numeric = Some(numeric.into());
+    }
+
+    /// Weighs what ends in numbers beside what is left open. Of what figures speak against that is told where they support it with one small
+    /// edit, or where it is complex.
+    fn weigh_beside(&self, at: usize, usable: &premise::Usable, open: &[Goal], entry: &mut Entry) {
+        let page = &self.derivation.pages[self.derivation.equations[at].page];
+        let is_complex = |own: &Goal| complex::ends_in_one(own, &page.complex);
+        // What is worked out of numbers alone is weighed wherever it stands.
+        let is_worked_out = |own: &Goal| match own.formula.as_equation() {
+            Some((left, _)) => is_figures(left),
+            None => true,
+        };
+        let is_number = |own: &&Goal| is_weighed(own) && !is_worked_out(own) || is_complex(own);
+        let numbers: Vec<Goal> = open.iter().filter(is_number).cloned().collect();
+        if entry.verdict != Verdict::Undecided || numbers.is_empty() {
+            return;
+        }
+        let (figures, printed) = (self.figures(at, usable), self.printed_before(at));
+        let exactly = |goals: &[Goal]| {
+            let taken = Taken::Exactly;
+            numeric::weigh_rounded(self.derivation, at, goals, &figures, taken, &printed)
+        };
+        for goal in numbers {
+            let goals = [goal];
+            let mut numeric = self.weighed(at, &goals, &figures, &printed);
+            if *numeric.outcome() != Weighed::Contradicted || says_again(&numeric) {
+                continue;
+            }
+            if !is_complex(&goals[0]) {
+                numeric.nearest = self.slip_of_figures(at, &goals, &numeric, &exactly);
+                if numeric.nearest.is_none() {
+                    continue;
+                }
+            }
+            entry.notes.push(Note::NumericNotSupported);
+            entry.numeric = Some(numeric.into());
+            return;
+        }
     }
 
     /// Leaves open what fails only for rounded numbers that may be so, as far as what it was judged from tells: somebody measured them.
@@ -253,6 +280,19 @@ impl Auditor<'_> {
         }
         all
     }
+}
+
+/// Whether what is wrong is said again of something, and not worked out: it is said of another case.
+fn says_again(numeric: &Numeric) -> bool {
+    let is_wrong = |own: &&Link| own.outcome == Weighed::Contradicted;
+    let mut wrong = numeric.links.iter().filter(is_wrong);
+    wrong.any(|link| match &link.goal.formula {
+        Formula::Relation {
+            left: Expr::Symbol(own),
+            ..
+        } => numeric.data.contains_key(own),
+        _ => false,
+    })
 }
 
 /// Whether a goal that is not proved is weighed: it ends in a rounded number, and is asserted as it stands.

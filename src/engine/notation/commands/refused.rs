@@ -46,7 +46,11 @@ const REFUSED: &[(&str, &str, Option<&str>)] = &[
         "`\\infty` is no number: it is read only where a limit goes, `\\lim_{x \\to \\infty}`",
         None,
     ),
-    ("to", "`\\to` is read only inside `\\lim_{x \\to a}`", None),
+    (
+        "to",
+        "`\\to` is read only inside `\\lim_{x \\to a}`, and in chains with `=`",
+        None,
+    ),
     (
         "colorbox",
         "`\\colorbox` is not read: colours do not belong to the mathematics",

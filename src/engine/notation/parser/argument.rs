@@ -132,7 +132,7 @@ impl Parser<'_> {
         let (Some(group), Expr::Symbol(name)) = (&self.pending, &factor.expr) else {
             return None;
         };
-        if !self.angle || !matches!(before, [] | [Expr::Number(_)]) {
+        if !self.of_angle || !matches!(before, [] | [Expr::Number(_)]) {
             return None;
         }
         let in_doubt = !group.expr.any(&|part| angle_of(part) == Some(name));

@@ -5,7 +5,7 @@ use super::name::Superscript;
 use super::term::{counted, invisible};
 use super::vector::refuse_vector;
 use super::{DIGITS, Factor, Kind, LastName, Parser, Read, Shape, refuse, refuse_with};
-use crate::algebra::{BigInt, BigRational, Expr, Symbol};
+use crate::algebra::{BigInt, BigRational, Expr, Function, Symbol};
 use crate::document::Span;
 use crate::notation::commands;
 
@@ -75,6 +75,15 @@ impl<'s> Parser<'s> {
                     let brackets = delimiter.function.is_none();
                     let square = delimiter.close == "]";
                     let content = self.group(delimiter)?;
+                    // `\left|\frac{du}{dr}\right|_{r = R}`
+                    if let Expr::Call(Function::Abs, inner) = &content
+                        && self.peek() == Kind::Char('_')
+                        && self.has_relation(self.at + 1)
+                    {
+                        let there = self.between(start, inner, false)?.0;
+                        let expr = Expr::Call(Function::Abs, there.expr.into());
+                        return Ok(Factor { expr, ..there });
+                    }
                     if square && self.at_limits() {
                         return Ok(self.between(start, &content, true)?.0);
                     }

@@ -144,7 +144,7 @@ impl Parser<'_> {
     }
 
     /// Whether a relation sign stands in the group that opens here.
-    fn has_relation(&self, open: usize) -> bool {
+    pub(super) fn has_relation(&self, open: usize) -> bool {
         let end = self.after_group(open).unwrap_or(open);
         let mut depth = 0usize;
         (open..end).any(|at| {

@@ -115,6 +115,7 @@ pub(super) fn either(mut places: Vec<Place>, links: &[Link]) -> Read<Vec<Place>>
             span,
             terms: vec![span],
             rounding: None,
+            truncated: false,
         })
     };
     let product = Expr::Product([less(upper.expr), less(lower.expr)].into());

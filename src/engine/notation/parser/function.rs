@@ -255,8 +255,11 @@ impl Parser<'_> {
         }
         let outside = (self.angle, self.doubled);
         (self.angle, self.doubled) = (angle, doubles || self.doubled);
+        let of_angle =
+            std::mem::replace(&mut self.of_angle, angle || commands::is_hyperbolic(name));
         let call = self.call_inner(name);
         (self.angle, self.doubled) = outside;
+        self.of_angle = of_angle;
         call
     }
 
@@ -402,13 +405,33 @@ impl Parser<'_> {
     }
 }
 
-/// The symbol of which a term is a sine, a cosine or a tangent.
+/// The symbol of which a term is a sine, a cosine or a tangent, or of which a hyperbolic function is made.
 pub(crate) fn angle_of(term: &Expr) -> Option<&Symbol> {
+    match argument_of(term)? {
+        Expr::Symbol(angle) => Some(angle),
+        _ => None,
+    }
+}
+
+/// What a term is a sine, a cosine or a tangent of; of the sum that a hyperbolic function is made of, `e^u + e^{-u}`, what that is of.
+pub(crate) fn argument_of(term: &Expr) -> Option<&Expr> {
+    let exponent = |own: &Expr| match own {
+        Expr::Call(Function::Exp, of) => Some(of.clone()),
+        _ => None,
+    };
     match term {
-        Expr::Call(Function::Sin | Function::Cos | Function::Tan, of) => match &**of {
-            Expr::Symbol(angle) => Some(angle),
-            _ => None,
-        },
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, of) => Some(of),
+        Expr::Sum(terms) => {
+            let [up @ Expr::Call(Function::Exp, of), down] = &terms[..] else {
+                return None;
+            };
+            let down = match down {
+                Expr::Negate(inner) => inner,
+                own => own,
+            };
+            let negative = Expr::Negate(exponent(up)?);
+            (*exponent(down)? == negative).then_some(of)
+        }
         _ => None,
     }
 }

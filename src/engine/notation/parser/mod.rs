@@ -36,7 +36,7 @@ mod vector;
 mod word;
 mod worked_out;
 
-pub(crate) use function::angle_of;
+pub(crate) use function::{angle_of, argument_of};
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;
 
@@ -88,6 +88,10 @@ pub(super) struct Parser<'s> {
     angle: bool,
     /// Whether this is in the argument of a hyperbolic function.
     doubled: bool,
+    /// Whether a name by itself may be all of the argument here: in `\sin\theta`, `\cosh\eta`.
+    of_angle: bool,
+    /// Whether a side is read, and if so, whether it ends in dots: `1 + x + \dots`.
+    truncated: Option<bool>,
     /// The places of the summands of the sum that was read last.
     summands: Vec<Span>,
     /// The name that was read last, for braces around nothing but a name: `{v'_1}^2`.
@@ -209,6 +213,8 @@ impl<'s> Parser<'s> {
             bar: false,
             angle: false,
             doubled: false,
+            of_angle: false,
+            truncated: None,
             summands: Vec::new(),
             last_name: None,
             last_group: None,

@@ -104,6 +104,7 @@ impl Parser<'_> {
                     span: side.span,
                     terms: vec![side.span],
                     rounding: None,
+                    truncated: false,
                 }),
                 None => no_equation(first.span),
             }
@@ -120,6 +121,7 @@ fn separated(sides: Vec<Side>, all: &[Primitive], span: Span) -> Read<Vec<Side>>
             span: side.span,
             terms: vec![side.span],
             rounding: None,
+            truncated: false,
         }),
         None => {
             let message = "integrals over different variables cannot be compared without limits";

@@ -341,6 +341,7 @@ fn relation(side: &Side, relation: Relation, right: Expr, span: Span) -> Clause 
         span,
         terms: vec![span],
         rounding: None,
+        truncated: false,
     };
     let link = Link {
         relation,

@@ -217,6 +217,7 @@ impl Parser<'_> {
             span,
             terms: vec![span],
             rounding: None,
+            truncated: false,
         };
         Ok(Some(Clause::Chain {
             sides: vec![side(sum, span), side(Expr::integer(0), value.span)],

@@ -124,6 +124,7 @@ impl Parser<'_> {
             span,
             terms: vec![span],
             rounding: None,
+            truncated: false,
         })
     }
 }

@@ -340,9 +340,13 @@ impl<'s> Parser<'s> {
             if self.skip_wide() && self.reason() {
                 self.skip_wide();
             }
-            let Kind::Relation(relation, questioned) = self.peek() else {
-                self.at = end;
-                break;
+            let (relation, questioned) = match self.peek() {
+                Kind::Relation(relation, questioned) => (relation, questioned),
+                Kind::Command(name) if commands::tends(name) => (Relation::Tends, false),
+                _ => {
+                    self.at = end;
+                    break;
+                }
             };
             if links.len() >= MOST_RELATIONS {
                 let help = "part it into several displays";
@@ -370,6 +374,20 @@ impl<'s> Parser<'s> {
         let span = self.since(start);
         if links.is_empty() {
             return self.lone(start, span);
+        }
+        // Reactions have arrows, too: `A \to B + C`.
+        let equates =
+            |link: &Link| matches!(link.relation, Relation::Equal | Relation::Approximately);
+        if let Some(arrow) = links.iter().find(|link| link.relation == Relation::Tends)
+            && !links.iter().any(equates)
+        {
+            let (message, help) = commands::complaint("to");
+            let span = arrow.span;
+            return Err(crate::notation::SyntaxError {
+                span,
+                message,
+                help,
+            });
         }
         let places = either(places, &links)?;
         self.chain(places, links, span)
@@ -409,7 +427,10 @@ impl<'s> Parser<'s> {
             self.advance();
             return Ok(Place::Dots(self.since(start)));
         }
-        let expr = self.sum()?.expr;
+        let outside = self.truncated.replace(false);
+        let sum = self.sum();
+        let truncated = std::mem::replace(&mut self.truncated, outside) == Some(true);
+        let expr = sum?.expr;
         let span = self.since(start);
         let terms = match &expr {
             Expr::Sum(terms) if terms.len() == self.summands.len() => self.summands.clone(),
@@ -421,6 +442,7 @@ impl<'s> Parser<'s> {
             span,
             terms,
             rounding,
+            truncated,
         }))
     }
 
@@ -445,6 +467,13 @@ impl<'s> Parser<'s> {
         }
         match dots {
             None => {
+                for (at, link) in links.iter_mut().enumerate() {
+                    let ends_in_dots = [at, at + 1].iter().any(|&own| sides[own].truncated);
+                    if ends_in_dots && link.relation == Relation::Equal {
+                        link.relation = Relation::Approximately;
+                        sides[at + 1].rounding = None;
+                    }
+                }
                 lend_units(&mut sides);
                 loosen(&mut sides, &mut links);
                 let sides = self.differentiated_sides(sides, &links)?;

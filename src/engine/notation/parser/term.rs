@@ -57,6 +57,10 @@ impl Parser<'_> {
                 dots = Some((self.span(), negative));
                 self.advance();
                 let subtracts = negative && self.peek() == Kind::Char('-');
+                if self.truncated.is_some() && self.ends_a_sum() {
+                    self.truncated = Some(true);
+                    break;
+                }
                 if self.peek() != Kind::Char('+') && !subtracts {
                     return refuse(
                         self.since(self.at - 1),
@@ -92,6 +96,16 @@ impl Parser<'_> {
             }
         }
         self.gather(start, terms)
+    }
+
+    /// Whether nothing more of a sum follows here: a relation, what separates statements, or what closes the group.
+    fn ends_a_sum(&self) -> bool {
+        let close = usize::from(self.peek() == Kind::Command("right"));
+        let next = self.kind(self.at + close);
+        let closes = matches!(next, Kind::Char(')' | ']') | Kind::Close | Kind::BoxClose);
+        let parts = matches!(next, Kind::Char(',' | ';' | '.') | Kind::Wide | Kind::Row);
+        let relates = matches!(next, Kind::Relation(..) | Kind::Connective(_));
+        closes || parts || relates || matches!(next, Kind::End | Kind::Finish(_))
     }
 
     fn gather(&mut self, start: usize, mut terms: Vec<Term>) -> Read<Term> {

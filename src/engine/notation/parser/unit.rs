@@ -175,9 +175,13 @@ impl<'s> Parser<'s> {
             Kind::Upright(text) if unit::is_symbol(text) => {
                 Written::of(unit::read(text).ok()?, vec![upright(text)], at + 1)
             }
-            Kind::Upright(prefix) if self.joins(at, Kind::Command("Omega")) => {
+            Kind::Upright(text) | Kind::Text(text) if self.joins(at, Kind::Command("Omega")) => {
+                let prefix = text.trim_start();
                 let unit = unit::read(&format!("{prefix}Ω")).ok()?;
-                Written::of(unit, vec![upright(prefix), "\\Omega".to_owned()], at + 2)
+                Written {
+                    shy: matches!(self.kind(at), Kind::Text(_)) && prefix.len() == text.len(),
+                    ..Written::of(unit, vec![upright(prefix), "\\Omega".to_owned()], at + 2)
+                }
             }
             Kind::Text(words) => text_unit(words, at + 1)?,
             _ => return None,

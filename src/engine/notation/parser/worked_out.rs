@@ -6,7 +6,8 @@ use num_traits::{Signed, Zero};
 use crate::algebra::{BigInt, BigRational, Expr, Relation, Symbol};
 use crate::interval::{Figures, Interval};
 use crate::notation::{
-    Link, Precision, Rounding, Side, has_decimals, has_units, in_si, is_figures, without_units,
+    Link, Precision, Rounding, Side, has_decimals, has_units, in_si, is_figures, units_beside,
+    without_units,
 };
 use crate::sorted::Map;
 
@@ -132,7 +133,7 @@ pub(super) fn lend_units(sides: &mut [Side]) {
     let Some((last, before)) = sides.split_last_mut() else {
         return;
     };
-    let Expr::Product(factors) = &last.expr else {
+    let Some(units) = units_beside(&last.expr) else {
         return;
     };
     // `\frac{1}{200}\,\mathrm{mm}^{-1}` is a number, too.
@@ -142,14 +143,13 @@ pub(super) fn lend_units(sides: &mut [Side]) {
         }
         _ => false,
     };
-    if last.rounding.is_none() && !factors.first().is_some_and(is_fraction) {
+    let begins_with_fraction = match &last.expr {
+        Expr::Product(factors) => factors.first().is_some_and(is_fraction),
+        _ => false,
+    };
+    if last.rounding.is_none() && !begins_with_fraction {
         return;
     }
-    let units: Vec<Expr> = factors
-        .iter()
-        .filter(|own| has_units(own))
-        .cloned()
-        .collect();
     let scale = scale(&last.expr);
     let bare = value(&without_units(&last.expr)).map(|own| own.abs());
     let (Some(scale), Some(bare)) = (scale, bare) else {
@@ -233,11 +233,8 @@ fn is_rounded(pair: &[Side]) -> bool {
 
 /// How great the units beside a number are in those of the SI.
 fn scale(term: &Expr) -> Option<BigRational> {
-    let Expr::Product(factors) = term else {
-        return None;
-    };
-    let units = factors.iter().filter(|own| has_units(own)).cloned();
-    Some(value(&Expr::Product(units.collect()))?.high().clone())
+    let units = units_beside(term)?;
+    Some(value(&Expr::Product(units.into()))?.high().clone())
 }
 
 /// Whether a term is the same number of times something that the result is when it is rounded: `\frac{1.2 c}{1.36}`, `0.882 c`.

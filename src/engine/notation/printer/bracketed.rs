@@ -5,7 +5,7 @@ use crate::algebra::{Expr, Relation};
 use crate::document::Span;
 use crate::notation::{read_expr, relation_latex};
 
-const RELATIONS: [Relation; 11] = [
+const RELATIONS: [Relation; 12] = [
     Relation::Equal,
     Relation::NotEqual,
     Relation::Less,
@@ -15,6 +15,7 @@ const RELATIONS: [Relation; 11] = [
     Relation::Scales,
     Relation::Proportional,
     Relation::Approximately,
+    Relation::Tends,
     Relation::MuchLess,
     Relation::MuchGreater,
 ];

@@ -147,6 +147,7 @@ pub fn relation_latex(relation: Relation) -> &'static str {
         Relation::Scales => "\\sim",
         Relation::Proportional => "\\propto",
         Relation::Approximately => "\\approx",
+        Relation::Tends => "\\to",
         Relation::MuchLess => "\\ll",
         Relation::MuchGreater => "\\gg",
     }

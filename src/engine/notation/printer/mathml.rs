@@ -141,6 +141,7 @@ fn sign(relation: Relation) -> String {
         Relation::Scales => "∼",
         Relation::Proportional => "∝",
         Relation::Approximately => "≈",
+        Relation::Tends => "→",
         Relation::MuchLess => "≪",
         Relation::MuchGreater => "≫",
     };

@@ -118,6 +118,7 @@ fn relation_sign(relation: Relation) -> &'static str {
         Relation::Scales => "~",
         Relation::Proportional => "∝",
         Relation::Approximately => "≈",
+        Relation::Tends => "→",
         Relation::MuchLess => "≪",
         Relation::MuchGreater => "≫",
     }
@@ -141,7 +142,7 @@ fn product(expr: &Expr) -> String {
             }
             text
         }
-        Expr::Quotient(over, under) => format!("{}/{}", atom(over), atom(under)),
+        Expr::Quotient(over, under) => format!("{}/{}", of_stroke(over), of_stroke(under)),
         Expr::Sum(_) | Expr::Negate(_) => format!("({})", plain(expr)),
         _ => factor(expr, true),
     }
@@ -265,6 +266,14 @@ fn factor(expr: &Expr, last: bool) -> String {
                 name(variable.name())
             )
         }
+    }
+}
+
+/// What stands beside a stroke; a slope has one of its own.
+fn of_stroke(expr: &Expr) -> String {
+    match expr {
+        Expr::Derivative { .. } | Expr::Partial { .. } => format!("({})", plain(expr)),
+        expr => atom(expr),
     }
 }
 
