@@ -13,6 +13,7 @@ mod dimension;
 mod division;
 pub mod effort;
 mod evaluate;
+mod expansion;
 mod expr;
 mod formula;
 mod fraction;

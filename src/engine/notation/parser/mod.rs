@@ -102,6 +102,8 @@ pub(super) struct Parser<'s> {
     before: Vec<Before>,
     /// The places that may be no power and no product.
     doubts: Vec<Doubt>,
+    /// The dots at the ends of sums that only begin there: `1 + x + \cdots`.
+    begun: Vec<Span>,
     /// The quantities with brackets in the statement that is being read.
     bracketed: Vec<bracketed::Bracketed>,
     /// What runs through whole numbers, as is said after the statement that is being read.
@@ -215,6 +217,7 @@ impl<'s> Parser<'s> {
             choice: None,
             choices: Vec::new(),
             before: Vec::new(),
+            begun: Vec::new(),
             doubts: Vec::new(),
             bracketed: Vec::new(),
             cases: Vec::new(),

@@ -447,11 +447,32 @@ impl<'s> Parser<'s> {
             None => {
                 lend_units(&mut sides);
                 loosen(&mut sides, &mut links);
+                self.loosen_begun(&sides, &mut links)?;
                 let sides = self.differentiated_sides(sides, &links)?;
                 Ok(Clause::Chain { sides, links })
             }
             Some((at, dots)) => self.all_equal(sides, at, dots, &links, span),
         }
+    }
+
+    /// What is printed of a series that only begins, `E = a + b x + \cdots`, is near what it is said to be: `=` is read as `\approx`.
+    fn loosen_begun(&self, sides: &[Side], links: &mut [Link]) -> Read<()> {
+        for dots in &self.begun {
+            let begins = |side: &Side| side.span.start <= dots.start && dots.end <= side.span.end;
+            for (link, pair) in links.iter_mut().zip(sides.windows(2)) {
+                if !pair.iter().any(begins) {
+                    continue;
+                }
+                let is_number = |side: &Side| side.expr.free_symbols().iter().all(Symbol::is_unit);
+                let is_equal = matches!(link.relation, Relation::Equal | Relation::Approximately);
+                if !is_equal || link.questioned || pair.iter().any(is_number) {
+                    let message = "after the dots, `+` and the last term are missing";
+                    return refuse(*dots, message);
+                }
+                link.relation = Relation::Approximately;
+            }
+        }
+        Ok(())
     }
 
     /// `u_1 = u_2 = \dots = u_n`: the first elements in order, the dots, the last element, perhaps one value. Longer

@@ -57,6 +57,10 @@ impl Parser<'_> {
                 dots = Some((self.span(), negative));
                 self.advance();
                 let subtracts = negative && self.peek() == Kind::Char('-');
+                if self.begins_series(&terms) {
+                    self.begun.push(self.since(self.at - 1));
+                    break;
+                }
                 if self.peek() != Kind::Char('+') && !subtracts {
                     return refuse(
                         self.since(self.at - 1),
@@ -92,6 +96,18 @@ impl Parser<'_> {
             }
         }
         self.gather(start, terms)
+    }
+
+    /// Whether dots that were just read end a sum, `1 + x + \cdots`: what goes on as it begins, and is meant up to there.
+    fn begins_series(&self, terms: &[Term]) -> bool {
+        let ends = match self.peek() {
+            Kind::End | Kind::Close | Kind::Row | Kind::Wide | Kind::Relation(..) => true,
+            Kind::Command(name) => name == "right",
+            Kind::Char(own) => matches!(own, ')' | ']' | ',' | '.' | ';'),
+            _ => false,
+        };
+        let speaks = |term: &Term| term.expr.free_symbols().iter().any(|own| !own.is_unit());
+        ends && terms.len() > 1 && terms.iter().any(speaks)
     }
 
     fn gather(&mut self, start: usize, mut terms: Vec<Term>) -> Read<Term> {
