@@ -233,6 +233,11 @@ impl Judge<'_> {
             return own;
         }
         if !found.judged.outcome.is_proven()
+            && let Some(own) = self.by_expansion(goal, premises)
+        {
+            return own;
+        }
+        if !found.judged.outcome.is_proven()
             && let Some(own) = self.in_limit(goal, premises, &found)
         {
             return own;

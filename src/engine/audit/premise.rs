@@ -2,12 +2,13 @@ use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{
-    Approach, Assumed, Beyond, Derivation, Kind, Local, Page, Running, Source, conditions, formulas,
-    is_open,
+    Approach, Assumed, Beyond, Derivation, Kind, Local, Page, Running, Source, conditions,
+    formulas, is_open,
 };
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
 
+use super::again::expanded::is_of_expansion;
 use super::{Entry, Note, Outcome, Verdict};
 use crate::sorted::Set;
 
@@ -93,7 +94,7 @@ impl Offer {
                 let proven = judged.outcome.is_proven();
                 // What figures support is no premise.
                 let is_exact = proven || matches!(judged.outcome, Outcome::Defined);
-                if weighed(entry) && !is_exact {
+                if weighed(entry) && !is_exact || is_of_expansion(&judged.goal.formula) {
                     continue;
                 }
                 // What is so in a limit is so at no point.
@@ -389,7 +390,8 @@ fn leave_what_is_beyond(page: &Page, usable: &mut Usable) {
             usable.beyond.get_or_insert(beyond);
             continue;
         };
-        let goes_on = |(link, _, end): &(Assumed, Expr, Expr)| link.source == own.source && end == left;
+        let goes_on =
+            |(link, _, end): &(Assumed, Expr, Expr)| link.source == own.source && end == left;
         let begin = match way.take() {
             Some(before) if goes_on(&before) => Some(before.1),
             Some(_) => {

@@ -244,7 +244,9 @@ impl Auditor<'_> {
         };
         let is_kind = printed.is_variant_of(meant) || meant.is_variant_of(printed);
         // Nobody writes an angle for the number π.
-        !is_kind && meant.name() != "\\pi" && !self.derivation.equations[at].introduces.contains(printed)
+        !is_kind
+            && meant.name() != "\\pi"
+            && !self.derivation.equations[at].introduces.contains(printed)
     }
 }
 

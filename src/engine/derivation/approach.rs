@@ -2,6 +2,8 @@
 //!
 //! Where a display is said of a limit is told by the sentence that leads on to it, or by the few words that end it.
 
+use num_traits::Signed;
+
 use crate::algebra::{Expr, Formula, LimitPoint, Relation, Symbol};
 use crate::document::{Document, Span};
 use crate::notation::{Statement, read_expr, read_formulas};
@@ -25,7 +27,35 @@ pub struct Told {
     span: Span,
     /// The ways to read it. `m \ll M` says that `M` grows beyond `m`, or that `m` vanishes beside `M`.
     readings: Vec<Approach>,
+    /// What is small or large beside all else, as far as terms are expanded in it: what words call so, too, "for small $x/a$".
+    sizes: Vec<Approach>,
 }
+
+/// Words before mathematics that call it small, and those that call it large.
+const SMALL: [&str; 9] = [
+    "small",
+    "tiny",
+    "low",
+    "short",
+    "weak",
+    "slow",
+    "order in",
+    "powers of",
+    "orders of",
+];
+const LARGE: [&str; 5] = ["large", "high", "great", "long", "strong"];
+/// Words that say that something is small, with no symbol for what.
+const SMALL_THINGS: [&str; 9] = [
+    "short times",
+    "early times",
+    "small times",
+    "low speed",
+    "low velocit",
+    "small velocit",
+    "small angle",
+    "small amplitude",
+    "small oscillation",
+];
 
 /// The signs of an arrow.
 const ARROWS: [&str; 5] = ["\\to", "\\rightarrow", "\\longrightarrow", "→", "⟶"];
@@ -55,13 +85,21 @@ pub(super) fn told(document: &Document) -> Vec<Told> {
     let source = &document.source;
     let all = document.inline().filter_map(|math| {
         let text = source.get(math.body.range())?;
-        let readings = match () {
-            () if ARROWS.iter().any(|sign| text.contains(sign)) => arrow(source, math.body),
+        let (readings, sizes) = match () {
+            () if ARROWS.iter().any(|sign| text.contains(sign)) => {
+                let readings = arrow(source, math.body);
+                (readings.clone(), readings)
+            }
             () if MUCH.iter().any(|sign| text.contains(sign)) => much(source, math.body),
-            () => return None,
+            () => (Vec::new(), called(source, math.span, math.body)),
         };
         let span = math.span;
-        (!readings.is_empty()).then_some(Told { span, readings })
+        let is_told = !readings.is_empty() || !sizes.is_empty();
+        is_told.then_some(Told {
+            span,
+            readings,
+            sizes,
+        })
     });
     all.collect()
 }
@@ -94,37 +132,85 @@ fn arrow(source: &str, body: Span) -> Vec<Approach> {
     vec![Approach { variable, point }]
 }
 
-/// `m \ll M`
-fn much(source: &str, body: Span) -> Vec<Approach> {
+/// `m \ll M`: what goes where, and in what terms are expanded.
+fn much(source: &str, body: Span) -> (Vec<Approach>, Vec<Approach>) {
     let Ok(statements) = read_formulas(source, body) else {
+        return Default::default();
+    };
+    let all: Vec<Formula> = (statements.iter())
+        .flat_map(|own: &Statement| formulas(own))
+        .collect();
+    let sizes = all.iter().flat_map(sizes).collect();
+    let readings = all.iter().filter_map(much_smaller);
+    let readings = readings.flat_map(|(small, large)| {
+        let vanishing = factors(small).into_iter().map(Approach::vanishing);
+        let growing = factors(large).into_iter().map(Approach::growing);
+        growing.chain(vanishing)
+    });
+    (readings.collect(), sizes)
+}
+
+/// What is much smaller than what.
+fn much_smaller(formula: &Formula) -> Option<(&Expr, &Expr)> {
+    match formula {
+        Formula::Relation {
+            left,
+            relation: Relation::MuchLess,
+            right,
+        } => Some((left, right)),
+        Formula::Relation {
+            left,
+            relation: Relation::MuchGreater,
+            right,
+        } => Some((right, left)),
+        _ => None,
+    }
+}
+
+/// The ways in which terms may be expanded where one thing is much smaller than another, `x^2 \ll a b`; none for what says nothing of that.
+pub fn sizes(formula: &Formula) -> Vec<Approach> {
+    let Some((small, large)) = much_smaller(formula) else {
         return Vec::new();
     };
-    let all = statements.iter().flat_map(|own: &Statement| formulas(own));
-    all.flat_map(|formula| {
-        let Formula::Relation {
-            left,
-            relation,
-            right,
-        } = formula
-        else {
-            return Vec::new();
-        };
-        let (small, large) = match relation {
-            Relation::MuchLess => (left, right),
-            Relation::MuchGreater => (right, left),
-            _ => return Vec::new(),
-        };
-        let vanishing = factors(&small).into_iter().map(|variable| Approach {
-            variable,
-            point: LimitPoint::Finite(Expr::integer(0).into()),
-        });
-        let growing = factors(&large).into_iter().map(|variable| Approach {
-            variable,
-            point: LimitPoint::PlusInfinity,
-        });
-        growing.chain(vanishing).collect()
-    })
-    .collect()
+    size(small, true)
+        .into_iter()
+        .chain(size(large, false))
+        .collect()
+}
+
+/// The same for a term that is small, or large: `v/c` is small where `v` is, or where `c` is large.
+fn size(term: &Expr, is_small: bool) -> Vec<Approach> {
+    match term {
+        Expr::Symbol(symbol) if !symbol.is_unit() => vec![match is_small {
+            true => Approach::vanishing(symbol.clone()),
+            false => Approach::growing(symbol.clone()),
+        }],
+        Expr::Product(all) => all.iter().flat_map(|own| size(own, is_small)).collect(),
+        Expr::Quotient(above, below) => {
+            let both = size(above, is_small).into_iter();
+            both.chain(size(below, !is_small)).collect()
+        }
+        Expr::Power(base, exponent) => match &**exponent {
+            Expr::Number(exponent) if exponent.is_positive() => size(base, is_small),
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// What the word before mathematics calls small or large: "for small $x$", "to first order in $v/c$".
+fn called(source: &str, span: Span, body: Span) -> Vec<Approach> {
+    let before = source.get(..span.start).unwrap_or_default().trim_end();
+    let ends = |words: &[&str]| words.iter().any(|own| before.ends_with(own));
+    let is_small = match (ends(&SMALL), ends(&LARGE)) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => return Vec::new(),
+    };
+    match read_expr(source, body) {
+        Ok(term) => size(&term, is_small),
+        Err(_) => Vec::new(),
+    }
 }
 
 /// The symbols of a product.
@@ -133,6 +219,20 @@ fn factors(term: &Expr) -> Vec<Symbol> {
         Expr::Symbol(symbol) => vec![symbol.clone()],
         Expr::Product(all) => all.iter().flat_map(factors).collect(),
         _ => Vec::new(),
+    }
+}
+
+impl Approach {
+    /// To 0.
+    pub fn vanishing(variable: Symbol) -> Approach {
+        let point = LimitPoint::Finite(Expr::integer(0).into());
+        Approach { variable, point }
+    }
+
+    /// Beyond all bounds.
+    pub fn growing(variable: Symbol) -> Approach {
+        let point = LimitPoint::PlusInfinity;
+        Approach { variable, point }
     }
 }
 
@@ -156,6 +256,32 @@ impl Derivation {
 
     /// The ways to read the limit of which an equation is said; none where it is said of none.
     pub fn approached(&self, at: usize) -> Vec<Approach> {
+        let told = self.told_with(at).into_iter();
+        told.flat_map(|told| told.readings.iter().cloned())
+            .collect()
+    }
+
+    /// In what the terms of an equation may be expanded by what the text says of it, one list for each thing it says.
+    pub fn expanded_in(&self, at: usize) -> Vec<Vec<Approach>> {
+        let told = self.told_with(at).into_iter();
+        let told = told.map(|told| told.sizes.clone());
+        told.filter(|sizes| !sizes.is_empty()).collect()
+    }
+
+    /// Whether words just before an equation say that something is small without a symbol for what: "At short times".
+    pub fn speaks_of_what_is_small(&self, at: usize) -> bool {
+        let begin = self.equations[self.display_start(at)].span.start;
+        let before = self.before_display(at);
+        let from = before.map_or(0, |before| self.equations[before].span.end);
+        let page = &self.pages[self.equations[at].page];
+        let text = page.document.source.get(from..begin).unwrap_or_default();
+        let last = text.trim_end().rsplit("\n\n").next().unwrap_or_default();
+        let last = last.to_lowercase();
+        SMALL_THINGS.iter().any(|own| last.contains(own))
+    }
+
+    /// What the text says goes somewhere, or is small, where an equation is meant.
+    fn told_with(&self, at: usize) -> Vec<&Told> {
         let equation = &self.equations[at];
         let page = &self.pages[equation.page];
         let said: &[Told] = &page.approaches;
@@ -180,8 +306,7 @@ impl Derivation {
                 told.span.start,
             )),
         };
-        let of = near.filter(is_of);
-        of.flat_map(|told| told.readings.iter().cloned()).collect()
+        near.filter(is_of).collect()
     }
 }
 

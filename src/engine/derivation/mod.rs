@@ -53,7 +53,7 @@ use crate::sorted::{Set, Tree};
 
 use citations::{name_key, tag_key};
 
-pub use approach::Approach;
+pub use approach::{Approach, sizes};
 pub use assumed::{Assumed, Source};
 pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};

@@ -128,7 +128,9 @@ fn ends_with_from(sentence: &[Placed<'_>]) -> bool {
 pub(super) fn source_of(sentence: &[Placed<'_>]) -> Option<Span> {
     let at = |own: &Placed<'_>| own.0.is_among(&FOLLOWING);
     let follows = sentence.iter().position(at)?;
-    let of = sentence[..follows].iter().position(|(own, _)| own.is_among(&["of"]))?;
+    let of = sentence[..follows]
+        .iter()
+        .position(|(own, _)| own.is_among(&["of"]))?;
     if !ends_with_from(sentence) {
         return None;
     }

@@ -42,6 +42,12 @@ impl Lowering<'_> {
     }
 
     fn limit_of(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
+        if *point == LimitPoint::PlusInfinity
+            && is_in_function(body, variable)
+            && let Some(found) = self.by_series(body, variable)?
+        {
+            return Ok(found);
+        }
         let outer = std::mem::take(&mut self.conditions);
         let value = self.lower(body)?;
         let inner = std::mem::replace(&mut self.conditions, outer);
@@ -125,6 +131,26 @@ impl Lowering<'_> {
             return Ok(above.times(&inverse)?);
         }
         Ok(above.times(&self.recip(&below)?)?)
+    }
+
+    /// The limit at plus infinity of what has a power series there.
+    fn by_series(
+        &mut self,
+        body: &Expr,
+        variable: &Symbol,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let Some(value) = self.limit_of_expansion(body, variable)? else {
+            return Ok(None);
+        };
+        // What else is in it must not move with the variable.
+        let others = body.free_symbols().into_iter();
+        let others = others.filter(|own| own != variable);
+        let others: Set<Var> = others
+            .map(|own| self.atoms.var(self.atom_of_symbol(&own)))
+            .collect();
+        let held = self.slopes(&others, variable)?;
+        self.conditions.zero.extend(held);
+        Ok(Some(value))
     }
 
     /// The value at a finite point, of what sines, cosines, exponentials or roots are in: it is the limit where nothing is divided by 0 there,
@@ -288,6 +314,18 @@ fn endless<'a>(
     let is_endless = ends && *point == LimitPoint::PlusInfinity && index != variable;
     (is_endless && !from.mentions(variable) && !body.mentions(variable))
         .then_some((index, from, body))
+}
+
+/// Whether a variable stands in a function, under a root or in a base of which the exponent is no number.
+fn is_in_function(body: &Expr, variable: &Symbol) -> bool {
+    body.any(&|part| match part {
+        Expr::Call(_, of) => of.mentions(variable),
+        Expr::Power(base, exponent) => {
+            let is_whole = matches!(&**exponent, Expr::Number(own) if own.is_integer());
+            !is_whole && base.mentions(variable)
+        }
+        _ => false,
+    })
 }
 
 /// Whether a variable is nothing but a limit of an integral: what `\int_a^\infty` is read with.

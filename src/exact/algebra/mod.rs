@@ -14,6 +14,7 @@ mod division;
 pub mod effort;
 mod endless;
 mod evaluate;
+mod expansion;
 mod expr;
 mod formula;
 mod fraction;

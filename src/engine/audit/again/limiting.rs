@@ -129,7 +129,7 @@ impl Judge<'_> {
     }
 
     /// The limit judged from what does not speak of what moves. All else that it speaks of stays where it is.
-    fn judged_as_limit(
+    pub(in crate::audit) fn judged_as_limit(
         &self,
         goal: &Goal,
         limit: Formula,

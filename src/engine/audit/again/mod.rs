@@ -2,7 +2,7 @@
 //!
 //! Authors cite less than they use: the display before ([`going_on`]), what else stands before ([`borrowed`], [`rescue`]), what the words name
 //! ([`named`], [`there`], [`unitless`]). They leave unsaid that something is not 0 ([`unstated`], [`conditions`]), that it is so for every
-//! value of a variable ([`throughout`]), in a limit ([`limiting`]) or where something has a value ([`solution`]); what is no solution of the
+//! value of a variable ([`throughout`]), in a limit ([`limiting`]), up to an order ([`expanded`]) or where something has a value ([`solution`]); what is no solution of the
 //! law that it is said to solve is told to be none ([`obeys`]). What is proved only with premises that no author joins is judged again
 //! without them ([`joined`]), or left open where they are of a case that may be over
 //! ([`lingering`]), and what refutes a step is held against what else stands before ([`against`]), what the text calls near something
@@ -14,6 +14,7 @@ mod against;
 mod approximated;
 pub(super) mod borrowed;
 pub(super) mod conditions;
+pub(super) mod expanded;
 mod going_on;
 mod in_words;
 mod joined;

@@ -11,8 +11,8 @@ use crate::sorted::Map;
 use super::super::entry::leave_open;
 use super::super::judge::Judge;
 use super::super::{Auditor, Entry, Note, Verdict, numeric};
-use super::rounded::{ROUNDED, is_weighed};
 use super::decimals::FEWEST_DIGITS;
+use super::rounded::{ROUNDED, is_weighed};
 use super::{Link, Numeric, Taken, Weighed, decimals};
 
 /// So many symbols may stand for numbers that are written where they are put in.

@@ -469,7 +469,9 @@ impl<'s> Parser<'s> {
             None => {
                 for (at, link) in links.iter_mut().enumerate() {
                     let ends_in_dots = [at, at + 1].iter().any(|&own| sides[own].truncated);
-                    if ends_in_dots && link.relation == Relation::Equal {
+                    let is_equal =
+                        matches!(link.relation, Relation::Equal | Relation::Approximately);
+                    if ends_in_dots && is_equal {
                         link.relation = Relation::Approximately;
                         sides[at + 1].rounding = None;
                     }
