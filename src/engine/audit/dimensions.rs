@@ -1,5 +1,7 @@
 //! What a derivation says of dimensions, put to the inference: scopes of symbols, statements in reading order.
 
+mod told;
+
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -10,6 +12,7 @@ use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
 use crate::notation::{Mark, Statement, measured};
 use crate::sorted::Tree;
 
+use self::told::Told;
 use super::{Entry, Note, Verdict};
 
 /// Statements that compare what differs in dimension, and what is known of all the others.
@@ -21,6 +24,8 @@ pub struct Dimensions {
     pub suppositions: Tree<(usize, usize), Conflict<Source>>,
     /// The names of the unknowns.
     pub unknowns: Vec<Symbol>,
+    /// What each page gives with units, where no dimension is declared.
+    pub told: Vec<Told>,
     inference: Inference<Source>,
     /// What is said of the symbols of each page; empty where no dimension is declared.
     scopes: Vec<Arc<Scope>>,
@@ -29,19 +34,19 @@ pub struct Dimensions {
 }
 
 impl Dimensions {
-    /// Reads a derivation. Where no dimension is declared nothing can disagree, and nothing is read.
+    /// Reads a derivation. Where no dimension is declared, each statement is held only against the units that the text tells.
     pub fn of(derivation: &Derivation) -> Dimensions {
-        if derivation.pages.iter().all(|p| p.dimensions.is_empty()) {
-            return Dimensions::default();
+        match derivation.pages.iter().all(|p| p.dimensions.is_empty()) {
+            true => Dimensions::told(derivation),
+            false => Dimensions::inferred(derivation),
         }
-        Dimensions::inferred(derivation)
     }
 
     /// Reads a derivation even where nothing is declared: then what is inferred says how dimensions hang together.
     pub fn inferred(derivation: &Derivation) -> Dimensions {
         let mut all = Dimensions::default();
         for page in 0..derivation.pages.len() {
-            let scope = scope(derivation, page, &mut all);
+            let scope = scope(derivation, page, &Tree::new(), &mut all);
             all.scopes.push(Arc::new(scope));
             all.page(derivation, page);
         }
@@ -222,7 +227,12 @@ fn is_crossed_out(statement: &Statement) -> bool {
 
 /// What is said of the symbols of a page: declared there, or on a page whose equations it cites, or known there;
 /// otherwise unknown, and the page's own.
-fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
+fn scope(
+    derivation: &Derivation,
+    page: usize,
+    told: &Tree<Symbol, Dimension>,
+    all: &mut Dimensions,
+) -> Scope {
     let own = &derivation.pages[page];
     let from = derivation.equations.partition_point(|e| e.page < page);
     let to = derivation.equations.partition_point(|e| e.page <= page);
@@ -318,7 +328,9 @@ fn scope(derivation: &Derivation, page: usize, all: &mut Dimensions) -> Scope {
             let is_number = !own.domains.contains_key(symbol);
             let pi = || (is_number && symbol.name() == "\\pi").then(Dimension::none);
             let unit = || measured(symbol).map(Dimension::base);
+            let told = || told.get(symbol).cloned();
             let known = declared(symbol).cloned().or_else(dotted).or_else(pi);
+            let known = known.or_else(told);
             let said = match known.or_else(unit) {
                 Some(dimension) => Said::Declared(dimension),
                 None => element()

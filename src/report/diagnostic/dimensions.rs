@@ -2,13 +2,14 @@
 
 use annotate_snippets::Level;
 
-use crate::algebra::{Formula, Function, Relation};
+use crate::algebra::{Formula, Function, Relation, Symbol};
 use crate::audit::Entry;
 use crate::derivation::Source;
 use crate::dimension::Conflict;
 use crate::document::Span;
 use crate::kernel::dimension::{Comparison, Form, What, comparisons};
 use crate::notation::plain_formula;
+use crate::sorted::Set;
 
 use super::super::Report;
 use super::super::dimension::{called, change_of_units, columns, missing_factor};
@@ -153,7 +154,26 @@ impl Report<'_> {
             said.push(("disagrees with", lines.join("\n")));
             said.push(("help", self.settled_by(conflict)));
         }
+        let told = self.units_told(conflict);
+        if !told.is_empty() {
+            said.push(("units told", told.join("\n")));
+        }
         said
+    }
+
+    /// What the text gives with units of all that is compared, where no dimension is declared.
+    fn units_told(&self, conflict: &Conflict<Source>) -> Vec<String> {
+        let Source::Equation(at) = conflict.origins[0] else {
+            return Vec::new();
+        };
+        let page = self.derivation.equations[at].page;
+        let Some(told) = self.audit.dimensions.told.get(page) else {
+            return Vec::new();
+        };
+        let parts = conflict.evidence.parts().iter();
+        let names: Set<Symbol> = parts.flat_map(|part| part.formula.names()).collect();
+        let told = names.iter().filter_map(|own| told.get(own));
+        told.map(|(_, words)| plain_formula(words)).collect()
     }
 
     /// The declarations that would tell which of several equations is wrong.
