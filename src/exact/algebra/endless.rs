@@ -63,14 +63,7 @@ impl Lowering<'_> {
         let Some([divisors, bases]) = inside.conditions_outside(index) else {
             return Ok(None);
         };
-        for divisor in divisors {
-            let divisor = self.lower(&divisor)?;
-            self.conditions.nonzero.insert(divisor.numerator().clone());
-        }
-        for base in bases {
-            let base = self.lower(&base)?;
-            self.conditions.bases.insert(base.numerator().clone());
-        }
+        self.require(&divisors, &bases)?;
         let mut sum = Fraction::default();
         for term in terms {
             let Some(part) = self.geometric_sum(&term, index, from, &start)? else {

@@ -143,14 +143,7 @@ impl Lowering<'_> {
         if least < first && !(divisors.is_empty() && bases.is_empty()) {
             return Ok(None);
         }
-        for divisor in divisors {
-            let divisor = self.lower(&divisor)?;
-            self.conditions.nonzero.insert(divisor.numerator().clone());
-        }
-        for base in bases {
-            let base = self.lower(&base)?;
-            self.conditions.bases.insert(base.numerator().clone());
-        }
+        self.require(&divisors, &bases)?;
         let depends = |var: Var| match atoms.atom(var) {
             Atom::Symbol(own) | Atom::Root { of: own, .. } => own == index,
             atom => super::expr_of_atom(atom).mentions(index),
@@ -227,6 +220,19 @@ impl Lowering<'_> {
             written.collect::<Option<Vec<Expr>>>()
         };
         Some([outside(&conditions.nonzero)?, outside(&conditions.bases)?])
+    }
+
+    /// Takes up as conditions here the divisors and the bases that a term with an index needs not to be 0.
+    pub(super) fn require(&mut self, divisors: &[Expr], bases: &[Expr]) -> Result<(), LowerError> {
+        for divisor in divisors {
+            let divisor = self.lower(divisor)?;
+            self.conditions.nonzero.insert(divisor.numerator().clone());
+        }
+        for base in bases {
+            let base = self.lower(base)?;
+            self.conditions.bases.insert(base.numerator().clone());
+        }
+        Ok(())
     }
 
     /// The least value of a sum of multiples of whole numbers that are known not to be negative; `None` for other terms.
