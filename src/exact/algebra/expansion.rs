@@ -13,6 +13,8 @@ const FIRST_LENGTH: usize = 3;
 const MOST_LENGTH: usize = 12;
 /// Series are multiplied out up to this power.
 const HIGHEST_POWER: u32 = 16;
+/// No series begins further from order 0.
+const FURTHEST: i32 = 4096;
 
 /// `a_first/N^first + …`: what is not listed is not known. The first coefficient is not 0.
 #[derive(Clone, Debug)]
@@ -140,6 +142,7 @@ impl Lowering<'_> {
             true => i32::try_from(order.numer()).ok(),
             false => None,
         };
+        let order = order.filter(|own| (-FURTHEST..=FURTHEST).contains(own));
         let (Some(order), Some(lead)) = (order, base.known.first()) else {
             return Ok(None);
         };
@@ -358,7 +361,10 @@ impl Expansion {
             known.push(sum);
         }
         let first = self.first + other.first;
-        Ok(Expansion { first, known }.trimmed())
+        match (-FURTHEST..=FURTHEST).contains(&first) {
+            true => Ok(Expansion { first, known }.trimmed()),
+            false => Err(LowerError::TooLarge),
+        }
     }
 
     /// `f_0 + f_1 u + f_2 u² + …` of this series, which begins beyond order 0.
