@@ -1697,6 +1697,21 @@ fn number(n: i64, d: i64) -> Expr {
     Expr::Number(BigRational::new(n.into(), d.into()))
 }
 
+#[test]
+fn a_slope_of_upright_names_reads_back() {
+    let name = Expr::symbol(r"\text{KE}");
+    let slope = Expr::Derivative {
+        body: Expr::Product([name.clone(), name].into()).into(),
+        variable: Symbol::new("x"),
+    };
+    let text = latex(&slope);
+    assert_eq!(
+        text,
+        r"\frac{d}{dx} \left[ \text{KE} \cdot \text{KE} \right]"
+    );
+    assert_eq!(read_expr(&text, whole(&text)), Ok(slope));
+}
+
 fn name() -> impl Strategy<Value = Symbol> {
     prop::sample::select(vec![
         "a",

@@ -202,6 +202,12 @@ fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
     if printed.starts_with('[') && matches!(before, Expr::Number(_)) {
         return true;
     }
+    // `[\text{H} \text{F}]` is a concentration.
+    if printed.starts_with("\\text{")
+        && stem(before).is_some_and(|own| own.name().starts_with("\\text{"))
+    {
+        return true;
+    }
     let grouped = printed.starts_with('(') || printed.starts_with("\\left(");
     if let Some(name) = stem(before).map(Symbol::name)
         && (commands::is_applied(name) || grouped && commands::is_word(name))
