@@ -296,17 +296,18 @@ impl Known<'_> {
         }
     }
 
+    /// Within what the figures lie that were used.
+    fn intervals(&self) -> impl Iterator<Item = (Symbol, Interval)> {
+        self.data.iter().filter_map(|(symbol, (_, datum))| {
+            let interval = Interval::new(datum.low.clone(), datum.high.clone())?;
+            Some((symbol.clone(), interval))
+        })
+    }
+
     fn sides(&mut self, left: &Expr, right: &Expr) -> Result<Compared, NoInterval> {
         let left = self.in_data(left, &mut Vec::new())?;
         let right = self.in_data(right, &mut Vec::new())?;
-        let figures: Figures = self
-            .data
-            .iter()
-            .filter_map(|(symbol, (_, datum))| {
-                let interval = Interval::new(datum.low.clone(), datum.high.clone())?;
-                Some((symbol.clone(), interval))
-            })
-            .collect();
+        let figures: Figures = self.intervals().collect();
         figures.but_free(&self.free).compared(&left, &right)
     }
 

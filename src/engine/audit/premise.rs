@@ -378,8 +378,8 @@ fn leave_what_is_beyond(page: &Page, usable: &mut Usable) {
         names.all(|own| !page.complex.contains(&own))
     };
     let mut kept: Vec<Assumed> = Vec::new();
-    // The real member that a chain goes on from, and the complex one it has come to.
-    let mut way: Option<(Assumed, Expr, Expr)> = None;
+    // The chain, the real member that it goes on from, and the complex one it has come to.
+    let mut way: Option<(Source, Expr, Expr)> = None;
     for own in std::mem::take(&mut usable.assumed) {
         let Some(beyond) = page.beyond(&own.formula) else {
             kept.push(own);
@@ -391,7 +391,7 @@ fn leave_what_is_beyond(page: &Page, usable: &mut Usable) {
             continue;
         };
         let goes_on =
-            |(link, _, end): &(Assumed, Expr, Expr)| link.source == own.source && end == left;
+            |(source, _, end): &(Source, Expr, Expr)| *source == own.source && end == left;
         let begin = match way.take() {
             Some(before) if goes_on(&before) => Some(before.1),
             Some(_) => {
@@ -405,7 +405,7 @@ fn leave_what_is_beyond(page: &Page, usable: &mut Usable) {
                 formula: Formula::equal(begin, right.clone()).into(),
                 ..own.clone()
             }),
-            Some(begin) => way = Some((own.clone(), begin, right.clone())),
+            Some(begin) => way = Some((own.source, begin, right.clone())),
             None => _ = usable.beyond.get_or_insert(beyond),
         }
     }

@@ -142,13 +142,7 @@ impl Lowering<'_> {
         let Some(value) = self.limit_of_expansion(body, variable)? else {
             return Ok(None);
         };
-        // What else is in it must not move with the variable.
-        let others = body.free_symbols().into_iter();
-        let others = others.filter(|own| own != variable);
-        let others: Set<Var> = others
-            .map(|own| self.atoms.var(self.atom_of_symbol(&own)))
-            .collect();
-        let held = self.slopes(&others, variable)?;
+        let held = self.held_beside(body, variable)?;
         self.conditions.zero.extend(held);
         Ok(Some(value))
     }
@@ -174,13 +168,7 @@ impl Lowering<'_> {
         if rational || place.mentions(variable) || explicit.any(&|part| !is_smooth(part)) {
             return Ok(None);
         }
-        // What else is in it must not move with the variable.
-        let others = explicit.free_symbols().into_iter();
-        let others = others.filter(|own| own != variable);
-        let others: Set<Var> = others
-            .map(|own| self.atoms.var(self.atom_of_symbol(&own)))
-            .collect();
-        let held = self.slopes(&others, variable)?;
+        let held = self.held_beside(&explicit, variable)?;
         let unknown = !inner.doubtful.is_empty() || !inner.bases.is_empty();
         if unknown || !explicit.mentions(variable) && !held.is_empty() {
             return Ok(None);
@@ -233,6 +221,20 @@ impl Lowering<'_> {
             .extend(inner.zero.iter().cloned().chain(held));
         self.conditions.away.extend(away);
         Ok(Some(there))
+    }
+
+    /// What must be 0 for all that is in a term beside a variable not to move with it.
+    fn held_beside(
+        &mut self,
+        term: &Expr,
+        variable: &Symbol,
+    ) -> Result<Vec<Polynomial>, LowerError> {
+        let others = term.free_symbols().into_iter();
+        let others = others.filter(|own| own != variable);
+        let others: Set<Var> = others
+            .map(|own| self.atoms.var(self.atom_of_symbol(&own)))
+            .collect();
+        self.slopes(&others, variable)
     }
 
     /// The slopes of unknowns by a variable, of those that are not known to stand still.

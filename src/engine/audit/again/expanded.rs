@@ -14,14 +14,12 @@ use crate::algebra::{
     Relation, Symbol,
 };
 use crate::derivation::{Approach, Assumed, Goal, sizes};
-use crate::kernel::definition;
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, sources};
+use super::limiting::written_out;
 use crate::sorted::Set;
 
-/// How many definitions are put in one after another.
-const MOST_PUT_IN: usize = 8;
 /// So many symbols may be what is small where the text does not say what is.
 const MOST_CANDIDATES: usize = 6;
 /// More orders than this are not compared.
@@ -75,7 +73,13 @@ impl Judge<'_> {
         let all: Vec<&Assumed> = cited.iter().copied().chain(others).collect();
         let mut failing = None;
         for (is_cited, from) in [(true, &cited), (false, &all)] {
-            let written = written_out(left, right, from);
+            // What the right side speaks of is meant to stay.
+            let (body, used) = written_out(left, &right.free_symbols(), from, &|_| false);
+            let written = Written {
+                left: body,
+                right: right.clone(),
+                used,
+            };
             if !is_cited && written.used.iter().all(|own| cited.contains(&own)) {
                 break;
             }
@@ -252,34 +256,10 @@ impl Judge<'_> {
         };
         own.iter()
             .all(|own| known.contains(own) || is_constant(own) || *own == approach.variable)
-            && !has_decimals(left)
-            && !has_decimals(right)
+            && !may_be_rounded(left)
+            && !may_be_rounded(right)
             && !all.iter().any(ties)
             && self.approximations().is_empty()
-    }
-}
-
-/// The left side with what premises say that the symbols in it are, until it speaks of what the right side speaks of.
-fn written_out(left: &Expr, right: &Expr, all: &[&Assumed]) -> Written {
-    let kept = right.free_symbols();
-    let (mut body, mut used) = (left.clone(), Vec::<Assumed>::new());
-    for _ in 0..MOST_PUT_IN {
-        let of_body = body.free_symbols();
-        let found = all.iter().find_map(|own| {
-            let (symbol, value) = definition(&own.formula)?;
-            let is_open = of_body.contains(&symbol) && !kept.contains(&symbol);
-            (is_open && !used.contains(own)).then(|| ((*own).clone(), symbol, value))
-        });
-        let Some((own, symbol, value)) = found else {
-            break;
-        };
-        body = body.substitute(&symbol, &value);
-        used.push(own);
-    }
-    Written {
-        left: body,
-        right: right.clone(),
-        used,
     }
 }
 
@@ -379,11 +359,13 @@ fn other_number(limit: &Expr, printed: &Expr) -> Option<BigRational> {
 }
 
 /// Whether a number in a term may be rounded: in no exponent, `\sqrt{x}`.
-fn has_decimals(term: &Expr) -> bool {
+fn may_be_rounded(term: &Expr) -> bool {
     match term {
         Expr::Number(number) => !number.is_integer(),
-        Expr::Power(base, exponent) if matches!(**exponent, Expr::Number(_)) => has_decimals(base),
-        _ => term.children().any(has_decimals),
+        Expr::Power(base, exponent) if matches!(**exponent, Expr::Number(_)) => {
+            may_be_rounded(base)
+        }
+        _ => term.children().any(may_be_rounded),
     }
 }
 

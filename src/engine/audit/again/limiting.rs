@@ -11,6 +11,7 @@ use crate::search::{self, Decision};
 use super::super::judge::{Found, Judge, condition, sources, step};
 use super::super::{Judged, Outcome};
 use super::throughout::stands_still;
+use crate::sorted::Set;
 
 /// How many definitions are put in one after another.
 const MOST_PUT_IN: usize = 8;
@@ -206,26 +207,10 @@ fn as_limit(goal: &Goal, approach: &Approach, all: &[&Assumed]) -> Option<(Formu
         return None;
     }
     // What the right side speaks of is meant to stay.
-    let kept = right.free_symbols();
-    let (mut body, mut used) = (left.clone(), Vec::<Assumed>::new());
-    for _ in 0..MOST_PUT_IN {
-        let of_body = body.free_symbols();
-        let definitions = all.iter().filter_map(|own| {
-            let (symbol, value) = definition(&own.formula)?;
-            let is_open =
-                of_body.contains(&symbol) && symbol != *variable && !kept.contains(&symbol);
-            let is_new = is_open && !used.contains(own);
-            is_new.then(|| ((*own).clone(), symbol, value))
-        });
-        // What goes somewhere with the variable is what is asked for.
-        let moves = |(_, _, value): &(Assumed, Symbol, Expr)| value.mentions(variable);
-        let found = (definitions.clone().find(moves)).or_else(|| definitions.clone().next());
-        let Some((own, symbol, value)) = found else {
-            break;
-        };
-        body = body.substitute(&symbol, &value);
-        used.push(own);
-    }
+    let mut kept = right.free_symbols();
+    kept.insert(variable.clone());
+    // What goes somewhere with the variable is what is asked for.
+    let (body, used) = written_out(left, &kept, all, &|value| value.mentions(variable));
     let limit = Expr::Limit {
         variable: variable.clone(),
         point: approach.point.clone(),
@@ -233,6 +218,34 @@ fn as_limit(goal: &Goal, approach: &Approach, all: &[&Assumed]) -> Option<(Formu
     };
     let is_function = body.mentions(variable);
     is_function.then(|| (Formula::equal(limit, right.clone()), used))
+}
+
+/// A term with what premises say that the symbols in it are, and those that say so; what is kept stays. Values that are preferred are put in
+/// before others.
+pub(super) fn written_out(
+    term: &Expr,
+    kept: &Set<Symbol>,
+    all: &[&Assumed],
+    is_preferred: &dyn Fn(&Expr) -> bool,
+) -> (Expr, Vec<Assumed>) {
+    let (mut body, mut used) = (term.clone(), Vec::<Assumed>::new());
+    for _ in 0..MOST_PUT_IN {
+        let of_body = body.free_symbols();
+        let definitions = all.iter().filter_map(|own| {
+            let (symbol, value) = definition(&own.formula)?;
+            let is_open = of_body.contains(&symbol) && !kept.contains(&symbol);
+            let is_new = is_open && !used.contains(own);
+            is_new.then(|| ((*own).clone(), symbol, value))
+        });
+        let preferred = |(_, _, value): &(Assumed, Symbol, Expr)| is_preferred(value);
+        let found = (definitions.clone().find(preferred)).or_else(|| definitions.clone().next());
+        let Some((own, symbol, value)) = found else {
+            break;
+        };
+        body = body.substitute(&symbol, &value);
+        used.push(own);
+    }
+    (body, used)
 }
 
 /// Whether words, and no equation, say what a symbol is.

@@ -56,11 +56,7 @@ impl Known<'_> {
             Ok(sides) => sides,
             Err(error) => return Some(Weighed::NoValue(error)),
         };
-        let mut figures: Vec<(Symbol, Interval)> = Vec::new();
-        for (symbol, (_, datum)) in &self.data {
-            let interval = Interval::new(datum.low.clone(), datum.high.clone())?;
-            figures.push((symbol.clone(), interval));
-        }
+        let mut figures: Vec<(Symbol, Interval)> = self.intervals().collect();
         let right = decimals::loosened(&right, &decimals::decimals(written, 1), &mut figures)?;
         let (one, other) = (parts(&left, &unit)?, parts(&right, &unit)?);
         let figures = Figures::from_iter(figures);
