@@ -97,3 +97,20 @@ fn a_law_in_the_middle_of_a_text_is_told_how_to_be_one() {
         assert!(!said.contains("nothing before it speaks of"), "{said}");
     }
 }
+
+#[test]
+fn of_an_approximation_no_side_is_said_to_have_a_value() {
+    let told = findings(
+        "$$ y = 2 x $$\n\nFor small $x$ we have\n\n$$ \\frac{1}{\\sqrt{1 + x}} \\approx 1 - \\frac{x}{2} + \\frac34 x^2 $$\n",
+    );
+    assert!(
+        told.contains("the two sides have different series"),
+        "{told}"
+    );
+    assert!(told.contains("has another series"), "{told}");
+    assert!(!told.contains("at the point below"), "{told}");
+    let told = findings(
+        "$$ v = \\frac{a t}{1 + b t} \\tag{1} $$\n\nAs $t \\to \\infty$, by (1)\n\n$$ v \\approx \\frac{2 a}{b} $$\n",
+    );
+    assert!(told.contains("left 1, right 2 at a = 1, b = 1"), "{told}");
+}

@@ -145,12 +145,11 @@ impl<'a> Point<'a> {
         Some(expr_of_fraction(&value, &atoms))
     }
 
-    /// The two sides of what was judged; nothing of a law into which something else was put, for it is the latter that stands on the page.
+    /// The two sides of what was judged; nothing of a law into which something else was put, nor of series, for it is other sides that stand
+    /// on the page.
     pub fn sides_judged(&self, judged: &Judged) -> Option<(Exact, Exact)> {
-        match judged.solution() {
-            Some(_) => None,
-            None => self.sides(&judged.goal.formula),
-        }
+        let is_printed = judged.solution().is_none() && !judged.is_expanded();
+        is_printed.then(|| self.sides(&judged.goal.formula))?
     }
 
     /// The two sides of a relation, where both have a value.

@@ -131,6 +131,9 @@ impl Report<'_> {
 
     /// `2 ≤ 1 is false at k = 2, n = 1`.
     pub(super) fn in_numbers(&self, judged: &Judged, refuted: &Refuted) -> String {
+        if judged.is_expanded() {
+            return "the two sides have different series".to_owned();
+        }
         let point = Point::new(refuted.claim(), refuted.witness());
         let formula = &judged.goal.formula;
         let values = point.values_of(formula);
@@ -194,6 +197,9 @@ impl Report<'_> {
         }
         let equation = |j: &Judged| matches!(&j.goal.formula, Formula::Relation { relation, .. } if *relation == Relation::Equal);
         match shown.is_empty() {
+            true if entry.judged.iter().any(Judged::is_expanded) => {
+                "up to the order that is printed".into()
+            }
             true if entry.judged.iter().all(equation) => "an identity".into(),
             true => "by algebra alone".into(),
             false => format!("from {}{}", words::list(shown), self.found_where(entry)),

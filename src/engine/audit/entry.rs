@@ -5,6 +5,7 @@ use crate::kernel::{HoldsForEvery, Model, Proven, Refuted, Scales, ScalesNot, St
 use crate::notation::{Mark, SyntaxError};
 use crate::search::{Implied, Mended, Repair, Stop};
 
+use super::again::expanded::is_of_expansion;
 use super::{Numeric, OtherReading};
 
 /// The audit of one statement of an equation.
@@ -94,6 +95,11 @@ impl Judged {
         let first = self.assumed.first()?;
         let is_put = first.source == Source::Taken && first.standing == Standing::Identity;
         is_put.then_some(first)
+    }
+
+    /// Whether it is an approximation that was judged by the series of its sides: those are compared, and not what is printed.
+    pub fn is_expanded(&self) -> bool {
+        is_of_expansion(&self.goal.formula)
     }
 
     /// Whether it was judged from the law of propagation of uncertainty.

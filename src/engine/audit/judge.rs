@@ -232,15 +232,15 @@ impl Judge<'_> {
         {
             return own;
         }
-        if !found.judged.outcome.is_proven()
-            && let Some(own) = self.by_expansion(goal, premises)
-        {
-            return own;
-        }
-        if !found.judged.outcome.is_proven()
-            && let Some(own) = self.in_limit(goal, premises, &found)
-        {
-            return own;
+        if !found.judged.outcome.is_proven() {
+            let expanded = match self.by_expansion(goal, premises) {
+                Some(own) if own.judged.outcome.is_proven() => return own,
+                expanded => expanded,
+            };
+            // What it goes to says more than that its series is another.
+            if let Some(own) = self.in_limit(goal, premises, &found).or(expanded) {
+                return own;
+            }
         }
         if found.judged.outcome.is_refuted() && self.is_disputed(&found.judged) {
             let reason =

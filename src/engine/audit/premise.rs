@@ -8,7 +8,6 @@ use crate::derivation::{
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark};
 
-use super::again::expanded::is_of_expansion;
 use super::{Entry, Note, Outcome, Verdict};
 use crate::sorted::Set;
 
@@ -94,7 +93,7 @@ impl Offer {
                 let proven = judged.outcome.is_proven();
                 // What figures support is no premise.
                 let is_exact = proven || matches!(judged.outcome, Outcome::Defined);
-                if weighed(entry) && !is_exact || is_of_expansion(&judged.goal.formula) {
+                if weighed(entry) && !is_exact || judged.is_expanded() {
                     continue;
                 }
                 // What is so in a limit is so at no point.

@@ -7,7 +7,6 @@ use crate::notation::{Connective, Statement};
 use crate::search::{self, Consistency, Decision};
 use crate::sorted::Set;
 
-use super::again::expanded::is_of_expansion;
 use super::again::there::There;
 use super::entry::{blank, leave_open, verdict};
 use super::judge::{Found, Judge, UNCLEAR, beyond};
@@ -319,7 +318,7 @@ impl Auditor<'_> {
     /// Leaves open what fails where a premise could not be had that may be just what is needed.
     fn open_in_doubt(&self, equation: &Equation, usable: &Usable, entry: &mut Entry) {
         // What an approximation says is worked out from what it is taken from alone.
-        if (entry.refuted()).is_some_and(|(own, _)| is_of_expansion(&own.goal.formula)) {
+        if (entry.refuted()).is_some_and(|(own, _)| own.is_expanded()) {
             return;
         }
         // Figures say nothing of what they do not speak of.

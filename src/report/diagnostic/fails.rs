@@ -40,6 +40,7 @@ impl Report<'_> {
                 };
                 (what, "does not obey what it solves".to_owned())
             }
+            _ if judged.is_expanded() => (right, "has another series".to_owned()),
             _ => (judged.goal.span, "is false at the point below".to_owned()),
         };
         let fault = match judged.solution() {
@@ -134,6 +135,10 @@ impl Report<'_> {
     fn judged_from(&self, judged: &Judged) -> String {
         let mut lines: Vec<String> = Vec::new();
         for assumed in &judged.assumed {
+            // That all else stands still on the way is what a series in one thing means.
+            if judged.is_expanded() && assumed.source == Source::Step {
+                continue;
+            }
             let from = match assumed.source {
                 Source::Equation(at) => self.name(at),
                 Source::Local(..) => "supposed".into(),
