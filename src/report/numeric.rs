@@ -19,7 +19,10 @@ pub(super) fn headline(numeric: &Numeric) -> String {
     let link = numeric.links.iter().find(|link| link.outcome == *outcome);
     let values = link.and_then(compared);
     match (outcome, values) {
-        (Weighed::Supported, Some(values)) => format!("numerically: {values}"),
+        (Weighed::Supported, Some(values)) => match constants(numeric) {
+            Some(constants) => format!("numerically: {values}; taking {constants}"),
+            None => format!("numerically: {values}"),
+        },
         (Weighed::Supported, None) => "numerically".into(),
         (Weighed::Contradicted, Some(values)) => format!("numerically: {values}"),
         (Weighed::Contradicted, None) => "numerically".into(),
@@ -27,6 +30,18 @@ pub(super) fn headline(numeric: &Numeric) -> String {
         (Weighed::NotSettled, None) => "the figures do not settle it".into(),
         (outcome, _) => format!("not evaluated: {}", reason(outcome)),
     }
+}
+
+/// The constants that were put in without being told: `g = 9.81 (standard gravity)`.
+pub(super) fn constants(numeric: &Numeric) -> Option<String> {
+    let data = numeric.data.iter();
+    let constants = data.filter(|(_, (_, datum))| datum.is_constant);
+    let listed = constants.map(|(symbol, (_, datum))| {
+        let name = datum.source.split(',').next().unwrap_or_default();
+        format!("{} = {} ({name})", words::symbol(symbol), about(&datum.low))
+    });
+    let listed: Vec<String> = listed.collect();
+    (!listed.is_empty()).then(|| listed.join(" and "))
 }
 
 /// `left/right between 23.8 and 61.2`.

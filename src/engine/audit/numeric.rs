@@ -1,6 +1,7 @@
 //! Numeric claims: definitions put in until figures are left, then weighed.
 
 mod complex;
+mod constants;
 mod decimals;
 mod figures;
 mod put_in;
@@ -470,7 +471,16 @@ impl Known<'_> {
         let mut own = self.said.iter().filter_map(|own| Some((own, value(own)?)));
         let (first, number) = own.next()?;
         let same = own.all(|(_, other)| other == number);
-        same.then(|| self.within(&number, first.goal.rounding.as_ref(), first.span))?
+        let datum =
+            same.then(|| self.within(&number, first.goal.rounding.as_ref(), first.span))??;
+        Some(match first.constant {
+            Some(name) => Datum {
+                source: format!("{name}, of which the page says nothing"),
+                is_constant: true,
+                ..datum
+            },
+            None => datum,
+        })
     }
 
     /// A printed number with what may have been rounded to it.
@@ -489,6 +499,7 @@ impl Known<'_> {
             high: value.high() + spread,
             source: "as it is printed".into(),
             span,
+            is_constant: false,
         })
     }
 

@@ -40,6 +40,7 @@ mod rows;
 mod running;
 mod slopes;
 mod supposed;
+mod tabulated;
 mod values;
 
 use std::collections::BTreeSet;

@@ -19,6 +19,8 @@ use super::imaginary::is_imaginary_unit;
 use super::meanings::Meanings;
 use super::reader::Reader;
 use super::supposed::Local;
+use super::tabulated::tabulated;
+use super::values::Printed;
 use super::{Equation, approach, counts, differentials, doubts, names};
 
 pub(super) use self::declared::{adds_to, bounds_in, dimension_of, is_empty, narrow, no_value};
@@ -77,6 +79,8 @@ pub struct Page {
     pub clashes: Vec<Clash>,
     /// What its text says goes somewhere, in order.
     pub(super) approaches: Vec<approach::Told>,
+    /// What its tables say that quantities are.
+    pub(super) tabulated: Vec<Printed>,
 }
 
 /// Why nothing is decided of a formula.
@@ -125,6 +129,7 @@ pub(super) fn read_page(
         given: BTreeSet::new(),
         clashes: Vec::new(),
         approaches: approach::told(&document),
+        tabulated: tabulated(&document),
         document,
         beside,
     };

@@ -34,6 +34,8 @@ pub struct Printed {
     pub span: Span,
     /// The display that prints it, if it is none in the text.
     pub equation: Option<usize>,
+    /// The name of the constant that it is, if nothing prints it.
+    pub constant: Option<&'static str>,
 }
 
 /// The value of something at a place.
@@ -132,8 +134,11 @@ impl Derivation {
                 goal,
                 span,
                 equation: None,
+                constant: None,
             }));
         }
+        let tabulated = self.pages[own.page].tabulated.iter();
+        found.extend(tabulated.filter(|told| told.span.end <= until).cloned());
         let first = self.equations_of(own.page).start;
         let displays = (first..at).rev().take(MOST_FIGURES);
         for (at, equation) in displays.map(|at| (at, &self.equations[at])) {
@@ -142,6 +147,7 @@ impl Derivation {
                 goal,
                 span: equation.body,
                 equation: Some(at),
+                constant: None,
             }));
         }
         found
@@ -277,7 +283,7 @@ fn place(document: &Document, all: &[Span], at: usize) -> Option<Vec<Formula>> {
 }
 
 /// What a statement says that a symbol is, as a number: `m = 2.5\,\mathrm{kg}`, and what `v = a t = 8.5` comes to.
-fn figure(statement: &Statement) -> Option<Goal> {
+pub(super) fn figure(statement: &Statement) -> Option<Goal> {
     let goals = goals(statement);
     let is_near = |goal: &Goal| {
         let near = matches!(

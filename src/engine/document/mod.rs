@@ -31,6 +31,7 @@ mod slope;
 mod source;
 mod span;
 mod supposition;
+mod tables;
 mod words;
 pub(crate) use supposition::is_reason;
 
@@ -50,6 +51,7 @@ pub use origin::{Cell, File, Origin};
 pub use outline::front_matter;
 pub use source::{NotUtf8, Position, next_command};
 pub use span::Span;
+pub use tables::{Cell as TableCell, TableRow};
 
 /// A document, read.
 #[derive(Clone, Debug)]

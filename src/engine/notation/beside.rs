@@ -5,6 +5,7 @@
 
 use num_traits::{One, Zero};
 
+use super::unit::RAISED;
 use super::{Before, BeforeKind, Clause, Statement, figures, unit};
 use crate::algebra::{BigRational, Expr, Symbol};
 use crate::document::Span;
@@ -17,7 +18,6 @@ const DEGREES: &[&str] = &["°", "degree", "degrees", "deg"];
 /// No unit has more letters, or parts.
 const LONGEST: usize = 24;
 const MOST_PARTS: usize = 6;
-const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /// What the number of a formula is multiplied by.
 enum Factor {

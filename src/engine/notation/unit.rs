@@ -349,6 +349,9 @@ struct Reader<'a> {
     last: Option<Last>,
 }
 
+/// Figures above the line, in order.
+pub(super) const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
 /// Signs in the names of units that are spelt as commands.
 const SIGNS: &[(&str, &str)] = &[("Omega", "Ω"), ("mu", "µ"), ("AA", "Å"), ("%", "%")];
 
@@ -519,7 +522,11 @@ impl<'a> Reader<'a> {
                 Some(inner) => inner
                     .split_once('}')
                     .ok_or("a brace in a unit is never closed")?,
-                None => after.split_at(after.chars().next().map_or(0, char::len_utf8)),
+                None => {
+                    let sign = if after.starts_with('-') { 1 } else { 0 };
+                    let digit = after[sign..].chars().next().map_or(0, char::len_utf8);
+                    after.split_at(sign + digit)
+                }
             };
             let exponent: i32 = digits
                 .trim()
@@ -528,6 +535,8 @@ impl<'a> Reader<'a> {
                 .ok()
                 .filter(|exponent: &i32| exponent.unsigned_abs() <= MOST_POWER.unsigned_abs())
                 .ok_or_else(|| format!("the power `{}` of a unit is not read", digits.trim()))?;
+            (power, self.rest) = (power * exponent, after);
+        } else if let Some((exponent, after)) = raised(rest) {
             (power, self.rest) = (power * exponent, after);
         }
         let is_bare = before == (1, self.rest.trim_start().len());
@@ -545,6 +554,18 @@ impl<'a> Reader<'a> {
         let taken = self.unit.times(unit, power);
         taken.ok_or_else(|| "this power of a unit is too large".to_owned())
     }
+}
+
+/// The power that raised figures are, and what stands after them: `⁻²`.
+fn raised(text: &str) -> Option<(i32, &str)> {
+    let below = text.strip_prefix('⁻');
+    let figures = below.unwrap_or(text);
+    let figure = |c: char| RAISED.chars().position(|own| own == c);
+    let first = figures.chars().next()?;
+    let exponent = i32::try_from(figure(first)?).ok()?;
+    let after = &figures[first.len_utf8()..];
+    let ends = !after.starts_with(|c| figure(c).is_some());
+    ends.then_some((if below.is_some() { -exponent } else { exponent }, after))
 }
 
 /// What stands between braces, and what after them.

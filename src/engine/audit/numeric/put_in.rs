@@ -48,9 +48,10 @@ impl Auditor<'_> {
         };
         let exactly = |all: &[Assumed], said: &[Printed]| weigh(&near, all, Taken::Exactly, said);
         let mut numeric = exactly(&figures, &[]);
-        if matches!(numeric.outcome(), Weighed::NoValue(_)) && judge.cites_loosely() {
-            let [others, _] = judge.others(premises);
-            figures.extend(others.iter().cloned());
+        let has_no_value = |own: &Numeric| matches!(own.outcome(), Weighed::NoValue(_));
+        let lacks_more = has_no_value(&numeric) && !judge.is_directed();
+        if lacks_more && judge.cites_loosely() {
+            figures.extend(judge.others(premises)[0].iter().cloned());
             numeric = exactly(&figures, &[]);
         }
         if !numeric.is_supported() {
@@ -66,9 +67,26 @@ impl Auditor<'_> {
                 is_weighed(own) && right.is_some_and(|right| right.any(&is_it))
             };
             written.retain(|number, _| !open.iter().any(|own| is_result(own, number)));
-            let with = |said: &[Printed]| exactly(&figures, said);
-            if let Some(with) = self.with_written(at, &numeric, &printed, &written, &with) {
+            let supported = |figures: &[Assumed], numeric: &Numeric| {
+                let with = |said: &[Printed]| exactly(figures, said);
+                let constants = || {
+                    let found = self.with_constants(at, numeric, figures, &printed, &with);
+                    found.map(|own| own.0).filter(Numeric::is_supported)
+                };
+                self.with_written(at, numeric, &printed, &written, &with)
+                    .or_else(constants)
+            };
+            if let Some(with) = supported(&figures, &numeric) {
                 numeric = with;
+            } else if lacks_more && has_no_value(&numeric) && judge.names_its_premises() {
+                // Whatever is cited besides, these may be the figures of what stands before.
+                let mut all = figures.clone();
+                all.extend(judge.others(premises)[0].iter().cloned());
+                let with = exactly(&all, &printed);
+                match with.is_supported() {
+                    true => numeric = with,
+                    false => numeric = supported(&all, &with).unwrap_or(numeric),
+                }
             }
             let rounded = || weigh(&near, &figures, Taken::Rounded, &printed);
             if *numeric.outcome() == Weighed::Contradicted
@@ -136,6 +154,7 @@ impl Auditor<'_> {
                 },
                 span: self.derivation.equations[at].body,
                 equation: Some(at),
+                constant: None,
             });
             let with = weigh(&said);
             match with.is_supported() {

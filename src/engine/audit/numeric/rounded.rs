@@ -144,6 +144,35 @@ impl Auditor<'_> {
                 numeric = with;
             }
         }
+        if matches!(numeric.outcome(), Weighed::NoValue(_)) && !judge.is_directed() {
+            let printed = self.printed_before(at);
+            let mut all = vec![assumed.clone()];
+            if judge.names_its_premises() {
+                // Whatever is cited besides, these may be the figures of what stands before.
+                let [others, _] = judge.others(premises);
+                all.push(assumed.iter().chain(others).cloned().collect());
+            }
+            let with = |figures: &[Assumed]| {
+                let weigh = |goals: &[Goal], said: &[Printed]| {
+                    let taken = Taken::Exactly;
+                    numeric::weigh_rounded(self.derivation, at, goals, figures, taken, said)
+                };
+                let plainly = weigh(&open, &printed);
+                if plainly.is_supported() {
+                    return Some(plainly);
+                }
+                let of = |said: &[Printed]| weigh(&open, said);
+                let (mut numeric, said) =
+                    self.with_constants(at, &plainly, figures, &printed, &of)?;
+                if !numeric.is_supported() {
+                    let exactly = |goals: &[Goal]| weigh(goals, &said);
+                    numeric.nearest = self.slip_of_figures(at, &open, &numeric, &exactly);
+                    numeric.nearest.as_ref()?;
+                }
+                Some(numeric)
+            };
+            numeric = all.iter().find_map(|own| with(own)).unwrap_or(numeric);
+        }
         if says_again(&numeric) {
             return leave_open(entry, SAID_AGAIN);
         }

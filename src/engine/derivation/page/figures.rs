@@ -18,6 +18,8 @@ pub struct Datum {
     pub source: String,
     /// The clause.
     pub span: Span,
+    /// It is a constant, of which the page says nothing.
+    pub is_constant: bool,
 }
 
 impl Page {
@@ -42,6 +44,7 @@ impl Page {
                     high: high.clone(),
                     source: source.clone(),
                     span: clause.span,
+                    is_constant: false,
                 };
                 for &span in names {
                     match read_symbol(self.document.text(span)) {

@@ -1,0 +1,172 @@
+//! Tables of the text, in cells: rows between `|` in Markdown, a `tabular` in LaTeX.
+
+use super::{Document, Inline, Span};
+
+/// Where tables of LaTeX begin and end: `tabular`, `tabular*`, `tabularx`, `longtable`.
+const BEGINNINGS: [&str; 2] = ["\\begin{tabular", "\\begin{longtable"];
+const ENDS: [&str; 2] = ["\\end{tabular", "\\end{longtable"];
+/// No table is looked through further.
+const MOST_ROWS: usize = 200;
+/// A table with more columns lists measurements, and no quantities.
+const MOST_CELLS: usize = 8;
+
+/// A row of a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TableRow {
+    /// Its cells.
+    pub cells: Vec<Cell>,
+    /// What heads each of its columns.
+    pub heads: Vec<Cell>,
+}
+
+/// A cell of a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cell {
+    /// Where it stands.
+    pub span: Span,
+    /// The mathematics in it.
+    pub math: Vec<Inline>,
+    /// What stands around that.
+    pub words: String,
+}
+
+impl Document {
+    /// The rows of its tables below their heads, in source order.
+    pub fn table_rows(&self) -> Vec<TableRow> {
+        let mut found = Vec::new();
+        for rows in self.tables() {
+            let mut rows = rows
+                .into_iter()
+                .filter(|cells| !is_line(&self.source, cells));
+            let Some(heads) = rows.next().map(|cells| self.cells(cells)) else {
+                continue;
+            };
+            // A table without a head begins with its first row.
+            found.push(TableRow {
+                cells: heads.clone(),
+                heads: Vec::new(),
+            });
+            found.extend(rows.take(MOST_ROWS).map(|cells| TableRow {
+                cells: self.cells(cells),
+                heads: heads.clone(),
+            }));
+        }
+        found.retain(|row| (2..=MOST_CELLS).contains(&row.cells.len()));
+        found
+    }
+
+    /// The tables, each as rows of cells.
+    fn tables(&self) -> Vec<Vec<Vec<Span>>> {
+        let source = &*self.source;
+        let mut tables = Vec::new();
+        if self.is_latex {
+            let mut at = 0;
+            while let Some(begin) = first_of(source, at, &BEGINNINGS) {
+                let end = first_of(source, begin, &ENDS).unwrap_or(source.len());
+                let rows = self.parted(Span::new(begin, end), "\\\\");
+                let cells = rows.into_iter().map(|row| self.parted(row, "&"));
+                tables.push(cells.collect());
+                at = end.max(begin + 1);
+            }
+            return tables;
+        }
+        if !source.contains('|') {
+            return tables;
+        }
+        let (mut at, mut open) = (0, false);
+        for line in source.split_inclusive('\n') {
+            let span = Span::new(at, at + line.trim_end().len());
+            at += line.len();
+            if !line.trim_start().starts_with('|') {
+                open = false;
+                continue;
+            }
+            let mut cells = self.parted(span, "|");
+            // Before the first sign and behind the last one there is nothing.
+            cells.remove(0);
+            if cells
+                .last()
+                .is_some_and(|own| source[own.range()].trim().is_empty())
+            {
+                cells.pop();
+            }
+            match tables.last_mut() {
+                Some(rows) if open => rows.push(cells),
+                _ => tables.push(vec![cells]),
+            }
+            open = true;
+        }
+        tables
+    }
+
+    /// A piece of the text, parted by a sign that stands in no mathematics and behind no backslash.
+    fn parted(&self, span: Span, sign: &str) -> Vec<Span> {
+        let text = &self.source[span.range()];
+        let math: Vec<Span> = (self.inline_between(span.start, span.end))
+            .map(|math| math.span)
+            .collect();
+        let mut parts = Vec::new();
+        let mut start = span.start;
+        for (at, _) in text.match_indices(sign) {
+            let at = span.start + at;
+            let next = math.partition_point(|own| own.end <= at);
+            let is_within = math.get(next).is_some_and(|own| own.start < at);
+            if is_within || self.source[..at].ends_with('\\') {
+                continue;
+            }
+            parts.push(Span::new(start, at));
+            start = at + sign.len();
+        }
+        parts.push(Span::new(start, span.end));
+        parts
+    }
+
+    fn cells(&self, spans: Vec<Span>) -> Vec<Cell> {
+        spans.into_iter().map(|span| self.cell(span)).collect()
+    }
+
+    fn cell(&self, span: Span) -> Cell {
+        let mut words = String::new();
+        let mut math = Vec::new();
+        let mut at = span.start;
+        for own in self.inline_between(span.start, span.end) {
+            words.push_str(&self.source[at..own.span.start]);
+            math.push(*own);
+            at = own.span.end;
+        }
+        words.push_str(&self.source[at..span.end]);
+        let words = without_rules(&words).trim().to_owned();
+        Cell { span, math, words }
+    }
+}
+
+/// The first place of one of these, from there on.
+fn first_of(source: &str, from: usize, of: &[&str]) -> Option<usize> {
+    let rest = source.get(from..)?;
+    let found = of.iter().filter_map(|own| rest.find(own)).min();
+    found.map(|at| from + at)
+}
+
+/// Whether a row is the line below a head: `|---|:-:|`.
+fn is_line(source: &str, cells: &[Span]) -> bool {
+    let is_rule = |own: &Span| {
+        let text = source[own.range()].trim();
+        text.contains('-') && text.bytes().all(|byte| matches!(byte, b'-' | b':'))
+    };
+    cells.iter().all(is_rule)
+}
+
+/// A cell without the rules that LaTeX draws before it, and without what begins the table.
+fn without_rules(text: &str) -> &str {
+    let mut text = text.trim_start();
+    while let Some(rest) = text.strip_prefix('\\') {
+        let name = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+        let is_rule = rest[..name].ends_with("rule") || &rest[..name] == "hline";
+        text = match (&rest[..name], rest[name..].rsplit_once('}')) {
+            ("begin", Some((_, rest))) => rest.trim_start(),
+            _ if is_rule => rest[name..].trim_start(),
+            _ => return text,
+        };
+    }
+    text
+}
