@@ -314,13 +314,17 @@ fn one_too_many(at: usize, part: usize, parts: usize, kind: Kind, statement: &St
     entry
 }
 
-/// The new symbol of which a goal says what it means.
+/// The new symbol of which a goal says what it means, or what a power of it is: `\omega^2 = k/m`.
 fn meant<'a>(goal: &'a Goal, equation: &Equation) -> Option<&'a Symbol> {
-    match goal.formula.as_equation()? {
-        (Expr::Symbol(new), term) => {
-            let is_new = equation.introduces.contains(new);
-            (is_new && goal.rounding.is_none() && !term.mentions(new)).then_some(new)
-        }
-        _ => None,
-    }
+    let (left, term) = goal.formula.as_equation()?;
+    let new = match left {
+        Expr::Symbol(new) => new,
+        Expr::Power(base, exponent) => match (&**base, &**exponent) {
+            (Expr::Symbol(new), Expr::Number(_)) => new,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let is_new = equation.introduces.contains(new);
+    (is_new && goal.rounding.is_none() && !term.mentions(new)).then_some(new)
 }

@@ -313,7 +313,9 @@ impl Judge<'_> {
         let [judged] = &entry.judged[..] else {
             return None;
         };
-        let (Expr::Symbol(symbol), value) = judged.goal.formula.as_equation()? else {
+        let (Expr::Symbol(symbol) | Expr::Apply(symbol, _), value) =
+            judged.goal.formula.as_equation()?
+        else {
             return None;
         };
         // What goes on with the name in the same display defines it.

@@ -24,11 +24,13 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
     let usual = Symbol::new("n");
     let begun = LazyCell::new(|| numbered(equations, &usual));
     // What the author says to run through whole numbers, and from which on.
-    let mut said_to_run: Tree<Symbol, Option<i64>> = Tree::new();
+    let mut said_to_run: Tree<Symbol, (Option<i64>, Option<i64>)> = Tree::new();
     for statement in equations.iter().flat_map(Equation::statements) {
         for run in &statement.runs {
-            let from = said_to_run.entry(run.symbol.clone()).or_insert(run.from);
+            let known = said_to_run.entry(run.symbol.clone());
+            let (from, to) = known.or_insert((run.from, run.to));
             *from = (*from).min(run.from);
+            *to = to.zip(run.to).map(|(one, other)| one.max(other));
             counts.insert(run.symbol.clone());
         }
         for formula in formulas(statement) {
@@ -69,13 +71,15 @@ pub(super) fn infer(page: &mut Page, equations: &[Equation]) {
         }
     }
     for symbol in counts {
-        let least = match said_to_run.get(&symbol) {
-            Some(from) => *from,
-            None => Some(first.get(&symbol).copied().unwrap_or(1)),
+        let (least, last) = match said_to_run.get(&symbol) {
+            Some(run) => *run,
+            None => (Some(first.get(&symbol).copied().unwrap_or(1)), None),
         };
         let domain = page.domains.entry(symbol).or_default();
         domain.integer = true;
-        domain.lower = least.map(|least| (BigRational::from_integer(least.into()), false));
+        let bound = |own: i64| (BigRational::from_integer(own.into()), false);
+        domain.lower = least.map(bound);
+        domain.upper = last.map(bound);
     }
 }
 

@@ -38,6 +38,11 @@ fn settle_page(
     sequences: &mut Sequences,
     constants: &BTreeSet<Symbol>,
 ) {
+    // What the text gives as a function is none that displays define.
+    let mut applied = Set::new();
+    let told = page.locals.iter().flat_map(|own| &own.formulas);
+    (told.flat_map(|own| own.terms()))
+        .for_each(|term| term.collect_applied(&|_| true, &mut applied));
     let mut of_display = page.locals.iter().filter(|own| own.of_display).peekable();
     for equation in equations {
         // A condition speaks of what it names, be the display of that place or not: "With $w = w_0$ at $x = 0$ the solution is".
@@ -54,7 +59,7 @@ fn settle_page(
         let mut explains = false;
         for (part, statement) in equation.statements().iter().enumerate() {
             // All cases of a definition define the same symbol.
-            let defined = defined_symbol(statement, seen, case.as_ref());
+            let defined = defined_symbol(statement, seen, &applied, case.as_ref());
             // `\text{const} = p V` says something of `p V`.
             let defined = defined
                 .filter(|symbol| !sequences.know(symbol, seen) && !constants.contains(symbol));
@@ -75,6 +80,8 @@ fn settle_page(
                         introduces.insert(symbol);
                     }
                 }
+                (formula.terms().into_iter())
+                    .for_each(|term| term.collect_applied(&|_| true, &mut applied));
                 sequences.learn(&formula);
                 if equation.kind == Kind::Given || defines.contains(&part) {
                     sequences.learn_term(&formula, page);
@@ -270,6 +277,7 @@ impl Sequences {
 fn defined_symbol(
     statement: &Statement,
     seen: &BTreeSet<Symbol>,
+    applied: &Set<Symbol>,
     case: Option<&Symbol>,
 ) -> Option<Symbol> {
     let Some(Clause::Chain { sides, links }) = statement.clauses.first() else {
@@ -286,6 +294,13 @@ fn defined_symbol(
     let is_new = |symbol: &Symbol| !seen.contains(symbol) && unsaid(symbol);
     let symbol = match &side.expr {
         Expr::Symbol(symbol) => symbol,
+        // `B(z) = f(z - d) + f(z + d)`
+        Expr::Apply(function, arguments)
+            if !applied.contains(function)
+                && arguments.iter().all(|own| matches!(own, Expr::Symbol(_))) =>
+        {
+            function
+        }
         // `s^2 = \frac{1}{N} \sum_i (x_i - m)^2 = …` says what a variance is, and goes on.
         Expr::Power(base, exponent) if sides.len() > 2 => match (&**base, &**exponent) {
             (Expr::Symbol(symbol), Expr::Number(_)) => symbol,

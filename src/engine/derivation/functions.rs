@@ -3,7 +3,7 @@
 //! A function is defined by the equation that is the first to speak of it, and gives it for a symbol by a term in that. What comes later,
 //! `f(x) = 0`, is a condition.
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::document::Extent;
 use crate::kernel::Domain;
 use crate::sorted::Set;
@@ -56,7 +56,17 @@ impl Derivation {
         places.truncate(MOST_VALUES);
         let at = |place: Expr| {
             let own = value.substitute(&argument, &place);
-            Formula::equal(Expr::Apply(function.clone(), [place].into()), own)
+            let at = match place {
+                // `B(0)`, of what varies with `z`.
+                Expr::Number(_) => Expr::Limit {
+                    body: Expr::Apply(function.clone(), [Expr::Symbol(argument.clone())].into())
+                        .into(),
+                    variable: argument.clone(),
+                    point: LimitPoint::Finite(place.into()),
+                },
+                place => Expr::Apply(function.clone(), [place].into()),
+            };
+            Formula::equal(at, own)
         };
         places.into_iter().map(at).collect()
     }
@@ -82,6 +92,17 @@ fn is_bounded(domain: &Domain) -> bool {
 
 /// The arguments of a function, where they stand under nothing by which they run.
 fn collect_arguments(term: &Expr, function: &Symbol, found: &mut Vec<Expr>) {
+    if let Expr::Limit {
+        body,
+        point: LimitPoint::Finite(place),
+        ..
+    } = term
+        && matches!(&**body, Expr::Apply(own, _) if own == function)
+        && matches!(**place, Expr::Number(_))
+        && !found.contains(place)
+    {
+        found.push(Expr::clone(place));
+    }
     if term.binder().is_some() {
         return;
     }

@@ -7,8 +7,9 @@ use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::document::{Inline, Span};
 use crate::notation::{Before, BeforeKind, Statement, SyntaxError, read_expr, read_symbol};
 
+use super::called::Called;
 use super::{Equation, formulas, slopes};
-use crate::sorted::{Map, Tree};
+use crate::sorted::{Map, Set, Tree};
 
 /// No function that a text speaks of is written longer: `\tilde{\theta}_{\mathrm{out}}(t)`.
 const MOST_SPOKEN: usize = 40;
@@ -120,6 +121,51 @@ pub(super) fn arguments_in_text<'a>(
     }
     let of_one = |(name, argument): (Symbol, Option<Symbol>)| Some((name, argument?));
     all.into_entries().filter_map(of_one).collect()
+}
+
+/// The same, and what its words call functions or operators.
+pub(super) fn named_in_text<'a>(
+    source: &str,
+    inline: impl Iterator<Item = &'a Inline>,
+    called: &Called,
+) -> BTreeSet<Symbol> {
+    let mut named = functions_in_text(source, inline);
+    named.extend(called.functions.iter().chain(&called.operators).cloned());
+    named
+}
+
+/// The functions that displays of a page define, where something on it may be the value of one at another place: it is read again then.
+/// What the text has by itself is a quantity.
+pub(super) fn in_question(equations: &[Equation], spoken_of: &Set<Symbol>) -> BTreeSet<Symbol> {
+    let statements = || equations.iter().flat_map(|equation| equation.statements());
+    let before = || statements().flat_map(|statement| &statement.before);
+    let mut factors = before().filter(|before| before.kind == BeforeKind::Factor);
+    let is_unread = |own: &Equation| own.statements.is_err();
+    if factors.next().is_none() && !equations.iter().any(is_unread) {
+        return BTreeSet::new();
+    }
+    let mut defined = BTreeSet::new();
+    for formula in statements().flat_map(formulas) {
+        if let Some((Expr::Apply(name, arguments), value)) = formula.as_equation()
+            && arguments
+                .iter()
+                .all(|own| matches!(own, Expr::Symbol(own) if value.mentions(own)))
+            && !value.mentions(name)
+        {
+            defined.insert(name.clone());
+        }
+    }
+    defined.retain(|own| !spoken_of.contains(own));
+    defined
+}
+
+/// Which of these a page has as quantities, too: what stands in parentheses after them may be a factor.
+pub(super) fn stand_alone(equations: &[Equation], names: &BTreeSet<Symbol>) -> BTreeSet<Symbol> {
+    let statements = equations.iter().flat_map(|equation| equation.statements());
+    let formulas = statements.flat_map(formulas);
+    let mut found: BTreeSet<Symbol> = formulas.flat_map(|own| own.free_symbols()).collect();
+    found.retain(|own| names.contains(own));
+    found
 }
 
 /// Refuses the equations of a page in which a name is read as a factor before a parenthesis and elsewhere on the page as a function.

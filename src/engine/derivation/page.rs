@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::algebra::{Dimension, Expr, Formula, Relation, Symbol};
 use crate::document::{Citation, Directive, Document, Inline, Item, Premise, Problem, Row, Span};
 use crate::kernel::Domain;
-use crate::notation::{Spanned, Statement, SyntaxError, read_symbol};
+use crate::notation::{Applied, Spanned, Statement, SyntaxError, read_symbol};
 use crate::sorted::{self, Set, Tree};
 
 use super::beside::{Beside, Clash, Place};
@@ -79,6 +79,8 @@ pub struct Page {
     pub clashes: Vec<Clash>,
     /// What its text says goes somewhere, in order.
     pub(super) approaches: Vec<approach::Told>,
+    /// The names that it has as functions, where that is in question.
+    pub(super) applied: Applied,
     /// What its tables say that quantities are.
     pub(super) tabulated: Vec<Printed>,
 }
@@ -100,6 +102,9 @@ pub enum Premises {
     /// The prose cites them.
     Cited(Vec<Citation>),
 }
+
+/// So often a page is read again for its functions.
+const MOST_READINGS: usize = 3;
 
 /// Reads a page and its equations, without regard to other pages: where an equation would define what it has on its left side,
 /// [`definition::settle`](super::definition::settle) says whether it is the first to speak of it.
@@ -129,6 +134,7 @@ pub(super) fn read_page(
         given: BTreeSet::new(),
         clashes: Vec::new(),
         approaches: approach::told(&document),
+        applied: Applied::new(),
         tabulated: tabulated(&document),
         document,
         beside,
@@ -156,39 +162,47 @@ pub(super) fn read_page(
             .beside
             .as_ref()
             .is_some_and(|beside| !beside.given.is_empty());
-    let mut reader = Reader::new(&mut page, number, &items);
-    items.iter().for_each(|item| reader.item(item));
-    let (mut equations, derived) = reader.finish();
+    let unread = page.clone();
+    let (mut equations, mut derived) = read_items(&mut page, number, &items);
+    let called = {
+        let prose = items.iter().filter_map(|item| match item {
+            Item::Prose(prose) => Some(&**prose),
+            _ => None,
+        });
+        Called::of(&page.document.source, prose)
+    };
+    // The same letters are named again and again.
+    let named = inline(&items).map(|math: &Inline| page.document.text(math.body));
+    let named: BTreeSet<&str> = named.collect();
+    let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
+    let spoken_of: Set<Symbol> = alone.collect();
+    let mut applied = names::in_question(&equations, &spoken_of);
+    for attempt in 0..MOST_READINGS {
+        if applied.is_empty() {
+            break;
+        }
+        page = unread.clone();
+        page.applied.clone_from(&applied);
+        (equations, derived) = read_items(&mut page, number, &items);
+        let alone = names::stand_alone(&equations, &applied);
+        if alone.is_empty() {
+            break;
+        }
+        applied.retain(|own| attempt + 2 < MOST_READINGS && !alone.contains(own));
+        if applied.is_empty() {
+            page = unread.clone();
+            (equations, derived) = read_items(&mut page, number, &items);
+        }
+    }
     meanings.settle(&mut equations, &mut page.locals);
     for equation in &mut equations {
         leave_values_of_quantified(equation, &page.locals);
     }
     let declared =
         |name: &Symbol| page.domains.contains_key(name) || page.dimensions.contains_key(name);
-    let inline = || {
-        let prose = items.iter().filter_map(|item| match item {
-            Item::Prose(prose) => Some(&prose.math),
-            _ => None,
-        });
-        prose.flatten()
-    };
-    let prose = items.iter().filter_map(|item| match item {
-        Item::Prose(prose) => Some(&**prose),
-        _ => None,
-    });
-    let called = Called::of(&page.document.source, prose);
-    let in_text = || {
-        let mut named = names::functions_in_text(&page.document.source, inline());
-        named.extend(called.functions.iter().chain(&called.operators).cloned());
-        named
-    };
+    let in_text = || names::named_in_text(&page.document.source, inline(&items), &called);
     names::refuse(&mut equations, declared, in_text);
     called::refuse_products(&mut equations, &called.operators);
-    // The same letters are named again and again.
-    let named = inline().map(|math: &Inline| page.document.text(math.body));
-    let named: BTreeSet<&str> = named.collect();
-    let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
-    let spoken_of: Set<Symbol> = alone.collect();
     doubts::refuse(&mut equations, declared, spoken_of.iter().cloned());
     differentials::read(&mut page, &mut equations, &spoken_of);
     if let Some(beside) = page.beside.clone() {
@@ -198,6 +212,26 @@ pub(super) fn read_page(
     sorted::sort_by_key(&mut page.problems, |p| p.span);
     page.document.items = items;
     (page, equations)
+}
+
+/// Goes through the items of a page: its equations, and what is said to be derived.
+fn read_items(
+    page: &mut Page,
+    number: usize,
+    items: &[Item],
+) -> (Vec<Equation>, Vec<Option<Span>>) {
+    let mut reader = Reader::new(page, number, items);
+    items.iter().for_each(|item| reader.item(item));
+    reader.finish()
+}
+
+/// The mathematics in the text.
+fn inline(items: &[Item]) -> impl Iterator<Item = &Inline> {
+    let prose = items.iter().filter_map(|item| match item {
+        Item::Prose(prose) => Some(&prose.math),
+        _ => None,
+    });
+    prose.flatten()
 }
 
 /// Forgets what looks like a citation and is a remark: "the acceleration $a$ (downwards)". A word that is the number of no equation cites

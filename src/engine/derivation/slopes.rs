@@ -45,6 +45,8 @@ struct Given {
     own: Set<Symbol>,
     /// What is differentiated somewhere.
     differentiated: Set<Symbol>,
+    /// What is differentiated by the time.
+    rates: Set<Symbol>,
 }
 
 /// Reads dots over what is given by a term in `t` as derivatives by it, and primes on functions, unless they are declared.
@@ -113,7 +115,19 @@ impl Given {
         for term in formula.terms() {
             self.collect_marked(term);
             term.collect_differentiated(&mut self.differentiated);
+            self.collect_rates(term, time);
         }
+    }
+
+    /// The names of which `\frac{dx}{dt}` is written.
+    fn collect_rates(&mut self, term: &Expr, time: &Symbol) {
+        if let Expr::Derivative { body, variable } = term
+            && variable == time
+            && let Expr::Symbol(name) | Expr::Apply(name, _) = &**body
+        {
+            self.rates.insert(name.clone());
+        }
+        (term.children()).for_each(|part| self.collect_rates(part, time));
     }
 
     /// Where a page speaks of accelerations, what has dots and is given by others that have some moves as they do: after `s = x_1 + x_2`
@@ -121,10 +135,11 @@ impl Given {
     fn tie_together(&mut self) {
         let dots = |name: &Symbol| without_dots(name).filter(|own| own.1 <= 2);
         let dotted: Vec<(Symbol, u8)> = self.marked.iter().filter_map(dots).collect();
+        let moves: Set<Symbol> = dotted.iter().map(|own| own.0.clone()).collect();
+        self.tie_to_rates(&moves);
         if dotted.iter().all(|own| own.1 < 2) {
             return;
         }
-        let moves: Set<Symbol> = dotted.into_iter().map(|own| own.0).collect();
         let varied = std::mem::take(&mut self.varied);
         for (name, of) in std::mem::take(&mut self.defined) {
             let of = of
@@ -139,6 +154,14 @@ impl Given {
                     .filter(|own| !varied.contains(own));
                 self.moving.extend(tied);
             }
+        }
+    }
+
+    /// Where a page writes both `\frac{dx}{dt}` and `\dot x` of something, its dots are slopes by the time.
+    fn tie_to_rates(&mut self, dotted: &Set<Symbol>) {
+        if dotted.iter().any(|own| self.rates.contains(own)) {
+            let tied = dotted.iter().filter(|own| !self.varied.contains(*own));
+            self.moving.extend(tied.cloned());
         }
     }
 
@@ -200,9 +223,16 @@ pub(super) fn base(name: &Symbol) -> Option<(Symbol, usize, bool)> {
     if let Some((own, dots)) = without_dots(name) {
         return (dots <= 2).then_some((own, dots.into(), true));
     }
-    let stem = name.name().trim_end_matches('\'');
-    let order = name.name().len() - stem.len();
-    (order > 0 && !stem.is_empty()).then(|| (Symbol::new(stem), order, false))
+    // Primes stand before what is below: `B''_1`.
+    let marked = name.name();
+    let first = marked.find('\'')?;
+    let rest = marked[first..].trim_start_matches('\'');
+    let order = marked.len() - first - rest.len();
+    let is_name = first > 0 && (rest.is_empty() || rest.starts_with('_'));
+    is_name.then(|| {
+        let own = Symbol::new(format!("{}{rest}", &marked[..first]));
+        (own, order, false)
+    })
 }
 
 impl Slope {
@@ -217,7 +247,7 @@ impl Slope {
         match arguments {
             [argument] if *argument == by => Some(slope()),
             // Of a dotted name the value at a number is read later.
-            [place @ Expr::Number(_)] if !self.is_dot => Some(Expr::Limit {
+            [place] if !self.is_dot && !matches!(place, Expr::Symbol(_)) => Some(Expr::Limit {
                 body: slope().into(),
                 variable: self.by.clone(),
                 point: LimitPoint::Finite(place.clone().into()),

@@ -37,7 +37,8 @@ pub use printer::{
     mathml_statement, plain, plain_formula, plain_statement, relation_latex, unbraced,
 };
 pub use read::{
-    Unit, read_display, read_expr, read_formulas, read_rows, read_symbol, read_unaligned,
+    Applied, Unit, read_display, read_expr, read_formulas, read_on_page, read_rows, read_symbol,
+    read_unaligned,
 };
 pub use statement::{
     Before, BeforeKind, Choice, Clause, Connective, Display, Doubt, DoubtKind, Link, Mark, Other,

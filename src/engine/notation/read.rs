@@ -1,5 +1,6 @@
 //! The ways in: what a document hands to the reader, and what it gets back.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::commands;
@@ -10,6 +11,9 @@ use super::{Display, Spanned, Statement, SyntaxError, beside, signs};
 use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
 
+/// The names that a page has as functions: what stands in parentheses after them is an argument, `f(x + 1)`.
+pub type Applied = BTreeSet<Symbol>;
+
 /// Reads a displayed equation: `source[body]`, the mathematics between the `$$`s.
 ///
 /// The number and the key are found even if the rest cannot be read. A number typed by hand, `\quad (18)` at the very
@@ -17,15 +21,24 @@ use crate::document::Span;
 ///
 /// It may be cut out of an alignment: what `&` aligns is nobody's concern.
 pub fn read_display(source: &str, body: Span) -> Display {
-    display(source, body, lex(source, body))
+    display(source, body, lex(source, body), &Applied::new())
 }
 
 /// Reads a displayed equation that stands in no alignment, so that an `&` in it, outside all environments, is a mistake.
 pub fn read_unaligned(source: &str, body: Span) -> Display {
-    display(source, body, unaligned(lex(source, body)))
+    read_on_page(source, body, false, &Applied::new())
 }
 
-fn display(source: &str, body: Span, mut lexed: Lexed<'_>) -> Display {
+/// Reads a displayed equation of a page that has functions.
+pub fn read_on_page(source: &str, body: Span, is_aligned: bool, applied: &Applied) -> Display {
+    let lexed = match is_aligned {
+        true => lex(source, body),
+        false => unaligned(lex(source, body)),
+    };
+    display(source, body, lexed, applied)
+}
+
+fn display<'s>(source: &'s str, body: Span, mut lexed: Lexed<'s>, applied: &'s Applied) -> Display {
     if lexed.tags.is_empty()
         && let Some(tag) = typed_tag(source, &mut lexed)
     {
@@ -36,7 +49,7 @@ fn display(source: &str, body: Span, mut lexed: Lexed<'_>) -> Display {
     Display {
         tag,
         label,
-        statements: parser(lexed, body, false).statements(),
+        statements: parser(lexed, body, false).applying(applied).statements(),
     }
 }
 
@@ -55,7 +68,7 @@ pub struct Unit {
 ///
 /// A row that starts with a relation, or in an empty cell with a sign, goes on with the row before it. In `columns`
 /// every second `&` of a row parts two equations. One row that cannot be read does not hinder the others.
-pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool) -> Vec<Unit> {
+pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool, applied: &Applied) -> Vec<Unit> {
     let mut units: Vec<(Range<usize>, Lexed<'_>)> = Vec::new();
     for (at, pieces) in rows.iter().enumerate() {
         let mut lexed = Lexed::default();
@@ -97,7 +110,8 @@ pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool) -> Vec<Unit> {
         let first = lexed.tokens.first().map(|token| token.span);
         let last = lexed.tokens.last().map(|token| token.span);
         let body = first.zip(last).map(|(first, last)| first.to(last));
-        let statements = parser(lexed, body.unwrap_or_default(), false).statements();
+        let parser = parser(lexed, body.unwrap_or_default(), false);
+        let statements = parser.applying(applied).statements();
         Unit {
             rows,
             typed,

@@ -47,6 +47,8 @@ pub struct Run {
     pub symbol: Symbol,
     /// The first of the numbers, if there is a first.
     pub from: Option<i64>,
+    /// The last of them, if there is a last: `i = 1, 2`.
+    pub to: Option<i64>,
 }
 
 /// A way to take a place that is not the one taken here; which that is, `docs/notation.md` says.

@@ -391,8 +391,21 @@ impl Expr {
 
     /// Whether it is a power of a root.
     pub fn is_root(&self) -> bool {
-        matches!(self, Expr::Power(_, exponent)
-            if matches!(&**exponent, Expr::Number(exponent) if !exponent.is_integer()))
+        fn is_broken(exponent: &Expr) -> bool {
+            match exponent {
+                Expr::Number(own) => !own.is_integer(),
+                Expr::Negate(inner) => is_broken(inner),
+                // `(R^2 + s^2)^{3/2}`
+                Expr::Quotient(over, under) => match (&**over, &**under) {
+                    (Expr::Number(over), Expr::Number(under)) => {
+                        !num_traits::Zero::is_zero(under) && !(over / under).is_integer()
+                    }
+                    _ => false,
+                },
+                _ => false,
+            }
+        }
+        matches!(self, Expr::Power(_, exponent) if is_broken(exponent))
     }
 
     /// Whether it is the logarithm of a number: `\ln 2`.

@@ -207,7 +207,10 @@ impl Judge<'_> {
     fn follows_by_signs(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
         let named = goal.formula.names();
         let mut set = set.to_vec();
-        set.retain(|own| own.formula.names().is_subset(&named));
+        let is_applied = |part: &Expr| matches!(part, Expr::Apply(..));
+        set.retain(|own| {
+            own.formula.names().is_subset(&named) && !any_part(&own.formula, &is_applied)
+        });
         let claim = self.derivation.claim(self.at, &set, &goal.formula);
         let mut free = unbounded(&claim);
         free.retain(|own| named.contains(own));

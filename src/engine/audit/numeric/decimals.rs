@@ -7,9 +7,10 @@ use num_traits::{One, Zero};
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::interval::{Figures, Interval};
-use crate::notation::{Precision, Rounding};
+use crate::notation::{Precision, Rounding, is_figures};
 use crate::sorted::Map;
 
+use super::is_evaluable;
 use super::rounded::is_quantity;
 
 /// A number with fewer digits is seldom rounded on the way: `0.5`.
@@ -28,7 +29,7 @@ pub(super) fn as_near_as_decimals(goal: &Goal, source: &str, assumed: &[Assumed]
     else {
         return None;
     };
-    let is_calculated = right.is_arithmetic() && right.free_symbols().iter().all(Symbol::is_unit);
+    let is_calculated = is_figures(right) && is_evaluable(right);
     if goal.rounding.is_some() || !is_calculated || is_quantity(goal) {
         return None;
     }

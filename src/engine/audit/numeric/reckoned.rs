@@ -39,10 +39,18 @@ impl Auditor<'_> {
             |own: &Symbol| !own.is_unit() && self.derivation.pages[page].domains.get(own).is_some();
         let links = goals(statement).into_iter();
         let links = links.filter(|own| !own.formula.names().iter().any(is_a_symbol));
-        let links = links.filter_map(|goal| reckoned(goal, Some(source)));
-        let links: Vec<Link> = links
-            .filter(|link| link.outcome == Weighed::Contradicted)
-            .collect();
+        let goals: Vec<Goal> = links.collect();
+        let mut links = Vec::new();
+        for (at, goal) in goals.iter().enumerate() {
+            // What a chain came to, and goes on from, was rounded however few its digits are: `= 2.1 \cdot 10^6\,\mathrm{s} = 25\,\mathrm{d}`.
+            let is_result = at > 0 && goals[at - 1].sides.1 == goal.sides.0;
+            let fewest = match is_result && goals[at - 1].rounding.is_some() {
+                true => 1,
+                false => FEWEST_DIGITS,
+            };
+            links.extend(reckoned(goal.clone(), Some(source), fewest));
+        }
+        links.retain(|link| link.outcome == Weighed::Contradicted);
         if links.is_empty() {
             return;
         }
@@ -55,13 +63,14 @@ impl Auditor<'_> {
 /// A relation between numbers that is not so as they stand, and may be so as they are rounded, weighed.
 pub(super) fn agreed_loosely(goal: &Goal, source: &str) -> Option<Link> {
     let is_wrong = |link: &Link| link.outcome == Weighed::Contradicted;
-    let loosely = reckoned(goal.clone(), Some(source)).filter(|link| !is_wrong(link))?;
-    let exactly = reckoned(goal.clone(), None)?;
+    let loosely = reckoned(goal.clone(), Some(source), FEWEST_DIGITS);
+    let loosely = loosely.filter(|link| !is_wrong(link))?;
+    let exactly = reckoned(goal.clone(), None, FEWEST_DIGITS)?;
     is_wrong(&exactly).then_some(loosely)
 }
 
-/// A relation between numbers, weighed; as they stand where no text tells how many digits they have. Nothing of what is none.
-fn reckoned(goal: Goal, source: Option<&str>) -> Option<Link> {
+/// A relation between numbers, weighed, those of the fewest digits or more as they may be rounded; as they stand where no text tells how many digits they have. Nothing of what is none.
+fn reckoned(goal: Goal, source: Option<&str>, fewest: usize) -> Option<Link> {
     let goal = near_whole(&goal);
     let Formula::Relation {
         left,
@@ -84,8 +93,8 @@ fn reckoned(goal: Goal, source: Option<&str>) -> Option<Link> {
     let near = goal.rounding.as_ref().map(|own| own.share.clone());
     // What is added up to about so much was added up before it was rounded: `0.54 + 0.25 \approx 0.78`.
     let fewest = match (left, relation) {
-        (Expr::Sum(_), Relation::Approximately) => FEWEST_DIGITS - 1,
-        _ => FEWEST_DIGITS,
+        (Expr::Sum(_), Relation::Approximately) => fewest.min(FEWEST_DIGITS - 1),
+        _ => fewest,
     };
     let mut figures = Vec::new();
     let rounded = |span: Span| match source {

@@ -1,7 +1,7 @@
 //! Remarks beside a statement: `\qquad n = 1, 2, 3, \dots`, `n \in \mathbb{N}`, `(y > 0)`, `(\text{for all } x > 1)`.
 
 use super::{Clause, Kind, Parser};
-use crate::algebra::{Relation, Symbol};
+use crate::algebra::{Relation, Symbol, split_subscript};
 use crate::notation::{Run, Statement, commands};
 
 impl Parser<'_> {
@@ -9,7 +9,10 @@ impl Parser<'_> {
     pub(super) fn aside(&mut self, about: &mut Statement) -> bool {
         let start = self.at;
         let open = self.accept(Kind::Char('('));
+        // Of what is no index `x = 1, 2` says which values it may have.
+        let is_index = |run: &Run| run.to.is_none() || has_index(about, &run.symbol);
         if let Some(run) = self.run()
+            && is_index(&run)
             && self.ends_aside(open)
         {
             about.runs.push(run);
@@ -85,18 +88,19 @@ impl Parser<'_> {
         }
         let name = self.single_letter().ok()?;
         let symbol = Symbol::new(name.canonical());
-        let from = match self.peek() {
+        let (from, to) = match self.peek() {
             Kind::Command("in") => {
                 self.advance();
-                self.whole_numbers()?
+                (self.whole_numbers()?, None)
             }
             Kind::Relation(Relation::Equal, false) => {
                 self.advance();
-                Some(self.counted_out()?)
+                let (from, to) = self.counted_out()?;
+                (Some(from), to)
             }
             _ => return None,
         };
-        Some(Run { symbol, from })
+        Some(Run { symbol, from, to })
     }
 
     /// `\mathbb{N}`, `\mathbb{N}_0`, `\mathbb{Z}`: the first of them, if there is one.
@@ -124,23 +128,42 @@ impl Parser<'_> {
         }
     }
 
-    /// `1, 2, 3, \dots`: the first of numbers that follow one another.
-    fn counted_out(&mut self) -> Option<i64> {
+    /// `1, 2, 3, \dots`: the first of numbers that follow one another, and the last, where they end: `1, 2`.
+    fn counted_out(&mut self) -> Option<(i64, Option<i64>)> {
         let mut numbers: Vec<i64> = Vec::new();
+        let mut last = None;
         loop {
             match self.peek() {
                 Kind::Number(text) => numbers.push(text.parse().ok()?),
-                Kind::Command(name) if commands::is_dots(name) && numbers.len() > 1 => break,
+                Kind::Command(name) if commands::is_dots(name) && numbers.len() > 1 => {
+                    self.advance();
+                    break;
+                }
                 _ => return None,
             }
             self.advance();
             if !self.accept(Kind::Char(',')) {
-                return None;
+                last = numbers.last().copied().filter(|_| numbers.len() > 1);
+                last?;
+                break;
             }
         }
-        self.advance();
         let first = *numbers.first()?;
         let rising = (first..).zip(&numbers).all(|(own, number)| own == *number);
-        rising.then_some(first)
+        rising.then_some((first, last))
     }
+}
+
+/// Whether names in a statement have an index.
+fn has_index(statement: &Statement, index: &Symbol) -> bool {
+    let chains = statement.clauses.iter().filter_map(|clause| match clause {
+        Clause::Chain { sides, .. } => Some(sides),
+        _ => None,
+    });
+    let mut terms = chains.flatten().map(|side| &side.expr);
+    terms.any(|term| {
+        let names = term.free_symbols();
+        let mut below = names.iter().filter_map(|own| split_subscript(own.name()));
+        below.any(|(_, below)| below == index.name())
+    })
 }

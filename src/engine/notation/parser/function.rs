@@ -16,6 +16,7 @@ impl Parser<'_> {
         let Some(delimiter) = self.delimiter() else {
             return self.no_term();
         };
+        let is_applied = self.is_applied(&function.expr) && delimiter.close == ")";
         let mut arguments = Vec::new();
         let mut bare = true;
         self.inside(false, |parser| {
@@ -27,13 +28,33 @@ impl Parser<'_> {
                 if parser.peek() != Kind::Char(',') {
                     return Ok(());
                 }
-                if !bare {
+                if !bare && !is_applied {
                     return parser.unexpected();
                 }
                 parser.advance();
             }
         })?;
         self.end_group(&delimiter, open_span)?;
+        // No argument holds its own function: `f (1 - f)`.
+        let holds_itself = || {
+            arguments
+                .iter()
+                .any(|own| own.any(&|part| *part == function.expr))
+        };
+        if let Expr::Symbol(name) = &function.expr
+            && is_applied
+            && !bare
+            && !holds_itself()
+            && !arguments.iter().any(adds_a_number)
+        {
+            self.before.push(Before {
+                name: name.clone(),
+                span: self.since(start),
+                kind: BeforeKind::Function,
+            });
+            let value = Expr::Apply(name.clone(), arguments.into());
+            return self.scripts(start, value, Shape::Tight, false);
+        }
         if let Expr::Symbol(name) = &function.expr
             && self.may_be_multiplied(name, bare, &delimiter, &arguments)
         {
@@ -102,6 +123,11 @@ impl Parser<'_> {
                 self.before_factor(start, open, Factor { expr, ..function }, arguments)
             }
         }
+    }
+
+    /// Whether the page has a name as a function.
+    fn is_applied(&self, name: &Expr) -> bool {
+        matches!(name, Expr::Symbol(name) if self.applied.is_some_and(|all| all.contains(name)))
     }
 
     /// Whether the number in the parentheses that opened at `open` is one that is measured: π is multiplied by it, `\pi (0.20)^2`, and profits,
@@ -511,4 +537,13 @@ pub(in crate::notation) fn is_minus_one(exponent: &Expr) -> bool {
         Expr::Negate(inner) => matches!(&**inner, Expr::Number(n) if n.is_one()),
         _ => false,
     }
+}
+
+/// Whether a number is added to something: `1 - q` is rather a factor than an argument.
+fn adds_a_number(term: &Expr) -> bool {
+    let is_number = |own: &Expr| match own {
+        Expr::Negate(inner) => matches!(**inner, Expr::Number(_)),
+        own => matches!(own, Expr::Number(_)),
+    };
+    matches!(term, Expr::Sum(summands) if summands.iter().any(is_number))
 }

@@ -44,7 +44,9 @@ use std::convert::Infallible;
 
 use super::commands;
 use super::lexer::{Kind, Token};
-use super::{Before, BeforeKind, Choice, Clause, Doubt, DoubtKind, Run, Side, SyntaxError};
+use super::{
+    Applied, Before, BeforeKind, Choice, Clause, Doubt, DoubtKind, Run, Side, SyntaxError,
+};
 use between::Limits;
 
 use crate::algebra::{Expr, Symbol};
@@ -102,6 +104,8 @@ pub(super) struct Parser<'s> {
     choice: Option<Choice>,
     /// The places where there is a choice.
     choices: Vec<(Choice, Span)>,
+    /// The names that the page has as functions.
+    applied: Option<&'s Applied>,
     /// The names that stand before a parenthesis.
     before: Vec<Before>,
     /// The places that may be no power and no product.
@@ -190,6 +194,12 @@ fn no_matrix<T>(span: Span) -> Read<T> {
 }
 
 impl<'s> Parser<'s> {
+    /// With the names that the page has as functions.
+    pub(in crate::notation) fn applying(mut self, applied: &'s Applied) -> Self {
+        self.applied = Some(applied).filter(|own| !own.is_empty());
+        self
+    }
+
     pub(super) fn new(
         tokens: Vec<Token<'s>>,
         errors: Vec<SyntaxError>,
@@ -213,6 +223,7 @@ impl<'s> Parser<'s> {
             bar: false,
             angle: false,
             doubled: false,
+            applied: None,
             of_angle: false,
             truncated: None,
             summands: Vec::new(),

@@ -232,7 +232,8 @@ impl Parser<'_> {
                 _ => None,
             };
             let symbol = name.clone();
-            self.runs.push(Run { symbol, from });
+            let to = None;
+            self.runs.push(Run { symbol, from, to });
         }
         if let Some(sign) = kinds.sign {
             let zero = Expr::Number(BigRational::from_integer(0.into()));
@@ -247,6 +248,7 @@ impl Parser<'_> {
             let runs = names.iter().map(|(name, _)| Run {
                 symbol: name.clone(),
                 from,
+                to: None,
             });
             self.runs.extend(runs);
             return Ok(());
