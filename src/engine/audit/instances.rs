@@ -1,9 +1,10 @@
 //! Laws for particular things: `P = \sigma A T^4` says `P_1 = \sigma A T_1^4` as well, where a step speaks of `P_1` and `T_1`.
 //!
 //! Who compares two cases gives an index to what differs between them, and to nothing else. A law that speaks of one of the indexed
-//! symbols itself, `v = v_0 + a t`, is none for that index; nor is one of which a single symbol has the index.
+//! symbols itself, `v = v_0 + a t`, is none for that index; nor is one of which a single symbol has the index. A law with an index that runs,
+//! `T_i = 2 \pi \sqrt{h_i/g}`, is one for each number.
 
-use crate::algebra::{Expr, Symbol, split_subscript};
+use crate::algebra::{BigRational, Expr, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::sorted::{Map, Set};
 
@@ -88,8 +89,17 @@ impl Judge<'_> {
         law.formula.as_equation()?;
         let page = self.derivation.equations[self.at].page;
         let names = law.formula.names();
+        // What ties elements to one another, `c_{n+1} = -c_n`, is said of all of them.
+        let ties = names.iter().any(|name| {
+            let below = split_subscript(name.name()).map(|(_, below)| below);
+            below.is_some_and(|own| own.starts_with(|c| ('i'..='n').contains(&c)) && own.len() > 1)
+        });
         let indexed = |name: &Symbol| {
+            let is_plain = split_subscript(name.name()).is_none();
             let own = with_index(name, index)?;
+            if !is_plain && (ties || !self.reaches(page, name, index)) {
+                return None;
+            }
             let exists = spoken.contains(&own) || self.derivation.is_spoken_of(page, &own);
             exists.then(|| (name.clone(), own))
         };
@@ -117,6 +127,21 @@ impl Judge<'_> {
         })
     }
 
+    /// Whether an index that runs comes to another one: within its bounds, and in no sequence, of which each element is said by itself.
+    fn reaches(&self, page: usize, name: &Symbol, index: &str) -> bool {
+        let Some((_, own)) = split_subscript(name.name()) else {
+            return false;
+        };
+        let own = Symbol::new(own);
+        let mut sequences = self.derivation.running(page).iter();
+        let domain = self.derivation.pages[page].domains.get(&own);
+        let is_within = domain.is_none_or(|domain| {
+            let number = index.trim_start_matches('_').parse::<i64>();
+            number.is_ok_and(|own| domain.contains(&BigRational::from_integer(own.into())))
+        });
+        is_within && !sequences.any(|running| running.index == own)
+    }
+
     /// Whether a step is about particular things of which laws say something.
     pub(super) fn is_of_instances(&self, goal: &Goal) -> bool {
         !self.instances(goal, &self.usable.assumed).is_empty()
@@ -140,7 +165,7 @@ impl Judge<'_> {
 /// The index of a symbol as it is written, `_1`, if it tells things apart and does not run.
 pub(super) fn index(symbol: &Symbol) -> Option<&str> {
     let (stem, index) = split_subscript(symbol.name())?;
-    let runs = index.len() == 1 && index.bytes().all(|byte| (b'i'..=b'n').contains(&byte));
+    let runs = runs(index);
     symbol.name().get(stem.len()..).filter(|_| !runs)
 }
 
@@ -158,8 +183,18 @@ fn tells_apart(symbol: &Symbol) -> Option<&str> {
     }
 }
 
-/// A symbol that has no index yet, with one.
+/// A symbol that has no index yet, or one that runs, with one.
 fn with_index(symbol: &Symbol, index: &str) -> Option<Symbol> {
-    let plain = split_subscript(symbol.name()).is_none();
-    plain.then(|| Symbol::new(format!("{symbol}{index}")))
+    match split_subscript(symbol.name()) {
+        None => Some(Symbol::new(format!("{symbol}{index}"))),
+        Some((stem, own)) if runs(own) && index.strip_prefix('_').is_some_and(|new| !runs(new)) => {
+            Some(Symbol::new(format!("{stem}{index}")))
+        }
+        Some(_) => None,
+    }
+}
+
+/// Whether an index is a letter that runs: `i` of `T_i`.
+fn runs(index: &str) -> bool {
+    index.len() == 1 && index.bytes().all(|byte| (b'i'..=b'n').contains(&byte))
 }

@@ -137,6 +137,11 @@ impl Auditor<'_> {
             let recent = &links.steps[links.steps.len().saturating_sub(MOST_STEPS)..];
             let mut found = judge.goal(&goal, recent, how.premises);
             if !found.judged.outcome.is_proven()
+                && let Some(concluded) = judge.as_concluded(&goal, recent, how.premises)
+            {
+                found = concluded;
+            }
+            if !found.judged.outcome.is_proven()
                 && is_set_out_from(statement, &goal)
                 && (is_put_to_nought(statement, &goal)
                     || judge.sets_out() && !goal.formula.speaks_of_slopes())

@@ -11,6 +11,15 @@ use crate::sorted::Set;
 use super::equation::{formulas, terms};
 use super::{Derivation, Equation};
 
+/// Where a function is spoken of.
+#[derive(PartialEq)]
+struct Place {
+    /// Its argument there.
+    at: Expr,
+    /// `B(0)` is read as where `B(z)` goes with `z`.
+    is_limit: bool,
+}
+
 /// So many values of one function are told.
 const MOST_VALUES: usize = 8;
 
@@ -46,27 +55,26 @@ impl Derivation {
         if !is_first || page.domains.get(&argument).is_some_and(is_bounded) {
             return Vec::new();
         }
-        let mut places: Vec<Expr> = Vec::new();
+        let mut places: Vec<Place> = Vec::new();
         for term in
             (among.iter()).flat_map(|&at| self.equations[at].statements().iter().flat_map(terms))
         {
             collect_arguments(term, &function, &mut places);
         }
-        places.retain(|place| *place != Expr::Symbol(argument.clone()));
+        places.retain(|place| place.at != Expr::Symbol(argument.clone()));
         places.truncate(MOST_VALUES);
-        let at = |place: Expr| {
-            let own = value.substitute(&argument, &place);
-            let at = match place {
-                // `B(0)`, of what varies with `z`.
-                Expr::Number(_) => Expr::Limit {
-                    body: Expr::Apply(function.clone(), [Expr::Symbol(argument.clone())].into())
-                        .into(),
+        let at = |place: Place| {
+            let own = value.substitute(&argument, &place.at);
+            let applied = |to: Expr| Expr::Apply(function.clone(), [to].into());
+            let left = match place.is_limit {
+                true => Expr::Limit {
+                    body: applied(Expr::Symbol(argument.clone())).into(),
                     variable: argument.clone(),
-                    point: LimitPoint::Finite(place.into()),
+                    point: LimitPoint::Finite(place.at.into()),
                 },
-                place => Expr::Apply(function.clone(), [place].into()),
+                false => applied(place.at),
             };
-            Formula::equal(at, own)
+            Formula::equal(left, own)
         };
         places.into_iter().map(at).collect()
     }
@@ -91,7 +99,14 @@ fn is_bounded(domain: &Domain) -> bool {
 }
 
 /// The arguments of a function, where they stand under nothing by which they run.
-fn collect_arguments(term: &Expr, function: &Symbol, found: &mut Vec<Expr>) {
+fn collect_arguments(term: &Expr, function: &Symbol, found: &mut Vec<Place>) {
+    let mut found_at = |at: &Expr, is_limit| {
+        let at = at.clone();
+        let place = Place { at, is_limit };
+        if !found.contains(&place) {
+            found.push(place);
+        }
+    };
     if let Expr::Limit {
         body,
         point: LimitPoint::Finite(place),
@@ -99,9 +114,8 @@ fn collect_arguments(term: &Expr, function: &Symbol, found: &mut Vec<Expr>) {
     } = term
         && matches!(&**body, Expr::Apply(own, _) if own == function)
         && matches!(**place, Expr::Number(_))
-        && !found.contains(place)
     {
-        found.push(Expr::clone(place));
+        found_at(place, true);
     }
     if term.binder().is_some() {
         return;
@@ -109,9 +123,8 @@ fn collect_arguments(term: &Expr, function: &Symbol, found: &mut Vec<Expr>) {
     if let Expr::Apply(own, arguments) = term
         && own == function
         && let [place] = &arguments[..]
-        && !found.contains(place)
     {
-        found.push(place.clone());
+        found_at(place, false);
     }
     term.children()
         .for_each(|child| collect_arguments(child, function, found));

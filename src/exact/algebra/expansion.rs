@@ -176,6 +176,9 @@ impl Lowering<'_> {
         let (0, Some(lead)) = (base.first, base.known.first()) else {
             return Ok(None);
         };
+        if lead.as_constant() == Some(Rational::from(1)) {
+            return self.binomial(base, exponent, length);
+        }
         self.conditions.positive.insert(sign_of_fraction(lead)?);
         let power = Expr::Power(
             expr_of_fraction(lead, self.atoms).into(),

@@ -10,7 +10,7 @@ use crate::derivation::{Assumed, Goal, Source};
 use crate::search::{self, Decision};
 use crate::sorted::Set;
 
-use super::super::judge::{Found, Judge, taken};
+use super::super::judge::{Found, Judge, condition, step, taken};
 use super::super::stated::quantities;
 use super::conditions::takes_root;
 use super::there::{Asked, MayFail, Side, There, join, whole};
@@ -219,6 +219,67 @@ impl Judge<'_> {
         self.shown(found, premises)
     }
 
+    /// What a display concludes of a symbol that is new in it, `\frac{dP}{dv} = 0 \Rightarrow v_m = \sqrt{T/3 m}`, judged as the value of what it names.
+    /// It fails only where something else follows in the same symbols.
+    pub(in crate::audit) fn as_concluded(
+        &self,
+        goal: &Goal,
+        steps: &[(usize, Formula)],
+        premises: &[usize],
+    ) -> Option<Found> {
+        let (Expr::Symbol(new), value) = goal.formula.as_equation()? else {
+            return None;
+        };
+        let equation = &self.derivation.equations[self.at];
+        let named = whole(new)?;
+        let mut before = steps.iter();
+        let is_new = equation.introduces.contains(new)
+            && !value.mentions(new)
+            && !value.mentions(&named)
+            && before.any(|(clause, own)| *clause < goal.clause && own.names().contains(&named));
+        if !is_new || steps.iter().any(|(_, own)| own.names().contains(new)) {
+            return None;
+        }
+        // What is so at that place says nothing of slopes there.
+        let at_place = steps
+            .iter()
+            .filter(|(_, own)| !own.speaks_of_slopes())
+            .map(|(_, own)| step(own));
+        let mut assumed: Vec<Assumed> = at_place.collect();
+        assumed.push(taken(&Formula::same(new, &named)));
+        // Who sets `(T - 3 m v^2) (1 - b)` to 0 by a choice of `v` means the factor with `v`.
+        let others = steps
+            .iter()
+            .flat_map(|(_, own)| factors_without(own, &named));
+        let others: Vec<Assumed> = others
+            .map(|own| condition(&Formula::nonzero(own)))
+            .collect();
+        assumed.extend(others.iter().cloned());
+        let alone = self.for_proofs_from_these();
+        let mut found = effort::within(MOST_WORK, || alone.judged(goal, assumed.clone(), premises));
+        if found.judged.outcome.is_proven() {
+            let used = others
+                .into_iter()
+                .filter(|own| found.judged.assumed.contains(own));
+            let used: Vec<Formula> = used.map(|own| Formula::clone(&own.formula)).collect();
+            found.conditions.extend(used);
+            return Some(found);
+        }
+        let others = quantities(value);
+        let asked = Asked {
+            new,
+            named: &others,
+            quantity: Some(&named),
+        };
+        let there = effort::within(MOST_WORK, || {
+            self.judged_there(goal, assumed, premises, &asked, MayFail::InTheSameSymbols)
+        });
+        match there? {
+            There::Refuted(found) => Some(*found),
+            There::Solved(_) | There::Shown => None,
+        }
+    }
+
     /// What was found, where it is shown from no case that was set before.
     fn shown(&self, mut found: Found, premises: &[usize]) -> Option<There> {
         // What the words name may say more than what is cited.
@@ -268,6 +329,19 @@ impl Judge<'_> {
         };
         let said = self.derivation.local(page, local).span;
         self.derivation.is_said_since(self.at, said)
+    }
+}
+
+/// The factors without a symbol of a product with it that is said to be 0.
+fn factors_without(formula: &Formula, symbol: &Symbol) -> Vec<Expr> {
+    match formula.as_equation() {
+        Some((Expr::Product(factors), zero))
+            if *zero == Expr::integer(0) && factors.iter().any(|own| own.mentions(symbol)) =>
+        {
+            let is_other = |own: &&Expr| !own.mentions(symbol) && !own.free_symbols().is_empty();
+            factors.iter().filter(is_other).cloned().collect()
+        }
+        _ => Vec::new(),
     }
 }
 

@@ -78,10 +78,9 @@ impl Auditor<'_> {
             };
             if let Some(with) = supported(&figures, &numeric) {
                 numeric = with;
-            } else if lacks_more && has_no_value(&numeric) && judge.names_its_premises() {
-                // Whatever is cited besides, these may be the figures of what stands before.
+            } else if lacks_more && has_no_value(&numeric) {
                 let mut all = figures.clone();
-                all.extend(judge.others(premises)[0].iter().cloned());
+                all.extend(self.figures_before(judge, premises));
                 let with = exactly(&all, &printed);
                 match with.is_supported() {
                     true => numeric = with,

@@ -146,12 +146,11 @@ impl Auditor<'_> {
         }
         if matches!(numeric.outcome(), Weighed::NoValue(_)) && !judge.is_directed() {
             let printed = self.printed_before(at);
-            let mut all = vec![assumed.clone()];
-            if judge.names_its_premises() {
-                // Whatever is cited besides, these may be the figures of what stands before.
-                let [others, _] = judge.others(premises);
-                all.push(assumed.iter().chain(others).cloned().collect());
-            }
+            let before = self.figures_before(judge, premises);
+            let all = [
+                assumed.clone(),
+                assumed.iter().cloned().chain(before).collect(),
+            ];
             let with = |figures: &[Assumed]| {
                 let weigh = |goals: &[Goal], said: &[Printed]| {
                     let taken = Taken::Exactly;
@@ -298,6 +297,22 @@ impl Auditor<'_> {
                 source: Source::Equation(premise),
             })
             .collect()
+    }
+
+    /// What else they may be taken from where that supports a step, whatever is cited: what stands before, be it proved or left open.
+    pub(super) fn figures_before(&self, judge: &Judge, premises: &[usize]) -> Vec<Assumed> {
+        let is_wrong = |own: &Assumed| match own.source {
+            Source::Equation(premise) => {
+                let mut entries = self.entries_of(judge.at, premise);
+                entries.any(Entry::is_wrong)
+            }
+            _ => false,
+        };
+        let mut all = judge.usable.assumed.clone();
+        all.extend(judge.others(premises)[0].iter().cloned());
+        all.extend(judge.open_before(premises));
+        all.retain(|own| !is_wrong(own));
+        all
     }
 
     /// What figures may be taken from: what is cited and sound, what the text tells, and what is supported by figures itself.

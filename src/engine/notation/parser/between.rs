@@ -5,11 +5,13 @@
 //! the same limits. A limit that is infinite is taken as a limit: `\int_a^\infty f \, dx` is `\lim_{x' \to \infty} \int_a^{x'} f \, dx`.
 
 use super::{Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
-use crate::algebra::{Expr, LimitPoint, Relation, Symbol};
+use crate::algebra::{Expr, LimitPoint, Relation, Symbol, split_subscript};
 use crate::document::Span;
 
 /// A bracket is looked up among so many integrals before it.
 const NEAR: usize = 16;
+/// These mostly name places where something begins or ends.
+const LENGTHS: [&str; 7] = ["a", "b", "d", "l", "\\ell", "L", "R"];
 
 /// Where something begins and ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -248,7 +250,15 @@ impl Parser<'_> {
         square: bool,
     ) -> Read<(Factor, Symbol)> {
         let sign = self.at;
-        let (from, to) = self.scripted()?;
+        let (mut from, to) = self.scripted()?;
+        // `\left. \frac{d\phi}{dr} \right|_a`
+        if let (Some(place), None, Expr::Derivative { variable, .. }) = (&mut from, &to, term)
+            && place.of.is_none()
+            && !square
+            && is_a_place(&place.at, variable)
+        {
+            place.of = Some(variable.clone());
+        }
         let (upper, lower) = match (from, to) {
             (Some(from), Some(to)) => (to, Some(from)),
             (Some(place), None) if place.of.is_some() => (place, None),
@@ -318,5 +328,20 @@ impl Parser<'_> {
             braces: false,
         };
         Ok((factor, variable))
+    }
+}
+
+/// Whether what stands below a bar behind a slope names a place: a number, a term, `x_0`, or a letter of lengths. `\frac{dU}{dT} |_V` holds
+/// something fixed.
+fn is_a_place(at: &LimitPoint, variable: &Symbol) -> bool {
+    let LimitPoint::Finite(at) = at else {
+        return false;
+    };
+    match &**at {
+        Expr::Symbol(own) => {
+            let stem = split_subscript(own.name()).map(|(stem, _)| stem);
+            LENGTHS.contains(&own.name()) || stem == Some(variable.name())
+        }
+        _ => true,
     }
 }

@@ -149,6 +149,15 @@ impl Parser<'_> {
         Ok(name)
     }
 
+    /// `\overline{V^2}`: a mean, too, behind the brace that opened there.
+    pub(super) fn mean_below_a_line(&mut self, start: usize, open: Span) -> Read<String> {
+        let (content, inside) = self.name_inside(false, "|", false)?;
+        self.close(open)?;
+        let name = format!("\\overline{{{content}}}");
+        self.remember(start, &name, inside, None);
+        Ok(name)
+    }
+
     /// What stands in brackets, as a part of a name: a term, or where it may be an event, several with relations, bars and commas between
     /// them. What is in doubt there, or could be read otherwise, changes nothing but the name.
     fn name_inside(&mut self, bars: bool, bar: &str, events: bool) -> Read<(String, Set<Symbol>)> {

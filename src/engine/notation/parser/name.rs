@@ -242,6 +242,12 @@ impl Parser<'_> {
         self.advance();
         let open = self.span();
         let name = if self.accept(Kind::Open) {
+            if accent == "overline" && !self.is_lone_name() {
+                return Ok(Name {
+                    head: self.mean_below_a_line(start, open)?,
+                    ..Name::default()
+                });
+            }
             if !self.starts_name(self.at) {
                 return refuse(
                     self.span(),
@@ -276,6 +282,19 @@ impl Parser<'_> {
                 ..name
             },
         })
+    }
+
+    /// Whether a name and nothing else stands before the brace that closes here.
+    fn is_lone_name(&mut self) -> bool {
+        let start = self.at;
+        let so_far = (self.before.len(), self.choices.len(), self.doubts.len());
+        let read = self.starts_name(start).then(|| self.nested(Self::name));
+        let ends = matches!(self.peek(), Kind::Close | Kind::End);
+        self.at = start;
+        self.before.truncate(so_far.0);
+        self.choices.truncate(so_far.1);
+        self.doubts.truncate(so_far.2);
+        matches!(read, Some(Ok(name)) if name.power.is_none() && ends)
     }
 
     /// The term that a name stands for here: a symbol, or the element of a sequence at a bound index.
