@@ -9,10 +9,10 @@ use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
 use crate::derivation::{Goal, goals};
 use crate::document::Span;
 use crate::interval::{Compared, Figures};
-use crate::notation::{Statement, has_units, is_figures, without_units};
+use crate::notation::{Statement, has_units, is_figures, plain, without_units};
 use crate::sorted::Map;
 
-use super::super::{Auditor, Entry, Note, Verdict};
+use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
 use super::decimals::FEWEST_DIGITS;
 use super::rounded::near_whole;
 use super::{Link, Numeric, Weighed, decimals, is_evaluable, weigh};
@@ -50,14 +50,41 @@ impl Auditor<'_> {
             };
             links.extend(reckoned(goal.clone(), Some(source), fewest));
         }
-        links.retain(|link| link.outcome == Weighed::Contradicted);
-        if links.is_empty() {
-            return;
+        let is_wrong = |link: &Link| link.outcome == Weighed::Contradicted;
+        if !links.iter().any(is_wrong) {
+            let right = links.iter().filter(|own| own.outcome == Weighed::Supported);
+            return say_what_is_right(entry, right.count());
         }
+        links.retain(is_wrong);
         entry.verdict = Verdict::Undecided;
         entry.notes.push(Note::NumericNotSupported);
         entry.numeric = Some(Box::new(Numeric::of_links(links)));
     }
+}
+
+/// Says of a statement that is left open that what it works out is right, where nothing else in it is open but what it is that is worked out:
+/// `P = 400 \cdot 28.3 = 11\,320`.
+fn say_what_is_right(entry: &mut Entry, right: usize) {
+    let is_settled =
+        |own: &Judged| own.outcome.is_proven() || matches!(own.outcome, Outcome::Defined);
+    let open = entry.judged.iter().filter(|own| !is_settled(own));
+    let Some(first) = entry.judged.first().filter(|own| !is_settled(own)) else {
+        return;
+    };
+    let Some((of, number)) = first.goal.formula.as_equation() else {
+        return;
+    };
+    let is_worked_out = is_figures(number) && !is_figures(of);
+    if right == 0 || open.count() != right + 1 || !is_worked_out || entry.numeric.is_some() {
+        return;
+    }
+    if entry.verdict != Verdict::Undecided || !matches!(first.outcome, Outcome::Open(_)) {
+        return;
+    }
+    let of = plain(of);
+    entry.judged[0].outcome = Outcome::open(format!(
+        "what it works out is right, and that this is `{of}` follows from nothing before"
+    ));
 }
 
 /// A relation between numbers that is not so as they stand, and may be so as they are rounded, weighed.
