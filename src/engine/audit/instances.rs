@@ -5,13 +5,15 @@
 //! `T_i = 2 \pi \sqrt{h_i/g}`, is one for each number.
 
 use crate::algebra::{BigRational, Expr, Symbol, split_subscript};
-use crate::derivation::{Assumed, Goal, Source};
+use crate::derivation::{Assumed, Goal, Source, formulas};
 use crate::sorted::{Map, Set};
 
 use super::judge::{Found, Judge};
 
 /// So many symbols of a law have the index where it is meant for that.
 const LEAST_INDEXED: usize = 2;
+/// So many displays before are looked at for what a symbol depends on.
+const MOST_BEFORE: usize = 64;
 /// How names write a prime.
 const PRIME: &str = "'";
 /// A step compares few things.
@@ -116,6 +118,13 @@ impl Judge<'_> {
         if here < LEAST_INDEXED || is_known || put.values().any(|own| names.contains(own)) {
             return None;
         }
+        // What keeps its name and depends on what differs is another one for each thing: `S_V` of `S_V/R^2 = 4 k T/R`.
+        let keeps = |own: &&Symbol| !put.contains_key(*own);
+        let is_another =
+            |own: &Symbol| split_subscript(own.name()).is_some() && self.depends_on(own, &put);
+        if names.iter().filter(keeps).any(is_another) {
+            return None;
+        }
         let formula = law.formula.map_terms(|term| {
             put.iter().fold(term.clone(), |term, (name, own)| {
                 term.substitute(name, &Expr::Symbol(own.clone()))
@@ -124,6 +133,21 @@ impl Judge<'_> {
         Some(Assumed {
             formula: formula.into(),
             ..law.clone()
+        })
+    }
+
+    /// Whether a display before gives a symbol by one of these.
+    fn depends_on(&self, symbol: &Symbol, others: &Map<Symbol, Symbol>) -> bool {
+        let page = self.derivation.equations[self.at].page;
+        let before = self.derivation.equations_of(page).start..self.at;
+        let before = before.rev().take(MOST_BEFORE);
+        let statements = before.flat_map(|at| self.derivation.equations[at].statements());
+        let mut said = statements.flat_map(formulas);
+        said.any(|own| match own.as_equation() {
+            Some((Expr::Symbol(of), term)) => {
+                of == symbol && others.keys().any(|other| term.mentions(other))
+            }
+            _ => false,
         })
     }
 

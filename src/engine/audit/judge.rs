@@ -242,6 +242,13 @@ impl Judge<'_> {
                 return own;
             }
         }
+        if found.judged.outcome.is_refuted()
+            && !self.is_directed()
+            && goal.formula.speaks_of_slopes()
+            && let Some(own) = self.stays_the_same(goal, &found)
+        {
+            return own;
+        }
         if found.judged.outcome.is_refuted() && self.is_disputed(&found.judged) {
             let reason =
                 "the text says that something in it is constant, and the page lets that change";

@@ -13,6 +13,8 @@ use crate::sorted::Set;
 /// Why a step is left open that follows only where something stands still.
 const MOVES: &str =
     "it follows only where something stands still that what stands before lets change";
+/// Words that announce what does not change.
+const STAYING: [&str; 4] = ["constant", "conserved", "conservation", "uniform"];
 /// So many equations before that speak of a variable are asked what moves with it.
 const MOST_LAWS: usize = 64;
 
@@ -136,6 +138,64 @@ impl Moving {
 }
 
 impl Judge<'_> {
+    /// What was refuted, if it follows where something does not change that is made of several things that do, is differentiated nowhere, and is
+    /// announced as constant: the logarithmic derivative of "a constant rate $$Q = 4 \pi r^2 \rho v$$".
+    pub(super) fn stays_the_same(&self, goal: &Goal, found: &Found) -> Option<Found> {
+        let page = self.derivation.equations[self.at].page;
+        let page = &self.derivation.pages[page];
+        let mut variables = Set::new();
+        let mut differentiated = Set::new();
+        for term in goal.formula.terms() {
+            term.collect_variables(&mut variables);
+            term.collect_differentiated(&mut differentiated);
+        }
+        let mut variables = variables.into_iter();
+        let variable = variables.next().filter(|_| variables.next().is_none())?;
+        let (changing, named) = (page.changing(), goal.formula.names());
+        let moves = |own: &Symbol| *own == variable || differentiated.contains(own);
+        let made_of_several = |own: &Assumed| {
+            let (Expr::Symbol(of), term) = own.formula.as_equation()? else {
+                return None;
+            };
+            let Source::Equation(at) = own.source else {
+                return None;
+            };
+            let said = self.derivation.leading(at).unwrap_or_default();
+            let mut words = said.split(|c: char| !c.is_alphabetic());
+            words.find(|word| STAYING.contains(&&*word.to_lowercase()))?;
+            let names = term.free_symbols();
+            let is_one = !changing.contains(of) && !named.contains(of) && !names.contains(of);
+            let parts: Vec<Symbol> = names.into_iter().filter(moves).collect();
+            (is_one && parts.len() > 1).then(|| (of.clone(), parts))
+        };
+        let mut found_so = found.judged.assumed.iter().filter_map(made_of_several);
+        let (of, parts) = found_so.next()?;
+        let rate = Expr::Symbol(of).differentiated_by(&variable);
+        let still = Formula::equal(rate, Expr::integer(0));
+        let assumed = found.judged.assumed.clone();
+        let bare = self.pose(&assumed, &goal.formula).ok()?;
+        let mut conditions = search::still_in(&bare);
+        conditions.retain(|own| {
+            !self
+                .auditor
+                .says_otherwise(self.at, std::slice::from_ref(own))
+        });
+        conditions.push(still);
+        let mut own = Found::open(found.judged.clone());
+        let under = |conditions: &[Formula], own: &mut Found| {
+            self.holds_under(goal, assumed.clone(), conditions, Effort::Full, own)
+        };
+        if under(&conditions, &mut own) {
+            return Some(own);
+        }
+        // What it is made of is divided by.
+        let moving = parts
+            .into_iter()
+            .map(|own| Formula::nonzero(Expr::Symbol(own)));
+        conditions.extend(moving);
+        under(&conditions, &mut own).then_some(own)
+    }
+
     /// What to say of a step that follows only where something stands still of which the page says how it moves. The counterexample obeys
     /// what the page says of that, and at it all else stands still. Where there is none, and that cannot stand
     /// still beside what the page says, the step is left open.
