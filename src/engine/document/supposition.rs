@@ -35,7 +35,9 @@ mod words;
 
 use crate::sorted::{self, Set};
 
-use self::around::{follows, follows_comma, is_at_a_value, is_origin, is_taken_from, says_where};
+use self::around::{
+    follows, follows_comma, is_at_a_value, is_origin, is_said_of_a_place, is_taken_from, says_where,
+};
 use self::general::generalizes;
 use self::introduction::{introduced, is_condition};
 use self::mathematics::{equals_a_name, is_letters, is_number};
@@ -100,6 +102,14 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
         kind: SuppositionKind::Anew,
         body,
     }));
+    // "from the rim, where $p = p_0$," is said of the rim alone.
+    let is_told = |own: &Supposition| {
+        matches!(
+            own.kind,
+            SuppositionKind::Fact { .. } | SuppositionKind::Meaning | SuppositionKind::Define
+        )
+    };
+    found.retain(|own| !is_told(own) || !is_said_of_a_place(source, own.body));
     // What is so at one place alone is not supposed for good, and neither is the place.
     let (initial, told) = initial::read(source, &tokens[..end], &found);
     if !told.is_empty() {

@@ -118,6 +118,8 @@ impl Reader<'_> {
             SuppositionKind::Equals(what, to, value) => {
                 let term = |what, body| page.vanishing(what, (body, &self.equations, cited));
                 match (term(what, body), term(to, value)) {
+                    // "Equating (2) and (3)", which both say what `Q` is, supposes nothing.
+                    (Some(term), Some(value)) if term == value => {}
                     (Some(term), Some(value)) => {
                         page.begin_moment(passage, false, &[], active);
                         active.push(page.suppose_equal(term, value, body, Some(passage)));

@@ -47,6 +47,11 @@ pub(super) fn says_where(index: usize, tokens: &[Placed<'_>]) -> bool {
         || is_before(1, &["from"]) && is_before(2, &FOUND)
 }
 
+/// Before the name of a place.
+const PLACING: [&str; 6] = ["at", "from", "to", "near", "on", "until"];
+/// A place is named in no more words, "the" and what stands before that among them: "from the outer edge".
+const MOST_OF_A_PLACE: usize = 5;
+
 /// Whether the words before the mathematics at `index` say that it is known: "we are told that", "was measured to be".
 pub(super) fn tells_that(index: usize, tokens: &[Placed<'_>]) -> bool {
     let word = |by: usize| match index.checked_sub(by).and_then(|at| tokens.get(at)) {
@@ -135,4 +140,23 @@ pub(super) fn leads_to_citation(tokens: &[Placed<'_>], by: &[&str]) -> bool {
     let words = |(token, _): &&Placed<'_>| matches!(token, Token::Word(_));
     let cited = on.iter().take(MOST_DESCRIBING).find(|own| !words(own));
     by.contains(word) && cited.is_some_and(|(token, _)| token.cites())
+}
+
+/// Whether mathematics says what is so at a place that has no symbol: "from the rim, where $p = p_0$".
+pub(super) fn is_said_of_a_place(source: &str, body: Span) -> bool {
+    let before = source.get(..body.start).unwrap_or_default();
+    let before = before.trim_end_matches(['$', '(', '\\', '`', ' ', '\n', '~']);
+    let Some(before) = before.strip_suffix("where") else {
+        return false;
+    };
+    let Some(before) = before.trim_end().strip_suffix(',') else {
+        return false;
+    };
+    let mut words = before.split_whitespace().rev().take(MOST_OF_A_PLACE);
+    let is_noun = |word: &str| word.chars().all(|c| c.is_alphabetic() || c == '-');
+    let named: Vec<&str> = words.by_ref().take_while(|own| *own != "the").collect();
+    let leads = words.next();
+    !named.is_empty()
+        && named.into_iter().all(is_noun)
+        && leads.is_some_and(|own| PLACING.contains(&&*own.to_lowercase()))
 }
