@@ -28,6 +28,7 @@ impl Reader<'_> {
             .leave_cases(&read, &self.running, &mut self.active);
         self.leave_examples(&read);
         self.leave_places(&read);
+        self.leave_limits(&read, &mut said.named);
         // "At the critical point both slopes vanish: $$p' = 0$$" says itself what the words announce.
         if !said.conditions.is_empty() && !said_to_be_zero(&read) {
             said.unread.append(&mut said.conditions);

@@ -4,11 +4,12 @@ use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Citation, Span, Supposition, SuppositionKind, Vanishing, is_reason};
-use crate::notation::read_formulas;
+use crate::notation::{read_formulas, read_symbol};
 use crate::sorted::Set;
 
 use super::super::equation::formulas;
 use super::super::qualities;
+use super::super::rows::{self, Part};
 use super::super::supposed::{Local, MOST_BEFORE, parts_sentences, rate_of};
 use super::Reader;
 
@@ -237,7 +238,8 @@ impl Reader<'_> {
         self.page.suppose(body, kind, self.level, among, false);
         self.page.restrict(before.., kind, &self.spoken_of);
         let new = before..self.page.locals.len();
-        if matches!(kind, SuppositionKind::Fact { .. }) && self.is_of_limit(body) {
+        let is_fact = matches!(kind, SuppositionKind::Fact { .. });
+        if is_fact && self.limit_before(body).is_some() {
             for local in &mut self.page.locals[new.clone()] {
                 local.of_display = true;
             }
@@ -247,18 +249,26 @@ impl Reader<'_> {
         new
     }
 
-    /// Whether the sentence before some mathematics goes to a limit: what is told there is so there alone, "For $s \to \infty$ the image lies at
-    /// the focal point, $s' = f$".
-    fn is_of_limit(&self, body: Span) -> bool {
-        let before = self
-            .page
-            .document
-            .source
-            .get(..body.start)
-            .unwrap_or_default();
-        let sentence = before.rsplit(". ").next();
-        let sentence = sentence.and_then(|own| own.rsplit("\n\n").next());
-        sentence.is_some_and(|sentence| sentence.contains("\\to ") || sentence.contains("\\to\\"))
+    /// What the sentence before some mathematics lets go to a limit, if it does: what is told there is so there alone, "For $s \to \infty$ the image
+    /// lies at the focal point, $s' = f$".
+    fn limit_before(&self, body: Span) -> Option<Option<Symbol>> {
+        let source = &self.page.document.source;
+        let before = source.get(..body.start).unwrap_or_default();
+        let sentence = before.rsplit(". ").next()?;
+        let sentence = sentence.rsplit("\n\n").next()?;
+        let at = (sentence.find("\\to ")).or_else(|| sentence.find("\\to\\"))?;
+        let goes = sentence[..at].rsplit(['$', '(']).next()?;
+        Some(read_symbol(goes.trim()).ok())
+    }
+
+    /// Leaves what is `named` of a limit where a display speaks of what goes there: it is said of any value again.
+    pub(super) fn leave_limits(&self, display: &[Part], named: &mut Vec<usize>) {
+        if named.is_empty() {
+            return;
+        }
+        let said: Set<Symbol> = rows::said(display).flat_map(|own| own.names()).collect();
+        let of_limit = |at: usize| self.limit_before(self.page.locals[at].span).flatten();
+        named.retain(|&at| of_limit(at).is_none_or(|goes| !said.contains(&goes)));
     }
 
     /// Leaves the cases before the last display in which something had another value than the text says now: "Inserting $Q = Q_m$, $$…$$ Now
