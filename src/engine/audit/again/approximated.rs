@@ -4,11 +4,12 @@
 //! What is near something is not that, so nothing is proved by it; nor is anything refuted that follows where one is put for the other.
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Goal, formulas};
-use crate::notation::{plain, read_formulas};
+use crate::derivation::{Assumed, Goal, Source, formulas};
+use crate::notation::{is_figures, plain, read_formulas};
 use crate::search::Decision;
 
 use super::super::judge::{Found, Judge};
+use crate::sorted::Set;
 
 /// More approximations than this are not put in.
 const MOST: usize = 4;
@@ -24,7 +25,8 @@ impl Judge<'_> {
         if found.judged.outcome.is_proven() {
             return;
         }
-        let near = self.approximations();
+        let mut near = self.approximations();
+        near.extend(self.displayed_to_be_near(assumed));
         if near.is_empty() || near.len() > MOST {
             return;
         }
@@ -54,7 +56,11 @@ impl Judge<'_> {
         if !all.iter().any(changed) || self.is_contradictory(&all, &goal) {
             return;
         }
-        if let Some(Decision::Proven { .. }) = self.decide_from(&all, &goal.formula) {
+        let follows = |all: &[Assumed]| {
+            let decision = self.decide_from(all, &goal.formula);
+            matches!(decision, Some(Decision::Proven { .. }))
+        };
+        if follows(&all) || follows(&self.where_all_is_positive(&goal, all.clone())) {
             let said: Vec<String> = near
                 .iter()
                 .map(|(a, b)| format!("`{} ≈ {}`", plain(a), plain(b)))
@@ -64,6 +70,28 @@ impl Judge<'_> {
                 said.join(" and ")
             ));
         }
+    }
+
+    /// What the displays that premises come from say is near something else in symbols: `a = \frac{M}{(d - r)^2} - \frac{M}{d^2} \approx
+    /// \frac{2 M r}{d^3}`.
+    fn displayed_to_be_near(&self, assumed: &[Assumed]) -> Vec<(Expr, Expr)> {
+        let cited = assumed.iter().filter_map(|own| match own.source {
+            Source::Equation(premise) => Some(premise),
+            _ => None,
+        });
+        let cited: Set<usize> = cited.collect();
+        let statements = cited
+            .into_iter()
+            .flat_map(|own| self.derivation.equations[own].statements());
+        let near = statements.flat_map(formulas).filter_map(|own| match own {
+            Formula::Relation {
+                left,
+                relation: Relation::Approximately,
+                right,
+            } if !is_figures(&right) => Some((left, right)),
+            _ => None,
+        });
+        near.collect()
     }
 
     /// What the text between the display before and this one says is near something else.
