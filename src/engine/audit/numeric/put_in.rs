@@ -3,6 +3,8 @@
 //! What is worked out so is weighed with what the page prints for its symbols, be it told in passing, and as near as what was rounded on
 //! the way. Of whatever case a number may be told that differs: what is not supported is told only where it is with one small edit.
 
+use std::cell::Cell;
+
 use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Printed, values_at};
 use crate::search::{InChain, Slips};
@@ -19,6 +21,8 @@ use super::{Link, Numeric, Taken, Weighed, decimals};
 const MOST_WRITTEN: usize = 2;
 /// Of so many it is tried.
 const MOST_UNKNOWN: usize = 6;
+/// So many ways to put them in are weighed.
+const MOST_TRIED: usize = 64;
 /// So many edits of a link are weighed.
 const MOST_EDITS: usize = 40;
 
@@ -67,8 +71,15 @@ impl Auditor<'_> {
                 is_weighed(own) && right.is_some_and(|right| right.any(&is_it))
             };
             written.retain(|number, _| !open.iter().any(|own| is_result(own, number)));
+            let left = Cell::new(MOST_TRIED);
             let supported = |figures: &[Assumed], numeric: &Numeric| {
-                let with = |said: &[Printed]| exactly(figures, said);
+                let with = |said: &[Printed]| match left.get() {
+                    0 => numeric.clone(),
+                    more => {
+                        left.set(more - 1);
+                        exactly(figures, said)
+                    }
+                };
                 let constants = || {
                     let found = self.with_constants(at, numeric, figures, &printed, &with);
                     found.map(|own| own.0).filter(Numeric::is_supported)
