@@ -123,7 +123,7 @@ pub(super) fn arguments_in_text<'a>(
     all.into_entries().filter_map(of_one).collect()
 }
 
-/// The same, and what its words call functions or operators.
+/// What the text of a page names as functions, and what its words call functions or operators.
 pub(super) fn named_in_text<'a>(
     source: &str,
     inline: impl Iterator<Item = &'a Inline>,

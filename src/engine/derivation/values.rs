@@ -137,8 +137,10 @@ impl Derivation {
                 constant: None,
             }));
         }
-        let tabulated = self.pages[own.page].tabulated.iter();
-        found.extend(tabulated.filter(|told| told.span.end <= until).cloned());
+        let tabulated = &self.pages[own.page].tabulated;
+        let before = tabulated.partition_point(|told| told.span.end <= until);
+        let nearest = before.saturating_sub(MOST_FIGURES);
+        found.extend_from_slice(&tabulated[nearest..before]);
         let first = self.equations_of(own.page).start;
         let displays = (first..at).rev().take(MOST_FIGURES);
         for (at, equation) in displays.map(|at| (at, &self.equations[at])) {

@@ -33,12 +33,13 @@ pub struct Cell {
 impl Document {
     /// The rows of its tables below their heads, in source order.
     pub fn table_rows(&self) -> Vec<TableRow> {
+        let inline: Vec<Inline> = self.inline().copied().collect();
         let mut found = Vec::new();
-        for rows in self.tables() {
+        for rows in self.tables(&inline) {
             let mut rows = rows
                 .into_iter()
                 .filter(|cells| !is_line(&self.source, cells));
-            let Some(heads) = rows.next().map(|cells| self.cells(cells)) else {
+            let Some(heads) = rows.next().map(|cells| self.cells(cells, &inline)) else {
                 continue;
             };
             // A table without a head begins with its first row.
@@ -47,7 +48,7 @@ impl Document {
                 heads: Vec::new(),
             });
             found.extend(rows.take(MOST_ROWS).map(|cells| TableRow {
-                cells: self.cells(cells),
+                cells: self.cells(cells, &inline),
                 heads: heads.clone(),
             }));
         }
@@ -56,17 +57,22 @@ impl Document {
     }
 
     /// The tables, each as rows of cells.
-    fn tables(&self) -> Vec<Vec<Vec<Span>>> {
+    fn tables(&self, inline: &[Inline]) -> Vec<Vec<Vec<Span>>> {
         let source = &*self.source;
         let mut tables = Vec::new();
         if self.is_latex {
+            let (begins, ends) = (places(source, &BEGINNINGS), places(source, &ENDS));
             let mut at = 0;
-            while let Some(begin) = first_of(source, at, &BEGINNINGS) {
-                let end = first_of(source, begin, &ENDS).unwrap_or(source.len());
-                let rows = self.parted(Span::new(begin, end), "\\\\");
-                let cells = rows.into_iter().map(|row| self.parted(row, "&"));
+            for begin in begins {
+                if begin < at {
+                    continue;
+                }
+                let end = ends.get(ends.partition_point(|end| *end < begin));
+                let end = end.copied().unwrap_or(source.len());
+                let rows = self.parted(Span::new(begin, end), "\\\\", inline);
+                let cells = rows.into_iter().map(|row| self.parted(row, "&", inline));
                 tables.push(cells.collect());
-                at = end.max(begin + 1);
+                at = end;
             }
             return tables;
         }
@@ -81,7 +87,7 @@ impl Document {
                 open = false;
                 continue;
             }
-            let mut cells = self.parted(span, "|");
+            let mut cells = self.parted(span, "|", inline);
             // Before the first sign and behind the last one there is nothing.
             cells.remove(0);
             if cells
@@ -100,17 +106,14 @@ impl Document {
     }
 
     /// A piece of the text, parted by a sign that stands in no mathematics and behind no backslash.
-    fn parted(&self, span: Span, sign: &str) -> Vec<Span> {
+    fn parted(&self, span: Span, sign: &str, inline: &[Inline]) -> Vec<Span> {
         let text = &self.source[span.range()];
-        let math: Vec<Span> = (self.inline_between(span.start, span.end))
-            .map(|math| math.span)
-            .collect();
         let mut parts = Vec::new();
         let mut start = span.start;
         for (at, _) in text.match_indices(sign) {
             let at = span.start + at;
-            let next = math.partition_point(|own| own.end <= at);
-            let is_within = math.get(next).is_some_and(|own| own.start < at);
+            let next = inline.partition_point(|own| own.span.end <= at);
+            let is_within = inline.get(next).is_some_and(|own| own.span.start < at);
             if is_within || self.source[..at].ends_with('\\') {
                 continue;
             }
@@ -121,15 +124,18 @@ impl Document {
         parts
     }
 
-    fn cells(&self, spans: Vec<Span>) -> Vec<Cell> {
-        spans.into_iter().map(|span| self.cell(span)).collect()
+    fn cells(&self, spans: Vec<Span>, inline: &[Inline]) -> Vec<Cell> {
+        let cells = spans.into_iter().map(|span| self.cell(span, inline));
+        cells.collect()
     }
 
-    fn cell(&self, span: Span) -> Cell {
+    fn cell(&self, span: Span, inline: &[Inline]) -> Cell {
         let mut words = String::new();
         let mut math = Vec::new();
         let mut at = span.start;
-        for own in self.inline_between(span.start, span.end) {
+        let first = inline.partition_point(|own| own.span.start < span.start);
+        let within = inline[first..].iter();
+        for own in within.take_while(|own| own.span.end <= span.end) {
             words.push_str(&self.source[at..own.span.start]);
             math.push(*own);
             at = own.span.end;
@@ -140,11 +146,12 @@ impl Document {
     }
 }
 
-/// The first place of one of these, from there on.
-fn first_of(source: &str, from: usize, of: &[&str]) -> Option<usize> {
-    let rest = source.get(from..)?;
-    let found = of.iter().filter_map(|own| rest.find(own)).min();
-    found.map(|at| from + at)
+/// Where these stand, in order.
+fn places(source: &str, of: &[&str]) -> Vec<usize> {
+    let all = of.iter().flat_map(|own| source.match_indices(own));
+    let mut all: Vec<usize> = all.map(|own| own.0).collect();
+    all.sort_unstable();
+    all
 }
 
 /// Whether a row is the line below a head: `|---|:-:|`.

@@ -96,7 +96,8 @@ pub(super) fn agreed_loosely(goal: &Goal, source: &str) -> Option<Link> {
     is_wrong(&exactly).then_some(loosely)
 }
 
-/// A relation between numbers, weighed, those of the fewest digits or more as they may be rounded; as they stand where no text tells how many digits they have. Nothing of what is none.
+/// A relation between numbers, weighed, those of the fewest digits or more as they may be rounded; as they stand where no text tells how many
+/// digits they have. Nothing of what is none.
 fn reckoned(goal: Goal, source: Option<&str>, fewest: usize) -> Option<Link> {
     let goal = near_whole(&goal);
     let Formula::Relation {
