@@ -33,12 +33,10 @@ pub(super) fn headline(numeric: &Numeric) -> String {
 }
 
 /// The constants that were put in without being told: `g = 9.81 (standard gravity)`.
-pub(super) fn constants(numeric: &Numeric) -> Option<String> {
-    let data = numeric.data.iter();
-    let constants = data.filter(|(_, (_, datum))| datum.is_constant);
-    let listed = constants.map(|(symbol, (_, datum))| {
-        let name = datum.source.split(',').next().unwrap_or_default();
-        format!("{} = {} ({name})", words::symbol(symbol), about(&datum.low))
+fn constants(numeric: &Numeric) -> Option<String> {
+    let listed = numeric.data.iter().filter_map(|(symbol, (_, datum))| {
+        let (name, value) = (datum.constant?, about(&datum.low));
+        Some(format!("{} = {value} ({name})", words::symbol(symbol)))
     });
     let listed: Vec<String> = listed.collect();
     (!listed.is_empty()).then(|| listed.join(" and "))

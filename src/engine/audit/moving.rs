@@ -151,7 +151,7 @@ impl Judge<'_> {
         }
         let mut variables = variables.into_iter();
         let variable = variables.next().filter(|_| variables.next().is_none())?;
-        let (changing, named) = (page.changing(), goal.formula.names());
+        let named = goal.formula.names();
         let moves = |own: &Symbol| *own == variable || differentiated.contains(own);
         let made_of_several = |own: &Assumed| {
             let (Expr::Symbol(of), term) = own.formula.as_equation()? else {
@@ -160,16 +160,17 @@ impl Judge<'_> {
             let Source::Equation(at) = own.source else {
                 return None;
             };
-            let said = self.derivation.leading(at).unwrap_or_default();
-            let mut words = said.split(|c: char| !c.is_alphabetic());
-            words.find(|word| STAYING.contains(&&*word.to_lowercase()))?;
+            if !self.is_led_to_by(at, &STAYING) {
+                return None;
+            }
             let names = term.free_symbols();
-            let is_one = !changing.contains(of) && !named.contains(of) && !names.contains(of);
+            let is_one =
+                !page.changing().contains(of) && !named.contains(of) && !names.contains(of);
             let parts: Vec<Symbol> = names.into_iter().filter(moves).collect();
             (is_one && parts.len() > 1).then(|| (of.clone(), parts))
         };
-        let mut found_so = found.judged.assumed.iter().filter_map(made_of_several);
-        let (of, parts) = found_so.next()?;
+        let mut premises = found.judged.assumed.iter();
+        let (of, parts) = premises.find_map(made_of_several)?;
         let rate = Expr::Symbol(of).differentiated_by(&variable);
         let still = Formula::equal(rate, Expr::integer(0));
         let assumed = found.judged.assumed.clone();

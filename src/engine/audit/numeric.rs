@@ -476,7 +476,7 @@ impl Known<'_> {
         Some(match first.constant {
             Some(name) => Datum {
                 source: format!("{name}, of which the page says nothing"),
-                is_constant: true,
+                constant: Some(name),
                 ..datum
             },
             None => datum,
@@ -499,7 +499,7 @@ impl Known<'_> {
             high: value.high() + spread,
             source: "as it is printed".into(),
             span,
-            is_constant: false,
+            constant: None,
         })
     }
 

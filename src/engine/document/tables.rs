@@ -33,8 +33,11 @@ pub struct Cell {
 impl Document {
     /// The rows of its tables below their heads, in source order.
     pub fn table_rows(&self) -> Vec<TableRow> {
-        let inline: Vec<Inline> = self.inline().copied().collect();
         let mut found = Vec::new();
+        if !self.may_have_tables() {
+            return found;
+        }
+        let inline: Vec<Inline> = self.inline().copied().collect();
         for rows in self.tables(&inline) {
             let mut rows = rows
                 .into_iter()
@@ -54,6 +57,14 @@ impl Document {
         }
         found.retain(|row| (2..=MOST_CELLS).contains(&row.cells.len()));
         found
+    }
+
+    /// A look that costs little: most documents have none.
+    fn may_have_tables(&self) -> bool {
+        match self.is_latex {
+            true => BEGINNINGS.iter().any(|own| self.source.contains(own)),
+            false => self.source.lines().any(is_row),
+        }
     }
 
     /// The tables, each as rows of cells.
@@ -76,14 +87,11 @@ impl Document {
             }
             return tables;
         }
-        if !source.contains('|') {
-            return tables;
-        }
         let (mut at, mut open) = (0, false);
         for line in source.split_inclusive('\n') {
             let span = Span::new(at, at + line.trim_end().len());
             at += line.len();
-            if !line.trim_start().starts_with('|') {
+            if !is_row(line) {
                 open = false;
                 continue;
             }
@@ -144,6 +152,11 @@ impl Document {
         let words = without_rules(&words).trim().to_owned();
         Cell { span, math, words }
     }
+}
+
+/// Whether a line is one of a table in Markdown.
+fn is_row(line: &str) -> bool {
+    line.trim_start().starts_with('|')
 }
 
 /// Where these stand, in order.

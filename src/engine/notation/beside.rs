@@ -5,7 +5,7 @@
 
 use num_traits::{One, Zero};
 
-use super::unit::RAISED;
+use super::unit::raised_figure;
 use super::{Before, BeforeKind, Clause, Statement, figures, unit};
 use crate::algebra::{BigRational, Expr, Symbol};
 use crate::document::Span;
@@ -234,13 +234,14 @@ pub(super) fn symbol_of(name: &str) -> Option<String> {
 
 /// The power of a unit, `²`, `^{-1}`, `$^{-1}$`, as siunitx writes it, and what follows it.
 fn power_at(text: &str) -> (String, &str) {
-    let raised = |c: char| RAISED.chars().position(|own| own == c);
     let digits = text.strip_prefix('⁻').unwrap_or(text);
-    let length = digits.find(|c| raised(c).is_none()).unwrap_or(digits.len());
+    let length = digits
+        .find(|c| raised_figure(c).is_none())
+        .unwrap_or(digits.len());
     if length > 0 {
         let number: String = digits[..length]
             .chars()
-            .filter_map(|c| raised(c).map(|digit| digit.to_string()))
+            .filter_map(|c| raised_figure(c).map(|digit| digit.to_string()))
             .collect();
         let sign = if digits.len() < text.len() { "-" } else { "" };
         return (format!("^{{{sign}{number}}}"), &digits[length..]);

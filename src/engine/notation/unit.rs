@@ -349,9 +349,6 @@ struct Reader<'a> {
     last: Option<Last>,
 }
 
-/// Figures above the line, in order.
-pub(super) const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-
 /// Signs in the names of units that are spelt as commands.
 const SIGNS: &[(&str, &str)] = &[("Omega", "Ω"), ("mu", "µ"), ("AA", "Å"), ("%", "%")];
 
@@ -556,15 +553,19 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The power that raised figures are, and what stands after them: `⁻²`.
+/// The figure that stands above the line here.
+pub(super) fn raised_figure(sign: char) -> Option<usize> {
+    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|own| own == sign)
+}
+
+/// The power that a raised figure is, and what stands after them: `⁻²`.
 fn raised(text: &str) -> Option<(i32, &str)> {
     let below = text.strip_prefix('⁻');
     let figures = below.unwrap_or(text);
-    let figure = |c: char| RAISED.chars().position(|own| own == c);
     let first = figures.chars().next()?;
-    let exponent = i32::try_from(figure(first)?).ok()?;
+    let exponent = i32::try_from(raised_figure(first)?).ok()?;
     let after = &figures[first.len_utf8()..];
-    let ends = !after.starts_with(|c| figure(c).is_some());
+    let ends = !after.starts_with(|c| raised_figure(c).is_some());
     ends.then_some((if below.is_some() { -exponent } else { exponent }, after))
 }
 

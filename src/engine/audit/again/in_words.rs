@@ -156,7 +156,12 @@ impl Judge<'_> {
 
     /// Whether the last sentence before the step has one of these words.
     pub(in crate::audit) fn says(&self, such: &[&str]) -> bool {
-        let said = self.derivation.leading(self.at).unwrap_or_default();
+        self.is_led_to_by(self.at, such)
+    }
+
+    /// The same of the last sentence before another display.
+    pub(in crate::audit) fn is_led_to_by(&self, at: usize, such: &[&str]) -> bool {
+        let said = self.derivation.leading(at).unwrap_or_default();
         // "no-slip" denies nothing.
         let mut words = said.split(|c: char| !c.is_alphabetic() && c != '-');
         words.any(|word| such.contains(&&*word.to_lowercase()))

@@ -11,7 +11,7 @@ use crate::algebra::{BigRational, Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Printed};
 
 use super::super::Auditor;
-use super::{Numeric, Weighed};
+use super::{Numeric, Taken, Weighed, weigh_rounded};
 
 /// No more of them are put in at once.
 const MOST: usize = 4;
@@ -71,6 +71,31 @@ impl Constant {
 }
 
 impl Auditor<'_> {
+    /// Goals from figures, with what the page prints and constants that nothing tells: supported, or so with one small edit.
+    pub(super) fn with_what_is_usual(
+        &self,
+        at: usize,
+        goals: &[Goal],
+        figures: &[Assumed],
+        printed: &[Printed],
+    ) -> Option<Numeric> {
+        let weigh = |goals: &[Goal], said: &[Printed]| {
+            weigh_rounded(self.derivation, at, goals, figures, Taken::Exactly, said)
+        };
+        let plainly = weigh(goals, printed);
+        if plainly.is_supported() {
+            return Some(plainly);
+        }
+        let with = |said: &[Printed]| weigh(goals, said);
+        let (mut numeric, said) = self.with_constants(at, &plainly, figures, printed, &with)?;
+        if !numeric.is_supported() {
+            let exactly = |goals: &[Goal]| weigh(goals, &said);
+            numeric.nearest = self.slip_of_figures(at, goals, &numeric, &exactly);
+            numeric.nearest.as_ref()?;
+        }
+        Some(numeric)
+    }
+
     /// What is come to with constants, where something had no value without: supported, if that is so with any that are usual, and how it
     /// was worked out.
     pub(super) fn with_constants(
@@ -87,11 +112,10 @@ impl Auditor<'_> {
         let goal = &weighed.links.first()?.goal;
         let page = &self.derivation.pages[self.derivation.equations[at].page];
         let is_told = |own: &Symbol| {
-            let mut told = figures.iter().filter_map(|own| own.formula.as_equation());
             page.domains.contains_key(own)
                 || said.iter().any(|printed| printed.goal.is_of(own))
                 || weighed.links.iter().any(|link| link.goal.is_of(own))
-                || told.any(|(left, _)| matches!(left, Expr::Symbol(of) if of == own))
+                || figures.iter().any(|assumed| assumed.is_of(own))
         };
         let constant = |own: &Symbol| {
             let mut all = CONSTANTS.iter();

@@ -91,7 +91,7 @@ impl Auditor<'_> {
                 numeric = with;
             } else if lacks_more && has_no_value(&numeric) {
                 let mut all = figures.clone();
-                all.extend(self.figures_before(judge, premises));
+                all.extend(self.open_figures(judge, premises));
                 let with = exactly(&all, &printed);
                 match with.is_supported() {
                     true => numeric = with,

@@ -4,6 +4,8 @@
 //! what does not follow exactly is weighed as a numeric claim is, which proves nothing. It is refuted all the same where it is wrong
 //! whatever the figures were rounded from.
 
+use std::cell::OnceCell;
+
 use num_traits::Zero;
 
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Symbol};
@@ -118,9 +120,11 @@ impl Auditor<'_> {
         let settled = entry.judged.iter().filter(is_settled);
         assumed.extend(settled.map(|own| judge::step(&own.goal.formula)));
         let mut numeric = self.weighed(at, &open, &assumed, &[]);
+        let printed = OnceCell::new();
+        let printed = || printed.get_or_init(|| self.printed_before(at)).as_slice();
         if !numeric.is_supported() {
             // What is printed elsewhere on the page may say more, and nearer to what is measured.
-            let with = self.weighed(at, &open, &assumed, &self.printed_before(at));
+            let with = self.weighed(at, &open, &assumed, printed());
             if !matches!(with.outcome(), Weighed::NoValue(_)) {
                 numeric = with;
             }
@@ -145,32 +149,11 @@ impl Auditor<'_> {
             }
         }
         if matches!(numeric.outcome(), Weighed::NoValue(_)) && !judge.is_directed() {
-            let printed = self.printed_before(at);
-            let before = self.figures_before(judge, premises);
-            let all = [
-                assumed.clone(),
-                assumed.iter().cloned().chain(before).collect(),
-            ];
-            let with = |figures: &[Assumed]| {
-                let weigh = |goals: &[Goal], said: &[Printed]| {
-                    let taken = Taken::Exactly;
-                    numeric::weigh_rounded(self.derivation, at, goals, figures, taken, said)
-                };
-                let plainly = weigh(&open, &printed);
-                if plainly.is_supported() {
-                    return Some(plainly);
-                }
-                let of = |said: &[Printed]| weigh(&open, said);
-                let (mut numeric, said) =
-                    self.with_constants(at, &plainly, figures, &printed, &of)?;
-                if !numeric.is_supported() {
-                    let exactly = |goals: &[Goal]| weigh(goals, &said);
-                    numeric.nearest = self.slip_of_figures(at, &open, &numeric, &exactly);
-                    numeric.nearest.as_ref()?;
-                }
-                Some(numeric)
-            };
-            numeric = all.iter().find_map(|own| with(own)).unwrap_or(numeric);
+            let before = self.open_figures(judge, premises);
+            let all: Vec<Assumed> = assumed.iter().cloned().chain(before).collect();
+            let mut sets = [assumed, all].into_iter();
+            let found = sets.find_map(|own| self.with_what_is_usual(at, &open, &own, printed()));
+            numeric = found.unwrap_or(numeric);
         }
         if says_again(&numeric) {
             return leave_open(entry, SAID_AGAIN);
@@ -300,7 +283,7 @@ impl Auditor<'_> {
     }
 
     /// What else they may be taken from where that supports a step, whatever is cited: what stands before, be it proved or left open.
-    pub(super) fn figures_before(&self, judge: &Judge, premises: &[usize]) -> Vec<Assumed> {
+    pub(super) fn open_figures(&self, judge: &Judge, premises: &[usize]) -> Vec<Assumed> {
         let is_wrong = |own: &Assumed| match own.source {
             Source::Equation(premise) => {
                 let mut entries = self.entries_of(judge.at, premise);

@@ -18,8 +18,8 @@ pub struct Datum {
     pub source: String,
     /// The clause.
     pub span: Span,
-    /// It is a constant, of which the page says nothing.
-    pub is_constant: bool,
+    /// The name of the constant that it is, where the page says nothing of it.
+    pub constant: Option<&'static str>,
 }
 
 impl Page {
@@ -44,7 +44,7 @@ impl Page {
                     high: high.clone(),
                     source: source.clone(),
                     span: clause.span,
-                    is_constant: false,
+                    constant: None,
                 };
                 for &span in names {
                     match read_symbol(self.document.text(span)) {

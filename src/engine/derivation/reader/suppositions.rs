@@ -251,14 +251,13 @@ impl Reader<'_> {
 
     /// What the sentence before some mathematics lets go to a limit, if it does: what is told there is so there alone, "For $s \to \infty$ the image
     /// lies at the focal point, $s' = f$".
-    fn limit_before(&self, body: Span) -> Option<Option<Symbol>> {
+    fn limit_before(&self, body: Span) -> Option<&str> {
         let source = &self.page.document.source;
         let before = source.get(..body.start).unwrap_or_default();
         let sentence = before.rsplit(". ").next()?;
         let sentence = sentence.rsplit("\n\n").next()?;
         let at = (sentence.find("\\to ")).or_else(|| sentence.find("\\to\\"))?;
-        let goes = sentence[..at].rsplit(['$', '(']).next()?;
-        Some(read_symbol(goes.trim()).ok())
+        sentence[..at].rsplit(['$', '(']).next()
     }
 
     /// Leaves what is `named` of a limit where a display speaks of what goes there: it is said of any value again.
@@ -267,8 +266,12 @@ impl Reader<'_> {
             return;
         }
         let said: Set<Symbol> = rows::said(display).flat_map(|own| own.names()).collect();
-        let of_limit = |at: usize| self.limit_before(self.page.locals[at].span).flatten();
-        named.retain(|&at| of_limit(at).is_none_or(|goes| !said.contains(&goes)));
+        let is_left = |at: usize| {
+            let goes = self.limit_before(self.page.locals[at].span);
+            let goes = goes.and_then(|goes| read_symbol(goes.trim()).ok());
+            goes.is_some_and(|goes| said.contains(&goes))
+        };
+        named.retain(|&at| !is_left(at));
     }
 
     /// Leaves the cases before the last display in which something had another value than the text says now: "Inserting $Q = Q_m$, $$…$$ Now

@@ -47,13 +47,7 @@ impl Parser<'_> {
             && !holds_itself()
             && !arguments.iter().any(adds_a_number)
         {
-            self.before.push(Before {
-                name: name.clone(),
-                span: self.since(start),
-                kind: BeforeKind::Function,
-            });
-            let value = Expr::Apply(name.clone(), arguments.into());
-            return self.scripts(start, value, Shape::Tight, false);
+            return self.applied_to(start, name, arguments, BeforeKind::Function);
         }
         if let Expr::Symbol(name) = &function.expr
             && self.may_be_multiplied(name, bare, &delimiter, &arguments)
@@ -88,17 +82,7 @@ impl Parser<'_> {
                     };
                     return self.before_factor(start, open, factor, arguments);
                 }
-                self.before.push(Before {
-                    name: symbol.clone(),
-                    span: self.since(start),
-                    kind: BeforeKind::Function,
-                });
-                self.scripts(
-                    start,
-                    Expr::Apply(symbol, arguments.into()),
-                    Shape::Tight,
-                    false,
-                )
+                self.applied_to(start, &symbol, arguments, BeforeKind::Function)
             }
             (true, _) => refuse_with(
                 self.since(start),
@@ -110,19 +94,30 @@ impl Parser<'_> {
                     && !(name.name() == "\\pi" && self.is_measure(open))
                 {
                     // Whether there is such a function, the page tells.
-                    self.before.push(Before {
-                        name: name.clone(),
-                        span: self.since(start),
-                        kind: BeforeKind::Value,
-                    });
-                    let value = Expr::Apply(name.clone(), arguments.into());
-                    return self.scripts(start, value, Shape::Tight, false);
+                    return self.applied_to(start, name, arguments, BeforeKind::Value);
                 }
                 self.before
                     .extend(self.factor_before(start, &expr, &arguments));
                 self.before_factor(start, open, Factor { expr, ..function }, arguments)
             }
         }
+    }
+
+    /// The value of a function, with what is written after the parentheses.
+    fn applied_to(
+        &mut self,
+        start: usize,
+        name: &Symbol,
+        arguments: Vec<Expr>,
+        kind: BeforeKind,
+    ) -> Read<Factor> {
+        self.before.push(Before {
+            name: name.clone(),
+            span: self.since(start),
+            kind,
+        });
+        let value = Expr::Apply(name.clone(), arguments.into());
+        self.scripts(start, value, Shape::Tight, false)
     }
 
     /// Whether the page has a name as a function.
