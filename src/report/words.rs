@@ -6,7 +6,7 @@ use crate::algebra::{Symbol, as_printed};
 use crate::audit::Entry;
 use crate::derivation::{Equation, Source};
 use crate::document::{Position, Span};
-use crate::notation::{Statement, plain, plain_formula};
+use crate::notation::{Statement, plain_formula};
 
 use super::Report;
 
@@ -115,9 +115,7 @@ pub(super) fn list(mut items: Vec<String>) -> String {
 }
 
 /// A symbol as one reads it.
-pub(super) fn symbol(symbol: &Symbol) -> String {
-    plain(&crate::algebra::Expr::Symbol(symbol.clone()))
-}
+pub(super) use crate::notation::plain_symbol as symbol;
 
 /// A symbol as one reads it, told apart from another of the same letter: `k (line 17)`.
 pub(super) fn symbol_apart(own: &Symbol) -> String {

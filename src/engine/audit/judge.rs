@@ -11,7 +11,7 @@ use std::rc::Rc;
 use crate::algebra::{Formula, Symbol};
 use crate::derivation::{Assumed, Beyond, Derivation, Goal, Source};
 use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
-use crate::notation::plain;
+use crate::notation::{plain, plain_symbol};
 use crate::search::{self, Decision, Effort, Implied, Mended};
 use crate::sorted;
 
@@ -203,7 +203,8 @@ impl Judge<'_> {
             match again.judged.outcome.is_proven() {
                 true => found = again,
                 false => found.leave_open(format!(
-                    "it follows only where something says what `{symbol}` is, and in the limit that grows beyond it"
+                    "it follows only where something says what `{}` is, and in the limit that grows beyond it",
+                    plain_symbol(&symbol)
                 )),
             }
         }
@@ -211,7 +212,8 @@ impl Judge<'_> {
             && let Some(symbol) = self.joins_what_moves(&found.judged)
         {
             found.leave_open(format!(
-                "it joins what was said of a constant `{symbol}` with how that changes"
+                "it joins what was said of a constant `{}` with how that changes",
+                plain_symbol(&symbol)
             ));
         }
         if !found.judged.outcome.is_proven()

@@ -1,6 +1,7 @@
 use crate::algebra::Symbol;
 use crate::derivation::{Assumed, Goal};
 use crate::kernel::{Claim, Scales};
+use crate::notation::plain_symbol;
 use crate::search::{self, ScalingDecision};
 
 use super::Outcome;
@@ -44,7 +45,8 @@ impl Judge<'_> {
                     && let Some(silent) = goal.formula.names().iter().find(|own| is_silent(own))
                 {
                     found.leave_open(format!(
-                        "nothing that it is drawn from speaks of `{silent}`"
+                        "nothing that it is drawn from speaks of `{}`",
+                        plain_symbol(silent)
                     ));
                 }
             }

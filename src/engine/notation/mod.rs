@@ -34,7 +34,8 @@ pub use lexer::is_constant_word;
 pub(crate) use parser::{angle_of, argument_of};
 pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
-    mathml_statement, plain, plain_formula, plain_statement, relation_latex, unbraced,
+    mathml_statement, plain, plain_formula, plain_statement, plain_symbol, relation_latex,
+    unbraced,
 };
 pub use read::{
     Applied, Unit, read_display, read_expr, read_formulas, read_on_page, read_rows, read_symbol,

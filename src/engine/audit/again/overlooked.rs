@@ -6,7 +6,7 @@
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, formulas};
 use crate::document::{Item, Span};
-use crate::notation::{Statement, read_formulas};
+use crate::notation::{Statement, plain_symbol, read_formulas};
 use crate::search::Decision;
 use crate::sorted::Set;
 
@@ -66,6 +66,7 @@ impl Judge<'_> {
             return;
         }
         if let Some(symbol) = self.brings_without_value(goal) {
+            let symbol = plain_symbol(&symbol);
             found.leave_open(format!("nothing before says how great `{symbol}` is"));
             return;
         }
@@ -204,6 +205,8 @@ fn valued(formula: &Formula) -> Option<(&Symbol, &Expr)> {
 /// The symbols that values are of, as a message lists them.
 fn names(values: &[Formula]) -> String {
     let symbols = values.iter().filter_map(valued);
-    let names: Vec<String> = symbols.map(|(symbol, _)| format!("`{symbol}`")).collect();
+    let names: Vec<String> = symbols
+        .map(|(symbol, _)| format!("`{}`", plain_symbol(symbol)))
+        .collect();
     names.join(", ")
 }

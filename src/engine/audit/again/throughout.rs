@@ -6,6 +6,7 @@
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal};
 use crate::kernel::{Claim, Standing, definition};
+use crate::notation::plain_symbol;
 use crate::search;
 use crate::sorted::{self, Set};
 
@@ -188,7 +189,8 @@ impl Judge<'_> {
         match self.refuted_in_context(goal, assumed, larger) {
             Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
             None => found.leave_open(format!(
-                "it fails at single values of {variable}, and may follow from what is so at all of them"
+                "it fails at single values of {}, and may follow from what is so at all of them",
+                plain_symbol(variable)
             )),
         }
     }

@@ -9,7 +9,7 @@ mod xml;
 
 pub use latex::{latex, latex_formula, latex_statement, relation_latex};
 pub use mathml::{mathml, mathml_formula, mathml_statement};
-pub use plain::{plain, plain_formula, plain_statement, unbraced};
+pub use plain::{plain, plain_formula, plain_statement, plain_symbol, unbraced};
 pub use xml::{escape, escape_by};
 
 use crate::algebra::{BigInt, BigRational};

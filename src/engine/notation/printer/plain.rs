@@ -9,6 +9,11 @@ use crate::notation::commands::{self, ACCENTS, LETTERS, SUBSCRIPTS};
 use crate::notation::{Clause, Connective, Statement};
 use num_traits::{One, Signed};
 
+/// A symbol as one line of text: `θ₀`.
+pub fn plain_symbol(symbol: &Symbol) -> String {
+    plain(&Expr::Symbol(symbol.clone()))
+}
+
 /// A term as one line of text.
 pub fn plain(expr: &Expr) -> String {
     match expr {
