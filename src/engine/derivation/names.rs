@@ -257,7 +257,7 @@ pub(super) fn refuse(
             _ => (
                 format!("whether the function `{name}` is applied here, or a factor, is not clear"),
                 format!(
-                    "for a product write `{name} \\cdot (…)`; a function is read only with bare symbols as its arguments"
+                    "for a product write `{name} \\cdot (…)`; other arguments than bare symbols are read of a function that a display defines and that stands nowhere without one"
                 ),
             ),
         };
