@@ -213,7 +213,7 @@ impl Judge<'_> {
         {
             found.leave_open(format!(
                 "it joins what was said of a constant `{}` with how that changes",
-                plain_symbol(&symbol)
+                plain_symbol(symbol)
             ));
         }
         if !found.judged.outcome.is_proven()
