@@ -1,5 +1,6 @@
 //! What a derivation says of dimensions, put to the inference: scopes of symbols, statements in reading order.
 
+mod by_name;
 mod told;
 
 use std::collections::BTreeSet;
@@ -12,6 +13,7 @@ use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
 use crate::notation::{Mark, Statement, measured};
 use crate::sorted::Tree;
 
+pub use self::told::Tells;
 use self::told::Told;
 use super::{Entry, Note, Verdict};
 
@@ -273,7 +275,7 @@ fn scope(
             .find_map(|scope| find(scope))
     };
     let mut scope = Scope::default();
-    let of_page = own.dimensions.iter();
+    let of_page = own.dimensions.iter().chain(told.iter());
     scope
         .symbols
         .extend(of_page.map(|(s, d)| (s.clone(), Said::Declared(d.clone()))));

@@ -55,7 +55,7 @@ use crate::kernel::Assignment;
 use crate::parallel::threads;
 use crate::sorted::Map;
 
-pub use dimensions::Dimensions;
+pub use dimensions::{Dimensions, Tells};
 use entry::blank;
 pub use entry::{Entry, Judged, Note, Outcome, Verdict};
 pub use family::{Counterexamples, changes, counterexamples, is_idle, true_besides};

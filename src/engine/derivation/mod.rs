@@ -34,6 +34,7 @@ mod page;
 mod partials;
 mod pi;
 mod qualities;
+mod quantities;
 mod reader;
 mod relatives;
 mod rows;

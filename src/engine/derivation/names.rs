@@ -207,16 +207,17 @@ pub(super) fn refuse(
     if all.into_iter().all(BTreeSet::is_empty) {
         return;
     }
+    // "f''(2)" where the page has $f(x)$
+    let is_slope = |name: &Symbol| slopes::base(name).is_some_and(|own| functions.contains(&own.0));
     for equation in equations {
         let mut before = equation.statements().iter().flat_map(|s| &s.before);
         let doubtful = before.find(|before| match before.kind {
             BeforeKind::Function | BeforeKind::Product => false,
-            BeforeKind::Value => {
-                let moving = slopes::base(&before.name);
-                !functions.contains(&before.name)
-                    && !moving.is_some_and(|own| functions.contains(&own.0))
+            BeforeKind::Value => !functions.contains(&before.name) && !is_slope(&before.name),
+            BeforeKind::Factor => {
+                let primed = before.name.name().contains('\'') && is_slope(&before.name);
+                functions.contains(&before.name) || primed
             }
-            BeforeKind::Factor => functions.contains(&before.name),
             BeforeKind::Quantity => {
                 functions.contains(&before.name)
                     || !stands_by_itself(equation.statements(), &before.name)

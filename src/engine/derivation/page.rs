@@ -7,7 +7,9 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::algebra::{Dimension, Expr, Formula, Relation, Symbol};
-use crate::document::{Citation, Directive, Document, Inline, Item, Premise, Problem, Row, Span};
+use crate::document::{
+    Citation, Directive, Document, Inline, Item, Premise, Problem, Quantity, Row, Span,
+};
 use crate::kernel::Domain;
 use crate::notation::{Applied, Spanned, Statement, SyntaxError, read_symbol};
 use crate::sorted::{self, Set, Tree};
@@ -45,6 +47,8 @@ pub struct Page {
     /// Whether directives, or the file beside the document, say of equations that they are given or what they follow from. Where
     /// none does, the text alone says which are laws, however many symbols are declared.
     pub directs: bool,
+    /// The quantity that the text says each symbol is, where it says that of some; nothing where it says different ones.
+    pub quantities: Tree<Symbol, Option<Quantity>>,
     /// The figures for each symbol that has some.
     pub data: Tree<Symbol, Datum>,
     /// The symbols that stand for Euler's number: their powers are read as exponentials.
@@ -118,6 +122,7 @@ pub(super) fn read_page(
         domains: Tree::new(),
         dimensions: Tree::new(),
         directs: false,
+        quantities: Tree::new(),
         data: Tree::new(),
         euler: BTreeSet::new(),
         has_both_e: false,

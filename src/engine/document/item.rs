@@ -2,6 +2,7 @@
 
 use super::Span;
 use super::inserted::Inserted;
+use super::quantity::Quantity;
 use crate::algebra::{BigRational, Relation};
 use crate::notation::Spanned;
 
@@ -89,6 +90,8 @@ pub struct Prose {
     pub suppositions: Vec<Supposition>,
     /// What it says of symbols by adjectives, in order.
     pub qualities: Vec<Qualities>,
+    /// The quantities that it names symbols as, in order.
+    pub quantities: Vec<Quantity>,
     /// The mathematics of sentences that say that something changes.
     pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.

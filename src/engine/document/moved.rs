@@ -62,6 +62,7 @@ fn move_prose(prose: &mut Prose, by: usize) {
         citations,
         suppositions,
         qualities,
+        quantities,
         changing,
         mentions,
         leading,
@@ -108,6 +109,9 @@ fn move_prose(prose: &mut Prose, by: usize) {
         .for_each(|own| move_supposition(own, by));
     for quality in qualities {
         shift(&mut quality.body, by);
+    }
+    for quantity in quantities {
+        shift_all([&mut quantity.body, &mut quantity.first], by);
     }
     for Named { body, is_drawn: _ } in named {
         shift(body, by);

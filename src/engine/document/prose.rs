@@ -7,6 +7,7 @@ use super::citation;
 use super::conclusion;
 use super::inserted;
 use super::qualities;
+use super::quantity;
 use super::slope;
 use super::supposition;
 use super::words::{Listed, Words};
@@ -262,6 +263,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         suppositions,
         leading: leading(source, &tokens).unwrap_or_default(),
         qualities,
+        quantities: quantity::read(source, &tokens),
         changing,
         mentions,
         named,

@@ -3,7 +3,7 @@
 use annotate_snippets::Level;
 
 use crate::algebra::{Formula, Function, Relation, Symbol};
-use crate::audit::Entry;
+use crate::audit::{Entry, Tells};
 use crate::derivation::Source;
 use crate::dimension::Conflict;
 use crate::document::Span;
@@ -156,7 +156,7 @@ impl Report<'_> {
         }
         let told = self.units_told(conflict);
         if !told.is_empty() {
-            said.push(("units told", told.join("\n")));
+            said.push(("told", told.join("\n")));
         }
         said
     }
@@ -172,8 +172,21 @@ impl Report<'_> {
         };
         let parts = conflict.evidence.parts().iter();
         let names: Set<Symbol> = parts.flat_map(|part| part.formula.names()).collect();
-        let told = names.iter().filter_map(|own| told.get(own));
-        told.map(|(_, words)| plain_formula(words)).collect()
+        let told = names.iter().filter_map(|own| Some((own, told.get(own)?)));
+        told.map(|(own, told)| match &told.by {
+            Tells::Units(words) => plain_formula(words),
+            Tells::Name(quantity) => {
+                let line = self.line_of(page, quantity.body);
+                format!(
+                    "{} is {} ({line})",
+                    symbol(own),
+                    with_article(quantity.name)
+                )
+            }
+            Tells::Rates => format!("{} is the time", symbol(own)),
+            Tells::Letter(name) => format!("{} is {name}", symbol(own)),
+        })
+        .collect()
     }
 
     /// The declarations that would tell which of several equations is wrong.
@@ -297,4 +310,13 @@ fn function_name(function: Function) -> &'static str {
         Function::Abs => "absolute value",
         Function::Ceiling | Function::Floor => "whole part",
     }
+}
+
+/// `a radius`, `an area`
+fn with_article(name: &str) -> String {
+    let article = match name.starts_with(['a', 'e', 'i', 'o']) {
+        true => "an",
+        false => "a",
+    };
+    format!("{article} {name}")
 }

@@ -1,32 +1,111 @@
 //! The units in which a text gives its quantities, where no dimension is declared: `\rho = 998\,\mathrm{kg/m^3}`.
 //!
-//! Many texts leave units out where they calculate, so nothing is learnt from one equation about another. A statement in symbols is at fault
-//! where it disagrees with itself once these have the dimensions that the text gives them in.
+//! Many texts leave units out where they calculate: only what is said in symbols is compared. A statement is at fault where it disagrees with
+//! itself once these have the dimensions that the text gives them in. What the text calls by the names of quantities, "a rod of length $L$", is
+//! less certain: with these all that the page says is held together, and one statement is at fault where all the others agree without it.
 
 use std::sync::Arc;
 
 use crate::algebra::{Dimension, Expr, Formula, Function, Rational, Symbol};
-use crate::derivation::{Derivation, Source, formulas};
-use crate::dimension::{Inference, Reading};
+use crate::derivation::{Derivation, Source, formulas, is_imaginary_unit, without_dots};
+use crate::dimension::{Conflict, Inference, Reading};
+use crate::document::Quantity;
 use crate::kernel::dimension::Scope;
 use crate::notation::{has_decimals, has_units, is_figures, measured};
-use crate::sorted::Tree;
+use crate::sorted::{self, Set, Tree};
 
+use super::by_name::{by_name, chooses_units, time};
 use super::{Dimensions, is_crossed_out, scope};
 
-/// What a text gives with units, by symbol: in which dimension, and the words for it.
-pub type Told = Tree<Symbol, (Dimension, Formula)>;
+/// Of so many statements that disagree it is asked whether all others agree.
+const MOST_INVOLVED: usize = 12;
+
+/// What a text says that symbols are measured in.
+pub type Told = Tree<Symbol, Measured>;
+
+/// What a symbol is measured in, and how that is known.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// How that is known.
+    pub by: Tells,
+}
+
+/// How it is known what a symbol is measured in.
+#[derive(Clone, Debug)]
+pub enum Tells {
+    /// Its value is given in units.
+    Units(Formula),
+    /// The text calls it by the name of a quantity.
+    Name(Quantity),
+    /// By it are rates, where nothing else is said.
+    Rates,
+    /// Its letter is that of a constant of nature.
+    Letter(&'static str),
+}
+
+impl Tells {
+    /// Whether the text says so plainly. A name may be used for something else, and a letter all the more.
+    fn is_plain(&self) -> bool {
+        match self {
+            Tells::Units(_) => true,
+            Tells::Name(quantity) => quantity.is_explained,
+            Tells::Rates | Tells::Letter(_) => false,
+        }
+    }
+}
+
+impl Tells {
+    /// Whether one name says both.
+    fn is_said_with(&self, other: &Tells) -> bool {
+        match (self, other) {
+            (Tells::Name(own), Tells::Name(other)) => own.first == other.first,
+            _ => false,
+        }
+    }
+}
+
+/// A statement in symbols, or what is supposed.
+struct Row {
+    source: Source,
+    part: usize,
+    formulas: Vec<Formula>,
+    is_crossed: bool,
+}
 
 impl Dimensions {
-    /// Holds each statement against the units that its page tells.
+    /// Holds each statement against the units that its page tells, and all of them against one another.
     pub(super) fn told(derivation: &Derivation) -> Dimensions {
         let mut all = Dimensions::default();
         for page in 0..derivation.pages.len() {
-            let told = told(derivation, page);
-            if !told.is_empty() {
-                let dimensions = told.iter().map(|(own, (of, _))| (own.clone(), of.clone()));
-                let scope = scope(derivation, page, &dimensions.collect(), &mut all);
-                all.alone(derivation, page, &Arc::new(scope));
+            let mut told = in_units(derivation, page);
+            let plain = told
+                .iter()
+                .filter_map(|(symbol, own)| Some((symbol.clone(), own.clone()?)));
+            let plain: Told = plain.collect();
+            let mut rows = rows(derivation, page);
+            if !plain.is_empty() {
+                all.alone(derivation, page, &rows, &plain);
+            }
+            for (symbol, own) in by_name(derivation, page) {
+                told.entry(symbol).or_insert(Some(own));
+            }
+            let (symbol, own) = time();
+            let time = told.entry(symbol).or_insert(Some(own.clone()));
+            if time
+                .as_ref()
+                .is_some_and(|time| time.dimension == own.dimension)
+            {
+                rows.iter_mut().for_each(Row::write_rates);
+            }
+            let told: Told = (told.iter())
+                .filter_map(|(symbol, own)| Some((symbol.clone(), own.clone()?)))
+                .collect();
+            let is_here = |(at, _): &(usize, usize)| derivation.equations[*at].page == page;
+            let is_known = all.conflicts.keys().any(is_here);
+            if !is_known && !told.is_empty() && !chooses_units(derivation, page) {
+                all.together(derivation, page, &rows, &told);
             }
             all.told.push(told);
         }
@@ -34,28 +113,181 @@ impl Dimensions {
     }
 
     /// Each statement of a page by itself.
-    fn alone(&mut self, derivation: &Derivation, page: usize, scope: &Arc<Scope>) {
-        for at in derivation.equations_of(page) {
-            for (part, statement) in derivation.equations[at].statements().iter().enumerate() {
-                let compared = formulas(statement).into_iter().filter(is_symbolic);
-                let readings: Vec<Reading> = compared
-                    .map(|formula| Reading {
-                        formula,
-                        scope: Arc::clone(scope),
-                    })
-                    .collect();
-                let crossed = is_crossed_out(statement);
-                let read = Inference::default().read(&readings, &Source::Equation(at), crossed);
-                if let Err(conflict) = read {
-                    self.conflicts.insert((at, part), *conflict);
-                }
+    fn alone(&mut self, derivation: &Derivation, page: usize, rows: &[Row], told: &Told) {
+        let scope = Arc::new(self.scope_with(derivation, page, told));
+        for row in rows {
+            if let Source::Equation(at) = row.source
+                && let Err(conflict) = row.read(&mut Inference::default(), &scope, &row.source)
+            {
+                self.conflicts.insert((at, row.part), *conflict);
             }
         }
     }
+
+    /// All statements of a page held against one another. That they do not agree is said where they would without one of them, and would
+    /// not whatever is measured otherwise than its name says.
+    fn together(&mut self, derivation: &Derivation, page: usize, rows: &[Row], told: &Told) {
+        let scope = Arc::new(self.scope_with(derivation, page, told));
+        let Some(first) = disagreement(rows, &scope, &[]) else {
+            return;
+        };
+        let mut involved: Vec<usize> = first.origins.clone();
+        sorted::sort(&mut involved);
+        involved.dedup();
+        let is_at_fault = |at: &usize| {
+            let is_statement = matches!(rows[*at].source, Source::Equation(_));
+            is_statement && disagreement(rows, &scope, &[*at]).is_none()
+        };
+        let mut at_fault = involved.into_iter().rev().take(MOST_INVOLVED);
+        let Some(at) = at_fault.find(is_at_fault) else {
+            return;
+        };
+        let parts = first.evidence.parts().iter();
+        let names: Set<Symbol> = parts.flat_map(|part| part.formula.names()).collect();
+        for name in &names {
+            if let Some(doubted) = told.get(name)
+                && !doubted.by.is_plain()
+            {
+                let others = told
+                    .iter()
+                    .filter(|(own, other)| *own != name && !doubted.by.is_said_with(&other.by));
+                let others = others
+                    .map(|(own, told)| (own.clone(), told.clone()))
+                    .collect();
+                let scope = Arc::new(self.scope_with(derivation, page, &others));
+                if disagreement(rows, &scope, &[]).is_none() {
+                    return;
+                }
+            }
+        }
+        let Source::Equation(equation) = rows[at].source else {
+            return;
+        };
+        // What is at fault is read last: then it disagrees with the others.
+        let mut inference = Inference::default();
+        for (other, row) in rows.iter().enumerate() {
+            if other != at {
+                let _ = row.read(&mut inference, &scope, &row.source);
+            }
+        }
+        if let Err(conflict) = rows[at].read(&mut inference, &scope, &rows[at].source) {
+            self.conflicts.insert((equation, rows[at].part), *conflict);
+        }
+    }
+
+    fn scope_with(&mut self, derivation: &Derivation, page: usize, told: &Told) -> Scope {
+        let dimensions = told
+            .iter()
+            .map(|(own, told)| (own.clone(), told.dimension.clone()));
+        scope(derivation, page, &dimensions.collect(), self)
+    }
 }
 
-/// What a page tells with units, but for what it gives in several dimensions, or once without units.
-fn told(derivation: &Derivation, page: usize) -> Told {
+impl Row {
+    /// Writes what has dots as what it is the rate of: with each other they say what both are measured in.
+    fn write_rates(&mut self) {
+        let (time, _) = time();
+        for formula in &mut self.formulas {
+            *formula = formula.map_terms(|term| with_rates(term, &time));
+        }
+    }
+
+    /// Reads it on top of what is known.
+    fn read<O: Clone>(
+        &self,
+        inference: &mut Inference<O>,
+        scope: &Arc<Scope>,
+        origin: &O,
+    ) -> Result<(), Box<Conflict<O>>> {
+        let reading = |formula: &Formula| Reading {
+            formula: formula.clone(),
+            scope: Arc::clone(scope),
+        };
+        let readings: Vec<Reading> = self.formulas.iter().map(reading).collect();
+        inference.read(&readings, origin, self.is_crossed)
+    }
+}
+
+/// A term with `\frac{dx}{dt}` for `\dot x`.
+fn with_rates(term: &Expr, time: &Symbol) -> Expr {
+    let dotted = match term {
+        Expr::Symbol(own) => without_dots(own),
+        _ => None,
+    };
+    match dotted {
+        Some((name, dots)) => {
+            (0..dots).fold(Expr::Symbol(name), |term, _| term.differentiated_by(time))
+        }
+        None => term.map_children(|part| with_rates(part, time)),
+    }
+}
+
+/// The first disagreement of some rows, but for those that are left out.
+fn disagreement(rows: &[Row], scope: &Arc<Scope>, but: &[usize]) -> Option<Box<Conflict<usize>>> {
+    let mut inference = Inference::default();
+    let mut read = rows.iter().enumerate().filter(|(at, _)| !but.contains(at));
+    read.find_map(|(at, row)| row.read(&mut inference, scope, &at).err())
+}
+
+/// What a page says in symbols.
+fn rows(derivation: &Derivation, page: usize) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let locals = derivation.pages[page].locals.iter().enumerate();
+    for (at, local) in locals {
+        let formulas = local
+            .formulas
+            .iter()
+            .map(|own| Formula::clone(own))
+            .filter(is_symbolic);
+        rows.push((
+            local.span.start,
+            Row {
+                source: Source::Local(page, at),
+                part: 0,
+                formulas: formulas.collect(),
+                is_crossed: false,
+            },
+        ));
+    }
+    for at in derivation.equations_of(page) {
+        let equation = &derivation.equations[at];
+        for (part, statement) in equation.statements().iter().enumerate() {
+            rows.push((
+                equation.span.start,
+                Row {
+                    source: Source::Equation(at),
+                    part,
+                    formulas: formulas(statement)
+                        .into_iter()
+                        .filter(is_symbolic)
+                        .collect(),
+                    is_crossed: is_crossed_out(statement),
+                },
+            ));
+        }
+    }
+    for (_, row) in &mut rows {
+        // "$x = \dot x = 0$"
+        if row.formulas.iter().any(is_zero) {
+            row.formulas.retain(|own| !is_of_two_names(own));
+        }
+    }
+    // What is said with the imaginary unit may be a function of it that is read as a product.
+    let complex = &derivation.pages[page].complex;
+    let units: Set<Symbol> = complex
+        .iter()
+        .filter(|own| is_imaginary_unit(own))
+        .cloned()
+        .collect();
+    for (_, row) in &mut rows {
+        row.formulas.retain(|own| units.is_disjoint(&own.names()));
+    }
+    rows.sort_by_key(|(start, _)| *start);
+    rows.into_iter().map(|(_, row)| row).collect()
+}
+
+/// What a page tells with units; nothing of what it gives in several dimensions, or once without units.
+fn in_units(derivation: &Derivation, page: usize) -> Tree<Symbol, Option<Measured>> {
     let locals = derivation.pages[page].locals.iter();
     let supposed = locals.flat_map(|local| local.formulas.iter().map(|own| Formula::clone(own)));
     let last = derivation.equations_of(page).last();
@@ -63,7 +295,7 @@ fn told(derivation: &Derivation, page: usize) -> Told {
         .map(|at| derivation.figures_before(at))
         .unwrap_or_default();
     let printed = printed.into_iter().map(|own| own.goal.formula);
-    let mut found: Tree<Symbol, Option<(Dimension, Formula)>> = Tree::new();
+    let mut found: Tree<Symbol, Option<Measured>> = Tree::new();
     for formula in supposed.chain(printed) {
         let Some((Expr::Symbol(symbol), value)) = formula.as_equation() else {
             continue;
@@ -72,17 +304,17 @@ fn told(derivation: &Derivation, page: usize) -> Told {
             continue;
         }
         let own = dimension_of(value).filter(|_| has_units(value));
-        let own = own.map(|own| (own, formula.clone()));
+        let own = own.map(|dimension| Measured {
+            dimension,
+            by: Tells::Units(formula.clone()),
+        });
         let known = found.entry(symbol.clone()).or_insert_with(|| own.clone());
-        let dimension = |of: &Option<(Dimension, Formula)>| of.as_ref().map(|(own, _)| own.clone());
+        let dimension = |of: &Option<Measured>| of.as_ref().map(|own| own.dimension.clone());
         if dimension(known) != dimension(&own) {
             *known = None;
         }
     }
-    let found = found.iter();
     found
-        .filter_map(|(symbol, own)| Some((symbol.clone(), own.clone()?)))
-        .collect()
 }
 
 /// The dimension of so many units.
@@ -108,6 +340,25 @@ fn dimension_of(quantity: &Expr) -> Option<Dimension> {
         },
         _ => None,
     }
+}
+
+/// Whether one side of a formula is 0.
+fn is_zero(formula: &Formula) -> bool {
+    formula
+        .terms()
+        .into_iter()
+        .any(|own| *own == Expr::integer(0))
+}
+
+/// Whether both sides of a formula are names, or how fast something changes.
+fn is_of_two_names(formula: &Formula) -> bool {
+    let is_name = |own: &Expr| {
+        matches!(
+            own,
+            Expr::Symbol(_) | Expr::Apply(..) | Expr::Derivative { .. } | Expr::Partial { .. }
+        )
+    };
+    formula.terms().into_iter().all(is_name)
 }
 
 /// Whether a formula is said in symbols, but for a side that is so many units: no numbers are put in, and no unit may be left out.

@@ -34,6 +34,7 @@ impl Reader<'_> {
         let before = self.page.locals.len();
         let cases = self.cases_before();
         self.qualities(prose);
+        self.page.name_quantities(&prose.quantities);
         let mut mentioned = prose.mentions.clone();
         if prose.suppositions.iter().any(|s| s.kind.begins_a_case()) {
             self.forget_cases();

@@ -120,9 +120,13 @@ impl Parser<'_> {
         self.scripts(start, value, Shape::Tight, false)
     }
 
-    /// Whether the page has a name as a function.
+    /// Whether the page has a name as a function, or one that has primes here.
     fn is_applied(&self, name: &Expr) -> bool {
-        matches!(name, Expr::Symbol(name) if self.applied.is_some_and(|all| all.contains(name)))
+        let (Expr::Symbol(name), Some(applied)) = (name, self.applied) else {
+            return false;
+        };
+        let without_primes = || Symbol::new(name.name().replace('\'', ""));
+        applied.contains(name) || name.name().contains('\'') && applied.contains(&without_primes())
     }
 
     /// Whether the number in the parentheses that opened at `open` is one that is measured: π is multiplied by it, `\pi (0.20)^2`, and profits,

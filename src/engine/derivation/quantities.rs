@@ -1,0 +1,48 @@
+//! The quantities that a text names symbols as: "a rod of length $L$", "where $T(x)$ is the temperature".
+
+use crate::algebra::Symbol;
+use crate::dimension;
+use crate::document::Quantity;
+use crate::notation::read_symbol;
+
+use super::page::Page;
+use super::qualities::named;
+
+/// What may stand after the symbol that a text gives a name to.
+const RELATIONS: [&str; 7] = ["\\ll", "\\gg", "\\approx", "\\le", "\\ge", "\\in", "\\neq"];
+
+impl Page {
+    /// Takes up what prose says that symbols are. Of what it says to be quantities of two kinds neither is kept.
+    pub(super) fn name_quantities(&mut self, quantities: &[Quantity]) {
+        for quantity in quantities {
+            for symbol in self.symbols_of(quantity) {
+                let known = self.quantities.entry(symbol).or_insert(Some(*quantity));
+                let kind = |own: &Quantity| dimension::named(own.name);
+                if known
+                    .as_ref()
+                    .is_some_and(|own| kind(own) != kind(quantity))
+                {
+                    *known = None;
+                }
+            }
+        }
+    }
+
+    /// What a name is said of: symbols, or a function where the text gives its argument.
+    fn symbols_of(&self, quantity: &Quantity) -> Vec<Symbol> {
+        let source = &self.document.source;
+        let symbols = named(source, quantity.body);
+        if !symbols.is_empty() {
+            return symbols;
+        }
+        let text = source.get(quantity.body.range()).unwrap_or_default();
+        // "the speed $v \ll c$", "the temperature $T(x)$"
+        let end = text.find(['=', '<', '>', '(', '+', '-']);
+        let end = end
+            .into_iter()
+            .chain(RELATIONS.iter().filter_map(|own| text.find(own)))
+            .min();
+        let name = end.and_then(|end| read_symbol(&text[..end]).ok());
+        name.into_iter().collect()
+    }
+}
