@@ -15,7 +15,7 @@ use crate::notation::{plain, plain_symbol};
 use crate::search::{self, Decision, Effort, Implied, Mended};
 use crate::sorted;
 
-use self::unclear::{moves_unseen, takes_slope_at_a_point};
+use self::unclear::{moves_unseen, only_changes, takes_slope_at_a_point};
 use super::again::borrowed::Before;
 use super::again::limiting::is_told_of;
 use super::premise::Usable;
@@ -268,6 +268,14 @@ impl Judge<'_> {
             let moves = plain(&moves);
             found.leave_open(format!(
                 "`{moves}` is given by what it changes with, and by something that is not seen to change"
+            ));
+        }
+        if found.judged.outcome.is_refuted()
+            && let Some(changes) = only_changes(&found.judged)
+        {
+            let changes = plain_symbol(&changes);
+            found.leave_open(format!(
+                "of `{changes}` only how it changes is told before, and it may be something else here"
             ));
         }
         if found.judged.outcome.is_refuted() && self.is_unclear(&found.judged) {

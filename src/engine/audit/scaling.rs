@@ -1,4 +1,4 @@
-use crate::algebra::Symbol;
+use crate::algebra::{Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal};
 use crate::kernel::{Claim, Scales};
 use crate::notation::plain_symbol;
@@ -40,6 +40,14 @@ impl Judge<'_> {
                 // What nothing speaks of may scale as it likes.
                 let is_silent =
                     |own: &Symbol| !assumed.iter().any(|a| a.formula.names().contains(own));
+                if matches!(found.judged.outcome, Outcome::ScalesNot(..))
+                    && let Some(index) = index_that_runs(goal, assumed)
+                {
+                    found.leave_open(format!(
+                        "elements of a sequence change with their index `{}`",
+                        plain_symbol(&index)
+                    ));
+                }
                 if matches!(found.judged.outcome, Outcome::ScalesNot(..))
                     && !self.is_directed()
                     && let Some(silent) = goal.formula.names().iter().find(|own| is_silent(own))
@@ -87,6 +95,22 @@ impl Judge<'_> {
             return;
         }
     }
+}
+
+/// What a goal speaks of, and is the index of elements beside each other too: `I_n I_{n-1} = \pi/2n`.
+fn index_that_runs(goal: &Goal, assumed: &[Assumed]) -> Option<Symbol> {
+    let mut names = goal.formula.names();
+    names.extend(assumed.iter().flat_map(|own| own.formula.names()));
+    let is_counted_by = |own: &Symbol, index: &Symbol| {
+        let below = split_subscript(own.name()).map(|(_, below)| below);
+        below.is_some_and(|below| {
+            let signs = below.split_once(['+', '-']);
+            signs.is_some_and(|(before, after)| before == index.name() || after == index.name())
+        })
+    };
+    let spoken_of = goal.formula.free_symbols().into_iter();
+    let mut indices = spoken_of.filter(|index| names.iter().any(|own| is_counted_by(own, index)));
+    indices.next()
 }
 
 /// What a proof was left with.

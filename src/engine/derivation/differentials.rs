@@ -29,10 +29,16 @@ const FEWEST: usize = 2;
 /// of, is a symbol like others. Where one display shows that it is none, it is none in the others of the page either.
 pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<Symbol>) {
     let mut signs = Set::new();
+    // A quantity `d` is the sign all the same where a slope that the page has is taken apart: `\phi \, d\phi = 2 \, dx`.
+    let mut quantities = Vec::new();
     for d in SIGNS.map(Symbol::new) {
         let is_written = all_terms(page, equations).any(|term| written::has(term, &d));
         let is_declared = page.domains.contains_key(&d) || page.dimensions.contains_key(&d);
-        if !is_written || is_declared || spoken_of.contains(&d) {
+        if !is_written || is_declared {
+            continue;
+        }
+        if spoken_of.contains(&d) {
+            quantities.push(d);
             continue;
         }
         let in_equations = equations
@@ -47,13 +53,22 @@ pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<
         let all: Vec<Occurrences> = in_equations.chain(supposed).collect();
         if all.iter().all(|found| found.alone == 0) && all.iter().any(|found| found.show(&d)) {
             signs.insert(d);
+        } else {
+            quantities.push(d);
         }
     }
+    let slopes = match quantities.is_empty() {
+        true => Set::new(),
+        false => slopes(page, equations),
+    };
     for equation in equations.iter_mut() {
         let Ok(statements) = &mut equation.statements else {
             continue;
         };
         statements.iter_mut().for_each(relative::read);
+        let mut signs = signs.clone();
+        let is_sign = |d: &&Symbol| takes_apart(statements, d, &slopes);
+        signs.extend(quantities.iter().filter(is_sign).cloned());
         if let Err(error) = written::read(statements, &signs) {
             equation.statements = Err(error);
         }
@@ -68,6 +83,47 @@ pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<
         let names = Formula::names_in(all_terms(page, equations)).into_iter();
         page.small = names.filter(|own| own.name().starts_with(SMALL)).collect();
     }
+}
+
+/// The slopes that a page has, by what is differentiated and what by.
+fn slopes(page: &Page, equations: &[Equation]) -> Set<(Symbol, Symbol)> {
+    fn collect(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
+        if let Expr::Derivative { body, variable } = term
+            && let Expr::Symbol(own) | Expr::Apply(own, _) = &**body
+        {
+            found.insert((own.clone(), variable.clone()));
+        }
+        (term.children()).for_each(|part| collect(part, found));
+    }
+    let mut found = Set::new();
+    all_terms(page, equations).for_each(|term| collect(term, &mut found));
+    found
+}
+
+/// Whether statements have a letter only before what one of some slopes is a slope of, and by.
+fn takes_apart(statements: &[Statement], d: &Symbol, slopes: &Set<(Symbol, Symbol)>) -> bool {
+    fn collect(term: &Expr, d: &Symbol, found: &mut Set<Symbol>) {
+        if let Expr::Product(factors) = term {
+            for pair in factors.windows(2) {
+                if let [Expr::Symbol(sign), Expr::Symbol(own)] = pair
+                    && sign == d
+                {
+                    found.insert(own.clone());
+                }
+            }
+        }
+        (term.children()).for_each(|part| collect(part, d, found));
+    }
+    let found = Occurrences::of(statements, d);
+    if found.alone > 0 || !found.show(d) {
+        return false;
+    }
+    let mut names = Set::new();
+    let terms = statements.iter().flat_map(super::equation::terms);
+    terms.for_each(|term| collect(term, d, &mut names));
+    let is_taken_apart =
+        |(of, by): &(Symbol, Symbol)| names.len() == 2 && names.contains(of) && names.contains(by);
+    slopes.iter().any(is_taken_apart)
 }
 
 /// Why statements that stand together in the text cannot be read as they are, if they show differentials.

@@ -3,7 +3,7 @@
 use num_traits::Zero;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::document::{Document, Item, Span};
+use crate::document::{Document, Inline, Item, Span};
 use crate::notation::{Statement, read_formulas};
 
 use super::Derivation;
@@ -118,7 +118,14 @@ impl Derivation {
         let mut after = document.items[after..].iter();
         let heading = after.find(|item| matches!(item, Item::Heading { .. }));
         let until = heading.map_or(until, |heading| heading.span().start.min(until));
-        let bodies = document.inline().map(|math| math.body);
+        // "with root $y \approx 0.919$": what solves an equation is not what is always meant.
+        let solves = |math: &Inline| {
+            let before = document.source.get(..math.span.start).unwrap_or_default();
+            let before = before.trim_end();
+            before.ends_with(" root") || before.ends_with(" roots")
+        };
+        let inline = document.inline().filter(|math| !solves(math));
+        let bodies = inline.map(|math| math.body);
         let bodies = bodies.take_while(|body| body.end <= until);
         let may_be_figure = |body: &Span| {
             let text = document.source.get(body.range()).unwrap_or_default();

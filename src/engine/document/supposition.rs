@@ -44,7 +44,7 @@ use self::mathematics::{equals_a_name, is_letters, is_number};
 use self::reach::Reach;
 use self::words::{
     CONCLUDING, DENYING, DOUBTFUL, HAVING, HYPOTHETICAL, KNOWN, NAMED_BEFORE, NAMING, NEGATING,
-    OF_CASES, REGIMES, UNDECIDED,
+    OF_CASES, REGIMES, ROOTS, UNDECIDED,
 };
 use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
 use super::words::Words;
@@ -333,9 +333,11 @@ impl Reader<'_> {
             self.withdraw_facts();
         }
         let text = self.text(body);
-        let states = relates(text) && !is_taken_from(&self.tokens[index..]);
-        let is_zero = text.trim_end().ends_with("= 0");
         let says_number = is_number(text);
+        // "with root $y \approx 0.919$": what solves an equation is not what is always meant.
+        let solves = says_number && follows(index, self.tokens, &ROOTS);
+        let states = relates(text) && !solves && !is_taken_from(&self.tokens[index..]);
+        let is_zero = text.trim_end().ends_with("= 0");
         // "At $x = h$" says where.
         let is_place = follows(index, self.tokens, &NAMED_BEFORE) && equals_a_name(text);
         let case = SuppositionKind::Case { runs_on: true };

@@ -94,7 +94,12 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
     if spaces == 0 && !is_sign && !is_spaced {
         return None;
     }
-    unit_at(spaced).map(Factor::Unit)
+    // `$\lambda = 18$ per hour`
+    let factor = match spaced.strip_prefix("per ") {
+        Some(below) => unit_at(without_spaces(below).0).map(|own| own.recip()),
+        None => unit_at(spaced),
+    };
+    factor.map(Factor::Unit)
 }
 
 /// How much of the SI the unit is that a text begins with.

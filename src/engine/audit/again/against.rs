@@ -286,9 +286,14 @@ impl Judge<'_> {
             return;
         }
         let claim = self.derivation.claim(self.at, &all, &goal.formula);
-        let hints = self.auditor.hints();
-        let mended = search::mended(&claim, chain, refuted.witness(), &hints, values_at);
-        if let Some(mended) = mended {
+        let mended = {
+            let hints = self.auditor.hints();
+            search::mended(&claim, chain, refuted.witness(), &hints, values_at)
+        };
+        // Anything follows from what contradicts itself: two regimes, of which each has its own.
+        if let Some(mended) = mended
+            && !self.is_contradictory(&all, goal)
+        {
             (found.mended, found.implied) = (Some(Box::new(mended)), None);
         }
     }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Kind};
 use crate::kernel::{Assignment, Obligation, Refuted};
-use crate::search::{self, Decision, Derived, Effort, Stop};
+use crate::search::{self, Change, Decision, Derived, Effort, Mended, Stop};
 
 use super::super::{Judged, Outcome};
 use super::{CONTRADICTORY, Found, Judge, NEARBY, sources, step};
@@ -188,7 +188,9 @@ impl Judge<'_> {
             let all = named.unwrap_or(assumed);
             let is_heeded = named.is_none() || self.heed_what_is_named(goal, all, found);
             self.instead(goal, all, premises, found);
-            if !is_heeded && found.mended.is_none() {
+            // That both sides may be equal is no slip where the text says more.
+            let is_slip = |own: &Mended| own.change != Change::Strict;
+            if !is_heeded && !found.mended.as_deref().is_some_and(is_slip) {
                 found.leave_open(super::super::again::NAMED);
             }
             if !strong {

@@ -31,14 +31,12 @@ impl Judge<'_> {
                 .is_none_or(|i| i.restates() && !i.is_multiple())
         {
             let elsewhere = self.later(premises);
-            let hints = self.auditor.hints();
-            let missing = search::missing_suppositions(
-                &claim,
-                refuted.witness(),
-                &elsewhere,
-                &hints,
-                values_at,
-            );
+            // What is tried next remembers points, and so needs the hints given back.
+            let missing = {
+                let hints = self.auditor.hints();
+                let witness = refuted.witness();
+                search::missing_suppositions(&claim, witness, &elsewhere, &hints, values_at)
+            };
             if let Some((all, _)) = missing {
                 (found.missing, found.implied) = (all, None);
             } else {

@@ -108,6 +108,34 @@ pub(super) fn moves_unseen(judged: &Judged) -> Option<Expr> {
         .find_map(|term| slope_in(term, &is_unseen))
 }
 
+/// What a goal speaks of, if what it is drawn from tells only how it changes, by its differential: `A = \dots` after `\sigma\,dA` may be
+/// another thing.
+pub(super) fn only_changes(judged: &Judged) -> Option<Symbol> {
+    let is_told = |own: &Symbol| {
+        let mut assumed = judged.assumed.iter().flat_map(|own| own.formula.terms());
+        assumed.any(|term| stands_in(term, own))
+    };
+    let changes = |own: &Symbol| {
+        let is_differential =
+            |part: &Expr| part.as_differential().is_some_and(|of| of.mentions(own));
+        let mut assumed = judged.assumed.iter().flat_map(|own| own.formula.terms());
+        assumed.any(|term| term.any(&is_differential))
+    };
+    let terms = judged.goal.formula.terms();
+    let names = judged.goal.formula.free_symbols().into_iter();
+    let mut spoken_of = names.filter(|own| terms.iter().any(|term| stands_in(term, own)));
+    spoken_of.find(|own| changes(own) && !is_told(own))
+}
+
+/// Whether a symbol stands in a term outside of differentials.
+fn stands_in(term: &Expr, symbol: &Symbol) -> bool {
+    match term {
+        Expr::Symbol(own) | Expr::Apply(own, _) if own == symbol => true,
+        term if term.as_differential().is_some() => false,
+        term => term.children().any(|part| stands_in(part, symbol)),
+    }
+}
+
 /// What the first slope in a term that is as asked is taken of.
 fn slope_in(term: &Expr, is_meant: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
     match term {
