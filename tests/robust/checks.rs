@@ -165,14 +165,20 @@ fn printed(statement: &cradle_verify::notation::Statement) -> Checked {
     for formula in cradle_verify::derivation::formulas(statement) {
         plain_formula(&formula);
     }
-    // By itself a differential reads as a product: the page shows that it is none.
-    let is_differential = |part: &Expr| part.as_differential().is_some();
+    // By itself a differential reads as a product, and so does `B(z - a)`: the page shows that they are none.
+    let is_plain = |own: &Expr| {
+        matches!(
+            own,
+            Expr::Symbol(_) | Expr::Element { .. } | Expr::Number(_)
+        )
+    };
+    let is_applied = |part: &Expr| match part {
+        Expr::Apply(_, arguments) => !arguments.iter().all(is_plain),
+        _ => false,
+    };
+    let shows_on_page = |part: &Expr| part.as_differential().is_some() || is_applied(part);
     let mut said = cradle_verify::derivation::formulas(statement).into_iter();
-    if said.any(|own| {
-        own.terms()
-            .into_iter()
-            .any(|term| term.any(&is_differential))
-    }) {
+    if said.any(|own| own.terms().into_iter().any(|term| term.any(&shows_on_page))) {
         return Ok(());
     }
     let again = read_display(&once, Span::new(0, once.len())).statements;

@@ -313,7 +313,7 @@ fn between(shown: &Formula, printed: &Formula) -> Option<Formula> {
 }
 
 /// What is assumed, but for what only gives names to things of which nothing else speaks: what is true without these is true with them.
-fn but_names(mut assumed: Vec<Assumed>, goal: &Formula) -> Vec<Assumed> {
+pub(super) fn but_names(mut assumed: Vec<Assumed>, goal: &Formula) -> Vec<Assumed> {
     loop {
         let is_name = |at: &usize| {
             let named = assumed[*at].formula.as_equation();

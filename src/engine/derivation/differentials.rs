@@ -34,10 +34,10 @@ pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<
     for d in SIGNS.map(Symbol::new) {
         let is_written = all_terms(page, equations).any(|term| written::has(term, &d));
         let is_declared = page.domains.contains_key(&d) || page.dimensions.contains_key(&d);
-        if !is_written || is_declared {
+        if !is_written {
             continue;
         }
-        if spoken_of.contains(&d) {
+        if is_declared || spoken_of.contains(&d) {
             quantities.push(d);
             continue;
         }

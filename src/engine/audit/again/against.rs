@@ -8,6 +8,7 @@ use crate::sorted::Set;
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, NEARBY, step};
+use super::super::slip::but_names;
 use super::borrowed::speaks_of_all;
 use super::conditions::unbounded;
 use super::{ELSEWHERE, OPEN_ITSELF};
@@ -122,6 +123,11 @@ impl Judge<'_> {
         let [sound, _] = self.others(premises);
         let sound = sound.iter().chain(&open).cloned();
         let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
+        // What only names something else changes nothing.
+        let speaking = but_names(all.clone(), &goal.formula);
+        if speaking.iter().all(|own| assumed.contains(own)) {
+            return;
+        }
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         match self.refuted_in_context(goal, assumed, larger) {
             Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),

@@ -79,7 +79,9 @@ impl Judge<'_> {
             Source::Equation(premise) => Some(premise),
             _ => None,
         });
-        let cited: Set<usize> = cited.collect();
+        // What says nothing else is no premise, and is cited all the same.
+        let (premises, ..) = self.derivation.premises(self.at);
+        let cited: Set<usize> = cited.chain(premises.iter().copied()).collect();
         let statements = cited
             .into_iter()
             .flat_map(|own| self.derivation.equations[own].statements());

@@ -3,6 +3,7 @@
 use crate::derivation::{Assumed, Goal, Source};
 
 use super::super::judge::{Found, Judge, sources};
+use super::super::slip::but_names;
 use super::super::{Entry, Outcome, Verdict};
 use super::borrowed::Before;
 
@@ -50,13 +51,21 @@ impl Judge<'_> {
         let before = self.display_gone_on_from(premises, &[]);
         // What is told besides, and slopes, only make it hard to see.
         let mut said = self.gathered(&before);
+        // So do values of what is cited elsewhere, and names for something else.
+        let cited = sources(assumed);
         said.retain(|own| {
-            matches!(own.source, Source::Equation(_)) && !own.formula.speaks_of_slopes()
+            let is_new = matches!(own.source, Source::Equation(_)) && !cited.contains(&own.source);
+            is_new && !own.formula.speaks_of_slopes()
         });
         if said.is_empty() {
             return;
         }
         let all: Vec<Assumed> = assumed.iter().cloned().chain(said).collect();
+        // What only names something else changes nothing.
+        let speaking = but_names(all.clone(), &goal.formula);
+        if speaking.iter().all(|own| assumed.contains(own)) {
+            return;
+        }
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         match self.refuted_in_context(goal, assumed, larger) {
             Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
