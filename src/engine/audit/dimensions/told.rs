@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::algebra::{Dimension, Expr, Formula, Function, Rational, Symbol};
 use crate::derivation::{Derivation, Source, formulas, is_imaginary_unit, without_dots};
-use crate::dimension::{Conflict, Inference, Reading};
+use crate::dimension::{Conflict, Inference, Reading, occur};
 use crate::document::Quantity;
 use crate::kernel::dimension::Scope;
 use crate::notation::{has_decimals, has_units, is_figures, measured};
@@ -99,12 +99,21 @@ impl Dimensions {
             {
                 rows.iter_mut().for_each(Row::write_rates);
             }
+            let mut names: Set<&Symbol> = Set::new();
+            for formula in rows.iter().flat_map(|row| &row.formulas) {
+                occur::symbols(formula, &mut |symbol| {
+                    names.insert(symbol);
+                });
+            }
             let told: Told = (told.iter())
+                .filter(|(symbol, _)| names.contains(symbol))
                 .filter_map(|(symbol, own)| Some((symbol.clone(), own.clone()?)))
                 .collect();
             let is_here = |(at, _): &(usize, usize)| derivation.equations[*at].page == page;
             let is_known = all.conflicts.keys().any(is_here);
-            if !is_known && !told.is_empty() && !chooses_units(derivation, page) {
+            // That something is a time alone contradicts nothing.
+            let is_named = (told.iter()).any(|(_, own)| !matches!(own.by, Tells::Rates));
+            if is_named && !is_known && !chooses_units(derivation, page) {
                 all.together(derivation, page, &rows, &told);
             }
             all.told.push(told);
