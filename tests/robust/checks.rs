@@ -10,7 +10,8 @@ use cradle_verify::audit::{Audit, Note};
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::{Document, File, Item, Span};
 use cradle_verify::notation::{
-    latex_statement, mathml_statement, plain_formula, read_display, read_formulas,
+    Applied, latex_statement, mathml_statement, plain_formula, read_display, read_formulas,
+    read_on_page,
 };
 use cradle_verify::report::remark::Known;
 use cradle_verify::report::{Report, declarations, github, short};
@@ -165,23 +166,18 @@ fn printed(statement: &cradle_verify::notation::Statement) -> Checked {
     for formula in cradle_verify::derivation::formulas(statement) {
         plain_formula(&formula);
     }
-    // By itself a differential reads as a product, and so does `B(z - a)`: the page shows that they are none.
-    let is_plain = |own: &Expr| {
-        matches!(
-            own,
-            Expr::Symbol(_) | Expr::Element { .. } | Expr::Number(_)
-        )
-    };
-    let is_applied = |part: &Expr| match part {
-        Expr::Apply(_, arguments) => !arguments.iter().all(is_plain),
-        _ => false,
-    };
-    let shows_on_page = |part: &Expr| part.as_differential().is_some() || is_applied(part);
-    let mut said = cradle_verify::derivation::formulas(statement).into_iter();
-    if said.any(|own| own.terms().into_iter().any(|term| term.any(&shows_on_page))) {
+    // By itself a differential reads as a product: the page shows that it is none.
+    let is_differential = |part: &Expr| part.as_differential().is_some();
+    let said = cradle_verify::derivation::formulas(statement);
+    let mut terms = said.iter().flat_map(|own| own.terms());
+    if terms.any(|term| term.any(&is_differential)) {
         return Ok(());
     }
-    let again = read_display(&once, Span::new(0, once.len())).statements;
+    // So does `B(z - a)`: it reads the same where the page has `B` as a function.
+    let mut applied = Applied::new();
+    let terms = said.iter().flat_map(|own| own.terms());
+    terms.for_each(|term| collect_applied(term, &mut applied));
+    let again = read_on_page(&once, Span::new(0, once.len()), false, &applied).statements;
     let again = match again {
         Ok(again) => again,
         // The parentheses that are printed around integrals in integrals are a depth more each.
@@ -195,4 +191,21 @@ fn printed(statement: &cradle_verify::notation::Statement) -> Checked {
         true => Ok(()),
         false => Err(format!("printed `{once}`, read as {twice:?}")),
     }
+}
+
+/// What is applied to more than a name or a number in a term.
+fn collect_applied(term: &Expr, found: &mut Applied) {
+    let is_plain = |own: &Expr| {
+        matches!(
+            own,
+            Expr::Symbol(_) | Expr::Element { .. } | Expr::Number(_)
+        )
+    };
+    if let Expr::Apply(name, arguments) = term
+        && !arguments.iter().all(is_plain)
+    {
+        found.insert(name.clone());
+    }
+    term.children()
+        .for_each(|part| collect_applied(part, found));
 }

@@ -26,7 +26,7 @@ pub struct Dimensions {
     pub suppositions: Tree<(usize, usize), Conflict<Source>>,
     /// The names of the unknowns.
     pub unknowns: Vec<Symbol>,
-    /// What each page gives with units, where no dimension is declared.
+    /// What each page tells of what its symbols are measured in, where no dimension is declared.
     pub told: Vec<Told>,
     inference: Inference<Source>,
     /// What is said of the symbols of each page; empty where no dimension is declared.
@@ -330,9 +330,7 @@ fn scope(
             let is_number = !own.domains.contains_key(symbol);
             let pi = || (is_number && symbol.name() == "\\pi").then(Dimension::none);
             let unit = || measured(symbol).map(Dimension::base);
-            let told = || told.get(symbol).cloned();
             let known = declared(symbol).cloned().or_else(dotted).or_else(pi);
-            let known = known.or_else(told);
             let said = match known.or_else(unit) {
                 Some(dimension) => Said::Declared(dimension),
                 None => element()

@@ -27,6 +27,7 @@ mod judge;
 mod least;
 mod mark;
 mod moving;
+mod nature;
 mod numeric;
 mod premise;
 mod propagated;

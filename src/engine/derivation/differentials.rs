@@ -37,24 +37,22 @@ pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<
         if !is_written {
             continue;
         }
-        if is_declared || spoken_of.contains(&d) {
-            quantities.push(d);
-            continue;
-        }
-        let in_equations = equations
-            .iter()
-            .map(|own| Occurrences::of(own.statements(), &d));
-        let supposed = page.locals.iter().map(|own| {
-            let mut found = Occurrences::default();
-            let terms = own.formulas.iter().flat_map(|formula| formula.terms());
-            terms.for_each(|term| found.count(term, &d));
-            found
-        });
-        let all: Vec<Occurrences> = in_equations.chain(supposed).collect();
-        if all.iter().all(|found| found.alone == 0) && all.iter().any(|found| found.show(&d)) {
-            signs.insert(d);
-        } else {
-            quantities.push(d);
+        let is_shown = || {
+            let in_equations = equations
+                .iter()
+                .map(|own| Occurrences::of(own.statements(), &d));
+            let supposed = page.locals.iter().map(|own| {
+                let mut found = Occurrences::default();
+                let terms = own.formulas.iter().flat_map(|formula| formula.terms());
+                terms.for_each(|term| found.count(term, &d));
+                found
+            });
+            let all: Vec<Occurrences> = in_equations.chain(supposed).collect();
+            all.iter().all(|found| found.alone == 0) && all.iter().any(|found| found.show(&d))
+        };
+        match !is_declared && !spoken_of.contains(&d) && is_shown() {
+            true => drop(signs.insert(d)),
+            false => quantities.push(d),
         }
     }
     let slopes = match quantities.is_empty() {
@@ -66,10 +64,16 @@ pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<
             continue;
         };
         statements.iter_mut().for_each(relative::read);
-        let mut signs = signs.clone();
         let is_sign = |d: &&Symbol| takes_apart(statements, d, &slopes);
-        signs.extend(quantities.iter().filter(is_sign).cloned());
-        if let Err(error) = written::read(statements, &signs) {
+        let others: Vec<&Symbol> = quantities.iter().filter(is_sign).collect();
+        let read = match others.is_empty() {
+            true => written::read(statements, &signs),
+            false => {
+                let all = signs.iter().chain(others);
+                written::read(statements, &all.cloned().collect())
+            }
+        };
+        if let Err(error) = read {
             equation.statements = Err(error);
         }
     }

@@ -19,87 +19,49 @@ pub struct Quantity {
     pub is_explained: bool,
 }
 
-/// The names that are read, the longer first, with those of what they are measured in, and the letters that they are read for, where others
-/// mean something else by them. A rate, a flux or a moment says nothing of what it is measured in.
+/// A name, that of what it is measured in, and the letters that it is read for where others mean something else by them.
+type Name = (&'static str, &'static str, &'static [&'static str]);
+
+const fn plain(name: &'static str) -> Name {
+    (name, name, &[])
+}
+
+const fn measured_as(
+    name: &'static str,
+    of: &'static str,
+    letters: &'static [&'static str],
+) -> Name {
+    (name, of, letters)
+}
+
+/// The names that are read. A rate, a flux or a moment says nothing of what it is measured in.
 #[rustfmt::skip]
 static NAMES: &[Name] = &[
-    ("young's modulus", "pressure", &[]),
-    ("diffusion coefficient", "diffusivity", &[]),
-    ("speed of light", "speed of light", &[]),
-    ("volume flow rate", "volume flow rate", &[]),
-    ("surface charge density", "surface charge density", &[]),
-    ("moment of inertia", "moment of inertia", &[]),
-    ("mass flow rate", "mass flow rate", &[]),
-    ("speed of sound", "speed of sound", &[]),
-    ("surface tension", "surface tension", &[]),
-    ("thermal diffusivity", "thermal diffusivity", &[]),
-    ("angular momentum", "angular momentum", &[]),
-    ("boltzmann constant", "boltzmann constant", &[]),
-    ("angular acceleration", "angular acceleration", &[]),
-    ("current density", "current density", &[]),
-    ("angular speed", "angular speed", &[]),
-    ("molar mass", "molar mass", &[]),
-    ("focal length", "focal length", &[]),
-    ("mass density", "mass density", &[]),
-    ("spring constant", "spring constant", &[]),
-    ("thermal conductivity", "thermal conductivity", &[]),
-    ("potential energy", "potential energy", &[]),
-    ("angular frequency", "angular frequency", &[]),
-    ("gas constant", "gas constant", &[]),
-    ("kinematic viscosity", "kinematic viscosity", &[]),
-    ("kinetic energy", "kinetic energy", &[]),
-    ("diffusion constant", "diffusivity", &[]),
-    ("dynamic viscosity", "dynamic viscosity", &[]),
-    ("number density", "number density", &[]),
-    ("gravitational constant", "gravitational constant", &[]),
-    ("energy density", "energy density", &[]),
-    ("magnetic field", "magnetic field", &[]),
-    ("electric field", "electric field", &[]),
-    ("angular velocity", "angular velocity", &[]),
-    ("charge density", "charge density", &[]),
-    ("mass", "mass", &[]),
-    ("length", "length", &[]),
-    ("distance", "distance", &[]),
-    ("height", "height", &[]),
-    ("depth", "depth", &[]),
-    ("width", "width", &[]),
-    ("radius", "radius", &[]),
-    ("diameter", "diameter", &[]),
-    ("wavelength", "wavelength", &[]),
-    ("time", "time", &[]),
-    ("duration", "duration", &[]),
-    ("velocity", "velocity", &[]),
-    ("speed", "speed", &[]),
-    ("acceleration", "acceleration", &[]),
-    ("momentum", "momentum", &[]),
-    ("force", "force", &[]),
-    ("torque", "torque", &[]),
-    ("pressure", "pressure", &[]),
-    ("temperature", "temperature", &[]),
-    ("area", "area", &[]),
-    ("volume", "volume", &[]),
-    ("frequency", "frequency", &[]),
-    ("charge", "charge", &[]),
-    ("voltage", "voltage", &[]),
-    ("resistance", "resistance", &[]),
-    ("capacitance", "capacitance", &[]),
-    ("inductance", "inductance", &[]),
-    ("resistivity", "resistivity", &[]),
-    ("permittivity", "permittivity", &[]),
-    ("permeability", "permeability", &[]),
-    ("density", "mass density", &["\\rho", "\\varrho"]),
-    ("power", "power", &["P"]),
-    ("current", "current", &["I", "i"]),
-    ("tension", "force", &["T", "F"]),
-    ("cross-section", "area", &["A", "S", "a"]),
-    ("luminosity", "power", &["L"]),
-    ("viscosity", "dynamic viscosity", &["\\eta", "\\mu"]),
-    ("stress", "pressure", &["\\sigma", "\\tau"]),
-    ("energy", "energy", &["E", "U", "W"]),
-    ("thickness", "thickness", &[]),
+    plain("speed of light"), plain("volume flow rate"), plain("surface charge density"), plain("moment of inertia"),
+    plain("mass flow rate"), plain("speed of sound"), plain("surface tension"), plain("thermal diffusivity"), plain("angular momentum"),
+    plain("boltzmann constant"), plain("angular acceleration"), plain("current density"), plain("angular speed"), plain("molar mass"),
+    plain("focal length"), plain("mass density"), plain("spring constant"), plain("thermal conductivity"), plain("potential energy"),
+    plain("angular frequency"), plain("gas constant"), plain("kinematic viscosity"), plain("kinetic energy"),
+    plain("dynamic viscosity"), plain("number density"), plain("gravitational constant"), plain("energy density"),
+    plain("magnetic field"), plain("electric field"), plain("angular velocity"), plain("charge density"),
+    measured_as("young's modulus", "pressure", &[]),
+    measured_as("diffusion coefficient", "diffusivity", &[]),
+    measured_as("diffusion constant", "diffusivity", &[]),
+    plain("mass"), plain("length"), plain("distance"), plain("height"), plain("depth"), plain("width"), plain("radius"),
+    plain("diameter"), plain("wavelength"), plain("time"), plain("duration"), plain("velocity"), plain("speed"), plain("acceleration"),
+    plain("momentum"), plain("force"), plain("torque"), plain("pressure"), plain("temperature"), plain("area"), plain("volume"),
+    plain("frequency"), plain("charge"), plain("voltage"), plain("resistance"), plain("capacitance"), plain("inductance"),
+    plain("resistivity"), plain("permittivity"), plain("permeability"), plain("thickness"),
+    measured_as("density", "mass density", &["\\rho", "\\varrho"]),
+    measured_as("power", "power", &["P"]),
+    measured_as("current", "current", &["I", "i"]),
+    measured_as("tension", "force", &["T", "F"]),
+    measured_as("cross-section", "area", &["A", "S", "a"]),
+    measured_as("luminosity", "power", &["L"]),
+    measured_as("viscosity", "dynamic viscosity", &["\\eta", "\\mu"]),
+    measured_as("stress", "pressure", &["\\sigma", "\\tau"]),
+    measured_as("energy", "energy", &["E", "U", "W"]),
 ];
-/// A name, that of what it is measured in, and the letters that it is read for.
-type Name = (&'static str, &'static str, &'static [&'static str]);
 /// The longest name in words.
 const LONGEST: usize = 3;
 /// With one of these before it a name is that of something else.
@@ -152,6 +114,7 @@ static OF_ANOTHER: Words = Words::of(&[
 ]);
 /// After these a symbol is what is spoken of.
 const SPEAKING: [&str; 7] = ["where", "here", "if", "with", "since", "let", "when"];
+/// These say of a symbol what is named, or of what is named a symbol.
 const LINKING: [&str; 6] = ["is", "are", "be", "denotes", "denote", "being"];
 /// With these after it a name is all that is said.
 const AFTER: [&str; 17] = [
@@ -222,7 +185,7 @@ fn name_before(before: &[Placed<'_>]) -> Option<&'static Name> {
     let before = linked.map_or(before, |(_, before)| before);
     (1..=LONGEST.min(before.len())).rev().find_map(|words| {
         let (rest, last) = before.split_at(before.len() - words);
-        let name = NAMES.iter().find(|(name, ..)| is_named(last, name))?;
+        let name = name_of(last)?;
         is_of_itself(rest).then_some(name)
     })
 }
@@ -237,7 +200,17 @@ fn is_of_itself(before: &[Placed<'_>]) -> bool {
     }
 }
 
-/// Whether some words are a name, in the plural perhaps.
+/// The name that some words are, in the plural perhaps.
+fn name_of(words: &[Placed<'_>]) -> Option<&'static Name> {
+    let (Token::Word(first), _) = words.first()? else {
+        return None;
+    };
+    // Nearly all are seen by the first letter to be others.
+    let initial = first.as_bytes().first()?.to_ascii_lowercase();
+    let mut names = NAMES.iter();
+    names.find(|(name, ..)| name.as_bytes()[0] == initial && is_named(words, name))
+}
+
 fn is_named(words: &[Placed<'_>], name: &str) -> bool {
     let mut parts = name.split(' ');
     let alike = words.iter().all(|(token, _)| {
@@ -290,9 +263,7 @@ fn name_after(tokens: &[Placed<'_>], at: usize) -> Option<&'static Name> {
             return None;
         }
         (1..=LONGEST.min(named.len())).rev().find_map(|words| {
-            let name = NAMES
-                .iter()
-                .find(|(name, ..)| is_named(&named[..words], name))?;
+            let name = name_of(&named[..words])?;
             let ends = match named.get(words) {
                 None => true,
                 Some((Token::Word(_), _)) => among(named, words, &AFTER),

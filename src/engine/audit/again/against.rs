@@ -58,6 +58,38 @@ impl Judge<'_> {
         search::refute_in_context(&*self.pose(cited, &goal.formula).ok()?, &larger)
     }
 
+    /// Leaves open a step that was refuted from what is cited, where nothing refutes it at which a larger claim's hypotheses hold as well.
+    pub(super) fn heed_larger(
+        &self,
+        goal: &Goal,
+        cited: &[Assumed],
+        larger: Claim,
+        reason: impl Into<String>,
+        found: &mut Found,
+    ) {
+        match self.refuted_in_context(goal, cited, larger) {
+            Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
+            None => found.leave_open(reason),
+        }
+    }
+
+    /// The same with what stands besides, unless all of that only gives names to something else.
+    pub(super) fn heed_besides(
+        &self,
+        goal: &Goal,
+        cited: &[Assumed],
+        besides: impl IntoIterator<Item = Assumed>,
+        reason: &str,
+        found: &mut Found,
+    ) {
+        let all: Vec<Assumed> = cited.iter().cloned().chain(besides).collect();
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        let speaking = but_names(all, &goal.formula);
+        if speaking.iter().any(|own| !cited.contains(own)) {
+            self.heed_larger(goal, cited, larger, reason, found);
+        }
+    }
+
     /// What gives as an integral a symbol of a goal on which what is cited is silent, or a function that this applies: a counterexample that
     /// gives it any value is none to what the author says.
     pub(in crate::audit) fn told_before(
@@ -121,20 +153,8 @@ impl Judge<'_> {
             return;
         }
         let [sound, _] = self.others(premises);
-        let sound = sound.iter().chain(&open).cloned();
-        let all: Vec<Assumed> = assumed.iter().cloned().chain(sound).collect();
-        // What only names something else changes nothing.
-        let speaking = but_names(all.clone(), &goal.formula);
-        if speaking.iter().all(|own| assumed.contains(own)) {
-            return;
-        }
-        let larger = self.derivation.claim(self.at, &all, &goal.formula);
-        match self.refuted_in_context(goal, assumed, larger) {
-            Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
-            None => {
-                found.leave_open(OPEN_ITSELF);
-            }
-        }
+        let besides = sound.iter().chain(&open).cloned();
+        self.heed_besides(goal, assumed, besides, OPEN_ITSELF, found);
     }
 
     /// Leaves open a step that cites nothing and is of something else than what stands just before it, unless it is refuted with what

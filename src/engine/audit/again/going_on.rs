@@ -3,8 +3,7 @@
 use crate::derivation::{Assumed, Goal, Source};
 
 use super::super::judge::{Found, Judge, sources};
-use super::super::slip::but_names;
-use super::super::{Entry, Outcome, Verdict};
+use super::super::{Entry, Verdict};
 use super::borrowed::Before;
 
 impl Judge<'_> {
@@ -51,7 +50,7 @@ impl Judge<'_> {
         let before = self.display_gone_on_from(premises, &[]);
         // What is told besides, and slopes, only make it hard to see.
         let mut said = self.gathered(&before);
-        // So do values of what is cited elsewhere, and names for something else.
+        // So do values elsewhere of what is cited.
         let cited = sources(assumed);
         said.retain(|own| {
             let is_new = matches!(own.source, Source::Equation(_)) && !cited.contains(&own.source);
@@ -60,19 +59,8 @@ impl Judge<'_> {
         if said.is_empty() {
             return;
         }
-        let all: Vec<Assumed> = assumed.iter().cloned().chain(said).collect();
-        // What only names something else changes nothing.
-        let speaking = but_names(all.clone(), &goal.formula);
-        if speaking.iter().all(|own| assumed.contains(own)) {
-            return;
-        }
-        let larger = self.derivation.claim(self.at, &all, &goal.formula);
-        match self.refuted_in_context(goal, assumed, larger) {
-            Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
-            None => found.leave_open(
-                "it may follow with what stands just before, and nothing decides it with that",
-            ),
-        }
+        let reason = "it may follow with what stands just before, and nothing decides it with that";
+        self.heed_besides(goal, assumed, said, reason, found);
     }
 
     /// The display before, where the text goes on from that, and what it was drawn from: what is not wrong itself, nor cited or sound and

@@ -186,13 +186,11 @@ impl Judge<'_> {
         let all: Vec<Assumed> = said.chain(more.map(|own| step(&own))).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
         let larger = search::with_constants(larger, held);
-        match self.refuted_in_context(goal, assumed, larger) {
-            Some(refuted) => found.judged.outcome = Outcome::Refuted(refuted.into()),
-            None => found.leave_open(format!(
-                "it fails at single values of {}, and may follow from what is so at all of them",
-                plain_symbol(variable)
-            )),
-        }
+        let reason = format!(
+            "it fails at single values of {}, and may follow from what is so at all of them",
+            plain_symbol(variable)
+        );
+        self.heed_larger(goal, assumed, larger, reason, found);
     }
 
     /// The variables by which the page differentiates and of which premises speak, but not the step, nor of what changes with them.

@@ -7,14 +7,14 @@
 use std::sync::Arc;
 
 use crate::algebra::{Dimension, Expr, Formula, Function, Rational, Symbol};
-use crate::derivation::{Derivation, Source, formulas, is_imaginary_unit, without_dots};
+use crate::derivation::{Derivation, Source, formulas, without_dots};
 use crate::dimension::{Conflict, Inference, Reading, occur};
 use crate::document::Quantity;
 use crate::kernel::dimension::Scope;
 use crate::notation::{has_decimals, has_units, is_figures, measured};
 use crate::sorted::{self, Set, Tree};
 
-use super::by_name::{by_name, chooses_units, time};
+use super::by_name::{chooses_units, constants, quantities, time};
 use super::{Dimensions, is_crossed_out, scope};
 
 /// Of so many statements that disagree it is asked whether all others agree.
@@ -54,9 +54,7 @@ impl Tells {
             Tells::Rates | Tells::Letter(_) => false,
         }
     }
-}
 
-impl Tells {
     /// Whether one name says both.
     fn is_said_with(&self, other: &Tells) -> bool {
         match (self, other) {
@@ -79,41 +77,13 @@ impl Dimensions {
     pub(super) fn told(derivation: &Derivation) -> Dimensions {
         let mut all = Dimensions::default();
         for page in 0..derivation.pages.len() {
-            let mut told = in_units(derivation, page);
-            let plain = told
-                .iter()
-                .filter_map(|(symbol, own)| Some((symbol.clone(), own.clone()?)));
-            let plain: Told = plain.collect();
             let mut rows = rows(derivation, page);
-            if !plain.is_empty() {
-                all.alone(derivation, page, &rows, &plain);
-            }
-            for (symbol, own) in by_name(derivation, page) {
-                told.entry(symbol).or_insert(Some(own));
-            }
-            let (symbol, own) = time();
-            let time = told.entry(symbol).or_insert(Some(own.clone()));
-            if time
-                .as_ref()
-                .is_some_and(|time| time.dimension == own.dimension)
-            {
-                rows.iter_mut().for_each(Row::write_rates);
-            }
-            let mut names: Set<&Symbol> = Set::new();
-            for formula in rows.iter().flat_map(|row| &row.formulas) {
-                occur::symbols(formula, &mut |symbol| {
-                    names.insert(symbol);
-                });
-            }
-            let told: Told = (told.iter())
-                .filter(|(symbol, _)| names.contains(symbol))
-                .filter_map(|(symbol, own)| Some((symbol.clone(), own.clone()?)))
-                .collect();
-            let is_here = |(at, _): &(usize, usize)| derivation.equations[*at].page == page;
-            let is_known = all.conflicts.keys().any(is_here);
+            let told = in_units(derivation, page);
+            let is_amiss = all.alone(derivation, page, &rows, &known(&told));
+            let told = with_names(derivation, page, told, &mut rows);
             // That something is a time alone contradicts nothing.
             let is_named = (told.iter()).any(|(_, own)| !matches!(own.by, Tells::Rates));
-            if is_named && !is_known && !chooses_units(derivation, page) {
+            if is_named && !is_amiss && !chooses_units(&derivation.pages[page]) {
                 all.together(derivation, page, &rows, &told);
             }
             all.told.push(told);
@@ -121,23 +91,29 @@ impl Dimensions {
         all
     }
 
-    /// Each statement of a page by itself.
-    fn alone(&mut self, derivation: &Derivation, page: usize, rows: &[Row], told: &Told) {
+    /// Each statement of a page by itself. Gives whether one is at fault.
+    fn alone(&mut self, derivation: &Derivation, page: usize, rows: &[Row], told: &Told) -> bool {
+        if told.is_empty() {
+            return false;
+        }
         let scope = Arc::new(self.scope_with(derivation, page, told));
+        let mut is_amiss = false;
         for row in rows {
             if let Source::Equation(at) = row.source
                 && let Err(conflict) = row.read(&mut Inference::default(), &scope, &row.source)
             {
                 self.conflicts.insert((at, row.part), *conflict);
+                is_amiss = true;
             }
         }
+        is_amiss
     }
 
     /// All statements of a page held against one another. That they do not agree is said where they would without one of them, and would
     /// not whatever is measured otherwise than its name says.
     fn together(&mut self, derivation: &Derivation, page: usize, rows: &[Row], told: &Told) {
         let scope = Arc::new(self.scope_with(derivation, page, told));
-        let Some(first) = disagreement(rows, &scope, &[]) else {
+        let Some(first) = disagreement(rows, &scope, None) else {
             return;
         };
         let mut involved: Vec<usize> = first.origins.clone();
@@ -145,7 +121,7 @@ impl Dimensions {
         involved.dedup();
         let is_at_fault = |at: &usize| {
             let is_statement = matches!(rows[*at].source, Source::Equation(_));
-            is_statement && disagreement(rows, &scope, &[*at]).is_none()
+            is_statement && disagreement(rows, &scope, Some(*at)).is_none()
         };
         let mut at_fault = involved.into_iter().rev().take(MOST_INVOLVED);
         let Some(at) = at_fault.find(is_at_fault) else {
@@ -164,7 +140,7 @@ impl Dimensions {
                     .map(|(own, told)| (own.clone(), told.clone()))
                     .collect();
                 let scope = Arc::new(self.scope_with(derivation, page, &others));
-                if disagreement(rows, &scope, &[]).is_none() {
+                if disagreement(rows, &scope, None).is_none() {
                     return;
                 }
             }
@@ -194,10 +170,12 @@ impl Dimensions {
 
 impl Row {
     /// Writes what has dots as what it is the rate of: with each other they say what both are measured in.
-    fn write_rates(&mut self) {
-        let (time, _) = time();
+    fn write_rates(&mut self, time: &Symbol) {
+        let is_dotted = |part: &Expr| dotted(part).is_some();
         for formula in &mut self.formulas {
-            *formula = formula.map_terms(|term| with_rates(term, &time));
+            if formula.terms().into_iter().any(|term| term.any(&is_dotted)) {
+                *formula = formula.map_terms(|term| with_rates(term, time));
+            }
         }
     }
 
@@ -219,11 +197,7 @@ impl Row {
 
 /// A term with `\frac{dx}{dt}` for `\dot x`.
 fn with_rates(term: &Expr, time: &Symbol) -> Expr {
-    let dotted = match term {
-        Expr::Symbol(own) => without_dots(own),
-        _ => None,
-    };
-    match dotted {
+    match dotted(term) {
         Some((name, dots)) => {
             (0..dots).fold(Expr::Symbol(name), |term, _| term.differentiated_by(time))
         }
@@ -231,10 +205,22 @@ fn with_rates(term: &Expr, time: &Symbol) -> Expr {
     }
 }
 
-/// The first disagreement of some rows, but for those that are left out.
-fn disagreement(rows: &[Row], scope: &Arc<Scope>, but: &[usize]) -> Option<Box<Conflict<usize>>> {
+/// What has the dots in a symbol that has some, and how many they are.
+fn dotted(term: &Expr) -> Option<(Symbol, u8)> {
+    match term {
+        Expr::Symbol(own) => without_dots(own),
+        _ => None,
+    }
+}
+
+/// The first disagreement of some rows, but for one that is left out.
+fn disagreement(
+    rows: &[Row],
+    scope: &Arc<Scope>,
+    but: Option<usize>,
+) -> Option<Box<Conflict<usize>>> {
     let mut inference = Inference::default();
-    let mut read = rows.iter().enumerate().filter(|(at, _)| !but.contains(at));
+    let mut read = (rows.iter().enumerate()).filter(|(at, _)| but != Some(*at));
     read.find_map(|(at, row)| row.read(&mut inference, scope, &at).err())
 }
 
@@ -282,17 +268,55 @@ fn rows(derivation: &Derivation, page: usize) -> Vec<Row> {
         }
     }
     // What is said with the imaginary unit may be a function of it that is read as a product.
-    let complex = &derivation.pages[page].complex;
-    let units: Set<Symbol> = complex
-        .iter()
-        .filter(|own| is_imaginary_unit(own))
-        .cloned()
-        .collect();
-    for (_, row) in &mut rows {
-        row.formulas.retain(|own| units.is_disjoint(&own.names()));
+    let own = &derivation.pages[page];
+    if !own.complex.is_empty() {
+        let is_real = |formula: &Formula| {
+            let names = formula.names();
+            !names.iter().any(|name| own.is_imaginary_unit(name))
+        };
+        for (_, row) in &mut rows {
+            row.formulas.retain(is_real);
+        }
     }
     rows.sort_by_key(|(start, _)| *start);
     rows.into_iter().map(|(_, row)| row).collect()
+}
+
+/// What is told of a page's symbols with units and by names. Where dots are rates by the time, its rows are written so.
+fn with_names(
+    derivation: &Derivation,
+    page: usize,
+    mut told: Tree<Symbol, Option<Measured>>,
+    rows: &mut [Row],
+) -> Told {
+    let page = &derivation.pages[page];
+    for (symbol, own) in quantities(page) {
+        told.entry(symbol).or_insert(Some(own));
+    }
+    let (symbol, own) = time();
+    let time = told.entry(symbol.clone()).or_insert(Some(own.clone()));
+    if (time.as_ref()).is_some_and(|time| time.dimension == own.dimension) {
+        rows.iter_mut().for_each(|row| row.write_rates(&symbol));
+    }
+    let mut names: Set<Symbol> = Set::new();
+    for formula in rows.iter().flat_map(|row| &row.formulas) {
+        occur::symbols(formula, &mut |symbol| {
+            names.insert(symbol.clone());
+        });
+    }
+    for (symbol, own) in constants(page, &names) {
+        told.entry(symbol).or_insert(Some(own));
+    }
+    let told = known(&told);
+    let spoken_of = told.iter().filter(|(symbol, _)| names.contains(*symbol));
+    let spoken_of = spoken_of.map(|(symbol, own)| (symbol.clone(), own.clone()));
+    spoken_of.collect()
+}
+
+/// What of this is known for certain.
+fn known(told: &Tree<Symbol, Option<Measured>>) -> Told {
+    let known = |(symbol, own): (&Symbol, &Option<Measured>)| Some((symbol.clone(), own.clone()?));
+    told.iter().filter_map(known).collect()
 }
 
 /// What a page tells with units; nothing of what it gives in several dimensions, or once without units.

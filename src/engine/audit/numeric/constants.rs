@@ -2,73 +2,16 @@
 //!
 //! A letter may mean something else, so that a constant is taken only for what nothing before tells, and only to support what is said; what
 //! is not supported is told where it is with one small edit. Authors round as they like: each value that is usual is tried.
-//!
-//! **Source.** CODATA 2022 and BIPM, *The International System of Units*, 9th edition; standard gravity of the 3rd CGPM.
 
-use num_traits::Pow;
-
-use crate::algebra::{BigRational, Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Printed};
 
 use super::super::Auditor;
+use super::super::nature::CONSTANTS;
 use super::{Numeric, Taken, Weighed, weigh_rounded};
 
 /// No more of them are put in at once.
 const MOST: usize = 4;
-
-/// A constant: its letters, what it is, the values that are usual, and the power of ten that all of these have, in units of the SI.
-struct Constant {
-    letters: &'static [&'static str],
-    name: &'static str,
-    values: &'static [&'static str],
-    tens: i32,
-}
-
-const fn constant(
-    letters: &'static [&'static str],
-    name: &'static str,
-    values: &'static [&'static str],
-    tens: i32,
-) -> Constant {
-    Constant {
-        letters,
-        name,
-        values,
-        tens,
-    }
-}
-
-#[rustfmt::skip]
-static CONSTANTS: &[Constant] = &[
-    constant(&["g"], "standard gravity", &["9.81", "9.8", "9.80665", "10"], 0),
-    constant(&["c", "c_0"], "the speed of light", &["2.99792458", "2.998", "3"], 8),
-    constant(&["G"], "the constant of gravitation", &["6.6743", "6.674", "6.67"], -11),
-    constant(&["h"], "the Planck constant", &["6.62607015", "6.626", "6.63"], -34),
-    constant(&["\\hbar"], "the reduced Planck constant", &["1.054571817", "1.0546", "1.055", "1.05"], -34),
-    constant(&["k_B", "k_{\\text{B}}", "k"], "the Boltzmann constant", &["1.380649", "1.381", "1.38"], -23),
-    constant(&["N_A", "N_{\\text{A}}"], "the Avogadro constant", &["6.02214076", "6.022", "6.02"], 23),
-    constant(&["R"], "the gas constant", &["8.314462618", "8.314", "8.31"], 0),
-    constant(&["e", "q_e"], "the elementary charge", &["1.602176634", "1.602", "1.6"], -19),
-    constant(&["m_e", "m_{\\text{e}}"], "the mass of the electron", &["9.1093837", "9.109", "9.11"], -31),
-    constant(&["m_p", "m_{\\text{p}}"], "the mass of the proton", &["1.6726219", "1.673", "1.67"], -27),
-    constant(&["\\epsilon_0", "\\varepsilon_0"], "the electric constant", &["8.8541878", "8.854", "8.85"], -12),
-    constant(&["\\mu_0"], "the magnetic constant", &["1.2566370614", "1.2566", "1.257", "1.26"], -6),
-    constant(&["\\sigma", "\\sigma_{SB}", "\\sigma_{\\text{SB}}"], "the Stefan\u{2013}Boltzmann constant", &["5.670374", "5.67"], -8),
-    constant(&["F"], "the Faraday constant", &["9.648533", "9.649", "9.65"], 4),
-    constant(&["\\mu_B", "\\mu_{\\text{B}}"], "the Bohr magneton", &["9.2740101", "9.274", "9.27"], -24),
-];
-
-impl Constant {
-    /// One of its values, or the nearest to that.
-    fn value(&self, nearness: usize) -> Option<BigRational> {
-        let written = self.values.get(nearness).or(self.values.last())?;
-        let (whole, decimals) = written.split_once('.').unwrap_or((written, ""));
-        let digits: i64 = format!("{whole}{decimals}").parse().ok()?;
-        let places = i32::try_from(decimals.len()).ok()?;
-        let ten = BigRational::from_integer(10.into());
-        Some(BigRational::from_integer(digits.into()) * Pow::pow(ten, self.tens - places))
-    }
-}
 
 impl Auditor<'_> {
     /// Goals from figures, with what the page prints and constants that nothing tells: supported, or so with one small edit.
@@ -119,7 +62,7 @@ impl Auditor<'_> {
         };
         let constant = |own: &Symbol| {
             let mut all = CONSTANTS.iter();
-            let found = all.find(|constant| constant.letters.contains(&own.name()))?;
+            let found = all.find(|constant| constant.may_be(own))?;
             (!is_told(own)).then(|| (own.clone(), found))
         };
         let unknown: Vec<_> = weighed
