@@ -246,8 +246,8 @@ fn citations() {
 #[test]
 fn suppositions() {
     use SuppositionKind::{
-        Alternative, Arbitrary, Assume, Case, Contrary, Define, Elsewhere, Fact, General, Known,
-        Let, Unread, Vanishes,
+        Alternative, Arbitrary, Assume, Contrary, Define, Elsewhere, Fact, General, Known, Let,
+        Unread, Vanishes,
     };
     let told = Fact {
         runs_on: false,
@@ -261,8 +261,8 @@ fn suppositions() {
         runs_on: true,
         of_case: true,
     };
-    let ended = Case { runs_on: false };
-    let open = Case { runs_on: true };
+    let ended = SuppositionKind::case(false);
+    let open = SuppositionKind::case(true);
     for (text, expected) in [
         (
             "Let $v_1 = v_2 = 0$ and $v_4 = v_0/2$.",

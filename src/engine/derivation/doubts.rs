@@ -1,7 +1,7 @@
 //! What is read as a power or a product and may be meant otherwise: decided here, where the whole page is known, and refused where nothing
 //! on it says that the reading is what was meant.
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::document::Span;
 use crate::notation::{
     Choice, Doubt, DoubtKind, Other, Spelt, Statement, SyntaxError, angle_of, argument_of,
@@ -25,6 +25,8 @@ pub(super) struct OnPage {
     pub angles: Set<Symbol>,
     /// Those that begin products of which sines are taken: `\sin \omega t`.
     pub factors: Set<Symbol>,
+    /// Those that count, as something comes after each: `F_{t+1}`.
+    pub counting: Set<Symbol>,
 }
 
 /// Refuses the equations of a page in which something is no power or no product, as far as the page lets one see that.
@@ -52,6 +54,7 @@ pub(super) fn refuse(
         concentrations: concentrations_in(all()),
         angles: angles_in(all()),
         factors: factors_in(all()),
+        counting: counting_in(all()),
     };
     for equation in equations {
         let statements = equation.statements.iter_mut().flatten();
@@ -306,6 +309,24 @@ fn collect_factors(term: &Expr, found: &mut Set<Symbol>) {
     }
     term.children()
         .for_each(|part| collect_factors(part, found));
+}
+
+/// The letters that a number is added to, or taken from, in subscripts: `F_{t+1}`.
+fn counting_in<'s>(statements: impl Iterator<Item = &'s Statement>) -> Set<Symbol> {
+    let mut found = Set::new();
+    for statement in statements {
+        symbols_in(std::slice::from_ref(statement), &mut |name| {
+            let below = split_subscript(name.name()).map(|(_, below)| below);
+            if let Some((letter, number)) = below.and_then(|own| own.split_once(['+', '-'])) {
+                let (letter, number) = (letter.trim(), number.trim());
+                let counts = !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit());
+                if counts && matches!(letter.as_bytes(), [b'a'..=b'z' | b'A'..=b'Z']) {
+                    found.insert(Symbol::new(letter));
+                }
+            }
+        });
+    }
+    found
 }
 
 /// All symbols of statements, those with scripts among them.

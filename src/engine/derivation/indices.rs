@@ -9,7 +9,7 @@ use crate::sorted::Set;
 use super::doubts::{OnPage, standing_in, symbols_in};
 use super::equation::formulas;
 
-/// The letters that mostly count something, so that `r^n` beside `u_n` is a power.
+/// The letters that mostly count something, wherever they stand.
 const COUNTING: [&str; 3] = ["k", "n", "N"];
 /// Subscripts that are words, not letters side by side.
 const WORDS: [&str; 5] = ["in", "min", "kin", "lim", "nm"];
@@ -103,10 +103,15 @@ impl<'p> Letters<'p> {
     /// Whether a letter above a name is an index below something else in the display, and no quantity.
     fn is_index(&self, name: &Symbol, letter: &Symbol) -> bool {
         let sure =
-            || !counts(letter) || self.contracted.contains(letter) || !below(name).is_empty();
+            || !self.counts(letter) || self.contracted.contains(letter) || !below(name).is_empty();
         let below = self.in_company.contains(letter) || self.alone.contains(letter) && sure();
         let elsewhere = !is_greek(letter) && self.is_elsewhere(letter);
         below && !elsewhere && !self.here.contains(letter) && !self.is_declared(letter)
+    }
+
+    /// Whether a letter mostly counts something, so that `r^n` beside `u_n` is a power.
+    fn counts(&self, letter: &Symbol) -> bool {
+        COUNTING.contains(&letter.name()) || self.on_page.counting.contains(letter)
     }
 
     /// Whether a letter stands for a quantity on the page. That `i` or `j` runs, or is the imaginary unit, makes no exponent of it.
@@ -116,7 +121,7 @@ impl<'p> Letters<'p> {
 
     /// Whether a letter that nothing else speaks of is one of several indices of a name: `T^{\mu\nu}`, `\delta^i_j`.
     fn is_one_of(&self, name: &Symbol, above: &[Symbol], letter: &Symbol) -> bool {
-        let is_known = counts(letter) || self.is_elsewhere(letter) || self.is_declared(letter);
+        let is_known = self.counts(letter) || self.is_elsewhere(letter) || self.is_declared(letter);
         let below = below(name);
         let like = |own: &Symbol| match is_greek(letter) {
             true => is_greek(own),
@@ -124,10 +129,6 @@ impl<'p> Letters<'p> {
         };
         !is_known && (above.len() > 1 || !below.is_empty() && below.iter().all(like))
     }
-}
-
-fn counts(letter: &Symbol) -> bool {
-    COUNTING.contains(&letter.name())
 }
 
 fn is_greek(letter: &Symbol) -> bool {

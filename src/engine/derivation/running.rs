@@ -7,7 +7,9 @@
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
 
-use crate::algebra::{Expr, Formula, Place, Symbol, mentions_symbol, running_symbol};
+use crate::algebra::{
+    Atoms, Expr, Formula, Lowering, Place, Symbol, mentions_symbol, running_symbol,
+};
 use crate::kernel::{Domain, ForEvery};
 
 use super::{Assumed, Derivation, Equation, Kind, Page, Source, formulas};
@@ -89,6 +91,29 @@ pub(super) fn family(formula: &Formula, index: &Symbol) -> Option<Symbol> {
     };
     let named = right.free_symbols();
     (named.contains(index) && !named.iter().any(shifted)).then_some(stem)
+}
+
+/// Whether an equation gives the elements of a sequence by one of them of which it is not true itself: `f_0` of `f_n = n f_0 \sqrt{1 + B n^2}`
+/// is no element of those, but a quantity of its own.
+fn is_by_another(formula: &Formula, index: &Symbol) -> bool {
+    let Some((stem, (_, right))) = family(formula, index).zip(formula.as_equation()) else {
+        return false;
+    };
+    let is_itself = |own: &Symbol, number: i64| {
+        let mut atoms = Atoms::default();
+        let mut lowering = Lowering::plain(&mut atoms);
+        let there = lowering.lower(&right.substitute(index, &Expr::integer(number)));
+        let own = lowering.lower(&Expr::Symbol(own.clone()));
+        let difference = there.and_then(|there| Ok(there.minus(&own?)?));
+        difference.is_ok_and(|own| own.is_zero())
+    };
+    right
+        .free_symbols()
+        .iter()
+        .any(|own| match own.place(index) {
+            Some((of, Place::Number(number))) => of == stem && !is_itself(own, number.into()),
+            _ => false,
+        })
 }
 
 /// The sequences of which some equation has an element with its number: `E` where there is an `E_1`.
@@ -190,6 +215,7 @@ impl Derivation {
             .flat_map(|&at| &page.locals[at].formulas);
         formula.depends_on(&running.index)
             && shows_index(page, formula, &running.index)
+            && !is_by_another(formula, &running.index)
             && !locals.any(|local| running.ties(local) && !is_declared(page, local, &running.index))
     }
 

@@ -259,6 +259,8 @@ pub enum SuppositionKind {
     Case {
         /// The sentence goes on with the display after it.
         runs_on: bool,
+        /// It is put in at one place, "Setting $x_{n+1} = x_n$ in (1)": the next display alone is said of it.
+        is_put_in: bool,
     },
     /// "The period is $T = 2 \pi r/v$, so": said in passing. What does not follow without it is tried with it.
     Fact {
@@ -361,6 +363,14 @@ pub enum Vanishing {
 }
 
 impl SuppositionKind {
+    /// A case of which more than the next display is said.
+    pub fn case(runs_on: bool) -> Self {
+        Self::Case {
+            runs_on,
+            is_put_in: false,
+        }
+    }
+
     /// Whether what was told of another special case is no longer meant.
     pub fn begins_a_case(self) -> bool {
         use SuppositionKind::{Arbitrary, Case, Compared, Contrary, Fact, TakenUp};

@@ -264,7 +264,9 @@ impl Reader<'_> {
                 .any(|(token, _)| token.is_stop());
             word == "would" && first.is_among(&OF_CASES) && goes_on
         };
-        let denies = self.sentence.careful && among(&DENYING) && !conditional_mood();
+        // "A ball of radius $r = 2 a$ rolls without slipping": only what comes after it is denied.
+        let denies_before = among(&DENYING) && word != "without";
+        let denies = self.sentence.careful && denies_before && !conditional_mood();
         let unsaid = self.sentence.active.is_some() && self.is_silent() && among(&NEGATING);
         // A "non-trivial" solution is none of the trivial ones.
         let compound = || index > 0 && matches!(self.tokens[index - 1].0, Token::Dash);
@@ -299,7 +301,6 @@ impl Reader<'_> {
         } else if among(&UNDECIDED) || among(&DENYING) && !told() {
             self.sentence.factual = false;
             self.sentence.means &= among(&HYPOTHETICAL);
-            // "A ball of radius $r = 2 a$ rolls without slipping": only what comes after it is denied.
             if word != "without" {
                 self.withdraw_facts();
             }
@@ -340,7 +341,7 @@ impl Reader<'_> {
         let is_zero = text.trim_end().ends_with("= 0");
         // "At $x = h$" says where.
         let is_place = follows(index, self.tokens, &NAMED_BEFORE) && equals_a_name(text);
-        let case = SuppositionKind::Case { runs_on: true };
+        let case = SuppositionKind::case(true);
         let labelled = states && cases::is_labelled(self.source, index, self.tokens);
         let labelled = labelled.then_some((case, Reach::List { left: 1 }));
         let active = self.sentence.active.or(labelled);
@@ -429,7 +430,7 @@ impl Reader<'_> {
     fn finish(mut self) -> (Vec<Supposition>, Vec<Span>) {
         for supposition in self.found.iter_mut().skip(self.open) {
             use SuppositionKind::{Case, Fact};
-            if let Case { runs_on } | Fact { runs_on, .. } = &mut supposition.kind {
+            if let Case { runs_on, .. } | Fact { runs_on, .. } = &mut supposition.kind {
                 *runs_on = true;
             }
         }

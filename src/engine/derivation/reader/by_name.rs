@@ -37,7 +37,7 @@ impl Reader<'_> {
         let is_one = meant.windows(2).all(|pair| all[pair[0]] == all[pair[1]]);
         let meant: Vec<Span> = meant.into_iter().map(|at| kinds[at].1).collect();
         for body in meant.into_iter().filter(|_| is_one) {
-            self.suppose(SuppositionKind::Case { runs_on: true }, body);
+            self.suppose(SuppositionKind::case(true), body);
         }
     }
 

@@ -155,7 +155,7 @@ impl Reader<'_> {
         turned.extend(named.extract_if(.., |own| is_other(own)));
         for own in turned {
             let body = self.page.locals[own].span;
-            self.suppose(SuppositionKind::Case { runs_on: true }, body);
+            self.suppose(SuppositionKind::case(true), body);
         }
     }
 

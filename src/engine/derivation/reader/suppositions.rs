@@ -188,7 +188,7 @@ impl Reader<'_> {
         let locals = &self.page.locals;
         let is_other = |at: usize| counted.contains(&locals[at].span);
         self.active.retain(|&at| !is_other(at));
-        self.suppose(SuppositionKind::Case { runs_on: true }, body);
+        self.suppose(SuppositionKind::case(true), body);
     }
 
     /// Whether displays say already what the text says something is: that it is something else they would have to show. Of what
@@ -239,9 +239,22 @@ impl Reader<'_> {
         self.page.restrict(before.., kind, &self.spoken_of);
         let new = before..self.page.locals.len();
         let is_fact = matches!(kind, SuppositionKind::Fact { .. });
-        if is_fact && self.limit_before(body).is_some() {
+        let is_put_in = matches!(
+            kind,
+            Case {
+                is_put_in: true,
+                ..
+            }
+        );
+        if is_put_in || is_fact && self.limit_before(body).is_some() {
             for local in &mut self.page.locals[new.clone()] {
                 local.of_display = true;
+                // What is concluded of a new name for what is put in is so for good.
+                let mut names = local.names().into_iter();
+                if is_put_in && names.any(|own| !self.spoken_of.speaks_of(&own)) {
+                    (local.is_let, local.of_case, local.is_special) = (false, false, false);
+                    (local.is_told, local.means) = (true, true);
+                }
             }
         }
         self.leave_replaced(new.clone());
@@ -312,7 +325,7 @@ impl Reader<'_> {
             self.between.unread.push(body);
         }
         match kind {
-            SuppositionKind::Case { runs_on: true } | SuppositionKind::Compared { .. } => {
+            SuppositionKind::Case { runs_on: true, .. } | SuppositionKind::Compared { .. } => {
                 self.running.extend(new);
             }
             SuppositionKind::Figure => self.begin_example(new),

@@ -158,7 +158,7 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {
         && !rest.iter().any(states);
     let value = source.get(body.range()).is_some_and(is_value);
     (is_case && goes_on && is_sure && value).then_some(Supposition {
-        kind: SuppositionKind::Case { runs_on: true },
+        kind: SuppositionKind::case(true),
         body: *body,
     })
 }

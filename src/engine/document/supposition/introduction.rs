@@ -5,7 +5,7 @@ use super::super::prose::{Placed, Token};
 use super::super::words::Words;
 use super::super::{Span, SuppositionKind};
 use super::around::{follows, is_at_a_place, leads_to_citation};
-use super::mathematics::{differs, is_bound, is_value, relates, stated};
+use super::mathematics::{differs, is_bound, is_chain, is_value, relates, stated};
 use super::reach::Reach;
 use super::words::{COMPARING, CONCLUDING, DEFINING, NEGATING};
 
@@ -17,6 +17,9 @@ const MOST_DESCRIBED: usize = 12;
 const LONGEST_UNIT: usize = 3;
 /// How many words may stand between "for" and what it supposes.
 pub(super) const MOST_DESCRIBING: usize = 3;
+
+/// Between what is put in and where.
+const INTO: [&str; 2] = ["in", "into"];
 
 /// These may introduce a supposition; so may those that define.
 static INTRODUCING: Words = Words::of(&[
@@ -156,7 +159,7 @@ pub(super) fn introduced(
         found: false,
         short,
     };
-    let case = SuppositionKind::Case { runs_on: false };
+    let case = SuppositionKind::case(false);
     let rest = &tokens[index + 1..];
     let listed = || length_of_list(source, word, rest);
     let introduced = match word {
@@ -193,10 +196,17 @@ pub(super) fn introduced(
         "when" if value() && concludes_at_once(index, tokens) => Some((case, joined(true))),
         "for" if !begun && described() => Some((case, joined(true))),
         "case" | "limit" | "situation" if value() && is_looked_at(&tokens[..index]) => {
-            Some((SuppositionKind::Case { runs_on: true }, joined(true)))
+            Some((SuppositionKind::case(true), joined(true)))
         }
         "case" if comma && value() && !is_compared(index, tokens) => Some((case, joined(true))),
         // What is put in at one place is said of the next display alone.
+        "setting" | "putting" if !begun && next(is_chain) && leads_to_citation(rest, &INTO) => {
+            let put = SuppositionKind::Case {
+                runs_on: false,
+                is_put_in: true,
+            };
+            Some((put, joined(true)))
+        }
         "setting" | "putting" | "substituting" | "inserting" | "using"
             if !begun && value() && !is_at_a_place(source, index + 1, tokens) =>
         {
@@ -204,19 +214,14 @@ pub(super) fn introduced(
         }
         "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
         // "Take $a = 2$, $b = 3$ and $c = 4$. We get"
-        "take" | "pick" | "consider" | "examine" if by_us() && listed() >= 1 => Some((
-            SuppositionKind::Case { runs_on: true },
-            Reach::List { left: listed() },
-        )),
+        "take" | "pick" | "consider" | "examine" if by_us() && listed() >= 1 => {
+            Some((SuppositionKind::case(true), Reach::List { left: listed() }))
+        }
         word if DEFINING.has(word) && by_us() && listed() >= 2 => {
             Some((SuppositionKind::Let, Reach::List { left: listed() }))
         }
         // "we put $m = 0$ in (1)"
-        word if DEFINING.has(word)
-            && by_us()
-            && value()
-            && leads_to_citation(rest, &["in", "into"]) =>
-        {
+        word if DEFINING.has(word) && by_us() && value() && leads_to_citation(rest, &INTO) => {
             Some((case, joined(true)))
         }
         word if DEFINING.has(word) && by_us() && value() => {

@@ -88,6 +88,11 @@ pub(super) fn is_value(math: &str) -> bool {
     relates(math) && math.matches('=').count() == 1 && !relates(&math.replace('=', " "))
 }
 
+/// Whether inline math sets several things equal to each other, `x_{n+1} = x_n = x`.
+pub(super) fn is_chain(math: &str) -> bool {
+    relates(math) && math.matches('=').count() > 1 && !relates(&math.replace('=', " "))
+}
+
 /// Whether inline math is one inequality, which bounds what it speaks of.
 pub(super) fn is_bound(math: &str) -> bool {
     relates(math) && !math.contains('=')

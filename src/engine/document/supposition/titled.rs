@@ -87,7 +87,7 @@ fn named(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         let set_off = matches!(tokens[..at].last(), Some((Token::Mark(',' | '(' | ':'), _)));
         let text = source.get(body.range())?;
         (says(text) && (of_case || set_off)).then_some(Supposition {
-            kind: SuppositionKind::Case { runs_on: false },
+            kind: SuppositionKind::case(false),
             body,
         })
     });

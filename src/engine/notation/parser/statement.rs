@@ -389,6 +389,22 @@ impl<'s> Parser<'s> {
                 help,
             });
         }
+        // `x = 1 \to y = 2 \to x = 3` goes from one statement to the next.
+        for (at, pair) in links.windows(3).enumerate() {
+            let [before, arrow, after] = pair else {
+                continue;
+            };
+            let goes_on = arrow.relation == Relation::Tends && equates(before) && equates(after);
+            if goes_on
+                && matches!(places.get(at + 2), Some(Place::Side(side)) if matches!(side.expr, Expr::Symbol(_)))
+            {
+                return refuse_with(
+                    arrow.span,
+                    "whether this tends to a limit, or leads to a statement of its own, is not clear",
+                    "for statements of their own write `,`, or `\\Rightarrow`",
+                );
+            }
+        }
         let places = either(places, &links)?;
         self.chain(places, links, span)
     }
