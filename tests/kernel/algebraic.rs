@@ -338,3 +338,45 @@ fn field_agrees_with_its_own_arithmetic() {
     assert!(above(5, 4).is_gt() && above(4, 3).is_lt());
     assert!(field.sign(&Univariate::default()).is_eq());
 }
+
+#[test]
+fn multiples_of_pi_are_compared_in_the_field() {
+    let two = |claim: &Claim| refuted(claim, x(&SQUARE_OF_TWO, 1, 2));
+    assert_eq!(two(&claim(&["x^2 = 2"], r"\pi x = \pi")), Ok(()));
+    assert_eq!(two(&claim(&["x^2 = 2"], r"\pi^2 x = 2 \pi^2")), Ok(()));
+    // Both summands are positive.
+    assert_eq!(two(&claim(&["x^2 = 2"], r"\pi x + x = 0")), Ok(()));
+    assert_eq!(two(&claim(&["x^2 = 2"], r"\pi x + x \leq 0")), Ok(()));
+}
+
+#[test]
+fn what_pi_multiplies_to_nought_is_nought() {
+    let two = |claim: &Claim| refuted(claim, x(&SQUARE_OF_TWO, 1, 2));
+    let true_there = claim(&["x^2 = 2"], r"\pi x^2 = 2 \pi");
+    assert_eq!(two(&true_there), Err(Reject::GoalNotFalse));
+    let both = claim(&["x^2 = 2"], r"\pi x^2 - x^2 = 2 \pi - 2");
+    assert_eq!(two(&both), Err(Reject::GoalNotFalse));
+    let premise = claim(&[r"\pi x = \pi"], "x = 1");
+    assert_eq!(two(&premise), Err(Reject::PremiseFalse(0)));
+}
+
+#[test]
+fn digits_of_pi_are_not_asked_for_in_a_field() {
+    let two = |claim: &Claim| refuted(claim, x(&SQUARE_OF_TWO, 1, 2));
+    for goal in [
+        r"\pi = 2 x",
+        r"\pi x = 4",
+        r"\pi < 3 x",
+        r"\pi^2 x + x = 5 \pi",
+    ] {
+        let verdict = two(&claim(&["x^2 = 2"], goal));
+        assert_eq!(verdict, Err(Reject::NoValue), "{goal}");
+    }
+}
+
+#[test]
+fn pi_that_is_declared_is_no_number_in_a_field() {
+    let declared = claim(&["x^2 = 2"], r"\pi x = \pi").domain(r"\pi", Domain::default());
+    let verdict = refuted(&declared, x(&SQUARE_OF_TWO, 1, 2));
+    assert_eq!(verdict, Err(Reject::NoValue));
+}

@@ -220,3 +220,34 @@ fn slope_of_what_another_law_moves_is_to_be_known() {
     }
     assert_eq!(refuted(&twice, at), Err(Reject::NoCourse));
 }
+
+#[test]
+fn law_with_a_power_of_pi_throughout_has_a_solution() {
+    let law = |law: &str| claim(&[law], r"\frac{dx}{dt} = x");
+    let at = moving(at(1, -1), None, &[(0, SLOPE)]);
+    assert_eq!(refuted(&law(r"\pi^2 \frac{dx}{dt} = -\pi^2 x"), at), Ok(()));
+}
+
+#[test]
+fn laws_with_a_power_of_pi_that_say_the_same_are_no_two() {
+    let laws = |second: &str| {
+        claim(
+            &[r"\pi \frac{dx}{dt} + \pi \frac{dy}{dt} = 0", second],
+            r"\frac{dx}{dt} = 1",
+        )
+    };
+    let slope = |name: &str| format!(r"\frac{{d{name}}}{{dt}}");
+    let (first, second) = (slope("x"), slope("y"));
+    let at = || {
+        let at = point(&[("x", 1), ("y", 1)]);
+        let at = at.slope("x", "t", 0).slope("y", "t", 0);
+        moving(at, None, &[(0, &first), (1, &second)])
+    };
+    let same = laws(r"\frac{dx}{dt} + \frac{dy}{dt} = 0");
+    assert_eq!(refuted(&same, at()), Err(Reject::NoCourse));
+    let other = laws(r"\frac{dx}{dt} - \frac{dy}{dt} = 0");
+    assert_eq!(refuted(&other, at()), Ok(()));
+    // What is multiplied by different powers of π is not looked at.
+    let mixed = laws(r"\pi \frac{dx}{dt} - \frac{dy}{dt} = 0");
+    assert_eq!(refuted(&mixed, at()), Err(Reject::NoValue));
+}

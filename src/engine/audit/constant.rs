@@ -99,7 +99,7 @@ impl Judge<'_> {
         if begins.is_empty() && !equation.introduces.contains(&constant) {
             return None;
         }
-        let variable = self.variable()?;
+        let variable = self.variable_of(left)?;
         // What is isolated has the value that the text says it begins with.
         let keeps = |said: &ValueSaid| {
             let there = right.substitute(&variable, &said.place);
@@ -130,7 +130,7 @@ impl Judge<'_> {
         assumed: Vec<Assumed>,
         premises: &[usize],
     ) -> Option<Found> {
-        let variable = self.variable()?;
+        let variable = self.variable_of(&Expr::Symbol(given.clone()))?;
         let (said, number) = self.derivation.number_said(self.at, given)?;
         if said.variable.is_some_and(|own| own != variable) {
             return None;
@@ -202,7 +202,7 @@ impl Judge<'_> {
         assumed: &[Assumed],
         found: &mut Found,
     ) -> bool {
-        let Some(variable) = self.variable() else {
+        let Some(variable) = self.variable_of(left).or_else(|| self.variable_of(right)) else {
             return false;
         };
         // A constant that is a factor, say, is not the only thing that may be different for each value of the variable.
@@ -217,8 +217,48 @@ impl Judge<'_> {
             return false;
         }
         let formula = Formula::equal(slope(left), slope(right));
+        if self.stands_still_with_constants(goal, (&formula, constant), &variable, assumed, found) {
+            return true;
+        }
         let claim = self.derivation.claim(self.at, assumed, &formula);
         self.decided(claim, (goal, constant), assumed.to_vec(), found)
+    }
+
+    /// The same where nothing changes of which nobody says so: to look at how each symbol might is more work.
+    fn stands_still_with_constants(
+        &self,
+        goal: &Goal,
+        (formula, constant): (&Formula, &Symbol),
+        variable: &Symbol,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
+        let own = Goal {
+            formula: formula.clone(),
+            ..goal.clone()
+        };
+        let mut shown = Found::open(Judged {
+            goal: own.clone(),
+            ..found.judged.clone()
+        });
+        // What speaks of nothing that is in the laws or in the goal is not needed.
+        let mut named = formula.names();
+        let laws = assumed.iter().filter(|own| own.formula.speaks_of_slopes());
+        named.extend(laws.flat_map(|own| own.formula.names()));
+        let speaks = |own: &&Assumed| !own.formula.names().is_disjoint(&named);
+        let near: Vec<Assumed> = assumed.iter().filter(speaks).cloned().collect();
+        if !self.holds_for_all(variable, &own, &near, &mut shown) {
+            return false;
+        }
+        // That all of it stands still shows nothing.
+        let still = |own: &Symbol| own == constant || shown.constant.contains(own);
+        if goal.formula.free_symbols().iter().all(still) {
+            return false;
+        }
+        found.judged.assumed = shown.judged.assumed;
+        found.judged.outcome = shown.judged.outcome;
+        (found.conditions, found.constant) = (shown.conditions, shown.constant);
+        true
     }
 
     fn decided(
@@ -281,18 +321,32 @@ impl Judge<'_> {
 
     /// What the page differentiates by, where that is one thing.
     pub(super) fn variable(&self) -> Option<Symbol> {
-        let page = self.derivation.equations[self.at].page;
-        let mut variables = Set::new();
-        for at in self.derivation.equations_of(page) {
-            for (left, _, right) in self.derivation.equations[at].relations() {
-                differentiated_by(&left, &mut variables);
-                differentiated_by(&right, &mut variables);
-            }
-        }
-        match variables.len() {
-            1 => variables.pop_first(),
+        let by = self.differentiated_by(|_| true);
+        (by.len() == 1).then_some(by)?.pop_first()
+    }
+
+    /// What the page differentiates the quantities in a term by, where that is one thing; or all others.
+    pub(super) fn variable_of(&self, term: &Expr) -> Option<Symbol> {
+        let mut by = self.differentiated_by(|body| term.mentions(body));
+        match by.len() {
+            0 => self.variable(),
+            1 => by.pop_first(),
             _ => None,
         }
+    }
+
+    /// What the page differentiates by, where a quantity that it differentiates is one of some.
+    fn differentiated_by(&self, is_meant: impl Fn(&Symbol) -> bool) -> Set<Symbol> {
+        let page = self.derivation.equations[self.at].page;
+        let mut found = Set::new();
+        for at in self.derivation.equations_of(page) {
+            for (left, _, right) in self.derivation.equations[at].relations() {
+                for term in [&left, &right] {
+                    collect_variables(term, &is_meant, &mut found);
+                }
+            }
+        }
+        found
     }
 }
 
@@ -322,10 +376,14 @@ fn isolated(
     Some((constant.clone(), what))
 }
 
-fn differentiated_by(term: &Expr, variables: &mut Set<Symbol>) {
-    if let Expr::Derivative { variable, .. } = term {
-        variables.insert(variable.clone());
+fn collect_variables(term: &Expr, is_meant: &impl Fn(&Symbol) -> bool, found: &mut Set<Symbol>) {
+    if let Expr::Derivative { body, variable } = term
+        && Formula::names_in([&**body].into_iter())
+            .iter()
+            .any(is_meant)
+    {
+        found.insert(variable.clone());
     }
     let children = term.children();
-    children.for_each(|child| differentiated_by(child, variables));
+    children.for_each(|child| collect_variables(child, is_meant, found));
 }

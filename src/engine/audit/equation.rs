@@ -46,7 +46,10 @@ impl Auditor<'_> {
             return None;
         }
         let mut usable = usable.clone();
-        let said = meanings.iter().map(|goal| judge::step(&goal.formula));
+        let said = meanings.iter().map(|goal| Assumed {
+            standing: Standing::Identity,
+            ..judge::step(&goal.formula)
+        });
         usable.assumed.extend(said);
         Some(usable)
     }

@@ -74,6 +74,10 @@ fn settle_page(
             case = defined.filter(|_| !statement.under.is_empty());
             for formula in formulas(statement) {
                 for symbol in formula.names() {
+                    // A dot speaks of the time.
+                    if symbol.name().contains("dot{") {
+                        seen.insert(Symbol::new("t"));
+                    }
                     let is_new = seen.insert(symbol.clone()) && !sequences.have(&symbol);
                     let is_name = !is_number(&symbol) || page.domains.contains_key(&symbol);
                     if is_new && is_name {

@@ -90,11 +90,20 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
     }
 }
 
+/// Whether a term speaks of something but for its value at a place: `x = x(0) e^{-t}` gives `x`.
+fn varies_in(name: &Symbol, term: &Expr) -> bool {
+    match term {
+        Expr::Apply(own, at) if own == name => !matches!(&at[..], [Expr::Number(_)]),
+        Expr::Symbol(own) if own == name => true,
+        term => term.children().any(|part| varies_in(name, part)),
+    }
+}
+
 impl Given {
     fn see(&mut self, formula: &Formula, time: &Symbol) {
         if let Some((left @ (Expr::Symbol(name) | Expr::Apply(name, _)), value)) =
             formula.as_equation()
-            && !value.mentions(name)
+            && !varies_in(name, value)
         {
             if value.mentions(time) {
                 self.moving.insert(name.clone());

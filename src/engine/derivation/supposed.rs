@@ -9,7 +9,7 @@ use std::ops::RangeFrom;
 use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol};
-use crate::document::{Span, SuppositionKind, is_reason};
+use crate::document::{Span, SuppositionKind, is_everywhere, is_reason};
 use crate::kernel::Standing;
 use crate::sorted::Set;
 
@@ -52,6 +52,8 @@ pub struct Local {
     /// It is said of the next display alone, and what that concludes of more: "In equilibrium the right-hand side of (1) vanishes", "With
     /// $w = 0$ at $x = 0$ we get".
     pub(super) of_display: bool,
+    /// It is so everywhere, and not at one point: "In equilibrium $J = 0$".
+    everywhere: bool,
     /// It is so at one moment alone.
     pub(super) moment: Option<Moment>,
     pub(super) level: u8,
@@ -73,6 +75,7 @@ impl Local {
             means: false,
             lasts: false,
             of_display: false,
+            everywhere: false,
             moment: None,
             level: 0,
         }
@@ -208,12 +211,15 @@ impl Local {
 }
 
 impl Page {
-    /// What is supposed is so at one point; of constants alone it is so throughout, and so is what a new symbol is said to mean.
+    /// What is supposed is so at one point; of constants alone it is so throughout, and so is what a new symbol is said to mean, or what is
+    /// said to be so everywhere.
     pub fn standing_of(&self, local: &Local, formula: &Formula) -> Standing {
         let is_constant = |s: &Symbol| self.domains.get(s).is_some_and(|d| d.constant);
         let of_constants =
             || formula.free_symbols().iter().all(is_constant) && formula.sequences().is_empty();
-        match local.means || of_constants() {
+        // That a slope is nought, each step needs only where it looks.
+        let everywhere = || local.everywhere && !formula.speaks_of_slopes();
+        match local.means || everywhere() || of_constants() {
             true => Standing::Identity,
             false => Standing::AtPoint,
         }
@@ -276,9 +282,11 @@ impl Page {
                 true => formulas.iter().filter_map(set_to_a_number).collect(),
                 false => Set::new(),
             };
+            let everywhere = is_everywhere(source, span);
             active.push(self.locals.len());
             self.locals.push(Local {
                 set,
+                everywhere,
                 is_let,
                 of_case: is_case || matches!(kind, SuppositionKind::Fact { of_case: true, .. }),
                 is_told: is_fact,

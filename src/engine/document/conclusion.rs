@@ -112,7 +112,13 @@ pub(super) fn read(sentence: &[Placed<'_>]) -> Option<bool> {
         // "from which the quantity is", and not "the height from which it falls".
         let from_which =
             || token.is_among(&["which"]) && at == 1 && sentence[0].0.is_among(&["from"]);
-        (token.is_among(&WORKED) || draws_on(token) || from_which()) && !otherwise(at)
+        // "We are left with", "This leaves".
+        let next_is_with =
+            || matches!(sentence.get(at + 1), Some((with, _)) if with.is_among(&["with"]));
+        let leaves = token.is_among(&["left"]) && next_is_with()
+            || token.is_among(&["leaves"]) && refers(&sentence[..at]);
+        let draws = token.is_among(&WORKED) || draws_on(token) || from_which() || leaves;
+        draws && !otherwise(at)
     };
     Some((0..sentence.len()).any(follows))
 }

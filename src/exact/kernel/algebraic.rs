@@ -215,10 +215,26 @@ impl Point<'_> {
         Ok(())
     }
 
-    /// How the value of a polynomial compares with 0.
+    /// How the value of a polynomial compares with 0. Of one in π its coefficients tell, as far as they have one sign: π is positive.
     pub(super) fn sign_in_field(&mut self, polynomial: &Polynomial) -> Result<Ordering, Reject> {
-        let value = self.number_in_field(polynomial)?;
-        Ok(self.field()?.field.sign(&value))
+        let pi = match self.problem.pi_is_the_number() {
+            true => self.atoms.find(&Atom::Symbol(Symbol::new("\\pi"))),
+            false => None,
+        };
+        let Some(pi) = pi.filter(|&pi| polynomial.degree_in(pi) > 0) else {
+            let value = self.number_in_field(polynomial)?;
+            return Ok(self.field()?.field.sign(&value));
+        };
+        let mut sign = Ordering::Equal;
+        for coefficient in polynomial.in_powers_of(pi) {
+            let value = self.number_in_field(&coefficient)?;
+            let own = self.field()?.field.sign(&value);
+            if sign.is_ne() && own.is_ne() && sign != own {
+                return Err(Reject::NoValue);
+            }
+            sign = sign.then(own);
+        }
+        Ok(sign)
     }
 
     fn field(&self) -> Result<&InField, Reject> {

@@ -17,6 +17,7 @@
 
 use std::borrow::Cow;
 
+use super::in_pi::InPi;
 use super::witness::Point;
 use super::{Origin, Reject, Sign, Standing};
 use crate::algebra::{
@@ -172,9 +173,9 @@ impl Point<'_> {
             let mut row = Vec::with_capacity(laws.len());
             for &(_, lead) in laws {
                 let slope = law.derivative(lead);
-                row.push(self.number(&slope)?.as_rational().ok_or(Reject::NoValue)?);
+                row.push(self.number(&slope)?);
             }
-            matrix.push(row);
+            matrix.push(InPi::without_common_power(&row).ok_or(Reject::NoValue)?);
         }
         match is_regular(matrix) {
             true => Ok(()),

@@ -58,6 +58,20 @@ impl InPi {
         }
     }
 
+    /// Numbers over the one power of π that each of them is a multiple of; `None` where there is no such power.
+    pub fn without_common_power(numbers: &[InPi]) -> Option<Vec<Rational>> {
+        let is_known = |number: &&InPi| !number.is_zero();
+        let length = numbers.iter().find(is_known).map_or(0, |own| own.0.len());
+        let over = |number: &InPi| match number.0.split_last() {
+            None => Some(Rational::zero()),
+            Some((last, lower)) => {
+                let is_alone = number.0.len() == length && lower.iter().all(Rational::is_zero);
+                is_alone.then(|| last.clone())
+            }
+        };
+        numbers.iter().map(over).collect()
+    }
+
     pub fn coefficients(&self) -> &[Rational] {
         &self.0
     }

@@ -273,6 +273,17 @@ fn is_torn(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
     bound(|f| f == Function::Exp) && bound(|f| kind_of(f) == Function::Sin)
 }
 
+/// A polynomial without the powers of an unknown that all of it has as a factor.
+pub fn without_factor(polynomial: &Polynomial, var: Var) -> Polynomial {
+    let mut rest = polynomial.clone();
+    while !rest.is_zero()
+        && let Some(less) = rest.divided_by(&Polynomial::var(var))
+    {
+        rest = less;
+    }
+    rest
+}
+
 /// Writes the values that depend on what was put in for `\pi` as polynomials in it: each equation with π in it is
 /// solved for one symbol that is linear in it.
 pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mut Assignment) {
@@ -283,7 +294,11 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
     };
     point.symbols.remove(&name);
     let equations = problem.facts.iter().filter(|f| f.sign == Sign::Zero);
-    let mut pending: Vec<&Polynomial> = equations.map(|f| &f.polynomial).collect();
+    // What has π for a factor throughout is so whatever that is.
+    let plain: Vec<Polynomial> = equations
+        .map(|f| without_factor(&f.polynomial, pi))
+        .collect();
+    let mut pending: Vec<&Polynomial> = plain.iter().collect();
     let all = pending.clone();
     // What few equations speak of can be changed with the least harm to the others.
     let spoken_of = |var: Var| all.iter().filter(|p| p.degree_in(var) > 0).count();

@@ -3,7 +3,7 @@
 //! What a law of change leaves open is fixed by constants that a solution brings along. Put into the law, a solution must obey it for some of
 //! them; one that obeys it for none, unless something is nought, is none.
 
-use crate::algebra::{Expr, Formula, Function, Symbol, effort};
+use crate::algebra::{BigRational, Expr, Formula, Function, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::document::Extent;
 use crate::kernel::{Refuted, Standing};
@@ -13,7 +13,7 @@ use crate::sorted::Set;
 use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
 use super::conditions::collect_waves;
-use super::solution::met;
+use super::solution::{at_rest, met, own_value, put_for, value_of_its_own};
 
 /// What a solution comes after, where nothing else says that it is one.
 const SOLVING: [&str; 16] = [
@@ -57,22 +57,54 @@ const OF_ANOTHER_LAW: [&str; 20] = [
     "approximately",
     "undamped",
 ];
+/// What is put in for constants.
+const NUMBERS: [i64; 6] = [2, 3, 5, 7, 11, 13];
 /// So much work is done, as [`effort`] counts it.
 const MOST_WORK: u64 = 2_000_000;
 
 /// What is said to be a solution, and of what.
-struct Solution<'a> {
-    law: &'a Assumed,
+struct Solution {
+    law: Assumed,
     variable: Symbol,
     /// What does not move in either.
     constants: Set<Symbol>,
+    /// What is said to be something.
+    meant: Set<Symbol>,
     /// The solution, that all is positive, and what the text says besides.
     assumed: Vec<Assumed>,
 }
 
-impl Solution<'_> {
+impl Solution {
+    /// Whether a symbol is of the law, or what it is is said otherwise: a solution may not choose what it is.
     fn is_of_law(&self, own: &Symbol) -> bool {
-        *own == self.variable || self.law.formula.names().contains(own)
+        *own == self.variable
+            || self.law.formula.names().contains(own)
+            || self.meant.contains(own)
+            || Expr::Symbol(own.clone()) == value_of_its_own()
+    }
+
+    /// Numbers for the constants of the law, no two alike: great ones, or one over them.
+    fn numbers(&self, great: bool) -> Vec<Assumed> {
+        let of_law = self.law.formula.names();
+        let given = self
+            .assumed
+            .iter()
+            .filter_map(|own| match own.formula.as_equation()?.0 {
+                Expr::Symbol(name) => Some(name),
+                _ => None,
+            });
+        let given: Set<&Symbol> = given.collect();
+        let constants = self.constants.iter();
+        let open = constants.filter(|&own| of_law.contains(own) && !given.contains(&own));
+        let set = |(own, number): (&Symbol, i64)| {
+            let number = BigRational::from_integer(number.into());
+            let number = if great { number } else { number.recip() };
+            taken(&Formula::equal(
+                Expr::Symbol(own.clone()),
+                Expr::Number(number),
+            ))
+        };
+        open.zip(NUMBERS).map(set).collect()
     }
 
     /// The same without the solution.
@@ -88,9 +120,23 @@ impl Judge<'_> {
         goal: &Goal,
         premises: &[usize],
     ) -> Option<Found> {
-        let own = self.said_to_solve(goal, premises)?;
+        let mut own = self.said_to_solve(goal, premises)?;
         effort::within(MOST_WORK, || {
-            let refuted = match self.decide_of(&own, &own.assumed, &own.law.formula)? {
+            let mut decision = self.decide_of(&own, &own.assumed, &own.law.formula)?;
+            // With numbers for its constants what is left of the law may have a sign.
+            for great in [true, false] {
+                let Decision::Open(_) = decision else {
+                    break;
+                };
+                let mut assumed = own.assumed.clone();
+                assumed.extend(own.numbers(great));
+                let numbered = || self.decide_of(&own, &assumed, &own.law.formula);
+                if let Some(Decision::Refuted(refuted)) = effort::within(MOST_WORK, numbered) {
+                    own.assumed = assumed;
+                    decision = Decision::Refuted(refuted);
+                }
+            }
+            let refuted = match decision {
                 Decision::Refuted(refuted) => refuted,
                 // It obeys the law, and may have another value where the text tells one.
                 Decision::Proven { .. } => return self.begins_otherwise(goal, &own),
@@ -109,17 +155,23 @@ impl Judge<'_> {
     }
 
     /// The law that a goal is said to solve; nothing where words say that it is none of that law, or something else moves.
-    fn said_to_solve(&self, goal: &Goal, premises: &[usize]) -> Option<Solution<'_>> {
+    fn said_to_solve(&self, goal: &Goal, premises: &[usize]) -> Option<Solution> {
         let (left, right) = goal.formula.as_equation()?;
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
+        let right = &match own_value(left, right) {
+            Some((said, _)) => put_for(right, &said.value, &value_of_its_own()),
+            None => right.clone(),
+        };
+        let solution = Formula::equal(left.clone(), right.clone());
         let own = &self.derivation.equations[self.at];
         if !own.drawn && !self.says(&SOLVING) {
             return None;
         }
         // "Without friction the solution is" is of another law.
-        if own.extent != Extent::Throughout || self.says(&OF_ANOTHER_LAW) {
+        let in_general = own.extent == Extent::Throughout;
+        if self.says(&OF_ANOTHER_LAW) {
             return None;
         }
         let near = &self.others(premises)[0];
@@ -133,14 +185,21 @@ impl Judge<'_> {
                 && own.formula.as_equation().is_some()
                 && Formula::differentiated_in([&*own.formula].into_iter()).contains(&of)
         };
-        let variable = self.variable()?;
+        let variable = self.variable_of(left)?;
         if !right.mentions(&variable) {
             return None;
         }
-        let law = laws().find(is_law)?;
+        let mut law = laws().find(is_law)?.clone();
+        let said = law.formula;
+        law.formula = with_numbers_put_in(&said, laws()).into();
+        if !in_general && law.formula == said {
+            return None;
+        }
         // Nothing else moves, and nothing else is known of what stands in it.
-        let mut constants = goal.formula.free_symbols();
+        let mut constants = solution.free_symbols();
         constants.extend(law.formula.free_symbols());
+        let meant = meant(laws(), &mut constants, (&of, &variable));
+        let names_meant = meant.iter().flat_map(|own| own.formula.names()).collect();
         constants.retain(|own| *own != of && *own != variable && !own.is_unit());
         let moves = |own: &Symbol| self.auditor.changes(self.at, own, &variable);
         if constants.iter().any(moves) {
@@ -152,10 +211,13 @@ impl Judge<'_> {
         };
         let positive = constants.iter().chain([&variable]);
         let positive = positive.map(|own| taken(&Formula::positive(Expr::Symbol(own.clone()))));
-        let assumed = [throughout(&goal.formula)].into_iter().chain(positive);
+        let assumed = [throughout(&solution)].into_iter().chain(meant);
+        let assumed = assumed.chain(positive);
+        let assumed = assumed.collect();
         let mut own = Solution {
             law,
-            assumed: assumed.collect(),
+            assumed,
+            meant: names_meant,
             variable,
             constants,
         };
@@ -197,7 +259,14 @@ impl Judge<'_> {
     fn begins_otherwise(&self, goal: &Goal, own: &Solution) -> Option<Found> {
         let mut said = self.derivation.conditions_said(self.at);
         said.retain(|own| own.just_said);
-        let mut met = met(said, goal, &own.variable).into_iter();
+        if self.starts_from_rest()
+            && let Some((left, _)) = goal.formula.as_equation()
+        {
+            said.extend(at_rest(left, &own.variable));
+        }
+        let mut met = met(said, goal, &own.variable);
+        met.extend((goal.formula.as_equation()).and_then(|(left, right)| own_value(left, right)));
+        let mut met = met.into_iter();
         met.find_map(
             |(_, there)| match self.decide_of(own, own.circumstances(), &there)? {
                 Decision::Refuted(refuted) => {
@@ -243,6 +312,44 @@ impl Judge<'_> {
             self.decide_of(own, &all, &nonsense),
             Some(Decision::Proven { .. })
         )
+    }
+}
+
+/// A law with the numbers put in that something in it is everywhere: "In equilibrium $J = 0$".
+fn with_numbers_put_in<'a>(law: &Formula, said: impl Iterator<Item = &'a Assumed>) -> Formula {
+    let everywhere = said.filter(|own| own.standing == Standing::Identity);
+    everywhere.fold(law.clone(), |law, own| match own.formula.as_equation() {
+        Some((Expr::Symbol(name), number @ Expr::Number(_))) => {
+            law.map_terms(|term| term.substitute(name, number))
+        }
+        _ => law,
+    })
+}
+
+/// What some of these say that symbols among some mean, by what does not change: `\ell = D/v`. What they are made of joins the symbols.
+fn meant<'a>(
+    said: impl Iterator<Item = &'a Assumed>,
+    symbols: &mut Set<Symbol>,
+    (of, variable): (&Symbol, &Symbol),
+) -> Vec<Assumed> {
+    let mut said: Vec<&Assumed> = said
+        .filter(|own| own.standing == Standing::Identity)
+        .collect();
+    let mut found: Vec<Assumed> = Vec::new();
+    loop {
+        let means = |own: &&Assumed| match own.formula.as_equation() {
+            Some((Expr::Symbol(name), value)) => {
+                let moves = value.mentions(of) || value.mentions(variable);
+                symbols.contains(name) && name != of && !moves && !value.mentions(name)
+            }
+            _ => false,
+        };
+        let Some(at) = said.iter().position(means) else {
+            return found;
+        };
+        let own = said.remove(at);
+        symbols.extend(own.formula.free_symbols());
+        found.push(own.clone());
     }
 }
 

@@ -4,7 +4,7 @@
 //! What both sides differ by does not change, by itself or times an exponential, and it is 0 at the place; then it is 0 everywhere. A law by itself leaves open which solution
 //! is meant, so a point on it refutes none: what refutes one is that it does not obey the law, or has another value there.
 
-use crate::algebra::{Expr, Formula, Function, LimitPoint, Symbol};
+use crate::algebra::{Expr, Formula, Function, LimitPoint, Symbol, effort, split_subscript};
 use crate::derivation::{Assumed, ConditionSaid, Goal};
 use crate::kernel::Standing;
 use crate::search::{self, Decision, Effort};
@@ -15,6 +15,8 @@ use super::super::judge::{Found, Judge, step};
 /// Why it is left open whether it is the solution that is meant.
 const UNDECIDED: &str = "it may be the solution with the values that the text tells at one place";
 
+/// So much work is done to see whether one term does not change: what was tried before may have left nothing.
+const MOST_WORK: u64 = 1_000_000;
 /// More exponentials than these are not tried.
 const MOST_EXPONENTS: usize = 3;
 
@@ -33,11 +35,21 @@ impl Judge<'_> {
         }
         // To look for the variable is to look through the page.
         let said = self.derivation.conditions_said(self.at);
-        if said.is_empty() {
+        let starts = self.starts_from_rest();
+        let own = own_value(left, right);
+        if said.is_empty() && !starts && own.is_none() {
             return None;
         }
-        let variable = self.variable()?;
-        let conditions = met(said, goal, &variable);
+        let variable = self.variable_of(left)?;
+        let mut conditions = met(said, goal, &variable);
+        let mut right = right.clone();
+        if let Some((said, there)) = own.filter(|own| own.0.variable.as_ref() == Some(&variable)) {
+            right = put_for(&right, &said.value, &value_of_its_own());
+            conditions.push((said, there));
+        }
+        if starts && conditions.is_empty() {
+            conditions = met(vec![at_rest(left, &variable)?], goal, &variable);
+        }
         if conditions.is_empty() {
             return None;
         }
@@ -52,7 +64,7 @@ impl Judge<'_> {
         if laws.is_empty() {
             return None;
         }
-        let difference = Expr::Sum([left.clone(), Expr::Negate(right.clone().into())].into());
+        let difference = Expr::Sum([left.clone(), Expr::Negate(right.into())].into());
         let kept = possibly_kept(difference, goal, &laws, &variable);
         let mut fixed: Vec<Assumed> = others.iter().copied().cloned().collect();
         fixed.retain(|own| self.is_fixed(own, &conditions, &variable));
@@ -68,7 +80,19 @@ impl Judge<'_> {
             if search::prove_unconditionally(claim.clone(), Effort::Light).is_some() || divided() {
                 let mut kept = kept.iter();
                 if let Some(mut own) = kept.find_map(|kept| self.keeps(goal, kept, premises)) {
-                    own.judged.assumed.push(step(&value_there(said, &variable)));
+                    if !matches!(said.value, Expr::Limit { .. }) {
+                        let there = step(&value_there(said, &variable));
+                        own.judged.assumed.push(there);
+                    }
+                    // That it does not change is no condition.
+                    let speaks = |own: &Formula| {
+                        let mut terms = own.terms().into_iter();
+                        terms.any(|term| term.any(&|part| *part == value_of_its_own()))
+                    };
+                    own.conditions.retain(|own| !speaks(own));
+                    own.constant
+                        .retain(|own| Expr::Symbol(own.clone()) != value_of_its_own());
+                    own.judged.assumed.retain(|own| !speaks(&own.formula));
                     return Some(own);
                 }
             }
@@ -84,11 +108,19 @@ impl Judge<'_> {
         Some(own)
     }
 
+    /// Whether the sentence before the step says that something starts from rest.
+    pub(super) fn starts_from_rest(&self) -> bool {
+        self.says(&["rest"])
+            && self.says(&["start", "starts", "starting", "started", "released", "from"])
+    }
+
     /// Whether a term that is 0 where a goal is met does not change.
     fn keeps(&self, goal: &Goal, term: &Expr, premises: &[usize]) -> Option<Found> {
         let constant = Symbol::new(OF_INTEGRATION);
         let assumed = self.usable.assumed.clone();
-        self.where_constant(goal, (term.clone(), &constant), assumed, premises)
+        effort::within(MOST_WORK, || {
+            self.where_constant(goal, (term.clone(), &constant), assumed, premises)
+        })
     }
 
     /// Whether a premise says nothing of what varies.
@@ -123,6 +155,60 @@ impl Judge<'_> {
             )
         })
     }
+}
+
+/// The value of what a step gives, where that speaks of it itself: `z = a + (z(0) - a) e^{-t}` must come to `z(0)` there.
+pub(super) fn own_value(left: &Expr, right: &Expr) -> Option<(ConditionSaid, Formula)> {
+    fn find<'e>(term: &'e Expr, of: &Expr) -> Option<(&'e Expr, &'e Symbol, &'e Expr)> {
+        match term {
+            Expr::Limit {
+                body,
+                variable,
+                point: LimitPoint::Finite(place),
+            } if **body == *of => Some((term, variable, place)),
+            term => term.children().find_map(|part| find(part, of)),
+        }
+    }
+    let (value, variable, place) = find(right, left).filter(|_| matches!(left, Expr::Symbol(_)))?;
+    let right = put_for(right, value, &value_of_its_own());
+    let there = Formula::equal(value_of_its_own(), right.substitute(variable, place));
+    let said = ConditionSaid {
+        of: left.clone(),
+        value: value.clone(),
+        variable: Some(variable.clone()),
+        place: place.clone(),
+        just_said: true,
+    };
+    Some((said, there))
+}
+
+/// What stands for the value at a place, whatever that is.
+pub(super) fn value_of_its_own() -> Expr {
+    Expr::Symbol(Symbol::new("\\text{value there}"))
+}
+
+/// A term with another one put in for what it speaks of.
+pub(super) fn put_for(term: &Expr, of: &Expr, value: &Expr) -> Expr {
+    match term == of {
+        true => value.clone(),
+        false => term.map_children(|part| put_for(part, of, value)),
+    }
+}
+
+/// That a velocity begins with nought: "The solution that starts from rest is".
+pub(super) fn at_rest(velocity: &Expr, variable: &Symbol) -> Option<ConditionSaid> {
+    let is_velocity = |own: &Symbol| {
+        let stem = split_subscript(own.name()).map_or(own.name(), |(stem, _)| stem);
+        matches!(stem, "v" | "u" | "w" | "V" | "U" | "\\omega")
+    };
+    let is_of_time = matches!(variable.name(), "t");
+    matches!(velocity, Expr::Symbol(own) if is_of_time && is_velocity(own)).then(|| ConditionSaid {
+        of: velocity.clone(),
+        value: Expr::integer(0),
+        variable: Some(variable.clone()),
+        place: Expr::integer(0),
+        just_said: true,
+    })
 }
 
 /// What the text tells at places of things that a goal speaks of, the last that it tells of each, and what the goal comes to there.
@@ -183,7 +269,7 @@ fn possibly_kept(difference: Expr, goal: &Goal, laws: &[&Assumed], variable: &Sy
         let negative = Expr::Negate(own.clone().into());
         [times(negative), times(own.clone())]
     });
-    std::iter::once(difference.clone()).chain(both).collect()
+    both.chain([difference.clone()]).collect()
 }
 
 fn collect_exponents(term: &Expr, variable: &Symbol, found: &mut Vec<Expr>) {

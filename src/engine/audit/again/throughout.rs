@@ -23,7 +23,7 @@ const COMPARING: [&str; 5] = [
     "comparing",
 ];
 /// More symbols than this are not held constant.
-const MOST_HELD: usize = 10;
+const MOST_HELD: usize = 14;
 
 impl Judge<'_> {
     /// Whether a step that was not proved follows from what holds throughout, cited or not.
@@ -86,7 +86,7 @@ impl Judge<'_> {
     }
 
     /// The same for every value of one variable.
-    fn holds_for_all(
+    pub(in crate::audit) fn holds_for_all(
         &self,
         variable: &Symbol,
         goal: &Goal,

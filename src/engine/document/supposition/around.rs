@@ -82,6 +82,21 @@ pub(super) fn is_plain(index: usize, tokens: &[Placed<'_>]) -> bool {
         || follows(index, tokens, &["with", "since", "because", "using", "is"])
 }
 
+/// Whether a clause says no more than that nothing changes: "In equilibrium $J = 0$", "and in the steady state $J = 0$".
+pub(super) fn is_at_rest(before: &[Placed<'_>]) -> bool {
+    let is = |at: usize, words: &[&str]| {
+        let at = before.len().checked_sub(at);
+        at.is_some_and(|at| before[at].0.is_among(words))
+    };
+    let named = match () {
+        () if is(1, &["equilibrium"]) => 1,
+        () if is(1, &["state"]) && is(2, &["steady", "stationary"]) => 2,
+        () => return false,
+    };
+    let article = usize::from(is(named + 1, &["the", "a", "thermal"]));
+    is(named + article + 1, &["in", "at"])
+}
+
 /// Whether the mathematics at `index` is told where something begins, or what it is called, and supposed to be no value.
 ///
 /// "With $g = G M/R^2$ at the surface" is a value: an origin is a number.

@@ -213,6 +213,14 @@ pub(super) fn introduced(
             Some((case, joined(true)))
         }
         "with" if (!begun && capital || cited()) && value() => Some((case, joined(true))),
+        // "Hence, with $\ell = D/v$,", "so that with $q = 0$"
+        "with"
+            if value()
+                && (only_joins(&tokens[..index]) || draws_just_before(&tokens[..index]))
+                && leads_to_display(source, index, tokens) =>
+        {
+            Some((case, joined(true)))
+        }
         // "Take $a = 2$, $b = 3$ and $c = 4$. We get"
         "take" | "pick" | "consider" | "examine" if by_us() && listed() >= 1 => {
             Some((SuppositionKind::case(true), Reach::List { left: listed() }))
@@ -379,6 +387,15 @@ fn only_joins(before: &[Placed<'_>]) -> bool {
     let unit = unit.take_while(|(token, _)| is_unit_word(*token)).count();
     let before = &before[unit..];
     !before.is_empty() && unit <= LONGEST_UNIT && before.iter().all(joins)
+}
+
+/// Whether a sentence has just begun to draw a conclusion: "Hence, with".
+fn draws_just_before(before: &[Placed<'_>]) -> bool {
+    let mut before = before.iter().rev();
+    let last = before.find(|token| !token.0.is_mark(','));
+    last.is_some_and(|(token, _)| {
+        token.is_among(&["so", "hence", "thus", "therefore", "that", "then", "which"])
+    })
 }
 
 /// Whether a word may be of the unit of what a display says: "watts, and for $R = 3 r$".

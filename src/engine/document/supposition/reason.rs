@@ -1,4 +1,4 @@
-//! Whether what is told is given as a reason: "since $a = b$", "Since no heat is lost, $a = b$".
+//! Whether what is told is given as a reason: "since $a = b$", "Since no heat is lost, $a = b$"; and whether it is so everywhere.
 
 use super::super::Span;
 use super::super::words::Listed;
@@ -16,6 +16,57 @@ pub fn is_reason(source: &str, body: Span) -> bool {
     };
     word.is_some_and(|word| REASONS.has_in_any_case(word) && !is_place(word))
         || follows_a_reason(source, body)
+}
+
+/// What is so everywhere is said with these after it, "$J = 0$ everywhere"; and so is what is put into a law that is integrated.
+const EVERYWHERE: [&str; 5] = [
+    "everywhere",
+    "throughout",
+    "identically",
+    "integrating",
+    "integration",
+];
+/// Where nothing changes, what is told is so everywhere: "In equilibrium $J = 0$".
+const AT_REST: [&str; 6] = [
+    "equilibrium",
+    "thermal equilibrium",
+    "the steady state",
+    "a steady state",
+    "steady state",
+    "the stationary state",
+];
+/// What comes after these is so at a place.
+const PLACES: &[&str] = &[
+    "at", "from", "to", "between", "for", "when", "until", "where",
+];
+/// More of a sentence is not looked at.
+const LONGEST: usize = 200;
+
+/// Whether the sentence around mathematics says that it is so everywhere, and not at one place: "$J = 0$ everywhere", "In equilibrium $J = 0$".
+pub fn is_everywhere(source: &str, body: Span) -> bool {
+    let before = source.get(..body.start).unwrap_or_default();
+    let near = before.len().saturating_sub(LONGEST);
+    let near = (near..=before.len()).find(|&at| before.is_char_boundary(at));
+    let sentence = before[near.unwrap_or_default()..]
+        .rsplit(['.', '\n', ';'])
+        .next();
+    let begins = sentence.unwrap_or_default().trim_start();
+    let begins = begins
+        .strip_prefix("In ")
+        .or_else(|| begins.strip_prefix("At "));
+    let rests = begins.is_some_and(|own| AT_REST.iter().any(|words| own.starts_with(words)));
+    let after = source.get(body.end..).unwrap_or_default();
+    let ends = after.char_indices().take(LONGEST);
+    let end = ends
+        .map(|(at, _)| at)
+        .find(|&at| after[at..].starts_with(['.', ';', '=']) || after[at..].starts_with("\n\n"));
+    let mut words = after[..end.unwrap_or_default()].split(|c: char| !c.is_alphabetic());
+    let word = before
+        .trim_end_matches(|c: char| !c.is_alphabetic())
+        .rsplit(|c: char| !c.is_alphabetic())
+        .next();
+    let is_place = word.is_some_and(|word| PLACES.has_in_any_case(word));
+    !is_place && (rests || words.any(|word| EVERYWHERE.contains(&word)))
 }
 
 /// Whether the clause before mathematics gives a reason in words: "Since no heat is lost, $a = b$".

@@ -4,7 +4,7 @@ use super::super::prose::{Token, in_lower_case};
 use super::super::words::Words;
 use super::super::{Extent, Span, SuppositionKind, circumstance};
 use super::around::{
-    ends_before, follows, is_at_a_place, is_at_a_value, is_named, is_plain, tells_that,
+    ends_before, follows, is_at_a_place, is_at_a_value, is_at_rest, is_named, is_plain, tells_that,
 };
 use super::denial::DENIALS;
 use super::mathematics::{differs, is_bound, is_number, is_value, relates};
@@ -146,7 +146,13 @@ impl Reader<'_> {
         // "as it is for $x = 0$" compares, "for $x > 0$ it grows" goes through cases.
         let bounds = is_bound(text) && !differs(text);
         let plainly = match is_number(text) && !bounds {
-            true => is_plain(index, self.tokens) || self.joins(index, is_fact),
+            true => {
+                // What a slope is there is said of a moment.
+                let is_slope = text.contains("\\frac") || text.contains("dot");
+                is_plain(index, self.tokens)
+                    || !is_slope && is_at_rest(&self.tokens[own.first..index])
+                    || self.joins(index, is_fact)
+            }
             false => !(bounds && follows(index, self.tokens, &["for"])),
         };
         // "which starts with $I = I_0$ at $t = 0$" is so then.

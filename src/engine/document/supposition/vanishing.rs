@@ -118,6 +118,10 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
             .or_else(|| set(source, sentence))
             .or_else(|| neglected::read(source, sentence))
             .or_else(named);
+        let own = own.filter(|own| {
+            let vanishes = matches!(own.kind, SuppositionKind::Vanishes(_));
+            !vanishes || !is_said_in_symbols(source, sentence)
+        });
         found.extend(own.iter().flat_map(|first| also_set(sentence, first)));
         match own {
             Some(mut own) => {
@@ -505,6 +509,17 @@ fn of_display(source: &str, sentence: &[Placed<'_>], leads: bool) -> Vec<Supposi
         None => found,
         Some(_) => Vec::new(),
     }
+}
+
+/// Whether a sentence goes on with what vanishes in symbols: "the flux vanishes everywhere, $J = 0$".
+fn is_said_in_symbols(source: &str, rest: &[Placed<'_>]) -> bool {
+    rest.windows(2).any(|pair| match pair {
+        [(comma, _), (Token::Math(body), _)] if comma.is_mark(',') => {
+            let text = source.get(body.range()).unwrap_or_default().trim_end();
+            text.ends_with("= 0") || text.ends_with("=0")
+        }
+        _ => false,
+    })
 }
 
 /// What a sentence puts as a condition in words, where these are not understood: "Both sides vanish", "Equating coefficients".

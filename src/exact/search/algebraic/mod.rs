@@ -8,9 +8,10 @@ mod known;
 mod solve;
 mod state;
 
+use super::functions::without_factor;
 use super::refute::{complete, count_symbols, measured_in_units, negation, roots};
 use crate::algebra::{
-    Atom, Atoms, Expr, Function, Monomial, Polynomial, Rational, Univariate, Var,
+    Atom, Atoms, Expr, Function, Monomial, Polynomial, Rational, Symbol, Univariate, Var,
 };
 use crate::kernel::{Algebraic, Assignment, Fact, Field, Obligation, Sign};
 use crate::sorted::{self, Map};
@@ -61,8 +62,12 @@ impl<'a> Posed<'a> {
     /// `None` where there is no point of this kind to be looked for.
     fn new(obligation: &'a Obligation, against_goal: bool) -> Option<Self> {
         let (claim, problem) = (obligation.claim(), obligation.as_written());
+        let pi = match problem.pi_is_the_number() {
+            true => problem.atoms.find(&Atom::Symbol(Symbol::new("\\pi"))),
+            false => None,
+        };
         let plain = |atom: &Atom| match atom {
-            Atom::Symbol(symbol) => symbol.name() != "\\pi" || !problem.pi_is_the_number(),
+            Atom::Symbol(_) => true,
             Atom::Opaque(Expr::Power(_, exponent)) => matches!(**exponent, Expr::Number(_)),
             Atom::Opaque(Expr::Call(Function::Abs, _) | Expr::Derivative { .. }) => true,
             _ => false,
@@ -88,6 +93,16 @@ impl<'a> Posed<'a> {
             facts.extend(roots(&mut atoms)?);
         }
         facts.extend(measured_in_units(claim, &atoms));
+        if let Some(pi) = pi {
+            // What is said of π alone is so; what has it for a factor is so whatever it is. Nothing else with it is looked at.
+            facts.retain(|fact| fact.polynomial.vars()[..] != [pi]);
+            for fact in &mut facts {
+                fact.polynomial = without_factor(&fact.polynomial, pi);
+            }
+            if facts.iter().any(|fact| fact.polynomial.degree_in(pi) > 0) {
+                return None;
+            }
+        }
         // Where every equation is linear, what there is has rational points among it.
         let is_curved = |fact: &Fact| fact.sign == Sign::Zero && fact.polynomial.degree() > 1;
         let equations = facts.iter().filter(|f| f.sign == Sign::Zero).count();
@@ -147,6 +162,10 @@ impl<'a> Posed<'a> {
         point.algebraic = Some(own.into());
         let (claim, unfold) = (self.obligation.claim(), self.obligation.unfold());
         complete(claim, unfold, &mut point);
+        // The number π has its value.
+        if self.obligation.as_written().pi_is_the_number() {
+            point.symbols.remove(&Symbol::new("\\pi"));
+        }
         point
     }
 }
