@@ -68,7 +68,7 @@ struct Solution {
     variable: Symbol,
     /// What does not move in either.
     constants: Set<Symbol>,
-    /// What is said to be something.
+    /// What is said to be made of what the law speaks of.
     meant: Set<Symbol>,
     /// The solution, that all is positive, and what the text says besides.
     assumed: Vec<Assumed>,
@@ -199,7 +199,7 @@ impl Judge<'_> {
         let mut constants = solution.free_symbols();
         constants.extend(law.formula.free_symbols());
         let meant = meant(laws(), &mut constants, (&of, &variable));
-        let names_meant = meant.iter().flat_map(|own| own.formula.names()).collect();
+        let names_meant = fixed_by(&law.formula, &meant);
         constants.retain(|own| *own != of && *own != variable && !own.is_unit());
         let moves = |own: &Symbol| self.auditor.changes(self.at, own, &variable);
         if constants.iter().any(moves) {
@@ -350,6 +350,24 @@ fn meant<'a>(
         let own = said.remove(at);
         symbols.extend(own.formula.free_symbols());
         found.push(own.clone());
+    }
+}
+
+/// The symbols that some equations give by what a law speaks of: of `\tau = u/g` and `\dot v = g - k v^2` none, as `u` may be chosen.
+fn fixed_by(law: &Formula, given: &[Assumed]) -> Set<Symbol> {
+    let mut fixed = law.names();
+    loop {
+        let before = fixed.len();
+        for (name, value) in given.iter().filter_map(|own| own.formula.as_equation()) {
+            if let Expr::Symbol(name) = name
+                && value.free_symbols().iter().all(|own| fixed.contains(own))
+            {
+                fixed.insert(name.clone());
+            }
+        }
+        if fixed.len() == before {
+            return fixed;
+        }
     }
 }
 
