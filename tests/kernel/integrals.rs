@@ -308,3 +308,91 @@ fn elements_that_are_constant_say_nothing_of_a_symbol_of_their_name() {
     let both = format!("{elements} + x");
     assert!(checked(&slope(&both)).is_err());
 }
+
+#[test]
+fn quotients_are_taken_apart_into_partial_fractions() {
+    told_apart(&[
+        (
+            r"\int_0^b \frac{x}{a + x} \, dx = b - a \ln\frac{a + b}{a}",
+            r"\int_0^b \frac{x}{a + x} \, dx = b + a \ln\frac{a + b}{a}",
+        ),
+        (
+            r"\int_0^b \frac{c x}{a + k x} \, dx = \frac{c b}{k} - \frac{c a}{k^2} \ln\frac{a + k b}{a}",
+            r"\int_0^b \frac{c x}{a + k x} \, dx = \frac{c b}{k} - \frac{c a}{k} \ln\frac{a + k b}{a}",
+        ),
+        (
+            r"\int_0^b \frac{x^2}{(a + x)^2} \, dx = a + b - \frac{a^2}{a + b} - 2 a \ln\frac{a + b}{a}",
+            r"\int_0^b \frac{x^2}{(a + x)^2} \, dx = a + b - \frac{a^2}{a + b} - a \ln\frac{a + b}{a}",
+        ),
+        (
+            r"\int_0^b \frac{1}{(x + k) (x + 2 k)} \, dx = \frac{1}{k} (\ln\frac{b + k}{k} - \ln\frac{b + 2 k}{2 k})",
+            r"\int_0^b \frac{1}{(x + k) (x + 2 k)} \, dx = \frac{1}{k} (\ln\frac{b + k}{k} + \ln\frac{b + 2 k}{2 k})",
+        ),
+        (
+            r"\int_a^b \frac{1}{x (x + k)} \, dx = \frac{1}{k} (\ln\frac{b}{a} - \ln\frac{b + k}{a + k})",
+            r"\int_a^b \frac{1}{x (x + k)} \, dx = \ln\frac{b}{a} - \ln\frac{b + k}{a + k}",
+        ),
+        (
+            r"\int_a^b \frac{1}{x^2 (x + k)} \, dx = \frac{1}{k} (\frac{1}{a} - \frac{1}{b}) - \frac{1}{k^2} (\ln\frac{b}{a} - \ln\frac{b + k}{a + k})",
+            r"\int_a^b \frac{1}{x^2 (x + k)} \, dx = \frac{1}{k} (\frac{1}{a} - \frac{1}{b}) + \frac{1}{k^2} (\ln\frac{b}{a} - \ln\frac{b + k}{a + k})",
+        ),
+    ]);
+    // Across a pole, where two factors may be one, and of too many.
+    refused(&[
+        r"\int_0^b \frac{x}{a - x} \, dx = -b - a \ln\frac{a - b}{a}",
+        r"\int_{-b}^b \frac{x}{a + x} \, dx = 2 b - a \ln\frac{a + b}{a - b}",
+        r"\int_a^b \frac{1}{(x + k) (x + c)} \, dx = \frac{1}{c - k} (\ln\frac{b + k}{a + k} - \ln\frac{b + c}{a + c})",
+        r"\int_{-a}^b \frac{1}{x (x + k)} \, dx = 0",
+        r"\int_0^b \frac{x^9}{a + x} \, dx = 0",
+    ]);
+}
+
+#[test]
+fn limits_at_minus_infinity_are_those_of_the_opposite() {
+    told_apart(&[
+        (
+            r"\lim_{x \to -\infty} \exp(k x) = 0",
+            r"\lim_{x \to -\infty} \exp(k x) = 1",
+        ),
+        (
+            r"\lim_{x \to -\infty} \frac{c x + 1}{x - k} = c",
+            r"\lim_{x \to -\infty} \frac{c x + 1}{x - k} = -c",
+        ),
+        (
+            r"\lim_{x \to -\infty} x \exp(k x) = 0",
+            r"\lim_{x \to -\infty} x \exp(k x) = 1",
+        ),
+        (
+            r"\int_{-\infty}^0 c \exp(2 k x) \, dx = \frac{c}{2 k}",
+            r"\int_{-\infty}^0 c \exp(2 k x) \, dx = \frac{c}{k}",
+        ),
+    ]);
+    refused(&[
+        r"\lim_{x \to -\infty} \exp(-k x) = 0",
+        r"\lim_{x \to -\infty} x = 0",
+        r"\int_{-\infty}^0 \exp(-k x) \, dx = 0",
+    ]);
+}
+
+#[test]
+fn powers_times_exponentials_of_powers() {
+    told_apart(&[
+        (
+            r"\int_0^b x \exp(-k x^2) \, dx = \frac{1 - \exp(-k b^2)}{2 k}",
+            r"\int_0^b x \exp(-k x^2) \, dx = \frac{1 - \exp(-k b^2)}{k}",
+        ),
+        (
+            r"\int_0^b x^3 \exp(-x^2) \, dx = \frac{1}{2} - \frac{(b^2 + 1) \exp(-b^2)}{2}",
+            r"\int_0^b x^3 \exp(-x^2) \, dx = \frac{1}{2} - \frac{b^2 \exp(-b^2)}{2}",
+        ),
+        (
+            r"\int_0^b x^2 \exp(\frac{x^3}{a}) \, dx = \frac{a}{3} (\exp(\frac{b^3}{a}) - 1)",
+            r"\int_0^b x^2 \exp(\frac{x^3}{a}) \, dx = \frac{1}{3} (\exp(\frac{b^3}{a}) - 1)",
+        ),
+    ]);
+    refused(&[
+        r"\int_0^b \exp(-x^2) \, dx = 0",
+        r"\int_0^b x^2 \exp(-x^2) \, dx = 0",
+        r"\int_0^b x \exp(-x^2 - x) \, dx = 0",
+    ]);
+}

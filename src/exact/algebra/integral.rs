@@ -5,7 +5,9 @@
 //! | x^r | x^(r+1)/(r+1) | r ≠ -1; where r < 0, 0 does not lie between the limits |
 //! | 1/x | ln x | 0 does not lie between the limits |
 //! | 1/(a + b x)^m | the same of a + b x, over b | it does not vanish between the limits |
+//! | x^n / ((a + b x)^m (c + d x)^l …) | by partial fractions | b c ≠ a d; they do not vanish between the limits |
 //! | x^n f with f' = k f | by parts, n times | k ≠ 0 |
+//! | x^n f with f' = k x^m f, as of exp(-x²) | by parts | k ≠ 0, n = m + l (m + 1) |
 //! | x^n f with f'' = k f + c, as sin and sin² are | by parts, two at a time | k ≠ 0 |
 //! | f g with g' = k f | g²/(2 k) | k ≠ 0 |
 //!
@@ -255,6 +257,7 @@ impl Lowering<'_> {
                 let part = self.power_between(&linear, &Rational::from(*exponent), range)?;
                 Ok(Some(part.times(&slope)?))
             }
+            ([], linear) if term.power.is_integer() => self.fractions_between(term, linear, range),
             (factors, []) if let Some(power) = small(&term.power) => {
                 let before = std::mem::take(&mut self.conditions);
                 let found = self.antiderivative(power, factors, range)?;
@@ -272,6 +275,77 @@ impl Lowering<'_> {
             }
             _ => Ok(None),
         }
+    }
+
+    /// The integral of a power of the variable over linear factors, or of one over several of these, by partial fractions.
+    fn fractions_between(
+        &mut self,
+        term: &Moving,
+        linear: &[(Polynomial, u32)],
+        range: &Range,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let mut linear = linear.to_vec();
+        let mut power = term.power.clone();
+        if power.is_negative() {
+            let Some(exponent) = small(&-&power) else {
+                return Ok(None);
+            };
+            linear.push((Polynomial::var(range.own), exponent));
+            power = Rational::zero();
+        }
+        let size = linear.iter().map(|own| u64::from(own.1)).sum::<u64>();
+        if small(&power).is_none_or(|power| size + u64::from(power) > MOST_PARTS) {
+            return Ok(None);
+        }
+        // The same with one factor less of some, and another power of the variable.
+        let less = |own: &mut Self, power: &Rational, factor: Option<usize>| {
+            let mut fewer = linear.clone();
+            if let Some(at) = factor {
+                fewer[at].1 -= 1;
+            }
+            fewer.retain(|own| own.1 > 0);
+            let term = Moving {
+                power: power.clone(),
+                factors: Vec::new(),
+                linear: fewer,
+            };
+            own.between(&term, range)
+        };
+        let one = Rational::one();
+        let parts = |own: &Self, at: usize| {
+            let slope = own.slope(&linear[at].0, range)?;
+            let rest = linear[at].0.in_powers_of(range.own).into_iter().next()?;
+            Some((slope, rest))
+        };
+        // x = ((a + b x) - a)/b; and b/(a + b x) - d/(c + d x) is (b c - a d) over both.
+        let (first, second, divisor) = if power.is_positive() {
+            let Some((slope, rest)) = parts(self, 0) else {
+                return Ok(None);
+            };
+            let fewer = &power - &one;
+            let first = less(self, &fewer, Some(0))?;
+            let second = less(self, &fewer, None)?;
+            let second = second.map(|own| own.times(&rest.into())).transpose()?;
+            (first, second, slope)
+        } else {
+            let (Some((b, a)), Some((d, c))) = (parts(self, 0), parts(self, 1)) else {
+                return Ok(None);
+            };
+            let between = b.times(&c)?.minus(&a.times(&d)?);
+            let first = less(self, &power, Some(1))?;
+            let second = less(self, &power, Some(0))?;
+            let first = first.map(|own| own.times(&b.into())).transpose()?;
+            let second = second.map(|own| own.times(&d.into())).transpose()?;
+            (first, second, between)
+        };
+        let (Some(first), Some(second)) = (first, second) else {
+            return Ok(None);
+        };
+        if divisor.is_zero() {
+            return Ok(None);
+        }
+        let over = self.recip(&divisor.into())?;
+        Ok(Some(first.minus(&second)?.times(&over)?))
     }
 
     /// ∫ du / u^e between the values that `u` has at the limits.
@@ -316,6 +390,15 @@ impl Lowering<'_> {
         if let Some(rate) = rate.filter(|rate| !rate.is_zero()) {
             return self.by_parts(power, &product, &rate, range).map(Some);
         }
+        if let Some((degree, rate)) = self.rate_in_powers(factors, range)?
+            && let Some(over) = power.checked_sub(degree)
+            && over % (degree + 1) == 0
+        {
+            let times = over / (degree + 1);
+            return self
+                .by_parts_in_powers((degree, times), &product, &rate, range)
+                .map(Some);
+        }
         let zero = Fraction::default();
         match *factors {
             [(var, exponent @ (1 | 2))] => {
@@ -358,6 +441,57 @@ impl Lowering<'_> {
         for n in 1..=n {
             let less = all.times(&Rational::from(n).into())?;
             all = own.pow(n)?.times(f)?.minus(&less)?.times(&over)?;
+        }
+        Ok(all)
+    }
+
+    /// m and k in f' = k x^m f with m > 0, for a product of unknowns.
+    fn rate_in_powers(
+        &mut self,
+        factors: &[(Var, i64)],
+        range: &Range,
+    ) -> Result<Option<(u32, Fraction)>, LowerError> {
+        let mut rate = Fraction::default();
+        for &(var, exponent) in factors {
+            let slope = self.atom_derivative(var, range.variable)?;
+            let own = slope.times(&inverse(&Polynomial::var(var).into())?)?;
+            rate = rate.plus(&own.times(&whole(exponent).into())?)?;
+        }
+        let mut below = Fraction::from(Rational::one());
+        for (factor, exponent) in rate.denominator() {
+            if self.moves(factor, range) {
+                return Ok(None);
+            }
+            below = below.times(&Fraction::from(factor.clone()).pow(exponent)?)?;
+        }
+        let parts = rate.numerator().in_powers_of(range.own);
+        let mut known = (0_u32..).zip(&parts).filter(|(_, own)| !own.is_zero());
+        let (Some((degree, coefficient)), None) = (known.next(), known.next()) else {
+            return Ok(None);
+        };
+        if degree == 0 || self.moves(coefficient, range) {
+            return Ok(None);
+        }
+        let rate = Fraction::from(coefficient.clone()).times(&inverse(&below)?)?;
+        Ok(Some((degree, rate)))
+    }
+
+    /// ∫ x^(m + n (m+1)) f dx for f' = k x^m f: it is (x^(n (m+1)) f - n (m+1) ∫ x^(m + (n-1) (m+1)) f dx)/k.
+    fn by_parts_in_powers(
+        &mut self,
+        (m, n): (u32, u32),
+        f: &Fraction,
+        k: &Fraction,
+        range: &Range,
+    ) -> Lowered {
+        let own = Fraction::from(Polynomial::var(range.own));
+        let over = self.recip(k)?;
+        let mut all = f.times(&over)?;
+        for n in 1..=n {
+            let exponent = n * (m + 1);
+            let less = all.times(&Rational::from(exponent).into())?;
+            let whole = own.pow(exponent)?.times(f)?;
+            all = whole.minus(&less)?.times(&over)?;
         }
         Ok(all)
     }
@@ -509,6 +643,9 @@ fn transferred(polynomial: &Polynomial, from: &Atoms, to: &mut Atoms) -> Polynom
 
 /// How often something is integrated by parts at most.
 const HIGHEST_POWER: u32 = 16;
+
+/// More factors than these are not taken apart into partial fractions.
+const MOST_PARTS: u64 = 6;
 
 /// A power of the variable that integration by parts takes down to none.
 fn small(power: &Rational) -> Option<u32> {

@@ -22,6 +22,11 @@ impl Lowering<'_> {
         {
             return Ok(sum);
         }
+        if *point == LimitPoint::MinusInfinity
+            && let Some(found) = self.limit_of_mirrored(body, variable)
+        {
+            return Ok(found);
+        }
         if !is_no_more_than_a_limit(body, variable) {
             return self.limit_of(body, variable, point);
         }
@@ -39,6 +44,21 @@ impl Lowering<'_> {
         *self.atoms = atoms;
         self.conditions.extend(conditions);
         value
+    }
+
+    /// A limit at minus infinity, as that at plus infinity of the same in the opposite of the variable; `None` where that cannot be told.
+    fn limit_of_mirrored(&mut self, body: &Expr, variable: &Symbol) -> Option<Fraction> {
+        let opposite = Expr::Negate(Expr::Symbol(variable.clone()).into());
+        let mirrored = body.substitute(variable, &opposite);
+        let before = self.conditions.clone();
+        let found = self.limit(&mirrored, variable, &LimitPoint::PlusInfinity);
+        let found = found
+            .ok()
+            .filter(|_| self.conditions.doubtful == before.doubtful);
+        if found.is_none() {
+            self.conditions = before;
+        }
+        found
     }
 
     fn limit_of(&mut self, body: &Expr, variable: &Symbol, point: &LimitPoint) -> Lowered {
