@@ -1,5 +1,7 @@
 //! Functions: the known ones, `\sin x`, and unknown ones applied to bare symbols, `P(t)`.
 
+use std::ops::Range;
+
 use super::group::Delimiter;
 use super::vector::refuse_vector;
 use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
@@ -50,7 +52,7 @@ impl Parser<'_> {
             return self.applied_to(start, name, arguments, BeforeKind::Function);
         }
         if let Expr::Symbol(name) = &function.expr
-            && self.may_be_multiplied(name, bare, &delimiter, &arguments)
+            && self.may_be_multiplied((name, start..open), bare, &delimiter, &arguments)
         {
             // Whether it is a quantity elsewhere, the page tells.
             self.before.push(Before {
@@ -158,16 +160,37 @@ impl Parser<'_> {
     /// `\alpha(k^*)^2`, where the power needs the parentheses.
     fn may_be_multiplied(
         &self,
-        name: &Symbol,
+        (name, written): (&Symbol, Range<usize>),
         bare: bool,
         delimiter: &Delimiter,
         group: &[Expr],
     ) -> bool {
+        let raised = || bare && self.peek() == Kind::Char('^');
         match (delimiter.close, group) {
             ("]", [Expr::Sum(_)]) => matches!(name.name(), "E" | "P"),
-            (")", [only]) => bare && self.peek() == Kind::Char('^') && is_raised(only),
+            (")", [only]) => raised() && (is_raised(only) || self.is_in_exponent(written)),
             _ => false,
         }
+    }
+
+    /// Whether a name of one letter stands by itself in the exponent that comes next: `\alpha (k_G)^{\alpha - 1}`.
+    fn is_in_exponent(&self, written: Range<usize>) -> bool {
+        let name = self.kind(written.start);
+        let is_letter = written.len() == 1 && matches!(name, Kind::Letter(_) | Kind::Command(_));
+        let mut depth = 0_usize;
+        for at in self.at + 1..self.tokens.len() {
+            match self.kind(at) {
+                Kind::Open => depth += 1,
+                Kind::Close if depth < 2 => return false,
+                Kind::Close => depth -= 1,
+                kind if is_letter && kind == name => {
+                    return !matches!(self.kind(at + 1), Kind::Char('(' | '_' | '^'));
+                }
+                _ if depth == 0 => return false,
+                _ => {}
+            }
+        }
+        false
     }
 
     /// The refusal of a name that may be a function or a factor.

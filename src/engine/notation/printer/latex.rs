@@ -391,7 +391,11 @@ fn power(base: &Expr, exponent: &Expr) -> String {
             numeral(number)
         }
         Expr::Call(Function::Abs | Function::Ceiling | Function::Floor, _) => factor(base, true),
-        Expr::Apply(_, arguments) if !arguments.iter().any(raised) => factor(base, true),
+        Expr::Apply(function, arguments)
+            if !arguments.iter().any(raised) && !exponent.mentions(function) =>
+        {
+            factor(base, true)
+        }
         _ => parentheses(base),
     };
     let exponent = match exponent {
