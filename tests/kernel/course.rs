@@ -251,3 +251,11 @@ fn laws_with_a_power_of_pi_that_say_the_same_are_no_two() {
     let mixed = laws(r"\pi \frac{dx}{dt} - \frac{dy}{dt} = 0");
     assert_eq!(refuted(&mixed, at()), Err(Reject::NoValue));
 }
+
+#[test]
+fn sums_of_powers_of_pi_are_not_taken_for_one() {
+    let law = r"\pi \frac{dx}{dt} + \frac{dx}{dt} = -\pi x - x";
+    let sum = claim(&[law], r"\frac{dx}{dt} = x");
+    let at = moving(at(1, -1), None, &[(0, SLOPE)]);
+    assert_eq!(refuted(&sum, at), Err(Reject::NoValue));
+}
