@@ -225,8 +225,9 @@ impl Parser<'_> {
                         product.divide(unit)?;
                         continue;
                     }
-                    let is_coefficient =
-                        !product.is_lettered() && matches!(self.peek(), Kind::Number(_));
+                    let is_coefficient = !product.is_lettered()
+                        && matches!(self.peek(), Kind::Number(_))
+                        && !self.is_kept_together(start);
                     let (under, below) = match self.choice {
                         Some(Choice::Below(more)) => (self.all_below(more)?, more),
                         _ if is_coefficient => (self.factor()?, 0),
@@ -272,6 +273,27 @@ impl Parser<'_> {
 }
 
 impl Parser<'_> {
+    /// Whether parentheses hold a number over a number and names without a space, and nothing else, `(1/2L) \sqrt{T/\mu}`: half of `L` would need
+    /// none. After a name they hold an argument.
+    fn is_kept_together(&self, start: usize) -> bool {
+        let opens = start
+            .checked_sub(1)
+            .is_some_and(|at| self.kind(at) == Kind::Char('('));
+        let before = start.checked_sub(2).map(|at| self.kind(at));
+        let begins = matches!(
+            before,
+            None | Some(Kind::Relation(..) | Kind::Char('+' | '-') | Kind::Wide)
+        );
+        let letters = self.tokens.get(self.at + 1..).unwrap_or_default();
+        let is_beside = |kind: Kind<'_>, spaced: bool| matches!(kind, Kind::Letter(_)) && !spaced;
+        let names = letters
+            .iter()
+            .take_while(|own| is_beside(own.kind, own.spaced));
+        let names = names.count();
+        let closes = self.kind(self.at + 1 + names) == Kind::Char(')');
+        opens && begins && start + 2 == self.at && names > 0 && closes
+    }
+
     /// Whether a number in parentheses here may say how uncertain the decimal before it is, `1.0(2)`: it has a digit or two then, and is whole.
     fn may_be_uncertainty(&self) -> bool {
         let (Some(Kind::Number(before)), Kind::Number(number)) = (
