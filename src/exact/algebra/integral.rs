@@ -6,12 +6,14 @@
 //! | 1/x | ln x | 0 does not lie between the limits |
 //! | 1/(a + b x)^m | the same of a + b x, over b | it does not vanish between the limits |
 //! | x^n / ((a + b x)^m (c + d x)^l …) | by partial fractions | b c ≠ a d; they do not vanish between the limits |
-//! | x^n f with f' = k f | by parts, n times | k ≠ 0 |
-//! | x^n f with f' = k x^m f, as of exp(-x²) | by parts | k ≠ 0, n = m + l (m + 1) |
+//! | x^n f with f' = k x^m f, as of exp(-x) and exp(-x²) | by parts, l times | k ≠ 0, n = m + l (m + 1) |
 //! | x^n f with f'' = k f + c, as sin and sin² are | by parts, two at a time | k ≠ 0 |
 //! | f g with g' = k f | g²/(2 k) | k ≠ 0 |
 //!
 //! What is linear does not vanish between two places if, and only if, its values there have one sign: their product is positive.
+
+mod antiderivative;
+mod partial_fractions;
 
 use num_traits::ToPrimitive;
 
@@ -19,7 +21,7 @@ use super::function::{alone, inverse, square_root};
 use super::lower::{LowerError, Lowered, Lowering};
 use super::{
     Atom, Atoms, BigInt, Conditions, Expr, Fraction, Function, Monomial, Polynomial, Rational,
-    Symbol, TooLarge, Var, expr_of, expr_of_fraction, sign_of_fraction,
+    Symbol, Var, expr_of, expr_of_fraction, sign_of_fraction,
 };
 
 /// What is integrated over, and from where to where.
@@ -277,77 +279,6 @@ impl Lowering<'_> {
         }
     }
 
-    /// The integral of a power of the variable over linear factors, or of one over several of these, by partial fractions.
-    fn fractions_between(
-        &mut self,
-        term: &Moving,
-        linear: &[(Polynomial, u32)],
-        range: &Range,
-    ) -> Result<Option<Fraction>, LowerError> {
-        let mut linear = linear.to_vec();
-        let mut power = term.power.clone();
-        if power.is_negative() {
-            let Some(exponent) = small(&-&power) else {
-                return Ok(None);
-            };
-            linear.push((Polynomial::var(range.own), exponent));
-            power = Rational::zero();
-        }
-        let size = linear.iter().map(|own| u64::from(own.1)).sum::<u64>();
-        if small(&power).is_none_or(|power| size + u64::from(power) > MOST_PARTS) {
-            return Ok(None);
-        }
-        // The same with one factor less of some, and another power of the variable.
-        let less = |own: &mut Self, power: &Rational, factor: Option<usize>| {
-            let mut fewer = linear.clone();
-            if let Some(at) = factor {
-                fewer[at].1 -= 1;
-            }
-            fewer.retain(|own| own.1 > 0);
-            let term = Moving {
-                power: power.clone(),
-                factors: Vec::new(),
-                linear: fewer,
-            };
-            own.between(&term, range)
-        };
-        let one = Rational::one();
-        let parts = |own: &Self, at: usize| {
-            let slope = own.slope(&linear[at].0, range)?;
-            let rest = linear[at].0.in_powers_of(range.own).into_iter().next()?;
-            Some((slope, rest))
-        };
-        // x = ((a + b x) - a)/b; and b/(a + b x) - d/(c + d x) is (b c - a d) over both.
-        let (first, second, divisor) = if power.is_positive() {
-            let Some((slope, rest)) = parts(self, 0) else {
-                return Ok(None);
-            };
-            let fewer = &power - &one;
-            let first = less(self, &fewer, Some(0))?;
-            let second = less(self, &fewer, None)?;
-            let second = second.map(|own| own.times(&rest.into())).transpose()?;
-            (first, second, slope)
-        } else {
-            let (Some((b, a)), Some((d, c))) = (parts(self, 0), parts(self, 1)) else {
-                return Ok(None);
-            };
-            let between = b.times(&c)?.minus(&a.times(&d)?);
-            let first = less(self, &power, Some(1))?;
-            let second = less(self, &power, Some(0))?;
-            let first = first.map(|own| own.times(&b.into())).transpose()?;
-            let second = second.map(|own| own.times(&d.into())).transpose()?;
-            (first, second, between)
-        };
-        let (Some(first), Some(second)) = (first, second) else {
-            return Ok(None);
-        };
-        if divisor.is_zero() {
-            return Ok(None);
-        }
-        let over = self.recip(&divisor.into())?;
-        Ok(Some(first.minus(&second)?.times(&over)?))
-    }
-
     /// ∫ du / u^e between the values that `u` has at the limits.
     fn power_between(&mut self, u: &Expr, exponent: &Rational, range: &Range) -> Lowered {
         let end = u.substitute(range.variable, &range.to);
@@ -361,196 +292,6 @@ impl Lowering<'_> {
         let raised = |base: Expr| Expr::Power(base.into(), Expr::Number(power.to_big()).into());
         let (above, below) = (self.lower(&raised(end))?, self.lower(&raised(start))?);
         Ok(above.minus(&below)?.times(&power.recip().into())?)
-    }
-
-    /// An antiderivative of `x^power` times a product of unknowns that are no powers of the variable.
-    fn antiderivative(
-        &mut self,
-        power: u32,
-        factors: &[(Var, i64)],
-        range: &Range,
-    ) -> Result<Option<Fraction>, LowerError> {
-        // A product of exponentials has the sum of their rates.
-        let mut rate = Some(Fraction::default());
-        let mut product = Fraction::from(Rational::one());
-        for &(var, exponent) in factors {
-            let own = self.rate(var, range.variable)?;
-            rate = match (rate, own) {
-                (Some(all), Some(own)) => Some(all.plus(&own.times(&whole(exponent).into())?)?),
-                _ => None,
-            };
-            let size = u32::try_from(exponent.unsigned_abs()).map_err(|_| TooLarge)?;
-            let var = Polynomial::var(var);
-            let own = Fraction::from(var).pow(size)?;
-            product = match exponent < 0 {
-                true => product.times(&inverse(&own)?)?,
-                false => product.times(&own)?,
-            };
-        }
-        if let Some(rate) = rate.filter(|rate| !rate.is_zero()) {
-            return self.by_parts(power, &product, &rate, range).map(Some);
-        }
-        if let Some((degree, rate)) = self.rate_in_powers(factors, range)?
-            && let Some(over) = power.checked_sub(degree)
-            && over % (degree + 1) == 0
-        {
-            let times = over / (degree + 1);
-            return self
-                .by_parts_in_powers((degree, times), &product, &rate, range)
-                .map(Some);
-        }
-        let zero = Fraction::default();
-        match *factors {
-            [(var, exponent @ (1 | 2))] => {
-                let first = self.atom_derivative(var, range.variable)?;
-                let second = self.derivative(&first, range.variable)?;
-                let Some(factor) = self.quotient_that_stays(&second, var, range)? else {
-                    return Ok(None);
-                };
-                if exponent == 1 {
-                    let swing = [product, first, factor, zero];
-                    return self.by_parts_twice(power, &swing, range).map(Some);
-                }
-                if !self.is_sine_or_cosine(var) {
-                    return Ok(None);
-                }
-                // f'² = k (f² - 1), for sines and cosines.
-                let times = |value: &Fraction, number| value.times(&whole(number).into());
-                let slope = times(&first.times(&Polynomial::var(var).into())?, 2)?;
-                let swing = [product, slope, times(&factor, 4)?, times(&factor, -2)?];
-                self.by_parts_twice(power, &swing, range).map(Some)
-            }
-            [(f, 1), (g, 1)] if power == 0 => {
-                let slope = self.atom_derivative(g, range.variable)?;
-                let Some(factor) = self.quotient_that_stays(&slope, f, range)? else {
-                    return Ok(None);
-                };
-                let square = Fraction::from(Polynomial::var(g)).pow(2)?;
-                let half = Fraction::from(Rational::from(2).recip());
-                Ok(Some(square.times(&half)?.times(&self.recip(&factor)?)?))
-            }
-            _ => Ok(None),
-        }
-    }
-
-    /// ∫ xⁿ f dx for f' = k f: it is (xⁿ f - n ∫ xⁿ⁻¹ f dx)/k.
-    fn by_parts(&mut self, n: u32, f: &Fraction, k: &Fraction, range: &Range) -> Lowered {
-        let own = Fraction::from(Polynomial::var(range.own));
-        let over = self.recip(k)?;
-        let mut all = f.times(&over)?;
-        for n in 1..=n {
-            let less = all.times(&Rational::from(n).into())?;
-            all = own.pow(n)?.times(f)?.minus(&less)?.times(&over)?;
-        }
-        Ok(all)
-    }
-
-    /// m and k in f' = k x^m f with m > 0, for a product of unknowns.
-    fn rate_in_powers(
-        &mut self,
-        factors: &[(Var, i64)],
-        range: &Range,
-    ) -> Result<Option<(u32, Fraction)>, LowerError> {
-        let mut rate = Fraction::default();
-        for &(var, exponent) in factors {
-            let slope = self.atom_derivative(var, range.variable)?;
-            let own = slope.times(&inverse(&Polynomial::var(var).into())?)?;
-            rate = rate.plus(&own.times(&whole(exponent).into())?)?;
-        }
-        let mut below = Fraction::from(Rational::one());
-        for (factor, exponent) in rate.denominator() {
-            if self.moves(factor, range) {
-                return Ok(None);
-            }
-            below = below.times(&Fraction::from(factor.clone()).pow(exponent)?)?;
-        }
-        let parts = rate.numerator().in_powers_of(range.own);
-        let mut known = (0_u32..).zip(&parts).filter(|(_, own)| !own.is_zero());
-        let (Some((degree, coefficient)), None) = (known.next(), known.next()) else {
-            return Ok(None);
-        };
-        if degree == 0 || self.moves(coefficient, range) {
-            return Ok(None);
-        }
-        let rate = Fraction::from(coefficient.clone()).times(&inverse(&below)?)?;
-        Ok(Some((degree, rate)))
-    }
-
-    /// ∫ x^(m + n (m+1)) f dx for f' = k x^m f: it is (x^(n (m+1)) f - n (m+1) ∫ x^(m + (n-1) (m+1)) f dx)/k.
-    fn by_parts_in_powers(
-        &mut self,
-        (m, n): (u32, u32),
-        f: &Fraction,
-        k: &Fraction,
-        range: &Range,
-    ) -> Lowered {
-        let own = Fraction::from(Polynomial::var(range.own));
-        let over = self.recip(k)?;
-        let mut all = f.times(&over)?;
-        for n in 1..=n {
-            let exponent = n * (m + 1);
-            let less = all.times(&Rational::from(exponent).into())?;
-            let whole = own.pow(exponent)?.times(f)?;
-            all = whole.minus(&less)?.times(&over)?;
-        }
-        Ok(all)
-    }
-
-    /// ∫ xⁿ f dx for f'' = k f + c: it is (xⁿ f' - n xⁿ⁻¹ f + n (n-1) ∫ xⁿ⁻² f dx - c xⁿ⁺¹/(n+1))/k.
-    fn by_parts_twice(
-        &mut self,
-        n: u32,
-        [f, slope, k, c]: &[Fraction; 4],
-        range: &Range,
-    ) -> Lowered {
-        let own = Fraction::from(Polynomial::var(range.own));
-        let over = self.recip(k)?;
-        let mut all = Fraction::default();
-        for n in (n % 2..=n).step_by(2) {
-            let next = Rational::from(n + 1).recip();
-            let straight = own.pow(n + 1)?.times(&next.into())?.times(c)?;
-            let factor = whole(i64::from(n) * (i64::from(n) - 1));
-            let mut sum = all.times(&factor.into())?.minus(&straight)?;
-            sum = sum.plus(&own.pow(n)?.times(slope)?)?;
-            if n > 0 {
-                let less = own.pow(n - 1)?.times(&Rational::from(n).into())?;
-                sum = sum.minus(&less.times(f)?)?;
-            }
-            all = sum.times(&over)?;
-        }
-        Ok(all)
-    }
-
-    /// k in f' = k f, where it does not move with the variable.
-    pub(super) fn rate(
-        &mut self,
-        var: Var,
-        variable: &Symbol,
-    ) -> Result<Option<Fraction>, LowerError> {
-        let slope = self.atom_derivative(var, variable)?;
-        let own = self.atom_of_symbol(variable);
-        let range = Range {
-            variable,
-            own: self.atoms.var(own),
-            from: Expr::integer(0),
-            to: Expr::integer(0),
-        };
-        self.quotient_that_stays(&slope, var, &range)
-    }
-
-    /// A value over an unknown, where that is not 0 and does not move with the variable.
-    fn quotient_that_stays(
-        &mut self,
-        value: &Fraction,
-        var: Var,
-        range: &Range,
-    ) -> Result<Option<Fraction>, LowerError> {
-        let quotient = value.times(&inverse(&Polynomial::var(var).into())?)?;
-        let moves = self.moves(quotient.numerator(), range)
-            || quotient
-                .denominator()
-                .any(|(factor, _)| self.moves(factor, range));
-        Ok((!moves && !quotient.is_zero()).then_some(quotient))
     }
 
     /// Whether anything in a polynomial moves with the variable, as far as is known.
@@ -605,14 +346,6 @@ impl Lowering<'_> {
         matches!(atom, Atom::Opaque(Expr::Call(Function::Exp, _)))
     }
 
-    fn is_sine_or_cosine(&self, var: Var) -> bool {
-        let atom = self.atoms.atom(var);
-        matches!(
-            atom,
-            Atom::Opaque(Expr::Call(Function::Sin | Function::Cos, _))
-        )
-    }
-
     /// Takes a power of an unknown in.
     fn join(&self, moving: &mut Moving, var: Var, exponent: i64, range: &Range) {
         if let Some(power) = self.power_in(var, range) {
@@ -643,9 +376,6 @@ fn transferred(polynomial: &Polynomial, from: &Atoms, to: &mut Atoms) -> Polynom
 
 /// How often something is integrated by parts at most.
 const HIGHEST_POWER: u32 = 16;
-
-/// More factors than these are not taken apart into partial fractions.
-const MOST_PARTS: u64 = 6;
 
 /// A power of the variable that integration by parts takes down to none.
 fn small(power: &Rational) -> Option<u32> {
