@@ -8,8 +8,10 @@ use crate::document::{Citation, Span};
 use crate::notation::{Clause, Connective, Spanned, Statement, read_expr, read_formulas};
 
 use super::equation::{conditions, formulas, of_page};
+use super::names::without_dots;
 use super::page::{Page, Premises};
 use super::running::family;
+use super::slopes::TIME;
 use super::supposed::{Local, is_number};
 use super::{Equation, Kind, counts};
 use crate::sorted::{Set, Tree};
@@ -75,8 +77,8 @@ fn settle_page(
             for formula in formulas(statement) {
                 for symbol in formula.names() {
                     // A dot speaks of the time.
-                    if symbol.name().contains("dot{") {
-                        seen.insert(Symbol::new("t"));
+                    if without_dots(&symbol).is_some() {
+                        seen.insert(Symbol::new(TIME));
                     }
                     let is_new = seen.insert(symbol.clone()) && !sequences.have(&symbol);
                     let is_name = !is_number(&symbol) || page.domains.contains_key(&symbol);

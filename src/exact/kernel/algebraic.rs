@@ -217,10 +217,7 @@ impl Point<'_> {
 
     /// How the value of a polynomial compares with 0. Of one in π its coefficients tell, as far as they have one sign: π is positive.
     pub(super) fn sign_in_field(&mut self, polynomial: &Polynomial) -> Result<Ordering, Reject> {
-        let pi = match self.problem.pi_is_the_number() {
-            true => self.atoms.find(&Atom::Symbol(Symbol::new("\\pi"))),
-            false => None,
-        };
+        let pi = self.problem.pi();
         let Some(pi) = pi.filter(|&pi| polynomial.degree_in(pi) > 0) else {
             let value = self.number_in_field(polynomial)?;
             return Ok(self.field()?.field.sign(&value));

@@ -12,7 +12,8 @@ use super::functions::pi_is_the_number;
 use super::powers::powers_of;
 use super::{Claim, Domain, Fact, Reject, Sign, Standing};
 use crate::algebra::{
-    Atoms, Conditions, Expr, Formula, Fraction, Functions, Lowering, Polynomial, Powers, Symbol,
+    Atom, Atoms, Conditions, Expr, Formula, Fraction, Functions, Lowering, Polynomial, Powers,
+    Symbol, Var,
 };
 use crate::sorted::{Map, Set};
 pub(super) use symbols::sequences_and_counts;
@@ -112,6 +113,12 @@ impl Problem {
     /// Whether `\pi` is the number in it, and not a symbol of the author's.
     pub fn pi_is_the_number(&self) -> bool {
         self.functions.as_ref().is_some_and(|f| f.pi)
+    }
+
+    /// The unknown of the number π, where the claim speaks of it.
+    pub fn pi(&self) -> Option<Var> {
+        let pi = || self.atoms.find(&Atom::Symbol(Symbol::new("\\pi")));
+        self.pi_is_the_number().then(pi).flatten()
     }
 
     fn read_as(claim: &Claim, unfold: &[usize], apart: bool) -> Result<Problem, Reject> {

@@ -287,12 +287,10 @@ pub fn without_factor(polynomial: &Polynomial, var: Var) -> Polynomial {
 /// Writes the values that depend on what was put in for `\pi` as polynomials in it: each equation with π in it is
 /// solved for one symbol that is linear in it.
 pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mut Assignment) {
-    let name = Symbol::new("\\pi");
-    let pi = problem.atoms.find(&Atom::Symbol(name.clone()));
-    let Some(pi) = pi.filter(|_| problem.pi_is_the_number()) else {
+    let Some(pi) = problem.pi() else {
         return;
     };
-    point.symbols.remove(&name);
+    point.symbols.remove(&Symbol::new("\\pi"));
     let equations = problem.facts.iter().filter(|f| f.sign == Sign::Zero);
     // What has π for a factor throughout is so whatever that is.
     let plain: Vec<Polynomial> = equations

@@ -13,7 +13,7 @@ use crate::sorted::Set;
 use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
 use super::conditions::collect_waves;
-use super::solution::{at_rest, met, own_value, put_for, value_of_its_own};
+use super::solution::{value_of_its_own, with_own_value_named};
 
 /// What a solution comes after, where nothing else says that it is one.
 const SOLVING: [&str; 16] = [
@@ -68,8 +68,8 @@ struct Solution {
     variable: Symbol,
     /// What does not move in either.
     constants: Set<Symbol>,
-    /// What is said to be made of what the law speaks of.
-    meant: Set<Symbol>,
+    /// What the law speaks of, and what is said to be made of that.
+    fixed: Set<Symbol>,
     /// The solution, that all is positive, and what the text says besides.
     assumed: Vec<Assumed>,
 }
@@ -78,8 +78,7 @@ impl Solution {
     /// Whether a symbol is of the law, or what it is is said otherwise: a solution may not choose what it is.
     fn is_of_law(&self, own: &Symbol) -> bool {
         *own == self.variable
-            || self.law.formula.names().contains(own)
-            || self.meant.contains(own)
+            || self.fixed.contains(own)
             || Expr::Symbol(own.clone()) == value_of_its_own()
     }
 
@@ -160,10 +159,7 @@ impl Judge<'_> {
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
-        let right = &match own_value(left, right) {
-            Some((said, _)) => put_for(right, &said.value, &value_of_its_own()),
-            None => right.clone(),
-        };
+        let (right, own_variable) = with_own_value_named(left, right);
         let solution = Formula::equal(left.clone(), right.clone());
         let own = &self.derivation.equations[self.at];
         if !own.drawn && !self.says(&SOLVING) {
@@ -186,7 +182,7 @@ impl Judge<'_> {
                 && Formula::differentiated_in([&*own.formula].into_iter()).contains(&of)
         };
         let variable = self.variable_of(left)?;
-        if !right.mentions(&variable) {
+        if !right.mentions(&variable) || own_variable.is_some_and(|own| own != variable) {
             return None;
         }
         let mut law = laws().find(is_law)?.clone();
@@ -199,7 +195,7 @@ impl Judge<'_> {
         let mut constants = solution.free_symbols();
         constants.extend(law.formula.free_symbols());
         let meant = meant(laws(), &mut constants, (&of, &variable));
-        let names_meant = fixed_by(&law.formula, &meant);
+        let fixed = fixed_by(&law.formula, &meant);
         constants.retain(|own| *own != of && *own != variable && !own.is_unit());
         let moves = |own: &Symbol| self.auditor.changes(self.at, own, &variable);
         if constants.iter().any(moves) {
@@ -217,7 +213,7 @@ impl Judge<'_> {
         let mut own = Solution {
             law,
             assumed,
-            meant: names_meant,
+            fixed,
             variable,
             constants,
         };
@@ -259,22 +255,15 @@ impl Judge<'_> {
     fn begins_otherwise(&self, goal: &Goal, own: &Solution) -> Option<Found> {
         let mut said = self.derivation.conditions_said(self.at);
         said.retain(|own| own.just_said);
-        if self.starts_from_rest()
-            && let Some((left, _)) = goal.formula.as_equation()
-        {
-            said.extend(at_rest(left, &own.variable));
-        }
-        let mut met = met(said, goal, &own.variable);
-        met.extend((goal.formula.as_equation()).and_then(|(left, right)| own_value(left, right)));
-        let mut met = met.into_iter();
-        met.find_map(
-            |(_, there)| match self.decide_of(own, own.circumstances(), &there)? {
+        let met = self.met_where_it_begins(said, goal, &own.variable);
+        met.into_iter().find_map(|(_, there)| {
+            match self.decide_of(own, own.circumstances(), &there)? {
                 Decision::Refuted(refuted) => {
                     Some(refuted_of(goal, &there, own.circumstances(), refuted))
                 }
                 _ => None,
-            },
-        )
+            }
+        })
     }
 
     /// Whether a solution obeys its law for no values of the constants that it brings along, where those of the law are as a point says.
@@ -353,7 +342,7 @@ fn meant<'a>(
     }
 }
 
-/// The symbols that some equations give by what a law speaks of: of `\tau = u/g` and `\dot v = g - k v^2` none, as `u` may be chosen.
+/// What a law speaks of, and the symbols that some equations give by that: of `\tau = u/g` and `\dot v = g - k v^2` none, as `u` may be chosen.
 fn fixed_by(law: &Formula, given: &[Assumed]) -> Set<Symbol> {
     let mut fixed = law.names();
     loop {

@@ -35,21 +35,15 @@ impl Judge<'_> {
         }
         // To look for the variable is to look through the page.
         let said = self.derivation.conditions_said(self.at);
-        let starts = self.starts_from_rest();
-        let own = own_value(left, right);
-        if said.is_empty() && !starts && own.is_none() {
+        let (right, own) = with_own_value_named(left, right);
+        if said.is_empty() && own.is_none() && !self.starts_from_rest() {
             return None;
         }
         let variable = self.variable_of(left)?;
-        let mut conditions = met(said, goal, &variable);
-        let mut right = right.clone();
-        if let Some((said, there)) = own.filter(|own| own.0.variable.as_ref() == Some(&variable)) {
-            right = put_for(&right, &said.value, &value_of_its_own());
-            conditions.push((said, there));
+        if own.is_some_and(|own| own != variable) {
+            return None;
         }
-        if starts && conditions.is_empty() {
-            conditions = met(vec![at_rest(left, &variable)?], goal, &variable);
-        }
+        let conditions = self.met_where_it_begins(said, goal, &variable);
         if conditions.is_empty() {
             return None;
         }
@@ -108,10 +102,31 @@ impl Judge<'_> {
         Some(own)
     }
 
-    /// Whether the sentence before the step says that something starts from rest.
-    pub(super) fn starts_from_rest(&self) -> bool {
-        self.says(&["rest"])
-            && self.says(&["start", "starts", "starting", "started", "released", "from"])
+    /// What the text tells at places of what a solution speaks of, that it starts from rest, and what it says of its own value at a place.
+    pub(super) fn met_where_it_begins(
+        &self,
+        mut said: Vec<ConditionSaid>,
+        goal: &Goal,
+        variable: &Symbol,
+    ) -> Vec<(ConditionSaid, Formula)> {
+        let sides = goal.formula.as_equation();
+        if self.starts_from_rest() {
+            said.extend(sides.and_then(|(left, _)| at_rest(left, variable)));
+        }
+        let mut conditions = met(said, goal, variable);
+        let own = sides.and_then(|(left, right)| own_value(left, right));
+        conditions.extend(own);
+        conditions
+    }
+
+    /// Whether the sentence before the step says that something starts from rest. "The rest follows from" does not.
+    fn starts_from_rest(&self) -> bool {
+        let said = self.derivation.leading(self.at).unwrap_or_default();
+        let mut words = said
+            .split(|c: char| !c.is_alphabetic())
+            .filter(|own| !own.is_empty());
+        let mut before = "";
+        words.any(|word| std::mem::replace(&mut before, word) == "from" && word == "rest")
     }
 
     /// Whether a term that is 0 where a goal is met does not change.
@@ -158,7 +173,7 @@ impl Judge<'_> {
 }
 
 /// The value of what a step gives, where that speaks of it itself: `z = a + (z(0) - a) e^{-t}` must come to `z(0)` there.
-pub(super) fn own_value(left: &Expr, right: &Expr) -> Option<(ConditionSaid, Formula)> {
+fn own_value(left: &Expr, right: &Expr) -> Option<(ConditionSaid, Formula)> {
     fn find<'e>(term: &'e Expr, of: &Expr) -> Option<(&'e Expr, &'e Symbol, &'e Expr)> {
         match term {
             Expr::Limit {
@@ -170,8 +185,8 @@ pub(super) fn own_value(left: &Expr, right: &Expr) -> Option<(ConditionSaid, For
         }
     }
     let (value, variable, place) = find(right, left).filter(|_| matches!(left, Expr::Symbol(_)))?;
-    let right = put_for(right, value, &value_of_its_own());
-    let there = Formula::equal(value_of_its_own(), right.substitute(variable, place));
+    let named = put_for(right, value, &value_of_its_own());
+    let there = Formula::equal(value_of_its_own(), named.substitute(variable, place));
     let said = ConditionSaid {
         of: left.clone(),
         value: value.clone(),
@@ -182,13 +197,24 @@ pub(super) fn own_value(left: &Expr, right: &Expr) -> Option<(ConditionSaid, For
     Some((said, there))
 }
 
+/// The right side of what a step gives, with a name for its own value at a place, if it speaks of that; and what says where that is.
+pub(super) fn with_own_value_named(left: &Expr, right: &Expr) -> (Expr, Option<Symbol>) {
+    match own_value(left, right) {
+        Some((said, _)) => (
+            put_for(right, &said.value, &value_of_its_own()),
+            said.variable,
+        ),
+        None => (right.clone(), None),
+    }
+}
+
 /// What stands for the value at a place, whatever that is.
 pub(super) fn value_of_its_own() -> Expr {
     Expr::Symbol(Symbol::new("\\text{value there}"))
 }
 
 /// A term with another one put in for what it speaks of.
-pub(super) fn put_for(term: &Expr, of: &Expr, value: &Expr) -> Expr {
+fn put_for(term: &Expr, of: &Expr, value: &Expr) -> Expr {
     match term == of {
         true => value.clone(),
         false => term.map_children(|part| put_for(part, of, value)),
@@ -196,7 +222,7 @@ pub(super) fn put_for(term: &Expr, of: &Expr, value: &Expr) -> Expr {
 }
 
 /// That a velocity begins with nought: "The solution that starts from rest is".
-pub(super) fn at_rest(velocity: &Expr, variable: &Symbol) -> Option<ConditionSaid> {
+fn at_rest(velocity: &Expr, variable: &Symbol) -> Option<ConditionSaid> {
     let is_velocity = |own: &Symbol| {
         let stem = split_subscript(own.name()).map_or(own.name(), |(stem, _)| stem);
         matches!(stem, "v" | "u" | "w" | "V" | "U" | "\\omega")
@@ -212,11 +238,7 @@ pub(super) fn at_rest(velocity: &Expr, variable: &Symbol) -> Option<ConditionSai
 }
 
 /// What the text tells at places of things that a goal speaks of, the last that it tells of each, and what the goal comes to there.
-pub(super) fn met(
-    all: Vec<ConditionSaid>,
-    goal: &Goal,
-    variable: &Symbol,
-) -> Vec<(ConditionSaid, Formula)> {
+fn met(all: Vec<ConditionSaid>, goal: &Goal, variable: &Symbol) -> Vec<(ConditionSaid, Formula)> {
     let mut found: Vec<(ConditionSaid, Formula)> = Vec::new();
     for said in all {
         let speaks = |own: &ConditionSaid| {

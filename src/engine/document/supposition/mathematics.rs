@@ -85,12 +85,18 @@ pub(super) fn is_letters(math: &str) -> bool {
 
 /// Whether inline math is one equation. "For $x > 0$, … For $x < 0$, …" goes through cases: neither holds from there on.
 pub(super) fn is_value(math: &str) -> bool {
-    relates(math) && math.matches('=').count() == 1 && !relates(&math.replace('=', " "))
+    signs_of_equality(math) == Some(1)
 }
 
 /// Whether inline math sets several things equal to each other, `x_{n+1} = x_n = x`.
 pub(super) fn is_chain(math: &str) -> bool {
-    relates(math) && math.matches('=').count() > 1 && !relates(&math.replace('=', " "))
+    signs_of_equality(math).is_some_and(|signs| signs > 1)
+}
+
+/// How many signs `=` inline math has that relates things by these alone.
+fn signs_of_equality(math: &str) -> Option<usize> {
+    let alone = relates(math) && !relates(&math.replace('=', " "));
+    alone.then(|| math.matches('=').count())
 }
 
 /// Whether inline math is one inequality, which bounds what it speaks of.

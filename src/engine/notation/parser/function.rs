@@ -176,14 +176,16 @@ impl Parser<'_> {
     /// Whether a name of one letter stands by itself in the exponent that comes next: `\alpha (k_G)^{\alpha - 1}`.
     fn is_in_exponent(&self, written: Range<usize>) -> bool {
         let name = self.kind(written.start);
-        let is_letter = written.len() == 1 && matches!(name, Kind::Letter(_) | Kind::Command(_));
+        if written.len() > 1 || !matches!(name, Kind::Letter(_) | Kind::Command(_)) {
+            return false;
+        }
         let mut depth = 0_usize;
         for at in self.at + 1..self.tokens.len() {
             match self.kind(at) {
                 Kind::Open => depth += 1,
                 Kind::Close if depth < 2 => return false,
                 Kind::Close => depth -= 1,
-                kind if is_letter && kind == name => {
+                kind if kind == name => {
                     return !matches!(self.kind(at + 1), Kind::Char('(' | '_' | '^'));
                 }
                 _ if depth == 0 => return false,

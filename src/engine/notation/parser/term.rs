@@ -284,12 +284,11 @@ impl Parser<'_> {
             before,
             None | Some(Kind::Relation(..) | Kind::Char('+' | '-') | Kind::Wide)
         );
-        let letters = self.tokens.get(self.at + 1..).unwrap_or_default();
-        let is_beside = |kind: Kind<'_>, spaced: bool| matches!(kind, Kind::Letter(_)) && !spaced;
-        let names = letters
+        let after = self.tokens.get(self.at + 1..).unwrap_or_default();
+        let names = after
             .iter()
-            .take_while(|own| is_beside(own.kind, own.spaced));
-        let names = names.count();
+            .take_while(|own| matches!(own.kind, Kind::Letter(_)) && !own.spaced)
+            .count();
         let closes = self.kind(self.at + 1 + names) == Kind::Char(')');
         opens && begins && start + 2 == self.at && names > 0 && closes
     }

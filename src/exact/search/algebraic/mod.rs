@@ -62,10 +62,6 @@ impl<'a> Posed<'a> {
     /// `None` where there is no point of this kind to be looked for.
     fn new(obligation: &'a Obligation, against_goal: bool) -> Option<Self> {
         let (claim, problem) = (obligation.claim(), obligation.as_written());
-        let pi = match problem.pi_is_the_number() {
-            true => problem.atoms.find(&Atom::Symbol(Symbol::new("\\pi"))),
-            false => None,
-        };
         let plain = |atom: &Atom| match atom {
             Atom::Symbol(_) => true,
             Atom::Opaque(Expr::Power(_, exponent)) => matches!(**exponent, Expr::Number(_)),
@@ -93,7 +89,7 @@ impl<'a> Posed<'a> {
             facts.extend(roots(&mut atoms)?);
         }
         facts.extend(measured_in_units(claim, &atoms));
-        if let Some(pi) = pi {
+        if let Some(pi) = problem.pi() {
             // What is said of π alone is so; what has it for a factor is so whatever it is. Nothing else with it is looked at.
             facts.retain(|fact| fact.polynomial.vars()[..] != [pi]);
             for fact in &mut facts {
