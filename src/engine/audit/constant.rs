@@ -82,7 +82,7 @@ impl Judge<'_> {
             return None;
         }
         // Nothing speaks of it but what says the value of something at a place.
-        let applies = |term: &Expr| term.any(&|part| matches!(part, Expr::Apply(..)));
+        let applies = |term: &Expr| term.any(&Expr::is_value_somewhere);
         let speaks = |own: &&Assumed| !own.formula.terms().into_iter().any(applies);
         let assumed = self.usable.assumed.iter().filter(speaks);
         let assumed: Vec<Assumed> = assumed.cloned().collect();

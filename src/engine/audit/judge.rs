@@ -8,7 +8,7 @@ mod unclear;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Beyond, Derivation, Goal, Source};
 use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
 use crate::notation::{plain, plain_symbol};
@@ -229,7 +229,7 @@ impl Judge<'_> {
             return own;
         }
         if !found.judged.outcome.is_proven()
-            && !found.judged.outcome.is_refuted()
+            && (!found.judged.outcome.is_refuted() || draws_on_values(&found.judged))
             && let Some(own) = self.as_no_solution(goal, premises)
         {
             return own;
@@ -420,4 +420,10 @@ pub(super) fn sources(assumed: &[Assumed]) -> Vec<Source> {
     sorted::sort(&mut all);
     all.dedup();
     all
+}
+
+/// Whether something was judged from what has a value at a place, which says nothing of what it is elsewhere.
+fn draws_on_values(judged: &Judged) -> bool {
+    let mut terms = judged.assumed.iter().flat_map(|own| own.formula.terms());
+    terms.any(|term| term.any(&Expr::is_value_somewhere))
 }

@@ -4,7 +4,7 @@
 //! of both in two ways, where a sum or a limit goes over the argument, nor where it is another elsewhere: `f(s)` beside `f(t)`.
 //!
 //! The value at a number, `y(0)`, is that of what depends on one symbol throughout; `\dot{y}(0)` is that of its slope. So is the value at what
-//! names a special value of the argument, `y(t_1)`, where the argument is left out elsewhere.
+//! names a special value of the argument, `y(t_1)`, where the argument is left out elsewhere, or a law says by what it is differentiated.
 
 use std::collections::BTreeSet;
 
@@ -13,8 +13,9 @@ use crate::sorted::Tree;
 
 use super::Equation;
 use super::equation::{all_terms, conditions, formulas, map_terms};
-use super::names::{self, names_a_place, undotted};
+use super::names::{self, names_a_place};
 use super::page::Page;
+use super::slopes::base;
 
 /// How a page speaks of a name.
 #[derive(Default)]
@@ -52,7 +53,20 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     // What has one argument throughout, and whether it is left out.
     let mut functions: Tree<Symbol, (Symbol, bool)> = Tree::new();
     let mut any = false;
-    for (name, own) in all.into_entries() {
+    let all: Vec<(Symbol, Spoken)> = all.into_entries().collect();
+    let moves = |name: &Symbol| {
+        all.iter()
+            .any(|own| own.0 == *name && !own.1.moves.is_empty())
+    };
+    let is_slope: Vec<bool> = (all.iter())
+        .map(|own| base(&own.0).is_some_and(|of| moves(&of.0)))
+        .collect();
+    for ((name, own), is_slope) in all.into_iter().zip(is_slope) {
+        // `w''(L)` is read of `w`.
+        if is_slope {
+            any |= own.valued || !own.arguments.is_empty();
+            continue;
+        }
         let told = in_text.get(&name);
         let argument = the_argument(&own.arguments).filter(|_| own.arguments.len() == 1);
         // `w(L)` beside `w(0)`, of a `w` that is not known to depend on that.
@@ -70,8 +84,18 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
             let is_moved = may_be_left_out && !own.arguments.is_empty();
             (is_moved && places.all(|place| place != by && names_a_place(place))).then_some(by)
         };
+        // "$w(0) = 0$ and $w'(L) = 0$" of a law for `\frac{d^2 w}{dx^2}`.
+        let of_law = || {
+            let by = own.moves.first().filter(|_| own.moves.len() == 1)?;
+            let mut places = own.arguments.iter();
+            let is_so = !own.apart && places.all(|place| place == by || names_a_place(place));
+            is_so.then_some(by)
+        };
         any |= own.valued;
-        if let Some(argument) = of_places().or(argument).or_else(beside_values) {
+        let argument = of_places().or(argument).or_else(beside_values);
+        let by_law = argument.is_none().then(of_law).flatten();
+        if let Some(argument) = argument.or(by_law) {
+            let may_be_left_out = may_be_left_out || by_law.is_some();
             let left_out = may_be_left_out && *argument != name;
             any |= left_out;
             functions.insert(name, (argument.clone(), left_out));
@@ -183,11 +207,15 @@ fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
         Some((body, argument.clone()))
     };
     let slope = || {
-        let (body, variable) = plain(&undotted(name)?)?;
-        Some((body.differentiated_by(&variable), variable))
+        let (own, order, _) = base(name)?;
+        let (body, variable) = plain(&own)?;
+        let slope = (0..order).fold(body, |body, _| body.differentiated_by(&variable));
+        Some((slope, variable))
     };
     // `y(0)`, or `y(t_1)` beside `y(t)`.
-    let is_place = |place: &Expr| match (place, functions.get(name)) {
+    let of = base(name).map(|(own, ..)| own);
+    let known = functions.get(name).or_else(|| functions.get(of.as_ref()?));
+    let is_place = |place: &Expr| match (place, known) {
         (Expr::Symbol(place), Some((argument, true))) => {
             place != argument && (place.is_variant_of(argument) || names_a_place(place))
         }

@@ -5,7 +5,10 @@ use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::document::{Inline, Span};
-use crate::notation::{Before, BeforeKind, Statement, SyntaxError, read_expr, read_symbol};
+use crate::notation::{
+    Before, BeforeKind, Clause, Statement, SyntaxError, has_units, is_figures, read_expr,
+    read_symbol,
+};
 
 use super::called::Called;
 use super::{Equation, formulas, slopes};
@@ -192,6 +195,13 @@ pub(super) fn refuse(
     if !factors.is_subset(&functions) {
         functions.extend(in_text().into_iter().filter(|own| factors.contains(own)));
     }
+    let values = of(BeforeKind::Value);
+    if !values.is_empty() {
+        // `w(0)` of a law for `\frac{d^2 w}{dx^2}`.
+        let statements = equations.iter().flat_map(|equation| equation.statements());
+        let formulas: Vec<Formula> = statements.flat_map(formulas).collect();
+        functions.extend(Formula::differentiated_in(formulas.iter()));
+    }
     let mut symbols = of(BeforeKind::Unit);
     if !symbols.is_empty() {
         let statements = equations.iter().flat_map(|equation| equation.statements());
@@ -201,7 +211,6 @@ pub(super) fn refuse(
     }
     let angles = of(BeforeKind::Degrees);
     let angles: BTreeSet<Symbol> = angles.into_iter().filter(|name| declared(name)).collect();
-    let values = of(BeforeKind::Value);
     let multiplied = of(BeforeKind::Quantity);
     let all = [&functions, &symbols, &angles, &values, &multiplied];
     if all.into_iter().all(BTreeSet::is_empty) {
@@ -216,7 +225,9 @@ pub(super) fn refuse(
             BeforeKind::Value => !functions.contains(&before.name) && !is_slope(&before.name),
             BeforeKind::Factor => {
                 let primed = before.name.name().contains('\'') && is_slope(&before.name);
-                functions.contains(&before.name) || primed
+                functions.contains(&before.name)
+                    || primed
+                    || is_told_there(equation.statements(), before)
             }
             BeforeKind::Quantity => {
                 functions.contains(&before.name)
@@ -228,19 +239,16 @@ pub(super) fn refuse(
         let Some(Before { name, span, kind }) = doubtful.cloned() else {
             continue;
         };
+        let is_function = functions.contains(&name);
         let (message, help) = match kind {
+            BeforeKind::Factor if !is_function && !name.name().contains('\'') => no_value(&name),
             BeforeKind::Unit => (
                 format!(
                     "whether `{name}` is a unit here, or the symbol of that name, is not clear"
                 ),
                 "write `\\qty{…}{…}` for a quantity, or `\\cdot` before a symbol".to_owned(),
             ),
-            BeforeKind::Value => (
-                format!("this may be the value of a function `{name}` at a number, or a product"),
-                format!(
-                    "for a product write `\\cdot` before the parenthesis; values are read of what the page has as a function, as `{name}(t)`"
-                ),
-            ),
+            BeforeKind::Value => no_value(&name),
             BeforeKind::Quantity => (
                 format!(
                     "whether `{name}` is applied to what follows, or multiplied by it, is not clear"
@@ -268,6 +276,32 @@ pub(super) fn refuse(
             help: Some(help),
         });
     }
+}
+
+/// Why a name before a number in parentheses is not read, and what to write.
+fn no_value(name: &Symbol) -> (String, String) {
+    (
+        format!("this may be the value of a function `{name}` at a number, or a product"),
+        format!(
+            "for a product write `\\cdot` before the parenthesis; values are read of what the page has as a function, as `{name}(t)`"
+        ),
+    )
+}
+
+/// Whether a name before a quantity in parentheses is all that a statement begins with: `\delta(50\,\mathrm{Hz}) = 9.35\,\mathrm{mm}` tells what
+/// `\delta` is there.
+fn is_told_there(statements: &[Statement], before: &Before) -> bool {
+    let is_told = |clause: &Clause| match clause {
+        Clause::Chain { sides, .. } => {
+            let side = &sides[0];
+            let is_figure = |own: &Expr| {
+                matches!(own, Expr::Symbol(own) if *own == before.name) || is_figures(own)
+            };
+            side.span == before.span && has_units(&side.expr) && side.expr.children().all(is_figure)
+        }
+        Clause::AllEqual { .. } => false,
+    };
+    statements.iter().flat_map(|own| &own.clauses).any(is_told)
 }
 
 /// Whether a name stands in statements elsewhere than before what it might be applied to.

@@ -389,6 +389,15 @@ impl Expr {
         }
     }
 
+    /// Whether it is the value of something at a place: `f(0)`, or where that is differentiated the limit there.
+    pub fn is_value_somewhere(&self) -> bool {
+        match self {
+            Expr::Apply(..) => true,
+            Expr::Limit { point, .. } => matches!(point, LimitPoint::Finite(_)),
+            _ => false,
+        }
+    }
+
     /// Whether it is a power of a root.
     pub fn is_root(&self) -> bool {
         fn is_broken(exponent: &Expr) -> bool {

@@ -207,9 +207,9 @@ impl Judge<'_> {
     fn follows_by_signs(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
         let named = goal.formula.names();
         let mut set = set.to_vec();
-        let is_applied = |part: &Expr| matches!(part, Expr::Apply(..));
         set.retain(|own| {
-            own.formula.names().is_subset(&named) && !any_part(&own.formula, &is_applied)
+            let is_of_place = || any_part(&own.formula, &Expr::is_value_somewhere);
+            own.formula.names().is_subset(&named) && !is_of_place()
         });
         let claim = self.derivation.claim(self.at, &set, &goal.formula);
         let mut free = unbounded(&claim);

@@ -109,8 +109,18 @@ impl Judge<'_> {
         let candidates: Vec<Approach> = match told.is_empty() {
             false => told.iter().flatten().cloned().collect(),
             true => {
-                let names = right.free_symbols().into_iter();
-                let names = names.filter(|own| !own.is_unit() && may_be_small(left, right, own));
+                let all = right.free_symbols();
+                // Where it is one of several of its kind, `m_1 + m_2 - m_{12}`, all of them are, or what they differ by.
+                let is_one_of_many = |own: &Symbol| {
+                    let stem = |of: &Symbol| of.without_subscript().unwrap_or(of.clone());
+                    let alike = |other: &Symbol| other != own && stem(other) == stem(own);
+                    own.without_subscript().is_some() && all.iter().any(alike)
+                };
+                let names = all.iter().filter(|&own| {
+                    let is_quantity = !own.is_unit() && !is_one_of_many(own);
+                    is_quantity && may_be_small(left, right, own)
+                });
+                let names = names.cloned();
                 let both = |own: Symbol| [Approach::vanishing(own.clone()), Approach::growing(own)];
                 names.take(MOST_CANDIDATES).flat_map(both).collect()
             }

@@ -81,7 +81,7 @@ impl Judge<'_> {
         // What a function is has a value for every argument.
         let is_function = |own: &Assumed| {
             let sides = own.formula.as_equation();
-            sides.is_some_and(|(left, _)| matches!(left, Expr::Apply(..)))
+            sides.is_some_and(|(left, _)| left.is_value_somewhere())
         };
         let is_of_root = |own: &&Assumed| {
             let mut names = own.formula.names().into_iter();

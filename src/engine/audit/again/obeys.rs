@@ -35,7 +35,7 @@ const SOLVING: [&str; 16] = [
     "exponentiating",
 ];
 /// With one of these it is the solution of something simpler than what the law says, or near one.
-const OF_ANOTHER_LAW: [&str; 20] = [
+const OF_ANOTHER_LAW: [&str; 26] = [
     "without",
     "absence",
     "neglect",
@@ -56,6 +56,12 @@ const OF_ANOTHER_LAW: [&str; 20] = [
     "approximate",
     "approximately",
     "undamped",
+    "leading",
+    "expanding",
+    "expansion",
+    "initially",
+    "asymptotic",
+    "asymptotically",
 ];
 /// What is put in for constants.
 const NUMBERS: [i64; 6] = [2, 3, 5, 7, 11, 13];
@@ -221,14 +227,15 @@ impl Judge<'_> {
         let stands =
             |symbol: &Symbol| *symbol != own.variable && *symbol != of && own.is_of_law(symbol);
         // "with $v(0) = 0$" is of one moment.
-        let is_applied = |part: &Expr| matches!(part, Expr::Apply(..));
+        let is_of_moment = |own: &Formula| {
+            let mut terms = own.terms().into_iter();
+            terms.any(|term| term.any(&Expr::is_value_somewhere))
+        };
         let mut said = self.derivation.written_since(self.at);
-        said.retain(|said| {
-            said.names().iter().all(stands)
-                && !said.terms().into_iter().any(|term| term.any(&is_applied))
-        });
+        said.retain(|said| said.names().iter().all(stands) && !is_of_moment(said));
         let supposed = self.usable.assumed.iter().filter(|said| {
             matches!(said.source, Source::Local(..))
+                && !is_of_moment(&said.formula)
                 && !said.formula.names().contains(&own.variable)
         });
         let said = said.iter().map(throughout).chain(supposed.cloned());

@@ -36,7 +36,8 @@ impl Judge<'_> {
         // To look for the variable is to look through the page.
         let said = self.derivation.conditions_said(self.at);
         let (right, own) = with_own_value_named(left, right);
-        if said.is_empty() && own.is_none() && !self.starts_from_rest() {
+        let is_told = !said.is_empty() || own.is_some() || self.starts_from_rest();
+        if !is_told && bounds(&goal.formula).is_empty() {
             return None;
         }
         let variable = self.variable_of(left)?;
@@ -94,7 +95,11 @@ impl Judge<'_> {
             // Of several values it need have one.
             is_refuted &= matches!(decision, Decision::Refuted(_));
         }
-        if is_refuted || !found.judged.outcome.is_refuted() || self.breaks(goal, &laws, &others) {
+        if !is_told
+            || is_refuted
+            || !found.judged.outcome.is_refuted()
+            || self.breaks(goal, &laws, &others)
+        {
             return None;
         }
         let mut own = Found::open(found.judged.clone());
@@ -113,6 +118,9 @@ impl Judge<'_> {
         if self.starts_from_rest() {
             said.extend(sides.and_then(|(left, _)| at_rest(left, variable)));
         }
+        let bounds = where_bounds_meet(&goal.formula, variable).into_iter();
+        let moves = |own: &Symbol| self.auditor.changes(self.at, own, variable);
+        said.extend(bounds.filter(|own| matches!(&own.of, Expr::Symbol(of) if moves(of))));
         let mut conditions = met(said, goal, variable);
         let own = sides.and_then(|(left, right)| own_value(left, right));
         conditions.extend(own);
@@ -237,6 +245,44 @@ fn at_rest(velocity: &Expr, variable: &Symbol) -> Option<ConditionSaid> {
     })
 }
 
+/// The integrals of a formula that run up to a symbol: from where, and to which.
+fn bounds(formula: &Formula) -> Vec<(&Expr, &Symbol)> {
+    fn collect<'e>(term: &'e Expr, found: &mut Vec<(&'e Expr, &'e Symbol)>) {
+        match term {
+            Expr::Integral { from, to, .. } => {
+                if let Expr::Symbol(to) = &**to {
+                    found.push((from, to));
+                }
+            }
+            term => term.children().for_each(|part| collect(part, found)),
+        }
+    }
+    let mut found = Vec::new();
+    let terms = formula.terms().into_iter();
+    terms.for_each(|term| collect(term, &mut found));
+    found
+}
+
+/// What the bounds of integrals say of where a solution begins: with `\int_{v_0}^v … = \int_0^t …` there is `v = v_0` at `t = 0`. Where nothing is
+/// integrated over the variable, it begins at nought.
+fn where_bounds_meet(formula: &Formula, variable: &Symbol) -> Vec<ConditionSaid> {
+    let bounds = bounds(formula);
+    let (along, of): (Vec<_>, Vec<_>) = bounds.into_iter().partition(|own| own.1 == variable);
+    let place = match &along[..] {
+        [] => Expr::integer(0),
+        [(first, _), rest @ ..] if rest.iter().all(|own| own.0 == *first) => (*first).clone(),
+        _ => return Vec::new(),
+    };
+    let said = of.into_iter().map(|(value, own)| ConditionSaid {
+        of: Expr::Symbol(own.clone()),
+        value: value.clone(),
+        variable: Some(variable.clone()),
+        place: place.clone(),
+        just_said: true,
+    });
+    said.collect()
+}
+
 /// What the text tells at places of things that a goal speaks of, the last that it tells of each, and what the goal comes to there.
 fn met(all: Vec<ConditionSaid>, goal: &Goal, variable: &Symbol) -> Vec<(ConditionSaid, Formula)> {
     let mut found: Vec<(ConditionSaid, Formula)> = Vec::new();
@@ -319,8 +365,17 @@ fn there(formula: &Formula, said: &ConditionSaid, variable: &Symbol) -> Option<F
     };
     let mut speaks = false;
     let put = formula.map_terms(|term| put_in(term, (said, variable), &mut speaks));
+    let put = put.map_terms(|term| without_empty(&term.substitute(variable, &said.place)));
     let is_known = !put.terms().into_iter().any(|term| term.any(&varies));
-    (speaks && is_known).then(|| put.map_terms(|term| term.substitute(variable, &said.place)))
+    (speaks && is_known).then_some(put)
+}
+
+/// A term in which integrals from a place to the same place are nought.
+fn without_empty(term: &Expr) -> Expr {
+    match term {
+        Expr::Integral { from, to, .. } if from == to => Expr::integer(0),
+        term => term.map_children(without_empty),
+    }
 }
 
 /// A term with a value put in for what has it.

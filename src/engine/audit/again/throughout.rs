@@ -268,7 +268,7 @@ fn slopes(all: &[Assumed], held: &[Symbol], variable: &Symbol) -> Vec<Formula> {
     };
     let laws = all.iter().filter(|own| own.standing == Standing::Identity);
     let given: Set<Symbol> = laws.clone().filter_map(gives).collect();
-    let applies = |term: &Expr| term.any(&|part| matches!(part, Expr::Apply(..)));
+    let applies = |term: &Expr| term.any(&Expr::is_value_somewhere);
     let is_explicit = |law: &&Assumed| {
         let named = law.formula.names();
         let varies = |own: &Symbol| own == variable || given.contains(own);

@@ -301,11 +301,27 @@ impl Auditor<'_> {
     /// What figures may be taken from: what is cited and sound, what the text tells, and what is supported by figures itself.
     pub(super) fn figures(&self, at: usize, usable: &premise::Usable) -> Vec<Assumed> {
         let mut all = self.sound_figures(at, usable);
-        all.extend(self.derivation.told(at));
+        all.extend(self.told_figures(at));
         for &premise in &usable.numeric {
             all.extend(self.supported(at, premise));
         }
         all
+    }
+
+    /// What the text tells in passing, but for places of which it spoke before: "from a level $y = a$", where something is differentiated by `y`.
+    fn told_figures(&self, at: usize) -> Vec<Assumed> {
+        let mut told = self.derivation.told(at);
+        if told.is_empty() {
+            return told;
+        }
+        let variables = self.variables(at);
+        let just = self.derivation.told_just_before(at);
+        let is_place = |own: &Assumed| match own.formula.as_equation() {
+            Some((Expr::Symbol(name), value)) => variables.contains(name) && !is_figures(value),
+            _ => false,
+        };
+        told.retain(|own| just.contains(own) || !is_place(own));
+        told
     }
 }
 

@@ -132,7 +132,7 @@ impl Parser<'_> {
     }
 
     /// Whether the number in the parentheses that opened at `open` is one that is measured: π is multiplied by it, `\pi (0.20)^2`, and profits,
-    /// `\pi(50)`, are of whole ones.
+    /// `\pi(50)`, are of whole ones. So it is by one of several, `\pi (3000) (12)`.
     fn is_measure(&self, open: usize) -> bool {
         let number = self.tokens[open..self.at]
             .iter()
@@ -141,7 +141,10 @@ impl Parser<'_> {
                 Kind::Quantity(..) => true,
                 _ => false,
             });
-        number || self.peek() == Kind::Char('^')
+        let many = ['^', '(']
+            .into_iter()
+            .any(|own| self.peek() == Kind::Char(own));
+        number || many
     }
 
     /// Whether a reader may take a name for a function of what stands in brackets after it, other than `P(t)`.
