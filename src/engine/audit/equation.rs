@@ -215,6 +215,9 @@ impl Auditor<'_> {
                 .filter(simply_holds)
                 .unwrap_or_else(|| from(how.usable))
         });
+        if let Some(of_case) = self.in_its_case(statement, how, &entry) {
+            return of_case;
+        }
         // What stands just before and is false says nothing of an identity, or of what follows without it.
         let is_wrong = |&premise: &usize| self.entries_of(how.at, premise).any(Entry::is_wrong);
         if how.says_so || entry.verdict != Verdict::Undecided || !how.premises.iter().any(is_wrong)
@@ -234,6 +237,41 @@ impl Auditor<'_> {
             true => alone,
             false => entry,
         }
+    }
+
+    /// A step that cites in its own words what is derived for a case, shown where that case is: "Inserting the equilibrium value (3)". It says so.
+    fn in_its_case(
+        &self,
+        statement: &Statement,
+        how: &Circumstances,
+        entry: &Entry,
+    ) -> Option<Entry> {
+        let page = &self.derivation.pages[self.derivation.equations[how.at].page];
+        let is_open = entry.verdict == Verdict::Undecided && entry.numeric.is_none();
+        if !how.says_so || !is_open || how.usable.out_of_scope.is_empty() || page.directs {
+            return None;
+        }
+        let mut usable = how.usable.clone();
+        usable.assumed.extend(self.of_other_cases(how.at, &usable));
+        let cited = std::mem::take(&mut usable.out_of_scope);
+        let how = Circumstances {
+            usable: &usable,
+            ..*how
+        };
+        let mut own = effort::within(MOST_WORK, || self.statement(statement, &how));
+        if own.verdict != Verdict::Holds {
+            return None;
+        }
+        let is_cited = |own: &Source| matches!(own, Source::Equation(at) if cited.contains(at));
+        for note in &mut own.notes {
+            if let Note::Uncited(sources) = note {
+                sources.retain(|own| !is_cited(own));
+            }
+        }
+        own.notes
+            .retain(|note| !matches!(note, Note::Uncited(sources) if sources.is_empty()));
+        own.notes.extend(cited.into_iter().map(Note::OutOfScope));
+        Some(own)
     }
 
     fn note_other_reading(&self, statement: &Statement, entry: &mut Entry, how: &Circumstances) {

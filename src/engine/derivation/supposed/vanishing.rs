@@ -23,12 +23,8 @@ impl Page {
         let source = &self.document.source;
         let mut before = equations.iter().rev().take(MOST_BEFORE);
         // Of what is cited there, or else of the display before.
-        let at = cited.partition_point(|own| own.span.start < body.start);
-        let meant = || match cited.get(at).filter(|own| own.span == body) {
-            Some(cited) => equations.iter().rev().find(|own| match cited.key {
-                true => own.keys.contains(&cited.tag),
-                false => own.tag.as_ref() == Some(&cited.tag),
-            }),
+        let meant = || match cited_there(body, cited) {
+            Some(cited) => equation_of(cited, equations),
             None => equations.last().filter(|_| what != Vanishing::Cited),
         };
         match what {
@@ -163,6 +159,44 @@ pub(in crate::derivation) fn rate_of(slope: &Expr, equations: &[Equation]) -> Op
     let rate = right_side(before.find(|own| left_side(own) == Some(slope))?)?;
     let changes = matches!(rate, Expr::Number(_)) || rate.mentions(variable);
     (!changes).then(|| rate.clone())
+}
+
+/// What is cited at a place.
+fn cited_there(body: Span, cited: &[Citation]) -> Option<&Citation> {
+    let at = cited.partition_point(|own| own.span.start < body.start);
+    cited.get(at).filter(|own| own.span == body)
+}
+
+fn equation_of<'e>(cited: &Citation, equations: &'e [Equation]) -> Option<&'e Equation> {
+    equations.iter().rev().find(|own| match cited.key {
+        true => own.keys.contains(&cited.tag),
+        false => own.tag.as_ref() == Some(&cited.tag),
+    })
+}
+
+/// Whether two displays that are cited at two places say somewhere what the same is: "Equating (2) and (3)" supposes nothing then.
+pub(in crate::derivation) fn give_the_same(
+    places: [Span; 2],
+    equations: &[Equation],
+    cited: &[Citation],
+) -> bool {
+    let sides = |place: Span| -> Vec<Expr> {
+        let equation = cited_there(place, cited).and_then(|own| equation_of(own, equations));
+        let statements = equation.into_iter().flat_map(Equation::statements);
+        let clauses = statements.flat_map(|own| &own.clauses);
+        let begins = clauses.filter_map(|own| match own {
+            Clause::Chain { sides, .. } => sides.first().map(|side| &side.expr),
+            Clause::AllEqual { .. } => None,
+        });
+        // `\tau(r)` and `\tau`
+        let named = begins.map(|side| match side {
+            Expr::Apply(name, _) => Expr::Symbol(name.clone()),
+            side => side.clone(),
+        });
+        named.collect()
+    };
+    let [one, other] = places.map(sides);
+    one.iter().any(|own| other.contains(own))
 }
 
 /// What an equation says the value of.
