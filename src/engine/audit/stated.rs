@@ -206,7 +206,8 @@ impl Judge<'_> {
             let meant = equation.meant || !symbols.is_empty() || put;
             meant || is_law() || is_case || is_elsewhere()
         };
-        if !(brings || equation.bare && may_be_law()) {
+        let is_meaning = || matches!(left, Expr::Symbol(own) if self.goes_on_with_meaning(own));
+        if !(brings || equation.bare && may_be_law() || is_meaning()) {
             return None;
         }
         if matches!(outcome, Outcome::Refuted(_)) && self.is_evaluation(left, &others) {
@@ -240,6 +241,19 @@ impl Judge<'_> {
         let is_out =
             is_step && (self.leaves_nothing(&all, &goal) || self.gives_otherwise(&all, &goal));
         (!is_out && !self.is_contradictory(&all, &goal)).then_some(named)
+    }
+
+    /// Whether the words before the display go on with what symbols of the display before mean, of which that is the first to speak:
+    /// "where for unit width $$I = \frac{a^3}{12}$$".
+    fn goes_on_with_meaning(&self, symbol: &Symbol) -> bool {
+        let leading = self.derivation.leading(self.at).unwrap_or_default();
+        let rest = leading.trim_start().strip_prefix("where");
+        let begins = rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric));
+        let before = begins.then(|| self.derivation.before_display(self.at));
+        before.flatten().is_some_and(|before| {
+            let own = &self.derivation.equations[before];
+            own.introduces.contains(symbol)
+        })
     }
 
     /// Whether all equations that a link was judged from stand in sections before: another circuit has another output.

@@ -287,7 +287,8 @@ pub(super) fn without_slashes(source: &str, math: &str) -> Option<String> {
     while let Some(slash) = rest.find('/') {
         let (before, after) = (rest[..slash].trim_end(), rest[slash + 1..].trim_start());
         let slope = upper(before).zip(lower(after));
-        match slope.filter(|(_, lower)| differentiates(source, lower)) {
+        let is_meant = |lower: &str| differentiates(source, lower) || !has_letter_d(source);
+        match slope.filter(|(_, lower)| is_meant(lower)) {
             Some((upper, lower)) => {
                 written.push_str(&before[..before.len() - upper.len()]);
                 written.push_str(&format!("\\frac{{{}}}{{{lower}}}", upper.trim()));
@@ -345,6 +346,16 @@ fn length_of_name(text: &str) -> Option<usize> {
         };
     }
     Some(length)
+}
+
+/// Whether a text has a `d` that is no sign of differentials: with nothing after it that could be what changes.
+fn has_letter_d(source: &str) -> bool {
+    let mut all = source.match_indices('d');
+    all.any(|(at, _)| {
+        let begins = |c: char| c.is_alphanumeric() || matches!(c, '\\' | '{');
+        let inside = source[..at].ends_with(char::is_alphabetic);
+        !inside && !source[at + 1..].trim_start().starts_with(begins)
+    })
 }
 
 /// Whether a text has a fraction of differentials with this one below: `\frac{dx}{dt}`.

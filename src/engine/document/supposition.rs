@@ -95,7 +95,9 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Ve
     found.extend(over::read(source, &tokens[..end]));
     found.extend(unknown::read(source, &tokens[..end]));
     found.extend(unnamed::read(source, &tokens[..end]));
-    found.extend(vanishing::read(source, &tokens[..end]));
+    let vanishing = vanishing::read(source, &tokens[..end]);
+    found.retain(|own| !vanishing.iter().any(|other| other.body == own.body));
+    found.extend(vanishing);
     found.extend(common::read(source, &tokens[..end]));
     found.extend(abbreviation::read(source, &tokens[..end]));
     found.extend(introduced.into_iter().map(|body| Supposition {

@@ -89,6 +89,19 @@ impl Page {
         })
     }
 
+    /// The same of a term.
+    pub(in crate::derivation) fn read_slope(&self, body: Span) -> Option<Expr> {
+        let source = &self.document.source;
+        read_expr(source, body).ok().or_else(|| {
+            let text = source.get(body.range())?;
+            let written = without_slashes(source, text)?;
+            let is_declared = self.is_declared(&Symbol::new("d"));
+            read_expr(&written, Span::new(0, written.len()))
+                .ok()
+                .filter(|_| !is_declared)
+        })
+    }
+
     /// Whether a text says by terms what symbols are, such as these.
     pub(in crate::derivation) fn explains(
         &self,

@@ -31,7 +31,11 @@ impl Page {
             Vanishing::Term => match source.get(body.range())? {
                 "one" | "unity" => Some(Expr::integer(1)),
                 "zero" | "nought" => Some(Expr::integer(0)),
-                _ => read_expr(source, body).ok(),
+                _ => self.read_slope(body).or_else(|| {
+                    // "where $dm/dn = 1 - n$ vanishes"
+                    let read = self.read_slopes(body).ok()?;
+                    Some(formulas(read.first()?).first()?.as_equation()?.0.clone())
+                }),
             },
             Vanishing::Slope => {
                 let is_slope = |side: &&Expr| matches!(side, Expr::Derivative { .. });

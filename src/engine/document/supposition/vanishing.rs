@@ -363,7 +363,9 @@ fn asserted(
         let leads_where = |at: usize| among(sentence, at, WHERE);
         match says_zero(source, sentence.get(value)?.0) {
             // "$v$ is zero" tells of a moment what others read; where "it" is zero, may come after it.
-            true if !must && what == Vanishing::Term => None,
+            true if !must && what == Vanishing::Term && !is_worked_out(source, sentence, at) => {
+                None
+            }
             true if !must && among(sentence, at, &["which"]) => None,
             true if is_pronoun && leads_where(value + 1) && value + 2 < sentence.len() => None,
             true => Some(Supposition {
@@ -379,6 +381,15 @@ fn asserted(
             false => None,
         }
     })
+}
+
+/// Whether the mathematics at a place is a slope, or says what it is that vanishes there: "a maximum where $dm/dn = 1 - n$ vanishes".
+fn is_worked_out(source: &str, sentence: &[Placed<'_>], at: usize) -> bool {
+    let leads = at > 0 && among(sentence, at - 1, &["where", "when", "if", "once", "which"]);
+    let is_slope = |own: &str| own.starts_with('d') && own.contains("/d");
+    let is_such = |own: &str| own.contains('=') || is_slope(own.trim()) || own.contains("\\frac{d");
+    leads
+        && matches!(sentence[at].0, Token::Math(body) if source.get(body.range()).is_some_and(is_such))
 }
 
 /// Whether a sentence ends after the value at a place with a word that says where that is: "This equals $1/2$ for".
