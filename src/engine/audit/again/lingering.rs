@@ -52,7 +52,7 @@ impl Judge<'_> {
     /// The special case, as it is written, that a step which was proved needs, and that may not be meant any more where the step stands.
     pub(in crate::audit) fn lingering(&self, found: &Found, premises: &[usize]) -> Option<String> {
         if !self.names_its_premises() || premises.is_empty() {
-            return None;
+            return self.of_another_paragraph(found);
         }
         let goal = &found.judged.goal;
         let is_left = |place: &(usize, usize)| {
@@ -92,6 +92,24 @@ impl Judge<'_> {
             None if turns => self.displayed_of_a_moment(found, premises),
             None => None,
         }
+    }
+
+    /// The special case that a step needs which cites nothing, where a paragraph with a title of its own begins between the two: "**Nearly equal
+    /// periods.** Bessel noticed".
+    fn of_another_paragraph(&self, found: &Found) -> Option<String> {
+        let own = &self.derivation.equations[self.at];
+        let source = &self.derivation.pages[own.page].document.source;
+        let mut assumed = found.judged.assumed.iter();
+        assumed.find_map(|assumed| {
+            let Source::Local(page, local) = assumed.source else {
+                return None;
+            };
+            let local = self.derivation.local(page, local);
+            let between = source.get(local.span.end..own.span.start)?;
+            let is_left = page == own.page && local.is_of_special_case() && has_title(between);
+            let said = source.get(local.span.range())?;
+            (is_left && !local.means).then(|| said.to_owned())
+        })
     }
 
     /// Whether a hypothesis is not in effect where the step stands, and nothing that the step cites or follows from was concluded under it.
@@ -236,6 +254,20 @@ impl Judge<'_> {
         }
         goes_on(said)
     }
+}
+
+/// Whether a paragraph begins in a text with words in bold that end in a full stop or a colon.
+fn has_title(text: &str) -> bool {
+    let mut lines = text.lines();
+    lines.any(|line| {
+        let marks = [("**", "**"), ("__", "__"), ("\\textbf{", "}")];
+        let title = marks.into_iter().find_map(|(open, close)| {
+            let (title, rest) = line.trim_start().strip_prefix(open)?.split_once(close)?;
+            Some((title.trim_end(), rest))
+        });
+        let ends = |own: &str| own.ends_with(['.', ':']);
+        title.is_some_and(|(title, rest)| ends(title) || rest.starts_with(['.', ':']))
+    })
 }
 
 /// Whether what comes to a number is calculated from the numbers of an example.

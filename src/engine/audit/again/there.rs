@@ -281,7 +281,7 @@ impl Judge<'_> {
         let mentioned = self.derivation.mentioned(self.at).into_iter();
         // "If $a = b$, then of course $c = 2 a$. In the general case" leaves what it names.
         let is_meant = |span: Span| {
-            let is_there = side == Side::Both || span.start < start;
+            let is_there = span.start < start || side == Side::Both && self.goes_on_to(span);
             is_there && !self.derivation.is_left(self.at, span)
         };
         let mentioned = mentioned.filter(|(span, _)| is_meant(*span));
@@ -306,6 +306,17 @@ impl Judge<'_> {
             own.formula.as_equation().is_some() && !any_part(&own.formula, &is_unknown)
         });
         words
+    }
+
+    /// Whether the sentence that a display is part of goes on to something behind it.
+    fn goes_on_to(&self, said: Span) -> bool {
+        let own = &self.derivation.equations[self.at];
+        let source = &self.derivation.pages[own.page].document.source;
+        let written = source.get(own.body.range()).unwrap_or_default();
+        let written = written.split("\\tag").next().unwrap_or_default();
+        let written = written.split("\\label").next().unwrap_or_default();
+        let between = source.get(own.body.end..said.start).unwrap_or_default();
+        !written.trim_end().ends_with('.') && !between.contains(". ") && !between.contains(".\n")
     }
 
     /// What says by a term what a quantity is, in what is cited and else in what stands before, the whole chain.
