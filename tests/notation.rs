@@ -1802,6 +1802,15 @@ fn term() -> impl Strategy<Value = Expr> {
     })
 }
 
+/// What such a term was shrunk to once.
+#[test]
+fn a_difference_in_an_exponent_is_no_factor() {
+    let text = r"\Delta(a)^{\Delta E_{\text{total}}(a)}";
+    let read = read_expr(text, whole(text)).expect("a power");
+    assert!(matches!(&read, Expr::Power(base, _) if matches!(**base, Expr::Apply(..))));
+    assert_eq!(latex(&read), text);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, cases: 4000, ..ProptestConfig::default() })]
 

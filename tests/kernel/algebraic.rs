@@ -380,3 +380,64 @@ fn pi_that_is_declared_is_no_number_in_a_field() {
     let verdict = refuted(&declared, x(&SQUARE_OF_TWO, 1, 2));
     assert_eq!(verdict, Err(Reject::NoValue));
 }
+
+/// `\sqrt2 \sin x = y` at an angle of choice: its sine is a rational number, the root is none.
+fn swinging() -> (Claim, Assignment) {
+    let claim = claim(&[], "2^{1/2} \\sin x = y");
+    let mut point = root(&SQUARE_OF_TWO, 1, 2, &[]);
+    point.symbols.insert(symbol("y"), number(1));
+    for (function, value) in [("\\sin x", ratio(3, 5)), ("\\cos x", ratio(4, 5))] {
+        point.functions.insert(term(function), value);
+    }
+    let point = with_root(point, &claim, &[0, 1]);
+    (claim, point)
+}
+
+#[test]
+fn root_and_angle_of_choice_are_looked_at_together() {
+    let (claim, point) = swinging();
+    assert_eq!(refuted(&claim, point.clone()), Ok(()));
+    let mut true_there = point;
+    let sine = term("\\sin x");
+    let own = true_there.algebraic.as_mut().expect("a root");
+    own.symbols
+        .insert(symbol("y"), vec![number(0), ratio(3, 5)]);
+    true_there.symbols.clear();
+    assert_eq!(
+        refuted(&claim, true_there.clone()),
+        Err(Reject::GoalNotFalse)
+    );
+    true_there.functions.insert(sine, ratio(4, 5));
+    assert_eq!(refuted(&claim, true_there), Err(Reject::NoSuchValue));
+}
+
+#[test]
+fn angle_with_an_irrational_value_is_none_of_choice() {
+    let (claim, mut point) = swinging();
+    let own = point.algebraic.as_mut().expect("a root");
+    own.symbols.insert(symbol("x"), numbers(&[0, 1]));
+    assert_eq!(refuted(&claim, point), Err(Reject::NotPrivate));
+}
+
+#[test]
+fn bounds_on_an_angle_of_choice_are_met_beside_a_root() {
+    let (_, point) = swinging();
+    let bounded = |bound: &str| {
+        let claim = claim(&[bound], "2^{1/2} \\sin x = y");
+        refuted(&claim, point.clone())
+    };
+    // Some angle with that sine and cosine is greater than 7, and none lies between 1 and 2.
+    assert_eq!(bounded("x > 7"), Ok(()));
+    let claim = claim(&["x > 1", "x < 2"], "2^{1/2} \\sin x = y");
+    assert_eq!(refuted(&claim, point.clone()), Err(Reject::OutsideDomain));
+}
+
+#[test]
+fn root_and_constant_function_are_not_looked_at_together() {
+    let claim = claim(&["f(0) = 1"], "2^{1/2} = y");
+    let mut point = root(&SQUARE_OF_TWO, 1, 2, &[]);
+    point.symbols.insert(symbol("y"), number(1));
+    point.functions.insert(term("f(0)"), number(1));
+    let point = with_root(point, &claim, &[0, 1]);
+    assert_eq!(refuted(&claim, point), Err(Reject::NoValue));
+}

@@ -126,9 +126,13 @@ impl Auditor<'_> {
             with_shown.push(judge::taken(&shown.formula));
             decided(with_shown, printed.formula.clone())
         });
-        plain.or_else(|| {
+        let plain = plain.or_else(|| {
             let between = between(&shown.formula, &printed.formula)?;
-            decided(but_names(from, &between), between)
+            decided(but_names(from.clone(), &between), between)
+        });
+        plain.or_else(|| {
+            let known = but_integrals(&from, &printed.formula)?;
+            decided(known, printed.formula.clone())
         })
     }
 
@@ -327,6 +331,39 @@ pub(super) fn but_names(mut assumed: Vec<Assumed>, goal: &Formula) -> Vec<Assume
         };
         assumed.remove(at);
     }
+}
+
+/// What is assumed, with what integrals come to put in for them, where nothing else speaks of what is integrated: `V = \int_a^b E\,dr = c` says
+/// that `V = c`, and what else it says is so for some `E`. `None` where there is no such integral.
+fn but_integrals(assumed: &[Assumed], goal: &Formula) -> Option<Vec<Assumed>> {
+    let (at, integral, value) = assumed.iter().enumerate().find_map(|(at, own)| {
+        let (left, right) = own.formula.as_equation()?;
+        let is_free = |term: &Expr| {
+            let Expr::Integral { body, .. } = term else {
+                return false;
+            };
+            let Expr::Symbol(integrated) = &**body else {
+                return false;
+            };
+            let elsewhere = |own: &Formula| {
+                let all = own.map_terms(|own| own.replace(term, &Expr::integer(0)));
+                all.names().contains(integrated)
+            };
+            !elsewhere(goal) && !assumed.iter().any(|own| elsewhere(&own.formula))
+        };
+        let sides = [(left, right), (right, left)].into_iter();
+        let mut sides = sides.filter(|own| is_free(own.0) && !own.1.any(&|part| part == own.0));
+        // That it is a number that has a name says nothing of it.
+        let (integral, value) = sides.find(|own| !matches!(own.1, Expr::Symbol(_)))?;
+        Some((at, integral.clone(), value.clone()))
+    })?;
+    let mut known = assumed.to_vec();
+    known.remove(at);
+    for own in &mut known {
+        let put_in = (own.formula).map_terms(|term| term.replace(&integral, &value));
+        own.formula = put_in.into();
+    }
+    Some(known)
 }
 
 /// Whether an equation is the only one that speaks of what its left side is, a name or how fast something changes.

@@ -172,11 +172,12 @@ impl Point<'_> {
         let Some(own) = self.at.algebraic.as_deref() else {
             return Ok(());
         };
-        // Such a number and π, or an angle of choice, are not looked at together; and each symbol has one value.
+        // Such a number and multiples of π, or functions that are constant, are not looked at together; and each symbol has one value.
         let pi = |symbol: &Symbol| self.problem.pi_is_the_number() && symbol.name() == "\\pi";
         let twice = |symbol: &Symbol| self.at.symbols.contains_key(symbol) || pi(symbol);
+        let is_constant = |call: &Expr| matches!(call, Expr::Apply(..));
         if !self.at.in_pi.is_empty()
-            || !self.at.functions.is_empty()
+            || self.at.functions.keys().any(is_constant)
             || own.symbols.keys().any(twice)
         {
             return Err(Reject::NoValue);

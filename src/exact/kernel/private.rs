@@ -103,7 +103,12 @@ impl Point<'_> {
 
     fn has_value(&self, symbol: &Symbol) -> bool {
         let number = self.problem.pi_is_the_number() && symbol.name() == "\\pi";
-        number || self.at.symbols.contains_key(symbol) || self.at.in_pi.contains_key(symbol)
+        let algebraic = self.at.algebraic.as_deref();
+        let is_algebraic = algebraic.is_some_and(|own| own.symbols.contains_key(symbol));
+        number
+            || is_algebraic
+            || self.at.symbols.contains_key(symbol)
+            || self.at.in_pi.contains_key(symbol)
     }
 
     /// The private symbol in a polynomial.
@@ -177,7 +182,8 @@ impl Point<'_> {
 
     /// Whether a polynomial has a sign; where it speaks of a private symbol, that is asked of the symbol later.
     pub(super) fn meets(&mut self, polynomial: &Polynomial, sign: Sign) -> Result<bool, Reject> {
-        if self.in_field.is_some() {
+        // What speaks of a private symbol is no number of the field: it is rational but for that symbol, or rejected.
+        if self.in_field.is_some() && self.private_in(polynomial)?.is_none() {
             let order = self.sign_in_field(polynomial)?;
             return Ok(sign.admits(order));
         }

@@ -193,7 +193,7 @@ fn own_value(left: &Expr, right: &Expr) -> Option<(ConditionSaid, Formula)> {
         }
     }
     let (value, variable, place) = find(right, left).filter(|_| matches!(left, Expr::Symbol(_)))?;
-    let named = put_for(right, value, &value_of_its_own());
+    let named = right.replace(value, &value_of_its_own());
     let there = Formula::equal(value_of_its_own(), named.substitute(variable, place));
     let said = ConditionSaid {
         of: left.clone(),
@@ -209,7 +209,7 @@ fn own_value(left: &Expr, right: &Expr) -> Option<(ConditionSaid, Formula)> {
 pub(super) fn with_own_value_named(left: &Expr, right: &Expr) -> (Expr, Option<Symbol>) {
     match own_value(left, right) {
         Some((said, _)) => (
-            put_for(right, &said.value, &value_of_its_own()),
+            right.replace(&said.value, &value_of_its_own()),
             said.variable,
         ),
         None => (right.clone(), None),
@@ -219,14 +219,6 @@ pub(super) fn with_own_value_named(left: &Expr, right: &Expr) -> (Expr, Option<S
 /// What stands for the value at a place, whatever that is.
 pub(super) fn value_of_its_own() -> Expr {
     Expr::Symbol(Symbol::new("\\text{value there}"))
-}
-
-/// A term with another one put in for what it speaks of.
-fn put_for(term: &Expr, of: &Expr, value: &Expr) -> Expr {
-    match term == of {
-        true => value.clone(),
-        false => term.map_children(|part| put_for(part, of, value)),
-    }
 }
 
 /// That a velocity begins with nought: "The solution that starts from rest is".

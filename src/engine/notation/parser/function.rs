@@ -179,7 +179,9 @@ impl Parser<'_> {
     /// Whether a name of one letter stands by itself in the exponent that comes next: `\alpha (k_G)^{\alpha - 1}`.
     fn is_in_exponent(&self, written: Range<usize>) -> bool {
         let name = self.kind(written.start);
-        if written.len() > 1 || !matches!(name, Kind::Letter(_) | Kind::Command(_)) {
+        // `\Delta` begins a longer name.
+        let is_name = matches!(name, Kind::Letter(_) | Kind::Command(_));
+        if written.len() > 1 || !is_name || name == Kind::Command("Delta") {
             return false;
         }
         let mut depth = 0_usize;

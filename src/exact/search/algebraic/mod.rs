@@ -8,7 +8,7 @@ mod known;
 mod solve;
 mod state;
 
-use super::functions::without_factor;
+use super::functions::{leave_open, needs, without_factor};
 use super::refute::{complete, count_symbols, measured_in_units, negation, roots};
 use crate::algebra::{
     Atom, Atoms, Expr, Function, Monomial, Polynomial, Rational, Symbol, Univariate, Var,
@@ -66,7 +66,8 @@ impl<'a> Posed<'a> {
             Atom::Symbol(_) => true,
             Atom::Opaque(Expr::Power(_, exponent)) => matches!(**exponent, Expr::Number(_)),
             Atom::Opaque(Expr::Call(Function::Abs, _) | Expr::Derivative { .. }) => true,
-            _ => false,
+            // Its value is rational.
+            atom => is_left_open(atom),
         };
         if !problem.atoms.iter().all(|(_, atom)| plain(atom))
             || !claim.sequences.is_empty()
@@ -83,6 +84,9 @@ impl<'a> Posed<'a> {
             }));
         }
         facts.extend(problem.facts.iter().cloned());
+        if problem.atoms.iter().any(|(_, atom)| is_left_open(atom)) {
+            facts.extend(needs(claim, problem));
+        }
         let mut atoms = problem.atoms.clone();
         let opaque = |(_, atom): (Var, &Atom)| matches!(atom, Atom::Opaque(_));
         if atoms.iter().any(opaque) {
@@ -125,6 +129,7 @@ impl<'a> Posed<'a> {
             unfold: self.obligation.unfold().to_vec(),
             ..Assignment::default()
         };
+        let mut open: Map<Var, Rational> = Map::new();
         let (low, high) = field.ends();
         let mut own = Algebraic {
             polynomial: listed(field.polynomial()),
@@ -152,18 +157,30 @@ impl<'a> Posed<'a> {
                 (Atom::Opaque(term @ Expr::Power(..)), _) => {
                     own.roots.insert(term.clone(), listed(value));
                 }
+                (atom, Some(value)) if is_left_open(atom) => {
+                    open.insert(var, value);
+                }
                 _ => {}
             }
         }
         point.algebraic = Some(own.into());
         let (claim, unfold) = (self.obligation.claim(), self.obligation.unfold());
         complete(claim, unfold, &mut point);
+        if !open.is_empty() {
+            leave_open(claim, self.obligation.as_written(), &open, &mut point);
+        }
         // The number π has its value.
         if self.obligation.as_written().pi_is_the_number() {
             point.symbols.remove(&Symbol::new("\\pi"));
         }
         point
     }
+}
+
+/// Whether an unknown is the value of a function that may be left open.
+fn is_left_open(atom: &Atom) -> bool {
+    use Function::{Cos, Exp, Sin};
+    matches!(atom, Atom::Opaque(Expr::Call(Sin | Cos | Exp, _)))
 }
 
 fn listed(value: &Univariate) -> Vec<crate::algebra::BigRational> {
