@@ -2,6 +2,7 @@
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
+use crate::kernel::Standing;
 use crate::search::Decision;
 use crate::sorted::Set;
 
@@ -33,7 +34,19 @@ impl Judge<'_> {
         let before: Set<Symbol> = before.flat_map(|own| own.formula.names()).collect();
         let (whole, value) = (left, right);
         let (left, right) = (quantities(left), quantities(right));
-        let is_silent = |symbol: &&Symbol| !before.contains(*symbol);
+        // What the display says of it by what was known is used: "`\dot s + s/\lambda = g, \qquad \lambda = D/(4 k)`".
+        let is_meant = |symbol: &Symbol| {
+            let mut meanings = assumed.iter().filter(|own| {
+                own.source == Source::Step && own.standing == Standing::Identity
+            });
+            meanings.any(|own| match own.formula.as_equation() {
+                Some((Expr::Symbol(of), value)) => {
+                    of == symbol && value.free_symbols().iter().all(|own| before.contains(own))
+                }
+                _ => false,
+            })
+        };
+        let is_silent = |symbol: &&Symbol| !before.contains(*symbol) && !is_meant(symbol);
         // What has another index there and is not in the step as well may be meant for this.
         let is_general = |symbol: &Symbol| {
             let stem = stem(symbol);
