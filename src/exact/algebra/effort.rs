@@ -39,6 +39,19 @@ pub fn within<R>(budget: u64, work: impl FnOnce() -> R) -> R {
     work()
 }
 
+/// Does something with three quarters of what is left, which is taken off: the rest is kept for what comes after.
+pub fn with_most<R>(work: impl FnOnce() -> R) -> R {
+    let left = LEFT.get();
+    let share = left - left / 4;
+    let done = || {
+        let result = work();
+        (result, LEFT.get())
+    };
+    let (result, unspent) = within(share, done);
+    LEFT.set(left - share.saturating_sub(unspent));
+    result
+}
+
 /// Does something for which there is no more than this, with all the budgets of their own that there are in it.
 pub fn altogether<R>(budget: u64, work: impl FnOnce() -> R) -> R {
     struct Outside(u64);

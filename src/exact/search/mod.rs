@@ -37,7 +37,7 @@ mod unknown;
 mod unless;
 mod values;
 
-use crate::algebra::{Atom, Expr, Formula, Function, Symbol};
+use crate::algebra::{Atom, Expr, Formula, Function, Symbol, effort};
 use crate::kernel::{Assignment, Candidate, Checked, Claim, Domain, Obligation, Refuted, Reject};
 use crate::sorted::Set;
 pub use algebraic::without_rational_points;
@@ -64,9 +64,9 @@ pub use supposing::fewest;
 use supposing::{assuming, defines_afresh, nowhere_put};
 pub use unless::{Unless, missing_conditions};
 
-/// How many choices a search for a point may try, quickly and in earnest.
 /// Why something is left open of which nothing more is known.
 pub const UNDECIDED: &str = "no proof and no counterexample was found";
+/// How many choices a search for a point may try, quickly and in earnest.
 const QUICK: usize = 200;
 const EARNEST: usize = 1_500;
 const IN_CONTEXT: usize = 600;
@@ -153,7 +153,7 @@ pub fn decide_within(
             }
         }
         if effort == Effort::Light
-            && let Some(decision) = rates::decide(obligation)
+            && let Some(decision) = effort::with_most(|| rates::decide(obligation))
         {
             return decision;
         }

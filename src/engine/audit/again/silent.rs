@@ -36,9 +36,9 @@ impl Judge<'_> {
         let (left, right) = (quantities(left), quantities(right));
         // What the display says of it by what was known is used: "`\dot s + s/\lambda = g, \qquad \lambda = D/(4 k)`".
         let is_meant = |symbol: &Symbol| {
-            let mut meanings = assumed.iter().filter(|own| {
-                own.source == Source::Step && own.standing == Standing::Identity
-            });
+            let mut meanings = assumed
+                .iter()
+                .filter(|own| own.source == Source::Step && own.standing == Standing::Identity);
             meanings.any(|own| match own.formula.as_equation() {
                 Some((Expr::Symbol(of), value)) => {
                     of == symbol && value.free_symbols().iter().all(|own| before.contains(own))
