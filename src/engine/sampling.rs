@@ -7,7 +7,7 @@ use std::cell::Cell;
 
 use num_traits::ToPrimitive;
 
-use crate::algebra::{Expr, Formula, Function, LimitPoint, Symbol};
+use crate::algebra::{Expr, Formula, Function, LimitPoint, Relation, Symbol};
 use crate::sorted::{Map, Set};
 
 /// More premises than this are not looked at.
@@ -87,9 +87,28 @@ impl Sample {
 
     /// Whether a formula is true here; nothing where it has no value.
     pub fn holds(&self, formula: &Formula) -> Option<bool> {
-        let (left, right) = formula.as_equation()?;
+        let Formula::Relation {
+            left,
+            relation,
+            right,
+        } = formula
+        else {
+            return None;
+        };
         let (left, right) = (self.value(left)?, self.value(right)?);
-        Some((left - right).abs() <= NEAR * left.abs().max(right.abs()).max(LEAST))
+        match relation {
+            Relation::Equal => {
+                Some((left - right).abs() <= NEAR * left.abs().max(right.abs()).max(LEAST))
+            }
+            Relation::Less | Relation::LessOrEqual => Some(left <= right),
+            Relation::Greater | Relation::GreaterOrEqual => Some(left >= right),
+            _ => None,
+        }
+    }
+
+    /// Whether all values that were chosen or found are positive.
+    pub fn is_positive(&self) -> bool {
+        self.values.iter().all(|own| *own.1 > 0.0)
     }
 
     /// Takes a premise for what it says that a symbol is, if it says so plainly and that is not said in a circle.

@@ -26,7 +26,7 @@ const MOST_WORK_IF_LIKELY: u64 = 600_000;
 /// So many edits are tried.
 const MOST_TRIED: usize = 60;
 /// So many times it is tried to find out where all may be true; so many such places are enough, and so many are needed.
-const MOST_SEEDS: u32 = 6;
+const MOST_SEEDS: u32 = 20;
 const MOST_SAMPLES: usize = 3;
 const FEWEST_SAMPLES: usize = 2;
 
@@ -161,12 +161,24 @@ impl Auditor<'_> {
         let all = [&how.usable.assumed, &links, others, &open];
         let premises = all.into_iter().flatten().map(|own| &*own.formula);
         let premises: Vec<&Formula> = premises.collect();
-        let samples = (0..MOST_SEEDS).map(|seed| {
-            let premises = premises.iter().copied();
-            Sample::of(premises, &goal.formula, seed)
-        });
-        let samples = samples.filter(|own| own.holds(&goal.formula).is_some());
-        samples.take(MOST_SAMPLES).collect()
+        // Where something is, how it moves leaves open.
+        let mut still = premises.clone();
+        still.retain(|own| !own.speaks_of_slopes());
+        let sets = match goal.formula.speaks_of_slopes() || still.len() == premises.len() {
+            true => vec![&premises],
+            false => vec![&premises, &still],
+        };
+        // What nobody says the sign of is mostly meant to be positive.
+        for all_positive in [true, false] {
+            for &premises in &sets {
+                let found = where_true(premises, &goal.formula, all_positive);
+                if found.len() >= FEWEST_SAMPLES {
+                    return found;
+                }
+            }
+        }
+        let any = seeds(&premises, &goal.formula);
+        any.take(MOST_SAMPLES).collect()
     }
 
     /// The first of some edits with which a link would have been shown.
@@ -252,6 +264,23 @@ impl Auditor<'_> {
             && meant.name() != "\\pi"
             && !self.derivation.equations[at].introduces.contains(printed)
     }
+}
+
+/// Places at which a goal has a value, from different seeds.
+fn seeds<'a>(premises: &'a [&Formula], goal: &'a Formula) -> impl Iterator<Item = Sample> + 'a {
+    let samples = (0..MOST_SEEDS).map(move |seed| Sample::of(premises.iter().copied(), goal, seed));
+    samples.filter(move |own| own.holds(goal).is_some())
+}
+
+/// Those of these places at which premises are true, as far as that can be told.
+fn where_true(premises: &[&Formula], goal: &Formula, all_positive: bool) -> Vec<Sample> {
+    let is_false = |own: &Sample, premise: &Formula| own.holds(premise) == Some(false);
+    let fits = |own: &Sample| {
+        (!all_positive || own.is_positive())
+            && !premises.iter().any(|premise| is_false(own, premise))
+    };
+    let samples = seeds(premises, goal).filter(fits);
+    samples.take(MOST_SAMPLES).collect()
 }
 
 /// A link that would have been shown, as it should read.
