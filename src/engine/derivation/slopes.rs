@@ -353,8 +353,11 @@ fn has_letter_d(source: &str) -> bool {
     let mut all = source.match_indices('d');
     all.any(|(at, _)| {
         let begins = |c: char| c.is_alphanumeric() || matches!(c, '\\' | '{');
-        let inside = source[..at].ends_with(char::is_alphabetic);
-        !inside && !source[at + 1..].trim_start().starts_with(begins)
+        let inside = source[..at].ends_with(|c: char| c.is_alphabetic() || c == '_');
+        let after = source[at + 1..].trim_start();
+        // `\frac{d^2 w}{dx^2}`
+        let is_upper = after.starts_with('^') && source[..at].ends_with("\\frac{");
+        !inside && !is_upper && !after.starts_with(begins)
     })
 }
 
