@@ -434,6 +434,7 @@ impl Editor<'_> {
             Expr::Quotient(above, below) => {
                 let inverted = Expr::Quotient(below.clone(), above.clone());
                 self.found.push((Change::Inverted, 3, inverted));
+                self.numbers_inverted(above, below);
                 let factors = [(**above).clone(), (**below).clone()];
                 if own_number(below).is_none() && **above != Expr::integer(1) {
                     let product = product_of(factors.to_vec());
@@ -531,6 +532,33 @@ impl Editor<'_> {
             let both = items.iter().map(|item| item.replace(body, found));
             *found = Expr::Sum(both.collect());
         }
+    }
+
+    /// The numbers of a quotient in each other's place: `\frac{3 a}{4 b}` for `\frac{4 a}{3 b}`.
+    fn numbers_inverted(&mut self, above: &Expr, below: &Expr) {
+        let is_product = |term: &Expr| matches!(term, Expr::Product(_));
+        let (Some(one), Some(other)) = (whole_coefficient(above), whole_coefficient(below)) else {
+            return;
+        };
+        if one == other || !is_product(above) && !is_product(below) {
+            return;
+        }
+        let with = |term: &Expr, own: &Rational, number: &Rational| {
+            let times = Expr::Number((number / own).to_big());
+            match term {
+                Expr::Product(factors) if own_number(&factors[0]).is_some() => {
+                    let rest = factors[1..].iter().cloned();
+                    product_of([Expr::Number(number.to_big())].into_iter().chain(rest).collect())
+                }
+                Expr::Number(_) => Expr::Number(number.to_big()),
+                term => product_of(vec![times, term.clone()]),
+            }
+        };
+        let quotient = Expr::Quotient(
+            with(above, &one, &other).into(),
+            with(below, &other, &one).into(),
+        );
+        self.found.push((Change::Inverted, 3, quotient));
     }
 
     /// A numerator, a denominator, or what follows a minus.
