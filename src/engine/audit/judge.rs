@@ -226,7 +226,8 @@ impl Judge<'_> {
         }
         if !found.judged.outcome.is_proven()
             && found.contradictory.is_empty()
-            && let Some(own) = self.as_solution(goal, premises, &found)
+            && let Some(own) = (self.as_integrated_twice(goal, premises, &found))
+                .or_else(|| self.as_solution(goal, premises, &found))
         {
             return own;
         }

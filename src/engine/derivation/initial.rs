@@ -31,7 +31,7 @@ impl Page {
             let mut said = law.statements().iter().flat_map(formulas);
             said.any(|formula| formula.speaks_of_slopes())
         });
-        let mut not_understood = other;
+        let mut not_understood = other.filter(|_| !is_law_of_change);
         for &(condition, place) in conditions {
             let is_free = |body| {
                 let own = self.left_symbols(body);

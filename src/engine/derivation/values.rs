@@ -65,6 +65,14 @@ pub struct ConditionSaid {
 }
 
 impl ConditionSaid {
+    /// Whether it is told of how something changes there.
+    pub fn is_of_slope(&self) -> bool {
+        match &self.of {
+            Expr::Symbol(name) => base(name).is_some(),
+            own => matches!(own, Expr::Derivative { .. }),
+        }
+    }
+
     /// What has the value, where that may change with a variable: `y'` is the slope of `y`.
     pub fn subject(&self, variable: &Symbol) -> Expr {
         match &self.of {
@@ -248,7 +256,9 @@ fn conditions_at(page: &Page, all: &[Span], at: usize) -> Vec<ConditionSaid> {
             _ => continue,
         };
         let varies = |term: &Expr| variable.is_some_and(|own| term.mentions(own));
-        if !varies(&value) && !varies(place) {
+        // "$w = c$ at $x = 0$ and $w = 0$ at $x = L$" says nothing of `x`.
+        let is_place = matches!(&of, Expr::Symbol(own) if variable == Some(own));
+        if !is_place && !varies(&value) && !varies(place) {
             found.push(ConditionSaid {
                 of,
                 value,

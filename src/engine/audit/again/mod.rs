@@ -30,6 +30,7 @@ mod solution;
 mod solved;
 pub(super) mod there;
 pub(super) mod throughout;
+mod twice;
 mod unitless;
 mod unstated;
 

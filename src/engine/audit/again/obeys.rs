@@ -262,12 +262,12 @@ impl Judge<'_> {
     fn begins_otherwise(&self, goal: &Goal, own: &Solution) -> Option<Found> {
         let mut said = self.derivation.conditions_said(self.at);
         said.retain(|own| own.just_said);
-        let met = self.met_where_it_begins(said, goal, &own.variable);
+        let mut met = self.slopes_where_told(&said, goal, &own.variable);
+        met.extend(self.met_where_it_begins(said, goal, &own.variable));
         met.into_iter().find_map(|(_, there)| {
             match self.decide_of(own, own.circumstances(), &there)? {
-                Decision::Refuted(refuted) => {
-                    Some(refuted_of(goal, &there, own.circumstances(), refuted))
-                }
+                // The solution itself was put in there.
+                Decision::Refuted(refuted) => Some(refuted_of(goal, &there, &own.assumed, refuted)),
                 _ => None,
             }
         })

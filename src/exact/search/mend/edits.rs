@@ -548,7 +548,12 @@ impl Editor<'_> {
             match term {
                 Expr::Product(factors) if own_number(&factors[0]).is_some() => {
                     let rest = factors[1..].iter().cloned();
-                    product_of([Expr::Number(number.to_big())].into_iter().chain(rest).collect())
+                    product_of(
+                        [Expr::Number(number.to_big())]
+                            .into_iter()
+                            .chain(rest)
+                            .collect(),
+                    )
                 }
                 Expr::Number(_) => Expr::Number(number.to_big()),
                 term => product_of(vec![times, term.clone()]),
