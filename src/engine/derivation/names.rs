@@ -196,12 +196,15 @@ pub(super) fn refuse(
         functions.extend(in_text().into_iter().filter(|own| factors.contains(own)));
     }
     let values = of(BeforeKind::Value);
-    if !values.is_empty() {
-        // `w(0)` of a law for `\frac{d^2 w}{dx^2}`.
-        let statements = equations.iter().flat_map(|equation| equation.statements());
-        let formulas: Vec<Formula> = statements.flat_map(formulas).collect();
-        functions.extend(Formula::differentiated_in(formulas.iter()));
-    }
+    // `w(0)` of a law for `\frac{d^2 w}{dx^2}`.
+    let moving = match values.is_empty() {
+        true => Set::new(),
+        false => {
+            let statements = equations.iter().flat_map(|equation| equation.statements());
+            let formulas: Vec<Formula> = statements.flat_map(formulas).collect();
+            Formula::differentiated_in(formulas.iter())
+        }
+    };
     let mut symbols = of(BeforeKind::Unit);
     if !symbols.is_empty() {
         let statements = equations.iter().flat_map(|equation| equation.statements());
@@ -218,11 +221,15 @@ pub(super) fn refuse(
     }
     // "f''(2)" where the page has $f(x)$
     let is_slope = |name: &Symbol| slopes::base(name).is_some_and(|own| functions.contains(&own.0));
+    let has_values = |name: &Symbol| {
+        let base = slopes::base(name).map_or(name.clone(), |own| own.0);
+        functions.contains(name) || is_slope(name) || moving.contains(&base)
+    };
     for equation in equations {
         let mut before = equation.statements().iter().flat_map(|s| &s.before);
         let doubtful = before.find(|before| match before.kind {
             BeforeKind::Function | BeforeKind::Product => false,
-            BeforeKind::Value => !functions.contains(&before.name) && !is_slope(&before.name),
+            BeforeKind::Value => !has_values(&before.name),
             BeforeKind::Factor => {
                 let primed = before.name.name().contains('\'') && is_slope(&before.name);
                 functions.contains(&before.name)

@@ -13,7 +13,7 @@ use crate::sorted::Set;
 use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
 use super::conditions::collect_waves;
-use super::solution::{value_of_its_own, with_own_value_named};
+use super::solution::{for_the_quantity, value_of_its_own, with_own_value_named};
 
 /// What a solution comes after, where nothing else says that it is one.
 const SOLVING: [&str; 16] = [
@@ -165,6 +165,7 @@ impl Judge<'_> {
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
+        let (left, right) = &for_the_quantity(left, right);
         let (right, own_variable) = with_own_value_named(left, right);
         let solution = Formula::equal(left.clone(), right.clone());
         let own = &self.derivation.equations[self.at];

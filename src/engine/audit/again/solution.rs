@@ -216,6 +216,17 @@ pub(super) fn with_own_value_named(left: &Expr, right: &Expr) -> (Expr, Option<S
     }
 }
 
+/// What a step gives, solved for the quantity itself: `T = T_b f` of `T/T_b = f`.
+pub(super) fn for_the_quantity(left: &Expr, right: &Expr) -> (Expr, Expr) {
+    match left {
+        Expr::Quotient(own, below) if matches!(**own, Expr::Symbol(_)) => {
+            let value = Expr::Product([(**below).clone(), right.clone()].into());
+            ((**own).clone(), value)
+        }
+        _ => (left.clone(), right.clone()),
+    }
+}
+
 /// What stands for the value at a place, whatever that is.
 pub(super) fn value_of_its_own() -> Expr {
     Expr::Symbol(Symbol::new("\\text{value there}"))

@@ -10,6 +10,7 @@ use crate::kernel::Standing;
 use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, step};
+use super::solution::for_the_quantity;
 
 impl Judge<'_> {
     /// What to say of a step that is the solution of a law for how a slope changes; nothing where it is not shown to be that.
@@ -72,9 +73,10 @@ impl Judge<'_> {
         goal: &Goal,
         variable: &Symbol,
     ) -> Vec<(ConditionSaid, Formula)> {
-        let Some((left @ Expr::Symbol(_), right)) = goal.formula.as_equation() else {
+        let Some((left, right)) = goal.formula.as_equation() else {
             return Vec::new();
         };
+        let (left, right) = &for_the_quantity(left, right);
         let slope = left.clone().differentiated_by(variable);
         let is_slope = |own: &&ConditionSaid| own.subject(variable) == slope || own.of == slope;
         let is_here =
