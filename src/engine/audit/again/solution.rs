@@ -118,9 +118,14 @@ impl Judge<'_> {
         if self.starts_from_rest() {
             said.extend(sides.and_then(|(left, _)| at_rest(left, variable)));
         }
-        let bounds = where_bounds_meet(&goal.formula, variable).into_iter();
-        let moves = |own: &Symbol| self.auditor.changes(self.at, own, variable);
-        said.extend(bounds.filter(|own| matches!(&own.of, Expr::Symbol(of) if moves(of))));
+        let mut bounds = where_bounds_meet(&goal.formula, variable);
+        // Where the text tells when it has a value, that is what the bound says.
+        bounds.retain(|own| {
+            let moves = |of: &Symbol| self.auditor.changes(self.at, of, variable);
+            let is_told = |other: &ConditionSaid| other.just_said && other.of == own.of;
+            matches!(&own.of, Expr::Symbol(of) if moves(of)) && !said.iter().any(is_told)
+        });
+        said.extend(bounds);
         let mut conditions = met(said, goal, variable);
         let own = sides.and_then(|(left, right)| own_value(left, right));
         conditions.extend(own);
