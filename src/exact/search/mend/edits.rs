@@ -540,28 +540,13 @@ impl Editor<'_> {
         let (Some(one), Some(other)) = (whole_coefficient(above), whole_coefficient(below)) else {
             return;
         };
-        if one == other || !is_product(above) && !is_product(below) {
+        let is_nought = one.is_zero() || other.is_zero();
+        if is_nought || one == other || !is_product(above) && !is_product(below) {
             return;
         }
-        let with = |term: &Expr, own: &Rational, number: &Rational| {
-            let times = Expr::Number((number / own).to_big());
-            match term {
-                Expr::Product(factors) if own_number(&factors[0]).is_some() => {
-                    let rest = factors[1..].iter().cloned();
-                    product_of(
-                        [Expr::Number(number.to_big())]
-                            .into_iter()
-                            .chain(rest)
-                            .collect(),
-                    )
-                }
-                Expr::Number(_) => Expr::Number(number.to_big()),
-                term => product_of(vec![times, term.clone()]),
-            }
-        };
         let quotient = Expr::Quotient(
-            with(above, &one, &other).into(),
-            with(below, &other, &one).into(),
+            scaled(above, &(&other / &one)).into(),
+            scaled(below, &(&one / &other)).into(),
         );
         self.found.push((Change::Inverted, 3, quotient));
     }
