@@ -82,8 +82,7 @@ impl Judge<'_> {
             return None;
         }
         // Nothing speaks of it but what says the value of something at a place.
-        let applies = |term: &Expr| term.any(&Expr::is_value_somewhere);
-        let speaks = |own: &&Assumed| !own.formula.terms().into_iter().any(applies);
+        let speaks = |own: &&Assumed| !own.formula.speaks_of_values();
         let assumed = self.usable.assumed.iter().filter(speaks);
         let assumed: Vec<Assumed> = assumed.cloned().collect();
         let is_known = |symbol: &Symbol| {

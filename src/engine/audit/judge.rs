@@ -8,7 +8,7 @@ mod unclear;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
-use crate::algebra::{Expr, Formula, Symbol, effort};
+use crate::algebra::{Formula, Symbol, effort};
 use crate::derivation::{Assumed, Beyond, Derivation, Goal, Source};
 use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
 use crate::notation::{plain, plain_symbol};
@@ -226,8 +226,7 @@ impl Judge<'_> {
         }
         if !found.judged.outcome.is_proven()
             && found.contradictory.is_empty()
-            && let Some(own) = (self.as_integrated_twice(goal, premises, &found))
-                .or_else(|| self.as_solution(goal, premises, &found))
+            && let Some(own) = self.as_solution(goal, premises, &found)
         {
             return own;
         }
@@ -440,6 +439,6 @@ pub(super) fn sources(assumed: &[Assumed]) -> Vec<Source> {
 
 /// Whether something was judged from what has a value at a place, which says nothing of what it is elsewhere.
 fn draws_on_values(judged: &Judged) -> bool {
-    let mut terms = judged.assumed.iter().flat_map(|own| own.formula.terms());
-    terms.any(|term| term.any(&Expr::is_value_somewhere))
+    let mut assumed = judged.assumed.iter();
+    assumed.any(|own| own.formula.speaks_of_values())
 }

@@ -169,16 +169,22 @@ impl Auditor<'_> {
             false => vec![&premises, &still],
         };
         // What nobody says the sign of is mostly meant to be positive.
-        for all_positive in [true, false] {
-            for &premises in &sets {
-                let found = where_true(premises, &goal.formula, all_positive);
-                if found.len() >= FEWEST_SAMPLES {
-                    return found;
-                }
+        let mut of_any_sign = Vec::new();
+        for premises in sets {
+            let mut found = where_true(premises, &goal.formula);
+            if found.iter().filter(|own| own.is_positive()).count() >= FEWEST_SAMPLES {
+                found.retain(Sample::is_positive);
+                return found;
             }
+            of_any_sign.push(found);
         }
-        let any = seeds(&premises, &goal.formula);
-        any.take(MOST_SAMPLES).collect()
+        let enough = of_any_sign
+            .into_iter()
+            .find(|own| own.len() >= FEWEST_SAMPLES);
+        let any = || seeds(&premises, &goal.formula).take(MOST_SAMPLES).collect();
+        let mut found: Vec<Sample> = enough.unwrap_or_else(any);
+        found.truncate(MOST_SAMPLES);
+        found
     }
 
     /// The first of some edits with which a link would have been shown.
@@ -272,15 +278,19 @@ fn seeds<'a>(premises: &'a [&Formula], goal: &'a Formula) -> impl Iterator<Item 
     samples.filter(move |own| own.holds(goal).is_some())
 }
 
-/// Those of these places at which premises are true, as far as that can be told.
-fn where_true(premises: &[&Formula], goal: &Formula, all_positive: bool) -> Vec<Sample> {
+/// Those of these places at which premises are true, as far as that can be told, until there are enough at which all is positive.
+fn where_true(premises: &[&Formula], goal: &Formula) -> Vec<Sample> {
     let is_false = |own: &Sample, premise: &Formula| own.holds(premise) == Some(false);
-    let fits = |own: &Sample| {
-        (!all_positive || own.is_positive())
-            && !premises.iter().any(|premise| is_false(own, premise))
-    };
-    let samples = seeds(premises, goal).filter(fits);
-    samples.take(MOST_SAMPLES).collect()
+    let fits = |own: &Sample| !premises.iter().any(|premise| is_false(own, premise));
+    let (mut found, mut positive) = (Vec::new(), 0);
+    for own in seeds(premises, goal).filter(fits) {
+        positive += usize::from(own.is_positive());
+        found.push(own);
+        if positive == MOST_SAMPLES {
+            break;
+        }
+    }
+    found
 }
 
 /// A link that would have been shown, as it should read.

@@ -9,7 +9,7 @@
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
-use crate::sorted::Tree;
+use crate::sorted::{Set, Tree};
 
 use super::Equation;
 use super::equation::{all_terms, conditions, formulas, map_terms};
@@ -54,16 +54,11 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     let mut functions: Tree<Symbol, (Symbol, bool)> = Tree::new();
     let mut any = false;
     let all: Vec<(Symbol, Spoken)> = all.into_entries().collect();
-    let moves = |name: &Symbol| {
-        all.iter()
-            .any(|own| own.0 == *name && !own.1.moves.is_empty())
-    };
-    let is_slope: Vec<bool> = (all.iter())
-        .map(|own| base(&own.0).is_some_and(|of| moves(&of.0)))
-        .collect();
-    for ((name, own), is_slope) in all.into_iter().zip(is_slope) {
+    let moving = all.iter().filter(|own| !own.1.moves.is_empty());
+    let moving: Set<Symbol> = moving.map(|own| own.0.clone()).collect();
+    for (name, own) in all {
         // `w''(L)` is read of `w`.
-        if is_slope {
+        if base(&name).is_some_and(|of| moving.contains(&of.0)) {
             any |= own.valued || !own.arguments.is_empty();
             continue;
         }

@@ -195,21 +195,19 @@ pub(super) fn refuse(
     if !factors.is_subset(&functions) {
         functions.extend(in_text().into_iter().filter(|own| factors.contains(own)));
     }
+    let said = || -> Vec<Formula> {
+        let statements = equations.iter().flat_map(|equation| equation.statements());
+        statements.flat_map(formulas).collect()
+    };
     let values = of(BeforeKind::Value);
     // `w(0)` of a law for `\frac{d^2 w}{dx^2}`.
     let moving = match values.is_empty() {
         true => Set::new(),
-        false => {
-            let statements = equations.iter().flat_map(|equation| equation.statements());
-            let formulas: Vec<Formula> = statements.flat_map(formulas).collect();
-            Formula::differentiated_in(formulas.iter())
-        }
+        false => Formula::differentiated_in(said().iter()),
     };
     let mut symbols = of(BeforeKind::Unit);
     if !symbols.is_empty() {
-        let statements = equations.iter().flat_map(|equation| equation.statements());
-        let formulas: Vec<Formula> = statements.flat_map(formulas).collect();
-        let free: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::free_symbols).collect();
+        let free: BTreeSet<Symbol> = said().iter().flat_map(Formula::free_symbols).collect();
         symbols.retain(|name| declared(name) || free.contains(name));
     }
     let angles = of(BeforeKind::Degrees);
@@ -222,8 +220,8 @@ pub(super) fn refuse(
     // "f''(2)" where the page has $f(x)$
     let is_slope = |name: &Symbol| slopes::base(name).is_some_and(|own| functions.contains(&own.0));
     let has_values = |name: &Symbol| {
-        let base = slopes::base(name).map_or(name.clone(), |own| own.0);
-        functions.contains(name) || is_slope(name) || moving.contains(&base)
+        let moves = || slopes::base(name).is_some_and(|own| moving.contains(&own.0));
+        functions.contains(name) || is_slope(name) || moving.contains(name) || moves()
     };
     for equation in equations {
         let mut before = equation.statements().iter().flat_map(|s| &s.before);
@@ -246,9 +244,10 @@ pub(super) fn refuse(
         let Some(Before { name, span, kind }) = doubtful.cloned() else {
             continue;
         };
-        let is_function = functions.contains(&name);
         let (message, help) = match kind {
-            BeforeKind::Factor if !is_function && !name.name().contains('\'') => no_value(&name),
+            BeforeKind::Factor if !functions.contains(&name) && !name.name().contains('\'') => {
+                no_value(&name)
+            }
             BeforeKind::Unit => (
                 format!(
                     "whether `{name}` is a unit here, or the symbol of that name, is not clear"

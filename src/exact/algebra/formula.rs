@@ -119,6 +119,12 @@ impl Formula {
         self.terms().into_iter().any(|term| term.any(&is_slope))
     }
 
+    /// Whether the value of something at a place stands in it.
+    pub fn speaks_of_values(&self) -> bool {
+        let mut terms = self.terms().into_iter();
+        terms.any(|term| term.any(&Expr::is_value_somewhere))
+    }
+
     /// Whether it is of the form `term ≠ 0`.
     pub fn is_nonzero(&self) -> bool {
         matches!(self, Formula::Relation { relation: Relation::NotEqual, right, .. } if *right == Expr::integer(0))

@@ -207,10 +207,7 @@ impl Judge<'_> {
     fn follows_by_signs(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
         let named = goal.formula.names();
         let mut set = set.to_vec();
-        set.retain(|own| {
-            let is_of_place = || any_part(&own.formula, &Expr::is_value_somewhere);
-            own.formula.names().is_subset(&named) && !is_of_place()
-        });
+        set.retain(|own| own.formula.names().is_subset(&named) && !own.formula.speaks_of_values());
         let claim = self.derivation.claim(self.at, &set, &goal.formula);
         let mut free = unbounded(&claim);
         free.retain(|own| named.contains(own));

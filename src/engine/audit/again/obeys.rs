@@ -228,15 +228,11 @@ impl Judge<'_> {
         let stands =
             |symbol: &Symbol| *symbol != own.variable && *symbol != of && own.is_of_law(symbol);
         // "with $v(0) = 0$" is of one moment.
-        let is_of_moment = |own: &Formula| {
-            let mut terms = own.terms().into_iter();
-            terms.any(|term| term.any(&Expr::is_value_somewhere))
-        };
         let mut said = self.derivation.written_since(self.at);
-        said.retain(|said| said.names().iter().all(stands) && !is_of_moment(said));
+        said.retain(|said| said.names().iter().all(stands) && !said.speaks_of_values());
         let supposed = self.usable.assumed.iter().filter(|said| {
             matches!(said.source, Source::Local(..))
-                && !is_of_moment(&said.formula)
+                && !said.formula.speaks_of_values()
                 && !said.formula.names().contains(&own.variable)
         });
         let said = said.iter().map(throughout).chain(supposed.cloned());

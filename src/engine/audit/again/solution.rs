@@ -29,12 +29,24 @@ impl Judge<'_> {
         premises: &[usize],
         found: &Found,
     ) -> Option<Found> {
-        let (left, right) = goal.formula.as_equation()?;
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
-        // To look for the variable is to look through the page.
         let said = self.derivation.conditions_said(self.at);
+        self.as_integrated_twice(goal, premises, found, &said)
+            .or_else(|| self.as_solution_where(goal, premises, found, said))
+    }
+
+    /// The same with what the text tells at places.
+    pub(super) fn as_solution_where(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+        found: &Found,
+        said: Vec<ConditionSaid>,
+    ) -> Option<Found> {
+        let (left, right) = goal.formula.as_equation()?;
+        // To look for the variable is to look through the page.
         let (right, own) = with_own_value_named(left, right);
         let is_told = !said.is_empty() || own.is_some() || self.starts_from_rest();
         if !is_told && bounds(&goal.formula).is_empty() {

@@ -389,11 +389,11 @@ fn is_said_in_words(own: &Assumed) -> bool {
     !matches!(own.source, Source::Equation(_)) && own.formula.as_equation().is_some()
 }
 
-/// Adds hypotheses that are not there yet.
-pub(super) fn join(more: impl Iterator<Item = Assumed>, assumed: &mut Vec<Assumed>) {
+/// Adds hypotheses, or what they come from, that are not there yet.
+pub(super) fn join<T: PartialEq>(more: impl Iterator<Item = T>, all: &mut Vec<T>) {
     for own in more {
-        if !assumed.contains(&own) {
-            assumed.push(own);
+        if !all.contains(&own) {
+            all.push(own);
         }
     }
 }

@@ -268,13 +268,12 @@ fn slopes(all: &[Assumed], held: &[Symbol], variable: &Symbol) -> Vec<Formula> {
     };
     let laws = all.iter().filter(|own| own.standing == Standing::Identity);
     let given: Set<Symbol> = laws.clone().filter_map(gives).collect();
-    let applies = |term: &Expr| term.any(&Expr::is_value_somewhere);
     let is_explicit = |law: &&Assumed| {
         let named = law.formula.names();
         let varies = |own: &Symbol| own == variable || given.contains(own);
         named.iter().any(varies)
             && named.iter().all(|own| is_known(own) || given.contains(own))
-            && !law.formula.terms().into_iter().any(applies)
+            && !law.formula.speaks_of_values()
     };
     let laws = laws.filter(|law| gives(law).is_none()).filter(is_explicit);
     laws.filter_map(|law| slope(&law.formula, variable))

@@ -11,58 +11,49 @@ use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, step};
 use super::solution::for_the_quantity;
+use super::there::join;
 
 impl Judge<'_> {
     /// What to say of a step that is the solution of a law for how a slope changes; nothing where it is not shown to be that.
-    pub(in crate::audit) fn as_integrated_twice(
+    pub(super) fn as_integrated_twice(
         &self,
         goal: &Goal,
         premises: &[usize],
         found: &Found,
+        said: &[ConditionSaid],
     ) -> Option<Found> {
         let (left @ Expr::Symbol(_), right) = goal.formula.as_equation()? else {
             return None;
         };
-        if goal.questioned || !goal.suppositions.is_empty() {
-            return None;
-        }
-        let said = self.derivation.conditions_said(self.at);
+        // To look for the variable is to look through the page.
         if !said.iter().any(ConditionSaid::is_of_slope) {
             return None;
         }
         let variable = self.variable_of(left)?;
         let slope = left.clone().differentiated_by(&variable);
-        said.iter()
-            .find(|own| own.subject(&variable) == slope || own.of == slope)?;
+        said.iter().find(|own| own.subject(&variable) == slope)?;
         let slope = Goal {
             formula: Formula::equal(slope, differentiated(right, &variable)?),
             ..goal.clone()
         };
         let proven = |own: &Found| own.judged.outcome.is_proven();
-        let first = self.as_solution(&slope, premises, found).filter(proven)?;
+        let first = self.as_solution_where(&slope, premises, found, said.to_vec());
+        let first = first.filter(proven)?;
         let mut usable = self.usable.clone();
         usable.assumed.push(Assumed {
             standing: Standing::Identity,
             ..step(&slope.formula)
         });
         let with_slope = Judge::new(self.auditor, self.at, &usable);
-        let second = with_slope.as_solution(goal, premises, found);
+        let second = with_slope.as_solution_where(goal, premises, found, said.to_vec());
         let mut second = second.filter(proven)?;
         // The slope was shown from what it was shown from.
-        for own in first.judged.assumed {
-            if !second.judged.assumed.contains(&own) {
-                second.judged.assumed.push(own);
-            }
-        }
+        join(first.judged.assumed.into_iter(), &mut second.judged.assumed);
+        join(first.instead.into_iter(), &mut second.instead);
         second.conditions.extend(first.conditions);
         second.constant.extend(first.constant);
         second.constant.sort();
         second.constant.dedup();
-        for source in first.instead {
-            if !second.instead.contains(&source) {
-                second.instead.push(source);
-            }
-        }
         Some(second)
     }
 
@@ -78,7 +69,7 @@ impl Judge<'_> {
         };
         let (left, right) = &for_the_quantity(left, right);
         let slope = left.clone().differentiated_by(variable);
-        let is_slope = |own: &&ConditionSaid| own.subject(variable) == slope || own.of == slope;
+        let is_slope = |own: &&ConditionSaid| own.subject(variable) == slope;
         let is_here =
             |own: &&ConditionSaid| own.variable.as_ref().is_none_or(|own| own == variable);
         let mut said = said.iter().filter(is_slope).filter(is_here).peekable();

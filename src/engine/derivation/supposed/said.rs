@@ -78,9 +78,7 @@ impl Page {
     ) -> Result<Vec<Statement>, SyntaxError> {
         let source = &self.document.source;
         read_formulas(source, body).or_else(|error| {
-            let text = source.get(body.range()).unwrap_or_default();
-            let d = Symbol::new("d");
-            let written = without_slashes(source, text).filter(|_| !self.is_declared(&d));
+            let written = self.slopes_written_out(body);
             let written = written.ok_or_else(|| error.clone())?;
             let mut read =
                 read_formulas(&written, Span::new(0, written.len())).map_err(|_| error)?;
@@ -91,15 +89,18 @@ impl Page {
 
     /// The same of a term.
     pub(in crate::derivation) fn read_slope(&self, body: Span) -> Option<Expr> {
+        let written = || {
+            let written = self.slopes_written_out(body)?;
+            read_expr(&written, Span::new(0, written.len())).ok()
+        };
+        read_expr(&self.document.source, body).ok().or_else(written)
+    }
+
+    /// Mathematics in the text with its slopes as displays write them, if it has any with a slash.
+    fn slopes_written_out(&self, body: Span) -> Option<String> {
         let source = &self.document.source;
-        read_expr(source, body).ok().or_else(|| {
-            let text = source.get(body.range())?;
-            let written = without_slashes(source, text)?;
-            let is_declared = self.is_declared(&Symbol::new("d"));
-            read_expr(&written, Span::new(0, written.len()))
-                .ok()
-                .filter(|_| !is_declared)
-        })
+        let written = without_slashes(source, source.get(body.range())?);
+        written.filter(|_| !self.is_declared(&Symbol::new("d")))
     }
 
     /// Whether a text says by terms what symbols are, such as these.

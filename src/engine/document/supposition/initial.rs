@@ -5,7 +5,7 @@
 use super::super::prose::{Placed, Token, ends_sentence};
 use super::super::words::Words;
 use super::super::{Span, Supposition, SuppositionKind};
-use super::mathematics::{is_value, relates};
+use super::mathematics::{is_slope, is_value, relates};
 use crate::algebra::Expr;
 use crate::notation::read_expr;
 
@@ -221,10 +221,6 @@ fn is_condition(source: &str, body: Span) -> bool {
     let text = source.get(body.range()).unwrap_or_default();
     let Some((subjects, _)) = text.rsplit_once('=') else {
         return false;
-    };
-    let is_slope = |own: &str| {
-        let own = own.trim();
-        own.starts_with('d') && own.contains("/d")
     };
     let is_subject = |own: &str| is_slope(own) || read_expr(own, Span::new(0, own.len())).is_ok();
     relates(text) && !relates(&text.replace('=', " ")) && subjects.split('=').all(is_subject)

@@ -30,6 +30,12 @@ pub(super) fn says_zero(source: &str, token: Token<'_>) -> bool {
     }
 }
 
+/// Whether inline math is a slope with a slash, or begins with one: `dw/dx`.
+pub(super) fn is_slope(math: &str) -> bool {
+    let math = math.trim();
+    math.starts_with('d') && math.contains("/d")
+}
+
 /// Whether inline math says that something is a number: `x = 0`.
 pub(super) fn is_number(math: &str) -> bool {
     let value = math.rsplit('=').next().unwrap_or(math);

@@ -9,7 +9,7 @@ use super::super::prose::{Placed, Token, among, begins_with, lead};
 use super::super::words::Words;
 use super::super::{Span, Supposition, SuppositionKind, Vanishing};
 use super::around::follows;
-use super::mathematics::{is_value, says_zero, stated, text};
+use super::mathematics::{is_slope, is_value, says_zero, stated, text};
 use super::neglected;
 use super::stationary;
 use super::words::{DENYING, DOUBTFUL};
@@ -386,8 +386,7 @@ fn asserted(
 /// Whether the mathematics at a place is a slope, or says what it is that vanishes there: "a maximum where $dm/dn = 1 - n$ vanishes".
 fn is_worked_out(source: &str, sentence: &[Placed<'_>], at: usize) -> bool {
     let leads = at > 0 && among(sentence, at - 1, &["where", "when", "if", "once", "which"]);
-    let is_slope = |own: &str| own.starts_with('d') && own.contains("/d");
-    let is_such = |own: &str| own.contains('=') || is_slope(own.trim()) || own.contains("\\frac{d");
+    let is_such = |own: &str| own.contains('=') || is_slope(own) || own.contains("\\frac{d");
     leads
         && matches!(sentence[at].0, Token::Math(body) if source.get(body.range()).is_some_and(is_such))
 }
