@@ -173,7 +173,49 @@ fn difference_of_squares_has_the_sign_of_both_its_factors() {
     known.are(POSITIVE, &["x^2 - y^2", "x^4 - y^4", "3 x^3 - 3 x y^2"]);
     // The other way round it is negative, which it is not to be taken for positive for; and no square is a cube.
     known.are(NOT_ZERO, &["y^2 - x^2"]);
-    known.are(NOTHING, &["x^3 - y^3", "x^2 - 2 y^2", "x^2 - z^2"]);
+    known.are(NOTHING, &["x^5 - y^5", "x^2 - 2 y^2", "x^2 - z^2"]);
+}
+
+#[test]
+fn sum_of_products_with_what_is_positive_is() {
+    let known = known(&["x < 1", "y > 0", "z > 0"]);
+    known.are(
+        POSITIVE,
+        &[
+            "z - z x + y",
+            "2 - x",
+            "y - x y",
+            "2 z + 3 y - 3 x y - z x",
+            "5 y z - 5 x y z",
+        ],
+    );
+    known.are(
+        NOTHING,
+        &[
+            "z - z x - y",
+            "z - 2 z x + y",
+            "x - x^2 + y",
+            "z + z x + y - 1",
+        ],
+    );
+    // One takes three products, and the other four.
+    known.are(POSITIVE, &["y + z + y z - x y - x z - x y z"]);
+    known.are(
+        NOTHING,
+        &["y + z + y z + y^2 z - x y - x z - x y z - x y^2 z"],
+    );
+    // What is long is not looked through.
+    let long = |powers: u32| {
+        let rest: Vec<String> = (1..=powers).map(|k| format!("z^{{{k}}}")).collect();
+        format!("y - x y + {}", rest.join(" + "))
+    };
+    known.are(POSITIVE, &[&long(10)]);
+    known.are(NOTHING, &[&long(11)]);
+    // With what is only not negative nothing is made positive.
+    let weak = self::known(&["x < 1", "y \\geq 0"]);
+    weak.are(NOTHING, &["y - x y"]);
+    let cubes = self::known(&["x > y", "x > 0", "y > 0"]);
+    cubes.are(POSITIVE, &["x^3 - y^3"]);
 }
 
 #[test]

@@ -95,6 +95,66 @@ fn a_counterexample_at_which_more_is_positive_is_one() {
     }
 }
 
+/// A counterexample where symbols are numbers besides is one, and none where anything else is said of them.
+#[test]
+fn a_counterexample_at_numbers_is_one() {
+    let posed = |premises: &[&str]| {
+        Obligation::new(claim(premises, "x + y = 3"), Vec::new()).expect("a claim")
+    };
+    let found = |premises: &[&str]| {
+        let at = point(&[("x", 1), ("y", 1), ("w", 1)]);
+        match posed(premises).check(Candidate::Counterexample(at)) {
+            Ok(Checked::Refuted(refuted)) => refuted,
+            other => panic!("{premises:?}: {other:?}"),
+        }
+    };
+    let own = posed(&[]);
+    assert_eq!(own.refuted_by_fewer(&found(&["x = 1"])), Ok(()));
+    assert_eq!(own.refuted_by_fewer(&found(&["x = 1", "y = 1"])), Ok(()));
+    for premises in [&["x = y"][..], &["1 = x"], &["x + y = 2"], &["w = 1"]] {
+        let verdict = own.refuted_by_fewer(&found(premises));
+        assert_eq!(verdict, Err(Reject::OfAnotherClaim), "{premises:?}");
+    }
+}
+
+/// The opposite may follow from which numbers symbols are at the point, and from no others.
+#[test]
+fn equation_is_refuted_by_its_opposite_at_numbers() {
+    use cradle_verify::search::{Effort, prove_posed};
+
+    let opposite = |premises: &[&str], unfold: &[usize]| {
+        let claim = claim(premises, r"\ln x \neq y");
+        let posed = Obligation::new(claim, unfold.to_vec()).expect("a claim");
+        prove_posed(&posed, Effort::Full)
+            .expect("it follows")
+            .proven
+    };
+    let posed = |premises: &[&str], unfold: &[usize]| {
+        let claim = claim(premises, r"\ln x = y");
+        Obligation::new(claim, unfold.to_vec()).expect("a claim")
+    };
+    let own = posed(&[], &[]);
+    let at = |x, y| point(&[("x", x), ("y", y)]);
+    let proven = opposite(&["x = 2", "y = 1"], &[0, 1]);
+    assert!(own.refuted_by_opposite(&proven, at(2, 1)).is_ok());
+    // At the point they are other numbers, or none.
+    for other in [at(2, 3), at(3, 1), point(&[("x", 2)])] {
+        let verdict = own.refuted_by_opposite(&proven, other);
+        assert_eq!(verdict.err(), Some(Reject::OfAnotherClaim));
+    }
+    // What a hypothesis says that is put in is no other number because the point says so.
+    let defined = posed(&["x = 3"], &[0]);
+    let proven = opposite(&["x = 3", "x = 2", "y = 1"], &[0, 2]);
+    let mut there = at(2, 1);
+    there.unfold = vec![0];
+    let verdict = defined.refuted_by_opposite(&proven, there.clone());
+    assert_eq!(verdict.err(), Some(Reject::OfAnotherClaim));
+    // Nor is there a hypothesis that is not there.
+    there.unfold = vec![1];
+    let verdict = defined.refuted_by_opposite(&proven, there);
+    assert_eq!(verdict.err(), Some(Reject::NotUnfoldable(1)));
+}
+
 /// An equation is refuted by its opposite where the hypotheses are true at a point, and by nothing else.
 #[test]
 fn equation_is_refuted_by_its_opposite() {

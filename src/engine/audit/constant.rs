@@ -334,6 +334,16 @@ impl Judge<'_> {
         }
     }
 
+    /// The same, or of several the one of which what a step gives speaks: `v^2 = u^2 (1 - e^{-2 g y/u^2})` after `\frac{dv}{dt}` and `\frac{d(v^2)}{dy}`.
+    pub(super) fn variable_between(&self, left: &Expr, right: &Expr) -> Option<Symbol> {
+        let mut by = self.differentiated_by(|body| left.mentions(body));
+        if by.len() < 2 {
+            return self.variable_of(left);
+        }
+        by.retain(|own| right.mentions(own));
+        (by.len() == 1).then_some(by)?.pop_first()
+    }
+
     /// What the page differentiates by, where a quantity that it differentiates is one of some.
     fn differentiated_by(&self, is_meant: impl Fn(&Symbol) -> bool) -> Set<Symbol> {
         let page = self.derivation.equations[self.at].page;

@@ -165,7 +165,9 @@ fn is_of_one_index(claim: &ForEvery) -> bool {
     let mut spoken_of: Set<Symbol> = Set::new();
     let mut defines = |formula: &Formula| {
         let own = match formula.as_equation() {
-            Some((Expr::Symbol(symbol), right)) if symbol.place(&claim.index).is_some() => {
+            Some((Expr::Symbol(symbol) | Expr::Apply(symbol, _), right))
+                if symbol.place(&claim.index).is_some() =>
+            {
                 !right.mentions(symbol) && !spoken_of.contains(symbol)
             }
             _ => false,

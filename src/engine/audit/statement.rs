@@ -7,6 +7,7 @@ use crate::notation::{Connective, Statement};
 use crate::search::{self, Consistency, Decision};
 use crate::sorted::Set;
 
+use super::again::UNSAID;
 use super::again::there::There;
 use super::entry::{blank, leave_open, verdict};
 use super::judge::{Found, Judge, UNCLEAR, beyond};
@@ -151,12 +152,26 @@ impl Auditor<'_> {
                 && is_set_out_from(statement, &goal)
                 && (is_put_to_nought(statement, &goal)
                     || judge.sets_out() && !goal.formula.speaks_of_slopes())
+                && !(found.judged.outcome.is_refuted()
+                    && found.mended.is_some()
+                    && !entry.judged.is_empty())
             {
                 found = Found::open(Judged {
                     goal: goal.clone(),
                     assumed: Vec::new(),
                     outcome: Outcome::Stated,
                 });
+            }
+            // "$1 - u^2/c^2 = … \ge 0$": of what nothing before speaks, nobody says where it lies either.
+            let was_unsaid = entry.judged.last().is_some_and(
+                |own| matches!(&own.outcome, Outcome::Open(stop) if stop.reason == UNSAID),
+            );
+            if was_unsaid
+                && goal.formula.as_equation().is_none()
+                && found.judged.outcome.is_refuted()
+                && found.mended.is_none()
+            {
+                found.leave_open(UNSAID);
             }
             // The next clause of an implication is judged as if this one were true.
             let goes_on = found.judged.outcome.is_proven() || statement.clauses.len() > 1;

@@ -279,7 +279,8 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Qualities>, Vec<
     for sentence in sentences {
         let next = following.next().unwrap_or_default();
         let (main, reason) = sentence.split_at(begin_of_reason(sentence));
-        for part in [main, reason] {
+        let (main, supposed) = main.split_at(begin_of_supposition(main));
+        for part in [main, supposed, reason] {
             let has = |words: &[&str]| part.iter().any(|token| token.0.is_among(words));
             let changes = part.iter().any(|token| token.0.is_among(&CHANGING));
             if (changes || has(&["constant", "constants", "fixed"])) && changes != has(&DENYING) {
@@ -308,6 +309,14 @@ fn begin_of_reason(sentence: &[Placed<'_>]) -> usize {
         .rev()
         .find(begins)
         .unwrap_or(sentence.len())
+}
+
+/// Where the clause begins in which a sentence supposes something besides: "We write $G = p/\ell$ and assume that the velocity depends on $r$".
+fn begin_of_supposition(sentence: &[Placed<'_>]) -> usize {
+    let begins = |&at: &usize| {
+        sentence[at].0.is_among(&["assume", "suppose"]) && sentence[at - 1].0.is_among(&["and"])
+    };
+    (1..sentence.len()).find(begins).unwrap_or(sentence.len())
 }
 
 /// Whether a sentence tells no fact.

@@ -254,6 +254,15 @@ impl Formula {
         found
     }
 
+    /// Whether it speaks of a slope with respect to a variable.
+    pub fn differentiates_by(&self, variable: &Symbol) -> bool {
+        let mut found = Set::new();
+        for term in self.terms() {
+            term.collect_variables(&mut found);
+        }
+        found.contains(variable)
+    }
+
     /// The symbols that have a value of their own, and the sequences.
     pub fn names(&self) -> Set<Symbol> {
         let mut names = Formula::names_in(self.terms().into_iter());

@@ -4,6 +4,10 @@ use super::{Fact, Sign};
 use crate::algebra::{Monomial, Polynomial, Rational, Var};
 use crate::sorted::Set;
 
+/// So many products are taken out of a polynomial of so many terms to see that it is positive.
+const MOST_TAKEN: usize = 3;
+const MOST_TERMS: usize = 12;
+
 /// What the facts say by mere inspection about the sign of polynomials.
 ///
 /// It looks at single terms and at facts that are multiples of what is asked; it proves nothing that
@@ -118,6 +122,7 @@ impl Knowledge {
         if self.inspect(polynomial).1
             || self.positive.contains(&*positive)
             || self.nonnegative.contains(&*positive) && self.is_said_not_to_vanish(polynomial)
+            || self.is_made_of_positive(polynomial, MOST_TAKEN)
         {
             return true;
         }
@@ -128,6 +133,26 @@ impl Knowledge {
             true => difference_of_squares(polynomial)
                 .is_some_and(|factors| factors.iter().all(|factor| self.is_positive(factor))),
         }
+    }
+
+    /// Whether a polynomial is what is left of it and products of unknowns with what facts say is positive, and none of these is negative:
+    /// `s − s R + r = s (1 − R) + r`.
+    fn is_made_of_positive(&self, polynomial: &Polynomial, most: usize) -> bool {
+        let negative = || polynomial.terms().find(|(_, c)| c.is_negative());
+        let small = most > 0 && polynomial.len() <= MOST_TERMS;
+        let Some((below, size)) = small.then(negative).flatten() else {
+            return false;
+        };
+        let takes = |known: &Polynomial, (own, c): (&Monomial, &Rational)| {
+            let times = below.divided_by(own).filter(|_| c.is_negative());
+            let Some(times) = times.filter(|own| self.monomial_is_positive(own)) else {
+                return false;
+            };
+            let rest = polynomial.minus(&known.times_term(&times, &(size / c)));
+            self.inspect(&rest).0 || self.is_made_of_positive(&rest, most - 1)
+        };
+        let mut known = self.positive.iter();
+        known.any(|known| known.terms().any(|term| takes(known, term)))
     }
 
     /// Whether a polynomial is known not to be negative.

@@ -1,9 +1,9 @@
 use super::powers::said_positive;
 use super::{
     Assignment, Candidate, Checked, Claim, Hypothesis, Model, Problem, Proven, Refuted, Reject,
-    replay, witness,
+    definition, replay, witness,
 };
-use crate::algebra::{Expr, Formula};
+use crate::algebra::{BigRational, Expr, Formula, Symbol};
 
 /// A claim together with the problem that the kernel makes of it, so that several candidates can be checked
 /// without reading the claim anew for each.
@@ -111,25 +111,23 @@ impl Obligation {
     }
 
     /// Whether a counterexample to another claim is one to this: the other is about fewer situations, for more is constant in it, or more
-    /// of what it speaks of is said to be positive.
+    /// of what it speaks of is said to be positive, or to be some number.
     ///
     /// # Errors
-    /// The other claim is not the same with further symbols constant, and further premises that symbols of its own are positive.
+    /// The other claim is not the same with further symbols constant, and further premises that symbols of its own are positive, or
+    /// numbers.
     pub fn refuted_by_fewer(&self, other: &Refuted) -> Result<(), Reject> {
         let mut own = self.claim.clone();
         let further = other.claim.hypotheses.iter().skip(own.hypotheses.len());
-        let named = self.claim.free_symbols();
-        let sign = |further: &Hypothesis| match said_positive(&further.formula) {
-            // What names more than one thing, or a number, is not told by that.
-            Some(symbol) => {
-                named.contains(&symbol)
-                    && symbol.name() != "\\pi"
-                    && !self.claim.sequences.contains_key(symbol)
-            }
+        // What names more than one thing, or a number, is not told by that.
+        let is_told = |further: &Hypothesis| match said_positive(&further.formula)
+            .or_else(|| Some(said_to_be(&further.formula)?.0))
+        {
+            Some(symbol) => self.names_one(symbol),
             None => false,
         };
         own.hypotheses
-            .extend(further.filter(|own| sign(own)).cloned());
+            .extend(further.filter(|own| is_told(own)).cloned());
         let constant = other.claim.domains.iter().filter(|(_, own)| own.constant);
         for (symbol, _) in constant {
             // To declare it would make π any constant, and a point at which it is another number is none of this claim.
@@ -143,8 +141,15 @@ impl Obligation {
         }
     }
 
-    /// Refutes a relation by its opposite: this follows from the hypotheses, and at the point all of them are true. Where the values are `\ln 2`
-    /// and the like, no side has one that could be compared.
+    /// Whether a symbol that the claim speaks of is one quantity, and not the number π.
+    fn names_one(&self, symbol: &Symbol) -> bool {
+        symbol.name() != "\\pi"
+            && !self.claim.sequences.contains_key(symbol)
+            && self.claim.free_symbols().contains(&symbol)
+    }
+
+    /// Refutes a relation by its opposite: this follows from the hypotheses, and from which numbers symbols are at the point, and there all
+    /// hypotheses are true. Where the values are `\ln 2` and the like, no side has one that could be compared.
     ///
     /// # Errors
     /// What is proved is not the opposite, or a hypothesis is not known to be true at the point.
@@ -157,6 +162,23 @@ impl Obligation {
         if let Formula::Relation { relation, .. } = &mut own.goal {
             *relation = relation.denied().ok_or(Reject::UnsupportedRelation)?;
         }
+        let is_put_in = |symbol: &Symbol| {
+            let mut put_in = point.unfold.iter().map(|&at| &self.claim.hypotheses[at]);
+            put_in.any(|own| definition(&own.formula).is_none_or(|own| own.0 == *symbol))
+        };
+        let is_so = |further: &&Hypothesis| match said_to_be(&further.formula) {
+            Some((symbol, number)) => {
+                self.names_one(symbol)
+                    && point.symbols.get(symbol) == Some(number)
+                    && !is_put_in(symbol)
+            }
+            None => false,
+        };
+        if point.unfold.iter().any(|&at| at >= own.hypotheses.len()) {
+            return Err(Reject::NotUnfoldable(own.hypotheses.len()));
+        }
+        let further = opposite.claim.hypotheses.iter().skip(own.hypotheses.len());
+        own.hypotheses.extend(further.filter(is_so).cloned());
         if own != opposite.claim || own == self.claim {
             return Err(Reject::OfAnotherClaim);
         }
@@ -165,5 +187,13 @@ impl Obligation {
             claim: self.claim.clone(),
             witness: model.point,
         })
+    }
+}
+
+/// The symbol that is said to be a number, and that.
+fn said_to_be(formula: &Formula) -> Option<(&Symbol, &BigRational)> {
+    match formula.as_equation()? {
+        (Expr::Symbol(symbol), Expr::Number(number)) => Some((symbol, number)),
+        _ => None,
     }
 }

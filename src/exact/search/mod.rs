@@ -36,6 +36,7 @@ mod units;
 mod unknown;
 mod unless;
 mod values;
+mod whole;
 
 use crate::algebra::{Atom, Expr, Formula, Function, Symbol, effort};
 use crate::kernel::{Assignment, Candidate, Checked, Claim, Domain, Obligation, Refuted, Reject};
@@ -172,6 +173,7 @@ pub fn decide_within(
         .map(Decision::Refuted)
         .or_else(|| still::decide(obligation))
         .or_else(|| refuted_where_positive(obligation, quick).map(Decision::Refuted))
+        .or_else(|| whole::first_refuted(obligation, quick).map(Decision::Refuted))
         .or_else(|| unknown::decide(obligation))
         .or_else(|| opposite::decide(obligation, hints))
         .unwrap_or(Decision::Open(stop))

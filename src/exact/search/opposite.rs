@@ -1,24 +1,104 @@
-//! Relations between logarithms of numbers that are false, though no side has a rational value anywhere: `t = \frac{\ln 3}{k}` where
-//! `e^{k t} = 2`, or `\ln 3 < \ln 2`.
+//! Relations between logarithms that are false, though no side has a rational value anywhere: `t = \frac{\ln 3}{k}` where
+//! `e^{k t} = 2`, `\ln 3 < \ln 2`, or `\ln (a + b) = \ln a + b`, at some numbers.
 
-use super::{Consistency, Decision, Effort, consistency_posed, prove_unconditionally};
-use crate::algebra::{Atom, Expr, Function};
-use crate::kernel::{Assignment, Obligation};
+use super::{Consistency, Decision, Effort, consistency_posed, prove_posed, prove_unconditionally};
+use crate::algebra::{Atom, BigRational, Expr, Formula, Function, Symbol};
+use crate::kernel::{Assignment, Claim, Hypothesis, Obligation, Refuted, Standing, definition};
+use crate::sorted::{self, Map};
+
+/// What is put in for symbols, beginning at one place after another: so many points are tried.
+const NUMBERS: [i64; 7] = [1, 2, 3, 5, 1, 7, 4];
+const MOST_POINTS: usize = 7;
 
 /// Refutes a relation where logarithms are spoken of: the opposite is proved, and a point is found at which the hypotheses are true.
 pub(super) fn decide(obligation: &Obligation, hints: &[Assignment]) -> Option<Decision> {
-    let is_logarithm = |atom: &Atom| matches!(atom, Atom::Opaque(Expr::Call(Function::Ln, _)));
-    let atoms = &obligation.problem().atoms;
-    if !atoms.iter().any(|(_, atom)| is_logarithm(atom)) {
+    let is_logarithm = |part: &Expr| matches!(part, Expr::Call(Function::Ln, _));
+    let mut terms = obligation.claim().formulas().flat_map(Formula::terms);
+    let is_written = terms.any(|term| term.any(&is_logarithm));
+    // Of exponentials logarithms are taken.
+    let mut atoms = obligation.problem().atoms.iter();
+    if !is_written && !atoms.any(|(_, atom)| matches!(atom, Atom::Opaque(own) if is_logarithm(own)))
+    {
         return None;
     }
     let mut claim = obligation.claim().clone();
     claim.goal = claim.goal.denied()?;
-    let opposite = prove_unconditionally(claim.clone(), Effort::Full)?;
+    let Some(opposite) = prove_unconditionally(claim.clone(), Effort::Full) else {
+        let found = is_written.then(|| at_numbers(obligation, &claim)).flatten();
+        return found.map(Decision::Refuted);
+    };
     let premises = Obligation::of_premises(claim, obligation.unfold().to_vec()).ok()?;
     let Consistency::Model(model) = consistency_posed(&premises, hints) else {
         return None;
     };
     let refuted = obligation.refuted_by_opposite(&opposite.proven, model.point().clone());
     refuted.ok().map(Decision::Refuted)
+}
+
+/// Refutes a relation by its opposite where all symbols are numbers but those that the hypotheses define by others.
+fn at_numbers(obligation: &Obligation, opposite: &Claim) -> Option<Refuted> {
+    let mut put_in: Map<Symbol, (usize, Expr)> = Map::new();
+    for (at, own) in opposite.hypotheses.iter().enumerate() {
+        if let Some((symbol, term)) = definition(&own.formula)
+            && !put_in.contains_key(&symbol)
+            && !comes_back_to(&symbol, &term, &put_in)
+        {
+            put_in.insert(symbol, (at, term));
+        }
+    }
+    let mut unfold: Vec<usize> = put_in.values().map(|own| own.0).collect();
+    sorted::sort(&mut unfold);
+    let premises = Obligation::of_premises(opposite.clone(), unfold.clone()).ok()?;
+    let named = opposite.free_symbols().into_iter();
+    let is_open = |own: &&Symbol| {
+        own.name() != "\\pi" && !put_in.contains_key(*own) && !opposite.sequences.contains_key(*own)
+    };
+    let open: Vec<Symbol> = named.filter(is_open).cloned().collect();
+    let mut exponents = Vec::new();
+    let terms = opposite.formulas().flat_map(Formula::terms);
+    terms.for_each(|term| collect_exponents(term, &mut exponents));
+    (0..MOST_POINTS).find_map(|turn| {
+        let numbers = NUMBERS.iter().cycle().skip(turn);
+        let symbols = open.iter().zip(numbers);
+        let symbols =
+            symbols.map(|(own, &number)| (own.clone(), BigRational::from_integer(number.into())));
+        let point = Assignment {
+            symbols: symbols.collect(),
+            unfold: unfold.clone(),
+            ..Assignment::default()
+        };
+        premises.model(point.clone()).ok()?;
+        let mut there = opposite.clone();
+        let said = |(own, number): (&Symbol, &BigRational)| Hypothesis {
+            formula: Formula::equal(Expr::Symbol(own.clone()), Expr::Number(number.clone())).into(),
+            standing: Standing::AtPoint,
+        };
+        there.hypotheses.extend(point.symbols.iter().map(said));
+        // `\ln(e^{-t})` is known to be `-t`; of what a number makes of it nothing is.
+        let named = point.symbols.keys().zip(opposite.hypotheses.len()..);
+        let plain = named.filter(|(own, _)| !exponents.iter().any(|term| term.mentions(own)));
+        let plain = plain.map(|(_, at)| at);
+        let all = unfold.iter().copied().chain(plain).collect();
+        let there = Obligation::new(there, all).ok()?;
+        let proven = prove_posed(&there, Effort::Full)?.proven;
+        obligation.refuted_by_opposite(&proven, point).ok()
+    })
+}
+
+/// Whether what a term is made of, with what that is defined by, speaks of a symbol.
+fn comes_back_to(symbol: &Symbol, term: &Expr, put_in: &Map<Symbol, (usize, Expr)>) -> bool {
+    term.mentions(symbol)
+        || put_in
+            .iter()
+            .any(|(own, (_, term_of))| term.mentions(own) && comes_back_to(symbol, term_of, put_in))
+}
+
+/// What exponentials are taken of in a term.
+fn collect_exponents<'e>(term: &'e Expr, found: &mut Vec<&'e Expr>) {
+    match term {
+        Expr::Call(Function::Exp, argument) => found.push(argument),
+        term => term
+            .children()
+            .for_each(|part| collect_exponents(part, found)),
+    }
 }

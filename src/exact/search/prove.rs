@@ -8,7 +8,7 @@ use super::ideal::Ideal;
 use super::positivity;
 use super::roots::root_of;
 use super::tracked::{Reduced, Tracked, cofactors, expand, listed};
-use crate::algebra::{Monomial, Polynomial, TooLarge};
+use crate::algebra::{Monomial, Polynomial, Rational, TooLarge, Var};
 use crate::kernel::{BoundedSeries, Cofactors, Fact, Knowledge, Lemma, Problem, Proof, Sign};
 use crate::sorted::Map;
 
@@ -310,20 +310,44 @@ impl Prover {
 
     /// `a = b` from `a² = b²`, where neither is negative: what is a root of something is told by its square.
     fn zero_by_squares(&self, goal: &Polynomial, basis: &[Tracked]) -> Option<Proof> {
-        let mut sum = Polynomial::zero();
-        for (monomial, coefficient) in goal.terms() {
-            let size = Polynomial::term(monomial.clone(), coefficient.abs());
-            sum = sum.plus(&size);
-        }
-        if goal.len() < 2 || !self.knowledge.is_positive(&sum) {
+        if goal.len() < 2 {
             return None;
         }
-        let mut reduced = self.ideal.reduce(&goal.times(&sum).ok()?, false).ok()?;
-        let settled =
-            reduced.normal_form(basis, &mut { REDUCTIONS }).is_ok() && reduced.polynomial.is_zero();
-        if !settled {
-            return None;
+        // Of `s - s R - r` the sum is `s - s R + r`, where `R < 1`.
+        let with_signs = |is_changed: &dyn Fn(&Monomial, &Rational) -> bool| {
+            let mut sum = Polynomial::zero();
+            for (monomial, coefficient) in goal.terms() {
+                let own = match is_changed(monomial, coefficient) {
+                    true => -coefficient,
+                    false => coefficient.clone(),
+                };
+                sum = sum.plus(&Polynomial::term(monomial.clone(), own));
+            }
+            sum
+        };
+        let mut sums = vec![with_signs(&|_, coefficient| coefficient.is_negative())];
+        // What only its square is told of: a root.
+        let is_root = |var: &Var| {
+            let mut equations = self.facts.iter().filter(|own| own.sign == Sign::Zero);
+            equations.any(|own| {
+                let polynomial = &own.polynomial;
+                let is_even = |(own, _): (&Monomial, _)| own.exponent(*var) % 2 == 0;
+                polynomial.degree_in(*var) == 2 && polynomial.terms().all(is_even)
+            })
+        };
+        for var in goal.vars().into_iter().filter(is_root) {
+            let sum = with_signs(&|monomial, _| monomial.exponent(var) % 2 == 1);
+            sums.extend([sum.negated(), sum]);
         }
+        let mut sums = sums
+            .into_iter()
+            .filter(|sum| self.knowledge.is_positive(sum));
+        let (sum, mut reduced) = sums.find_map(|sum| {
+            let mut reduced = self.ideal.reduce(&goal.times(&sum).ok()?, false).ok()?;
+            let settled = reduced.normal_form(basis, &mut { REDUCTIONS }).is_ok()
+                && reduced.polynomial.is_zero();
+            settled.then_some((sum, reduced))
+        })?;
         *reduced.multiplier.entry(sum).or_insert(0) += 1;
         Some(combination(&reduced, 1))
     }

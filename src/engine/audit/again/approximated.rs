@@ -60,7 +60,12 @@ impl Judge<'_> {
             let decision = self.decide_from(all, &goal.formula);
             matches!(decision, Some(Decision::Proven { .. }))
         };
-        if follows(&all) || follows(&self.where_all_is_positive(&goal, all.clone())) {
+        // "$I \ddot\phi = -M g d \phi$" is so for no positive values.
+        let follows_where_positive = || {
+            let positive = self.where_all_is_positive(&goal, all.clone());
+            !self.is_contradictory(&positive, &goal) && follows(&positive)
+        };
+        if follows(&all) || follows_where_positive() {
             let said: Vec<String> = near
                 .iter()
                 .map(|(a, b)| format!("`{} ≈ {}`", plain(a), plain(b)))

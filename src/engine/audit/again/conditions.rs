@@ -1,6 +1,6 @@
 //! A step tried under conditions: that something is not 0, is positive, or does not change.
 
-use crate::algebra::{Expr, Formula, Function, Symbol};
+use crate::algebra::{BigRational, Expr, Formula, Function, Symbol};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::{Assignment, Claim, Obligation};
 use crate::search::{self, Effort};
@@ -9,6 +9,9 @@ use num_traits::Signed;
 
 use super::super::judge::{Found, Judge, condition, sources, step};
 use super::super::{Outcome, stated};
+
+/// More differences that are squared are not supposed to be positive.
+const MOST_SQUARED: usize = 3;
 
 impl Judge<'_> {
     /// Whether the step follows from a set where something is not 0, or is positive; or `still`, where something does not change.
@@ -39,15 +42,20 @@ impl Judge<'_> {
         if effort == Effort::Full && self.follows_divided(goal, &set, &unbounded, found) {
             return true;
         }
-        // Who writes a root means the positive one.
-        let conditions = match takes_root(&goal.formula) {
+        // Who writes a root means the positive one, and who takes a logarithm takes it of what is positive.
+        let takes_logarithm = || {
+            // What is said to follow from nothing is meant for all values.
+            let (cited, says_so, _) = self.derivation.premises(self.at);
+            takes_logarithm(&goal.formula) && !(says_so && cited.is_empty())
+        };
+        let conditions = match takes_root(&goal.formula) || takes_logarithm() {
             true => self.positive(goal, &set, &unbounded),
             false => None,
         };
-        // That there is a root at all may have to be proved.
         conditions.is_some_and(|conditions| {
             self.holds_under(goal, set.clone(), &conditions, Effort::Full, found)
         }) || takes_root(&goal.formula) && self.follows_by_signs(goal, &set, found)
+            || takes_logarithm() && self.follows_by_signs(goal, &[], found)
             || effort == Effort::Full && self.follows_on_one_side(goal, &set, found)
     }
 
@@ -239,6 +247,15 @@ impl Judge<'_> {
             .into_iter()
             .for_each(|term| collect_waves(term, &mut waves));
         conditions.extend(waves.into_iter().map(Formula::positive));
+        // So is `\sqrt{4 R/(1 - R)^2} = 2 \sqrt{R}/(1 - R)` where `R < 1`.
+        if takes_root(&goal.formula) {
+            let mut squared = Vec::new();
+            let formulas = set.iter().map(|own| &*own.formula);
+            let terms = formulas.chain([&goal.formula]).flat_map(Formula::terms);
+            terms.for_each(|term| collect_squared(term, &mut squared));
+            squared.truncate(MOST_SQUARED);
+            conditions.extend(squared.into_iter().map(Formula::positive));
+        }
         let under = |conditions: &[Formula]| {
             let all = set.iter().cloned().chain(conditions.iter().map(step));
             let all: Vec<Assumed> = all.collect();
@@ -246,10 +263,15 @@ impl Judge<'_> {
         };
         let posed = self.pose_claim(under(&conditions)).ok()?;
         conditions.extend(search::divided_beside_roots(posed.problem()));
-        if without_definitions(set, unbounded).is_empty() {
+        let anything = self::unbounded(posed.claim());
+        let rest = without_definitions(set, unbounded, &anything);
+        if rest.is_empty() {
             return Some(conditions);
         }
-        let claim = under(&conditions);
+        // What is defined by the rest can be met wherever that can.
+        let rest = rest.into_iter().cloned();
+        let all: Vec<Assumed> = rest.chain(conditions.iter().map(step)).collect();
+        let claim = self.derivation.claim(self.at, &all, &goal.formula);
         let possible = search::consistency(&claim, &self.auditor.hints());
         matches!(possible, search::Consistency::Model(_)).then_some(conditions)
     }
@@ -292,21 +314,28 @@ impl Judge<'_> {
     }
 }
 
-/// Hypotheses without those that only say what a symbol is, by a term that is positive wherever some symbols are: for any positive values of
-/// the others these can be met, `M = \frac{4}{3} \pi R^3 \rho` and `v = \sqrt{2 G M/R}`.
-fn without_definitions<'a>(set: &'a [Assumed], positive: &[Symbol]) -> Vec<&'a Formula> {
-    let mut rest: Vec<&Formula> = set.iter().map(|own| &*own.formula).collect();
+/// Hypotheses without those that only say what a symbol is that may be `anything`, or by a term that is positive wherever some symbols are:
+/// for any positive values of the others these can be met, `M = \frac{4}{3} \pi R^3 \rho` and `v = \sqrt{2 G M/R}`.
+fn without_definitions<'a>(
+    set: &'a [Assumed],
+    positive: &[Symbol],
+    anything: &[Symbol],
+) -> Vec<&'a Assumed> {
+    let mut rest: Vec<&Assumed> = set.iter().collect();
     loop {
         let is_free = |at: usize| {
-            let Some((Expr::Symbol(own), term)) = rest[at].as_equation() else {
+            let Some((Expr::Symbol(own), term)) = rest[at].formula.as_equation() else {
                 return false;
             };
             let others = rest.iter().enumerate().filter(|(other, _)| *other != at);
-            !term.mentions(own)
-                && positive.contains(own)
-                && is_positive(term, positive)
+            let is_so = match positive.contains(own) {
+                true => is_positive(term, positive),
+                false => anything.contains(own) && own.name() != "\\pi",
+            };
+            is_so
+                && !term.mentions(own)
                 && !others
-                    .flat_map(|(_, own)| own.terms())
+                    .flat_map(|(_, own)| own.formula.terms())
                     .any(|term| term.mentions(own))
         };
         match (0..rest.len()).find(|&at| is_free(at)) {
@@ -347,6 +376,27 @@ fn collect_factors(side: &Expr, factors: &mut Set<Symbol>) {
 /// Whether a root is written in a formula.
 pub(super) fn takes_root(formula: &Formula) -> bool {
     any_part(formula, &Expr::is_root)
+}
+
+/// Whether a logarithm is taken in a formula.
+fn takes_logarithm(formula: &Formula) -> bool {
+    any_part(
+        formula,
+        &|part| matches!(part, Expr::Call(Function::Ln, of) if !of.free_symbols().is_empty()),
+    )
+}
+
+/// The differences that are squared in a term.
+fn collect_squared(term: &Expr, found: &mut Vec<Expr>) {
+    if let Expr::Power(base, exponent) = term
+        && let (Expr::Sum(parts), Expr::Number(exponent)) = (&**base, &**exponent)
+        && (exponent / BigRational::from_integer(2.into())).is_integer()
+        && parts.iter().any(|part| matches!(part, Expr::Negate(_)))
+        && !found.contains(base)
+    {
+        found.push((**base).clone());
+    }
+    (term.children()).for_each(|child| collect_squared(child, found));
 }
 
 /// What a logarithm is taken of, or a power with symbols in the exponent.

@@ -168,8 +168,13 @@ impl Judge<'_> {
         let (left, right) = &for_the_quantity(left, right);
         let (right, own_variable) = with_own_value_named(left, right);
         let solution = Formula::equal(left.clone(), right.clone());
+        // "and, since the liquid sticks to the wall, $u(a) = 0$,"
+        let says_where = || {
+            let mut said = self.derivation.conditions_said(self.at).into_iter();
+            said.any(|said| said.just_said && said.of == *left)
+        };
         let own = &self.derivation.equations[self.at];
-        if !own.drawn && !self.says(&SOLVING) {
+        if !own.drawn && !self.says(&SOLVING) && !says_where() {
             return None;
         }
         // "Without friction the solution is" is of another law.
@@ -182,13 +187,15 @@ impl Judge<'_> {
         let mut moved = Formula::differentiated_in(laws().map(|own| &*own.formula));
         moved.retain(|own| left.mentions(own) && !right.mentions(own));
         let of = moved.pop_first().filter(|_| moved.is_empty())?;
+        let variable = self.variable_between(left, &right)?;
         let is_law = |own: &&Assumed| {
             own.standing == Standing::Identity
                 && matches!(own.source, Source::Equation(_))
                 && own.formula.as_equation().is_some()
                 && Formula::differentiated_in([&*own.formula].into_iter()).contains(&of)
+                && own.formula.differentiates_by(&variable)
+                && order(&own.formula) > order(&goal.formula)
         };
-        let variable = self.variable_of(left)?;
         if !right.mentions(&variable) || own_variable.is_some_and(|own| own != variable) {
             return None;
         }
@@ -203,7 +210,10 @@ impl Judge<'_> {
         constants.extend(law.formula.free_symbols());
         let meant = meant(laws(), &mut constants, (&of, &variable));
         let fixed = fixed_by(&law.formula, &meant);
-        constants.retain(|own| *own != of && *own != variable && !own.is_unit());
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        let is_number =
+            |own: &Symbol| own.is_unit() || own.name() == "\\pi" && !page.domains.contains_key(own);
+        constants.retain(|own| *own != of && *own != variable && !is_number(own));
         let moves = |own: &Symbol| self.auditor.changes(self.at, own, &variable);
         if constants.iter().any(moves) {
             return None;
@@ -306,6 +316,16 @@ impl Judge<'_> {
             Some(Decision::Proven { .. })
         )
     }
+}
+
+/// How often what a formula speaks of is differentiated at most: a law of the first order has no solution that speaks of a slope.
+fn order(formula: &Formula) -> usize {
+    fn of(term: &Expr) -> usize {
+        let within = term.children().map(of).max().unwrap_or_default();
+        within + usize::from(matches!(term, Expr::Derivative { .. }))
+    }
+    let terms = formula.terms().into_iter();
+    terms.map(of).max().unwrap_or_default()
 }
 
 /// A law with the numbers put in that something in it is everywhere: "In equilibrium $J = 0$".

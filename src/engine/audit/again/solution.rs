@@ -52,7 +52,7 @@ impl Judge<'_> {
         if !is_told && bounds(&goal.formula).is_empty() {
             return None;
         }
-        let variable = self.variable_of(left)?;
+        let variable = self.variable_between(left, &right)?;
         if own.is_some_and(|own| own != variable) {
             return None;
         }

@@ -3,9 +3,10 @@
 use crate::algebra::{Expr, Symbol};
 use crate::derivation::{Assumed, Beyond, Goal, Source};
 use crate::kernel::Standing;
+use crate::notation::{has_decimals, is_figures};
 
 use super::super::Judged;
-use super::{Judge, sources};
+use super::{Found, Judge, sources};
 
 impl Judge<'_> {
     /// Whether something speaks of a partial derivative of which it is not clear what it holds fixed, or how it moves: that
@@ -48,6 +49,24 @@ impl Judge<'_> {
             let mut own = all.iter().map(|&own| &derivation.equations[own]);
             own.any(|own| own.released.contains(symbol) && own.symbols().contains(symbol))
         })
+    }
+
+    /// Leaves open a step that puts numbers in for something that it does not name: "the torque must be
+    /// $$\Gamma = R m (0.357 - 0.342)$$".
+    pub(super) fn heed_figures_put_in(&self, goal: &Goal, found: &mut Found) {
+        let is_difference = |part: &Expr| match part {
+            Expr::Sum(parts) => {
+                is_figures(part)
+                    && parts.iter().all(has_decimals)
+                    && parts.iter().any(|own| matches!(own, Expr::Negate(_)))
+            }
+            _ => false,
+        };
+        let terms = goal.formula.terms();
+        let are_put_in = |term: &&Expr| !is_figures(term) && term.any(&is_difference);
+        if found.mended.is_none() && terms.into_iter().any(|term| are_put_in(&term)) {
+            found.leave_open("it puts numbers in for something, and does not say for what");
+        }
     }
 
     /// Whether a goal speaks of what may be complex, or of small changes.

@@ -27,10 +27,22 @@ pub(in crate::document) fn is_relative(tokens: &[Placed<'_>], last: &[Placed<'_>
     matches!(first, Some((Token::Word("which"), _))) || works_on_it(last) || works_on_this(tokens)
 }
 
-/// "Comparing this with (1)", "At the top, $r = a$, this gives with (1)": where nothing else is said after the display before, that is what
+/// "Comparing this with (1)", "At the top, $r = a$, this gives with (1)", "With (1) this can be written as": where nothing else is said after the display before, that is what
 /// is meant.
 fn works_on_this(tokens: &[Placed<'_>]) -> bool {
     const WORKED_ON_THIS: &[&str] = &["comparing", "combining", "equating"];
+    const REWORKED: &[&str] = &[
+        "brought",
+        "written",
+        "rewritten",
+        "put",
+        "cast",
+        "expressed",
+        "simplified",
+        "reduced",
+        "rearranged",
+        "recast",
+    ];
     let words =
         |sentence: &&[Placed<'_>]| sentence.iter().any(|own| matches!(own.0, Token::Word(_)));
     let mut sentences = tokens.split(|own| own.0.is_stop()).filter(words);
@@ -38,7 +50,11 @@ fn works_on_this(tokens: &[Placed<'_>]) -> bool {
         return false;
     };
     let gives = |pair: &[Placed<'_>]| pair[0].0.is_among(&["this"]) && draws_on(pair[1].0);
-    let this_gives = || sentence.windows(2).any(gives);
+    let is_reworked = |own: &[Placed<'_>]| {
+        matches!(own, [(this, _), (may, _), (be, _), (reworked, _)]
+            if this.is_among(&["this"]) && may.is_among(&["can", "may"]) && be.is_among(&["be"]) && reworked.is_among(REWORKED))
+    };
+    let this_gives = || sentence.windows(2).any(gives) || sentence.windows(4).any(is_reworked);
     let is_worked_on = matches!(sentence, [(works, _), (this, _), (with, _), ..]
         if works.is_among(WORKED_ON_THIS) && this.is_among(&["this"]) && with.is_among(&["with", "to", "and"]));
     is_worked_on || this_gives()

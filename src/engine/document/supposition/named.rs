@@ -11,7 +11,7 @@ use super::around::{follows, is_taken_from, says_where};
 use super::cases::COMPARED;
 use super::denial::Denial;
 use super::mathematics::{is_number, is_zero, relates};
-use super::words::{BESIDE, DISPUTING, KNOWN, NAMED_BEFORE, RETRACTING};
+use super::words::{BESIDE, DISPUTING, KNOWN, NAMED_BEFORE, RETRACTING, ROOTS};
 
 /// In a sentence with one of these, what is named is not so, or one of several.
 static ELSEWHERE: Words = Words::of(&[
@@ -176,7 +176,9 @@ fn of_sentence(source: &str, sentence: &[Placed<'_>]) -> Vec<Named> {
                     Denial::Before => is_zero(text(body)),
                     Denial::Here | Denial::Whole => false,
                 };
-                let is_said = !is_place && !is_beside && is_then && !is_taken && is_so;
+                // "Dividing by $t$ (the root $t = 0$ is the throw itself)" goes on with another.
+                let is_root = follows(at, sentence, &ROOTS) && is_number(text(body));
+                let is_said = !is_place && !is_beside && is_then && !is_taken && is_so && !is_root;
                 if relates(text(body)) && is_said {
                     named.push(Named { body, is_drawn });
                 }

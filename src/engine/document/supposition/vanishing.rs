@@ -99,8 +99,11 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         }
         // What leads on to a display is said of it.
         let leads = sentence.as_ptr_range().end == tokens.as_ptr_range().end;
+        // "The field vanishes at the centre. Differentiating (2)," gives the slope everywhere.
         let next_leads = |next: &&[Placed<'_>]| {
-            next.as_ptr_range().end == tokens.as_ptr_range().end && next.len() <= MOST_LEADING_ON
+            next.as_ptr_range().end == tokens.as_ptr_range().end
+                && next.len() <= MOST_LEADING_ON
+                && !among(next, 0, &["differentiating"])
         };
         let leads_over = leads || sentences.get(number + 1).is_some_and(next_leads);
         // "with $a > 0$. This vanishes": before it is the display.

@@ -309,7 +309,8 @@ pub(super) static REASONS: Words = Words::of(&[
 /// After these it is where something begins: "Suppose the motion starts at $t = 0$".
 pub(super) static NAMED_BEFORE: Words = Words::of(&["from", "at", "until", "after", "before"]);
 /// After these, a number is what solves an equation.
-pub(super) static ROOTS: Words = Words::of(&["root", "roots", "zero", "zeros"]);
+pub(super) static ROOTS: Words =
+    Words::of(&["root", "roots", "zero", "zeros", "solution", "solutions"]);
 /// A sentence that begins with one of these, or of [`REGIMES`], is about a special case.
 pub(super) static OF_CASES: Words = Words::of(&["for", "when", "if", "at"]);
 /// A sentence that begins with one of these is about another place than what was told before.
