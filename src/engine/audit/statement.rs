@@ -350,12 +350,12 @@ impl Auditor<'_> {
         // Figures say nothing of what they do not speak of.
         let refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
         let numeric = self.concerned(refuted, &usable.numeric);
-        let missing = [
-            &usable.unreadable,
-            &usable.later,
-            &numeric,
-            &usable.in_limit,
-        ];
+        // What is one slip away from what follows says no more than that, whatever could not be read.
+        let unreadable = match entry.mended {
+            Some(_) => &Vec::new(),
+            None => &usable.unreadable,
+        };
+        let missing = [unreadable, &usable.later, &numeric, &usable.in_limit];
         let missing = missing.into_iter().any(|premises| !premises.is_empty());
         if entry.verdict == Verdict::Fails && missing {
             match entry.numeric {

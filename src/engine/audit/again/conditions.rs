@@ -212,7 +212,7 @@ impl Judge<'_> {
 
     /// Whether the step follows where its own symbols are positive, from what speaks of nothing else: whether all that is before it is
     /// possible so may be more than can be told, beside exponentials.
-    fn follows_by_signs(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
+    pub(super) fn follows_by_signs(&self, goal: &Goal, set: &[Assumed], found: &mut Found) -> bool {
         let named = goal.formula.names();
         let mut set = set.to_vec();
         set.retain(|own| own.formula.names().is_subset(&named) && !own.formula.speaks_of_values());

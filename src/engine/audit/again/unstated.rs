@@ -163,7 +163,11 @@ impl Judge<'_> {
             }
         }
         let Some(mut conditions) = self.positive(goal, assumed, &free) else {
-            return false;
+            let holds = is_equation && is_cited && self.follows_by_signs(goal, assumed, found);
+            if holds {
+                found.instead.clear();
+            }
+            return holds;
         };
         if by_exponents {
             let with = conditions.iter().map(step);

@@ -31,6 +31,7 @@ pub(in crate::document) fn is_relative(tokens: &[Placed<'_>], last: &[Placed<'_>
 /// is meant.
 fn works_on_this(tokens: &[Placed<'_>]) -> bool {
     const WORKED_ON_THIS: &[&str] = &["comparing", "combining", "equating"];
+    const PUT_IN: &[&str] = &["used", "inserted", "substituted", "put"];
     const REWORKED: &[&str] = &[
         "brought",
         "written",
@@ -54,7 +55,17 @@ fn works_on_this(tokens: &[Placed<'_>]) -> bool {
         matches!(own, [(this, _), (may, _), (be, _), (reworked, _)]
             if this.is_among(&["this"]) && may.is_among(&["can", "may"]) && be.is_among(&["be"]) && reworked.is_among(REWORKED))
     };
-    let this_gives = || sentence.windows(2).any(gives) || sentence.windows(4).any(is_reworked);
+    // "and when this is used in (2) one gets"
+    let is_put_in = |own: &[Placed<'_>]| {
+        matches!(own, [(this, _), (is, _), (put, _), (into, _)]
+            if this.is_among(&["this"]) && is.is_among(&["is"]) && put.is_among(PUT_IN) && into.is_among(&["in", "into"]))
+    };
+    let this_gives = || {
+        sentence.windows(2).any(gives)
+            || sentence
+                .windows(4)
+                .any(|own| is_reworked(own) || is_put_in(own))
+    };
     let is_worked_on = matches!(sentence, [(works, _), (this, _), (with, _), ..]
         if works.is_among(WORKED_ON_THIS) && this.is_among(&["this"]) && with.is_among(&["with", "to", "and"]));
     is_worked_on || this_gives()

@@ -144,7 +144,12 @@ impl Parser<'_> {
             return Ok(None);
         };
         self.at = name;
-        let denominator = self.variable(true);
+        // `\frac{dL}{dd}` is the slope by a distance `d`.
+        let is_by_d = self.is_d(name) && name + 2 == end;
+        let denominator = match is_by_d {
+            true => self.variable_besides(false, |_| false),
+            false => self.variable(true),
+        };
         let ends = self.at + 1 == end;
         if self.is_d(self.at) && self.starts_name(self.at + 1) {
             let message =

@@ -13,6 +13,11 @@ impl Lowering<'_> {
         factors: &[(Var, i64)],
         range: &Range,
     ) -> Result<Option<Fraction>, LowerError> {
+        if let [(var, 1)] = *factors
+            && self.is_logarithm(var)
+        {
+            return self.of_logarithm(power, var, range);
+        }
         let mut product = Fraction::from(Rational::one());
         for &(var, exponent) in factors {
             let size = u32::try_from(exponent.unsigned_abs()).map_err(|_| TooLarge)?;
@@ -64,6 +69,37 @@ impl Lowering<'_> {
             }
             _ => Ok(None),
         }
+    }
+
+    /// ∫ xⁿ f dx for x f' = k, `\ln\frac{b}{x}`: it is xⁿ⁺¹ f/(n+1) - k xⁿ⁺¹/(n+1)².
+    fn of_logarithm(
+        &mut self,
+        n: u32,
+        f: Var,
+        range: &Range,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let own = Fraction::from(Polynomial::var(range.own));
+        // What the logarithm is taken of is positive all the way, and so `x` nowhere 0 that is divided by.
+        let before = self.conditions.clone();
+        let slope = self.atom_derivative(f, range.variable);
+        self.conditions = before;
+        let k = own.times(&slope?)?;
+        let mut below = k.denominator();
+        if self.moves(k.numerator(), range) || below.any(|(factor, _)| self.moves(factor, range)) {
+            return Ok(None);
+        }
+        let share = Rational::from(n + 1).recip();
+        let rest = k.times(&share.clone().into())?;
+        let all = own.pow(n + 1)?.times(&share.into())?;
+        let f = Fraction::from(Polynomial::var(f));
+        Ok(Some(all.times(&f.minus(&rest)?)?))
+    }
+
+    fn is_logarithm(&self, var: Var) -> bool {
+        matches!(
+            self.atoms.atom(var),
+            Atom::Opaque(Expr::Call(Function::Ln, _))
+        )
     }
 
     /// m and k in f' = k x^m f, for a product of unknowns: that of exponentials has the sum of their rates.
