@@ -286,6 +286,10 @@ impl Judge<'_> {
                 ..found.judged
             });
         }
+        if found.judged.outcome.is_proven() {
+            let held = self.held_for_rates(&found.judged);
+            found.constant.extend(held);
+        }
         found
     }
 
@@ -306,6 +310,7 @@ impl Judge<'_> {
         let instances = self.instances(goal, &assumed);
         assumed.extend(instances);
         assumed.extend(self.along_the_motion(goal, &assumed));
+        assumed.extend(self.rates_of_relations(goal, &assumed));
         assumed.extend(self.propagated(goal, &assumed, premises));
         assumed
     }

@@ -16,6 +16,7 @@ mod cited;
 mod constant;
 mod dimensions;
 mod domain;
+mod dots;
 mod entry;
 mod equation;
 mod family;
