@@ -4,7 +4,7 @@
 use super::{Consistency, Decision, Effort, consistency_posed, prove_posed, prove_unconditionally};
 use crate::algebra::{Atom, BigRational, Expr, Formula, Function, Symbol};
 use crate::kernel::{Assignment, Claim, Hypothesis, Obligation, Refuted, Standing, definition};
-use crate::sorted::{self, Map};
+use crate::sorted::{self, Map, Set};
 
 /// What is put in for symbols, beginning at one place after another: so many points are tried.
 const NUMBERS: [i64; 7] = [1, 2, 3, 5, 1, 7, 4];
@@ -87,10 +87,20 @@ fn at_numbers(obligation: &Obligation, opposite: &Claim) -> Option<Refuted> {
 
 /// Whether what a term is made of, with what that is defined by, speaks of a symbol.
 fn comes_back_to(symbol: &Symbol, term: &Expr, put_in: &Map<Symbol, (usize, Expr)>) -> bool {
-    term.mentions(symbol)
-        || put_in
-            .iter()
-            .any(|(own, (_, term_of))| term.mentions(own) && comes_back_to(symbol, term_of, put_in))
+    let (mut open, mut seen) = (vec![term], Set::new());
+    while let Some(term) = open.pop() {
+        for own in term.free_symbols() {
+            if own == *symbol {
+                return true;
+            }
+            if let Some((_, term)) = put_in.get(&own)
+                && seen.insert(own)
+            {
+                open.push(term);
+            }
+        }
+    }
+    false
 }
 
 /// What exponentials are taken of in a term.

@@ -52,6 +52,7 @@ impl Judge<'_> {
             true => self.positive(goal, &set, &unbounded),
             false => None,
         };
+        // That there is a root at all may have to be proved.
         conditions.is_some_and(|conditions| {
             self.holds_under(goal, set.clone(), &conditions, Effort::Full, found)
         }) || takes_root(&goal.formula) && self.follows_by_signs(goal, &set, found)

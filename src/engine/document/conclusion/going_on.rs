@@ -27,8 +27,8 @@ pub(in crate::document) fn is_relative(tokens: &[Placed<'_>], last: &[Placed<'_>
     matches!(first, Some((Token::Word("which"), _))) || works_on_it(last) || works_on_this(tokens)
 }
 
-/// "Comparing this with (1)", "At the top, $r = a$, this gives with (1)", "With (1) this can be written as": where nothing else is said after the display before, that is what
-/// is meant.
+/// "Comparing this with (1)", "At the top, $r = a$, this gives with (1)", "With (1) this can be written as", "and when this is used in (1)": where
+/// nothing else is said after the display before, that is what is meant.
 fn works_on_this(tokens: &[Placed<'_>]) -> bool {
     const WORKED_ON_THIS: &[&str] = &["comparing", "combining", "equating"];
     const PUT_IN: &[&str] = &["used", "inserted", "substituted", "put"];
