@@ -9,6 +9,8 @@ use crate::sorted::{self, Map, Set};
 /// What is put in for symbols, beginning at one place after another: so many points are tried.
 const NUMBERS: [i64; 7] = [1, 2, 3, 5, 1, 7, 4];
 const MOST_POINTS: usize = 7;
+/// No more definitions are put in: what is defined by what is defined grows.
+const MOST_PUT_IN: usize = 8;
 
 /// Refutes a relation where logarithms are spoken of: the opposite is proved, and a point is found at which the hypotheses are true.
 pub(super) fn decide(obligation: &Obligation, hints: &[Assignment]) -> Option<Decision> {
@@ -41,6 +43,7 @@ fn at_numbers(obligation: &Obligation, opposite: &Claim) -> Option<Refuted> {
     for (at, own) in opposite.hypotheses.iter().enumerate() {
         if let Some((symbol, term)) = definition(&own.formula)
             && !put_in.contains_key(&symbol)
+            && put_in.len() < MOST_PUT_IN
             && !comes_back_to(&symbol, &term, &put_in)
         {
             put_in.insert(symbol, (at, term));
