@@ -3,13 +3,12 @@
 //! of this.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal, Source, dotted, formulas, without_dots};
+use crate::derivation::{Assumed, Goal, Source, TIME, dotted, formulas, without_dots};
 use crate::kernel::Standing;
 
 use super::Judged;
 use super::judge::Judge;
 
-const TIME: &str = "t";
 /// So many relations are differentiated for a step.
 const MOST_RELATIONS: usize = 4;
 

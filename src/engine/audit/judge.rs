@@ -394,6 +394,12 @@ impl Judge<'_> {
         page.beside.as_ref()?.budget.points
     }
 
+    /// Whether the step is said to follow from nothing, and so meant for all values.
+    pub(super) fn says_from_nothing(&self) -> bool {
+        let (cited, says_so, _) = self.derivation.premises(self.at);
+        says_so && cited.is_empty()
+    }
+
     /// Whether the author says what the step follows from.
     pub(super) fn names_its_premises(&self) -> bool {
         let (_, says_so, _) = self.derivation.premises(self.at);

@@ -68,6 +68,7 @@ pub(crate) use names::{dotted, without_dots};
 pub use page::{Beyond, Datum, Page, Premises};
 pub use qualities::Said;
 pub use running::Running;
+pub(crate) use slopes::TIME;
 pub use supposed::{Local, is_put};
 pub use values::{ConditionSaid, Printed, ValueSaid};
 

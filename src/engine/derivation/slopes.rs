@@ -14,7 +14,7 @@ use super::page::Page;
 
 /// What a dot stands for a slope by. A prime stands for another thing there, what comes after, or another frame, unless a page that speaks
 /// of derivatives gives `y(t)` and writes `y'(t)`.
-pub(super) const TIME: &str = "t";
+pub(crate) const TIME: &str = "t";
 
 /// What a marked name stands for.
 struct Slope {

@@ -1,6 +1,6 @@
 use smallvec::{SmallVec, smallvec};
 
-use super::{Expr, Moved, Symbol};
+use super::{BigRational, Expr, Moved, Symbol};
 use crate::sorted::Set;
 
 /// Few claims speak of more symbols: so many are listed without asking for more room.
@@ -130,6 +130,11 @@ impl Formula {
         matches!(self, Formula::Relation { relation: Relation::NotEqual, right, .. } if *right == Expr::integer(0))
     }
 
+    /// `symbol = number`.
+    pub fn number(symbol: Symbol, number: BigRational) -> Formula {
+        Formula::equal(Expr::Symbol(symbol), Expr::Number(number))
+    }
+
     /// `term > 0`.
     pub fn positive(term: Expr) -> Formula {
         Formula::Relation {
@@ -148,12 +153,17 @@ impl Formula {
         matches!(relation, Less | LessOrEqual | Greater | GreaterOrEqual)
     }
 
-    /// The symbol of which this says what number it is: `n = 3`.
-    pub fn set_to_number(&self) -> Option<&Symbol> {
+    /// The symbol of which this says what number it is, `n = 3`, and that.
+    pub fn number_said(&self) -> Option<(&Symbol, &BigRational)> {
         match self.as_equation() {
-            Some((Expr::Symbol(symbol), Expr::Number(_))) => Some(symbol),
+            Some((Expr::Symbol(symbol), Expr::Number(number))) => Some((symbol, number)),
             _ => None,
         }
+    }
+
+    /// The symbol of which this says what number it is.
+    pub fn set_to_number(&self) -> Option<&Symbol> {
+        Some(self.number_said()?.0)
     }
 
     /// Both sides, where this is an equation.

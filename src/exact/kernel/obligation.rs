@@ -3,7 +3,8 @@ use super::{
     Assignment, Candidate, Checked, Claim, Hypothesis, Model, Problem, Proven, Refuted, Reject,
     definition, replay, witness,
 };
-use crate::algebra::{BigRational, Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::sorted::Set;
 
 /// A claim together with the problem that the kernel makes of it, so that several candidates can be checked
 /// without reading the claim anew for each.
@@ -119,12 +120,11 @@ impl Obligation {
     pub fn refuted_by_fewer(&self, other: &Refuted) -> Result<(), Reject> {
         let mut own = self.claim.clone();
         let further = other.claim.hypotheses.iter().skip(own.hypotheses.len());
-        // What names more than one thing, or a number, is not told by that.
-        let is_told = |further: &Hypothesis| match said_positive(&further.formula)
-            .or_else(|| Some(said_to_be(&further.formula)?.0))
-        {
-            Some(symbol) => self.names_one(symbol),
-            None => false,
+        let quantities = self.quantities();
+        let is_told = |further: &Hypothesis| {
+            let symbol = said_positive(&further.formula);
+            let symbol = symbol.or_else(|| further.formula.set_to_number());
+            symbol.is_some_and(|own| quantities.contains(own))
         };
         own.hypotheses
             .extend(further.filter(|own| is_told(own)).cloned());
@@ -141,11 +141,12 @@ impl Obligation {
         }
     }
 
-    /// Whether a symbol that the claim speaks of is one quantity, and not the number π.
-    fn names_one(&self, symbol: &Symbol) -> bool {
-        symbol.name() != "\\pi"
-            && !self.claim.sequences.contains_key(symbol)
-            && self.claim.free_symbols().contains(&symbol)
+    /// The symbols of which the claim speaks that are one quantity each, and not the number π: of these a further premise may tell.
+    fn quantities(&self) -> Set<&Symbol> {
+        let named = self.claim.free_symbols().into_iter();
+        let is_one =
+            |own: &&Symbol| own.name() != "\\pi" && !self.claim.sequences.contains_key(*own);
+        named.filter(is_one).collect()
     }
 
     /// Refutes a relation by its opposite: this follows from the hypotheses, and from which numbers symbols are at the point, and there all
@@ -166,9 +167,10 @@ impl Obligation {
             let mut put_in = point.unfold.iter().map(|&at| &self.claim.hypotheses[at]);
             put_in.any(|own| definition(&own.formula).is_none_or(|own| own.0 == *symbol))
         };
-        let is_so = |further: &&Hypothesis| match said_to_be(&further.formula) {
+        let quantities = self.quantities();
+        let is_so = |further: &&Hypothesis| match further.formula.number_said() {
             Some((symbol, number)) => {
-                self.names_one(symbol)
+                quantities.contains(symbol)
                     && point.symbols.get(symbol) == Some(number)
                     && !is_put_in(symbol)
             }
@@ -187,13 +189,5 @@ impl Obligation {
             claim: self.claim.clone(),
             witness: model.point,
         })
-    }
-}
-
-/// The symbol that is said to be a number, and that.
-fn said_to_be(formula: &Formula) -> Option<(&Symbol, &BigRational)> {
-    match formula.as_equation()? {
-        (Expr::Symbol(symbol), Expr::Number(number)) => Some((symbol, number)),
-        _ => None,
     }
 }

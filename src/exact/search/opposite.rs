@@ -57,9 +57,13 @@ fn at_numbers(obligation: &Obligation, opposite: &Claim) -> Option<Refuted> {
         own.name() != "\\pi" && !put_in.contains_key(*own) && !opposite.sequences.contains_key(*own)
     };
     let open: Vec<Symbol> = named.filter(is_open).cloned().collect();
-    let mut exponents = Vec::new();
-    let terms = opposite.formulas().flat_map(Formula::terms);
-    terms.for_each(|term| collect_exponents(term, &mut exponents));
+    let is_exponent = |own: &Symbol| {
+        let raised =
+            |part: &Expr| matches!(part, Expr::Call(Function::Exp, of) if of.mentions(own));
+        let mut terms = opposite.formulas().flat_map(Formula::terms);
+        terms.any(|term| term.any(&raised))
+    };
+    let exponents: Set<&Symbol> = open.iter().filter(|own| is_exponent(own)).collect();
     (0..MOST_POINTS).find_map(|turn| {
         let numbers = NUMBERS.iter().cycle().skip(turn);
         let symbols = open.iter().zip(numbers);
@@ -73,13 +77,13 @@ fn at_numbers(obligation: &Obligation, opposite: &Claim) -> Option<Refuted> {
         premises.model(point.clone()).ok()?;
         let mut there = opposite.clone();
         let said = |(own, number): (&Symbol, &BigRational)| Hypothesis {
-            formula: Formula::equal(Expr::Symbol(own.clone()), Expr::Number(number.clone())).into(),
+            formula: Formula::number(own.clone(), number.clone()).into(),
             standing: Standing::AtPoint,
         };
         there.hypotheses.extend(point.symbols.iter().map(said));
         // `\ln(e^{-t})` is known to be `-t`; of what a number makes of it nothing is.
         let named = point.symbols.keys().zip(opposite.hypotheses.len()..);
-        let plain = named.filter(|(own, _)| !exponents.iter().any(|term| term.mentions(own)));
+        let plain = named.filter(|(own, _)| !exponents.contains(own));
         let plain = plain.map(|(_, at)| at);
         let all = unfold.iter().copied().chain(plain).collect();
         let there = Obligation::new(there, all).ok()?;
@@ -104,14 +108,4 @@ fn comes_back_to(symbol: &Symbol, term: &Expr, put_in: &Map<Symbol, (usize, Expr
         }
     }
     false
-}
-
-/// What exponentials are taken of in a term.
-fn collect_exponents<'e>(term: &'e Expr, found: &mut Vec<&'e Expr>) {
-    match term {
-        Expr::Call(Function::Exp, argument) => found.push(argument),
-        term => term
-            .children()
-            .for_each(|part| collect_exponents(part, found)),
-    }
 }

@@ -102,7 +102,7 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
 const MOST_PARTS: usize = 2_000;
 
 /// Whether a term has few enough parts to be put in for a symbol.
-pub(super) fn is_small(term: &Expr) -> bool {
+fn is_small(term: &Expr) -> bool {
     fn takes(term: &Expr, left: &mut usize) -> bool {
         *left = left.saturating_sub(1);
         *left > 0 && term.children().all(|part| takes(part, left))

@@ -43,20 +43,19 @@ impl Judge<'_> {
             return true;
         }
         // Who writes a root means the positive one, and who takes a logarithm takes it of what is positive.
-        let takes_logarithm = || {
-            // What is said to follow from nothing is meant for all values.
-            let (cited, says_so, _) = self.derivation.premises(self.at);
-            takes_logarithm(&goal.formula) && !(says_so && cited.is_empty())
-        };
-        let conditions = match takes_root(&goal.formula) || takes_logarithm() {
+        let (takes_root, takes_logarithm) = (
+            takes_root(&goal.formula),
+            takes_logarithm(&goal.formula) && !self.says_from_nothing(),
+        );
+        let conditions = match takes_root || takes_logarithm {
             true => self.positive(goal, &set, &unbounded),
             false => None,
         };
         // That there is a root at all may have to be proved.
         conditions.is_some_and(|conditions| {
             self.holds_under(goal, set.clone(), &conditions, Effort::Full, found)
-        }) || takes_root(&goal.formula) && self.follows_by_signs(goal, &set, found)
-            || takes_logarithm() && self.follows_by_signs(goal, &[], found)
+        }) || takes_root && self.follows_by_signs(goal, &set, found)
+            || takes_logarithm && self.follows_by_signs(goal, &[], found)
             || effort == Effort::Full && self.follows_on_one_side(goal, &set, found)
     }
 

@@ -104,10 +104,7 @@ impl Solution {
         let set = |(own, number): (&Symbol, i64)| {
             let number = BigRational::from_integer(number.into());
             let number = if great { number } else { number.recip() };
-            taken(&Formula::equal(
-                Expr::Symbol(own.clone()),
-                Expr::Number(number),
-            ))
+            taken(&Formula::number(own.clone(), number))
         };
         open.zip(NUMBERS).map(set).collect()
     }
@@ -284,10 +281,7 @@ impl Judge<'_> {
     fn is_one_for_none(&self, goal: &Goal, own: &Solution, point: &Refuted) -> bool {
         let set = point.witness().symbols.iter();
         let set = set.filter(|(symbol, _)| own.is_of_law(symbol));
-        let set = set.map(|(symbol, value)| {
-            let value = Expr::Number(value.clone());
-            taken(&Formula::equal(Expr::Symbol(symbol.clone()), value))
-        });
+        let set = set.map(|(symbol, value)| taken(&Formula::number(symbol.clone(), value.clone())));
         let so = Assumed {
             standing: Standing::AtPoint,
             ..own.law.clone()

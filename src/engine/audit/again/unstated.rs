@@ -135,11 +135,9 @@ impl Judge<'_> {
         // What is said of a sign is what signs are to be told from: `p > 0`.
         let is_equation = goal.formula.as_equation().is_some();
         let of_sign = !is_equation && goal.formula.terms().contains(&&Expr::integer(0));
-        // What is said to follow from nothing is meant for all values.
-        let (cited, says_so, _) = self.derivation.premises(self.at);
         if equation.kind == Kind::Marked
             || of_sign
-            || says_so && cited.is_empty()
+            || self.says_from_nothing()
             || !goal.suppositions.is_empty()
             || takes_root(&goal.formula)
             || said.chain([&goal.formula]).any(takes_size)

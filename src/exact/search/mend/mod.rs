@@ -609,7 +609,7 @@ fn generic(claim: &Claim, shift: usize) -> Option<(Claim, Assignment)> {
         let value = chosen(claim, &symbol, at * (shift + 1) + shift);
         let Some(value) = value else { continue };
         pinned.hypotheses.push(Hypothesis {
-            formula: Formula::equal(Expr::Symbol(symbol), Expr::Number(value)).into(),
+            formula: Formula::number(symbol, value).into(),
             standing: Standing::AtPoint,
         });
         // What the premises tie together cannot be chosen freely.
