@@ -6,8 +6,10 @@
 //! What is so taken is told. An equation that contradicts what stands before, or is one slip of the pen away from what
 //! follows, still fails.
 
+use num_traits::Zero;
+
 use crate::algebra::{Expr, Formula, LimitPoint, Relation, Symbol};
-use crate::derivation::{Assumed, Equation, Goal, Kind, Source, is_put};
+use crate::derivation::{Assumed, Equation, Goal, Kind, Source, TIME, is_put};
 use crate::document::Extent;
 use crate::kernel::Standing;
 use crate::notation::measured;
@@ -506,25 +508,46 @@ pub(super) fn slips(entry: &Entry, equation: &Equation) -> bool {
 }
 
 /// "It is largest when $\frac{dG}{dN} = a - b N = 0$": that it is 0 there is a condition, and cannot be false where what it is put for is left
-/// open.
+/// open. Of a slope by anything but time, `\frac{dR}{dr} = a - b/r^2 = 0`, it is one without words: nobody says of a term in a display that
+/// it vanishes for all values and leaves it standing.
 pub(super) fn leave_condition(entry: &mut Entry, equation: &Equation) {
-    if equation.extent != Extent::Condition {
-        return;
-    }
+    let is_slope = entry.judged.first().is_some_and(|own| {
+        let sides = own.goal.formula.as_equation();
+        sides.is_some_and(|(left, _)| is_slope_in_place(left))
+    });
     let Some((last, before)) = entry.judged.split_last_mut() else {
         return;
     };
     let is_open = |judged: &Judged| matches!(judged.outcome, Outcome::Open(_));
-    let is_put = |judged: &Judged| {
-        let sides = judged.goal.formula.as_equation();
-        sides.is_some_and(|(_, right)| matches!(right, Expr::Number(_)))
+    let put_to = match last.goal.formula.as_equation() {
+        Some((_, Expr::Number(number))) if last.outcome.is_refuted() => number,
+        _ => return,
     };
-    let refuted = before.iter().any(|own| own.outcome.is_refuted());
-    if last.outcome.is_refuted() && is_put(last) && !refuted && before.iter().any(is_open) {
-        last.outcome = Outcome::open("it is a condition, and what it is one of is left open");
-        entry.implied = None;
-        entry.mended = None;
-        entry.missing.clear();
+    if before.iter().any(|own| own.outcome.is_refuted()) {
+        return;
+    }
+    last.outcome = match before.iter().any(is_open) {
+        true if equation.extent == Extent::Condition => {
+            Outcome::open("it is a condition, and what it is one of is left open")
+        }
+        false if is_slope && put_to.is_zero() && !before.is_empty() => {
+            last.assumed.clear();
+            Outcome::Stated
+        }
+        _ => return,
+    };
+    entry.implied = None;
+    entry.mended = None;
+    entry.missing.clear();
+}
+
+/// Whether a term is a slope by something else than time.
+fn is_slope_in_place(term: &Expr) -> bool {
+    match term {
+        Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
+            variable.name() != TIME
+        }
+        _ => false,
     }
 }
 

@@ -3,6 +3,8 @@
 //! The page leaves them out of its mathematics, and calculates without them. So a number is brought to the units of the SI, of which
 //! all others are products, and no unit is added to it: `a = 1.0` of "1.0 mm" is `a = 0.001`.
 
+use std::borrow::Cow;
+
 use num_traits::{One, Zero};
 
 use super::unit::raised_figure;
@@ -81,6 +83,7 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
         Some(rest) => (!rest.starts_with('$')).then_some(rest)?,
         None => rest.strip_prefix("\\)")?,
     };
+    let rest = &with_signs(rest);
     let (spaced, spaces) = without_spaces(rest);
     let word = &spaced[..length_of_name(spaced)];
     if DEGREES.contains(&word) {
@@ -100,6 +103,29 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
         None => unit_at(spaced),
     };
     factor.map(Factor::Unit)
+}
+
+/// The beginning of a text, with the letters of units that are put as mathematics as they are read: `µF` of `$\mu$F`.
+fn with_signs(text: &str) -> Cow<'_, str> {
+    const SIGNS: [(&str, &str); 4] = [
+        ("$\\mu$", "µ"),
+        ("\\textmu ", "µ"),
+        ("\\textmu{}", "µ"),
+        ("$\\Omega$", "Ω"),
+    ];
+    let end = text
+        .char_indices()
+        .map(|(at, _)| at)
+        .nth(LONGEST * MOST_PARTS);
+    let begin = &text[..end.unwrap_or(text.len())];
+    match SIGNS.iter().any(|(spelt, _)| begin.contains(spelt)) {
+        true => (SIGNS.iter())
+            .fold(begin.to_owned(), |text, (spelt, sign)| {
+                text.replace(spelt, sign)
+            })
+            .into(),
+        false => text.into(),
+    }
 }
 
 /// How much of the SI the unit is that a text begins with.

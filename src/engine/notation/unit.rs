@@ -250,6 +250,14 @@ fn by_symbol(text: &str) -> Option<Unit> {
     prefixed.into_iter().next().or_else(|| molar(text))
 }
 
+/// What is written below a stroke without a space, and meant as a product: `W/mK` is no watt per millikelvin.
+fn per_kelvin(name: &str) -> Option<Unit> {
+    let of = name.strip_suffix('K')?;
+    let mut unit = ["m", "kg", "mol"].contains(&of).then(|| by_symbol(of))??;
+    unit.times(&by_symbol("K")?, 1)?;
+    Some(unit)
+}
+
 /// Moles per litre, `M`, with the prefixes that they have: `GM` is a product.
 fn molar(text: &str) -> Option<Unit> {
     let prefix = text.strip_suffix('M')?;
@@ -389,7 +397,9 @@ impl<'a> Reader<'a> {
                 if name.is_empty() {
                     return Err(format!("`{first}` is not read in a unit"));
                 }
-                let unit = by_symbol(&name.replace('μ', "µ"))
+                let product = (self.below || self.group).then(|| per_kelvin(&name));
+                let unit = (product.flatten())
+                    .or_else(|| by_symbol(&name.replace('μ', "µ")))
                     .ok_or_else(|| format!("the unit `{name}` is not known"))?;
                 self.take(&unit)?;
             }

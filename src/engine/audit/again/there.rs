@@ -173,6 +173,9 @@ impl Judge<'_> {
         premises: &[usize],
     ) -> Option<(Vec<Assumed>, MayFail)> {
         let quantity = asked.quantity?;
+        if self.is_of_another_thing() {
+            return None;
+        }
         let meanings = self.meanings(quantity, &cited, premises);
         let mut assumed: Vec<Assumed> = Vec::new();
         let may_fail = match meanings.is_empty() {
@@ -306,6 +309,15 @@ impl Judge<'_> {
             own.formula.as_equation().is_some() && !any_part(&own.formula, &is_unknown)
         });
         words
+    }
+
+    /// Whether the sentence before a step begins to speak of something: "A Carnot engine between them has $$E_C = 1 - a/b$$" gives no value of
+    /// the `E` that stands before.
+    fn is_of_another_thing(&self) -> bool {
+        let said = self.derivation.leading(self.at).unwrap_or_default();
+        let mut words = said.split_whitespace();
+        let begins = matches!(words.next(), Some("A" | "An"));
+        begins && matches!(words.next_back(), Some("has" | "has:"))
     }
 
     /// Whether the sentence that a display is part of goes on to something behind it.

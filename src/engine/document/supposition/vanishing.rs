@@ -185,14 +185,28 @@ fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
             Some(at) => (Vanishing::Cited, sentence[at].1),
             None => (Vanishing::Slope, sentence[slope].1),
         },
-        (Some(sets), None) => (sets + 1..zero)
-            .find_map(|at| side(sentence, at).or_else(|| thing(sentence, at)))
-            // "Set equal to zero:"
-            .or_else(|| (sets == 0).then_some((Vanishing::Display, sentence[sets].1)))?,
+        (Some(sets), None) => {
+            let what = (sets + 1..zero)
+                .find_map(|at| side(sentence, at).or_else(|| thing(sentence, at)))
+                // "Set equal to zero:"
+                .or_else(|| (sets == 0).then_some((Vanishing::Display, sentence[sets].1)));
+            match (what, result_of_differentiating(sentence, sets)) {
+                (None | Some((Vanishing::Display, _)), Some(slope)) => (Vanishing::Slope, slope),
+                (what, _) => what?,
+            }
+        }
         (None, None) => return None,
     };
     let kind = SuppositionKind::Vanishes(what);
     Some(Supposition { kind, body })
+}
+
+/// "Differentiating (1) and setting the result to zero" sets the derivative to zero.
+fn result_of_differentiating(sentence: &[Placed<'_>], sets: usize) -> Option<Span> {
+    const DIFFERENTIATING: &[&str] = &["differentiating", "differentiate", "differentiation"];
+    let mut before = 0..sets;
+    let at = before.find(|&at| among(sentence, at, DIFFERENTIATING))?;
+    Some(sentence[at].1)
 }
 
 /// What is set to the same in one go: "Setting (4) and (5) to zero".
