@@ -66,6 +66,10 @@ impl Report<'_> {
             return None;
         }
         let page = self.equation(entry.equation).page;
+        // What is said of complex numbers is judged by their parts, and not printed so.
+        if !self.derivation.pages[page].complex.is_empty() {
+            return None;
+        }
         let document = &self.derivation.pages[page].document;
         // Over several rows an author has aligned it; what is put in would undo that.
         if document.text(span).contains(['&', '%']) || document.text(span).contains(r"\\") {

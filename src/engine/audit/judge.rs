@@ -32,7 +32,7 @@ pub(super) const UNCLEAR: &str = "it is not clear what a partial derivative in i
 pub(super) fn beyond(own: Beyond) -> &'static str {
     match own {
         Beyond::Complex => {
-            "it speaks of complex numbers, as far as can be told, and only real ones are decided"
+            "it speaks of complex numbers, and what their real and imaginary parts are cannot be told"
         }
         Beyond::Small => {
             "it speaks of small changes, as far as can be told, and is meant up to their squares"

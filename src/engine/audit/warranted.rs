@@ -9,7 +9,7 @@
 use num_traits::Signed;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
+use crate::derivation::{Assumed, Goal, Source, first_goal, goals, is_part};
 use crate::notation::{Statement, has_units, plain_formula};
 use crate::search::{self, Decision};
 use crate::sorted::Set;
@@ -121,7 +121,29 @@ impl Auditor<'_> {
                     && !is_condition(statement, own)
                     && !numeric::is_measured(&own.goal)
                     && is_spoken_of(own)
+                    && !only_names(own)
+                    && !self.leaves_out_in_words(how.at, own)
         })
+    }
+
+    /// Whether the sentence before a step says that something is missing or small, and the step no longer speaks of all that it comes from:
+    /// "With no damping, (4) is simply".
+    fn leaves_out_in_words(&self, at: usize, judged: &Judged) -> bool {
+        const LEFT_OUT: [&str; 4] = ["without", "absence", "absent", "negligible"];
+        let said = self
+            .derivation
+            .leading(at)
+            .unwrap_or_default()
+            .to_lowercase();
+        let words: Vec<&str> = said
+            .split(|c: char| !c.is_alphabetic() && c != '-')
+            .filter(|word| !word.is_empty())
+            .collect();
+        let own = judged.goal.formula.names();
+        let is_left = |premise: &Assumed| !premise.formula.names().is_subset(&own);
+        let says_none = |pair: &[&str]| pair == ["with", "no"];
+        (words.iter().any(|word| LEFT_OUT.contains(word)) || words.windows(2).any(says_none))
+            && judged.assumed.iter().any(is_left)
     }
 
     /// Whether a bound is wrong for positive numbers, too, and so is what is said to be a root: most authors speak of no others, and few say
@@ -163,7 +185,8 @@ pub(super) fn is_supposed(link: &Formula, under: &[Formula]) -> bool {
 /// Whether a link speaks of a mean or a chance of which no premise says what it is, beside others: there are laws that relate these, as that
 /// the mean of a sum is the sum of the means, and none of them is known here.
 fn may_follow_from_laws(judged: &Judged) -> bool {
-    let is_value = |own: &Symbol| own.is_bracketed() && !own.name().starts_with('[');
+    let is_value =
+        |own: &Symbol| own.is_bracketed() && !own.name().starts_with('[') && !is_part(own);
     let values = |formula: &Formula| -> Set<Symbol> {
         formula.names().into_iter().filter(is_value).collect()
     };
@@ -239,6 +262,34 @@ fn is_condition(statement: &Statement, judged: &Judged) -> bool {
     let sides = formula.as_equation();
     let is_nought = sides.is_some_and(|(_, right)| *right == Expr::integer(0));
     is_nought && judged.goal.clause + 1 < statement.clauses.len()
+}
+
+/// Whether all that a link is said to follow from gives names to several terms, and none of these names is in the link: nothing follows from
+/// that but what is so anyway, "Differentiating (1) and (2), the slopes at the knot are equal where".
+fn only_names(judged: &Judged) -> bool {
+    let goal = judged.goal.formula.names();
+    let mut left: Vec<&Formula> = judged.assumed.iter().map(|own| &*own.formula).collect();
+    left.retain(|own| own.as_equation().is_some());
+    let several = left.len() > 1;
+    loop {
+        let is_name = |at: usize| {
+            let others = left.iter().enumerate().filter(|own| own.0 != at);
+            let is_new = |own: &Symbol, term: &Expr| {
+                let mut others = others.clone();
+                !goal.contains(own)
+                    && !term.mentions(own)
+                    && !others.any(|(_, other)| other.names().contains(own))
+            };
+            match left[at].as_equation() {
+                Some((Expr::Symbol(own), term) | (term, Expr::Symbol(own))) => is_new(own, term),
+                _ => false,
+            }
+        };
+        match (0..left.len()).find(|&at| is_name(at)) {
+            Some(at) => drop(left.swap_remove(at)),
+            None => return left.is_empty() && several,
+        }
+    }
 }
 
 /// Whether equations that were named speak of all that a link does.

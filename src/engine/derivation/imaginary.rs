@@ -1,16 +1,15 @@
 //! The imaginary unit where nobody declares it: what is said with it is said of complex numbers, and claims here are about real ones.
 //!
 //! `i` is the unit where it stands in the exponent of an exponential, where the text says that something is complex, or that $i^2 = -1$;
-//! so is `\mathrm i`. A letter that counts somewhere, as in `\sum_i`, is not taken for it. What is given by something complex may be complex
-//! too.
+//! so is `\mathrm i`. A letter that counts somewhere, as in `\sum_i`, is not taken for it.
 
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Function, Symbol};
 
-use super::Equation;
 use super::equation::formulas;
 use super::page::Page;
+use super::{Equation, complex};
 
 /// The letters that stand for it; the upright ones for nothing else.
 const UNITS: [(&str, bool); 4] = [
@@ -28,11 +27,8 @@ const SAID: [&str; 6] = [
     "phasor",
     "phasors",
 ];
-/// What is given by what is complex, and so on: so many times at most.
-const MOST_ROUNDS: usize = 8;
-
-/// Finds the unit, and what may be complex with it; `own` are the pages of one document.
-pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &[Equation]) {
+/// Finds the unit, and takes apart what is said with it; `own` are the pages of one document.
+pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &mut [Equation]) {
     let mut said: Vec<Formula> = Vec::new();
     for &at in own
         .iter()
@@ -56,21 +52,9 @@ pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &[Equation
             && is_meant()
     };
     let units = UNITS.iter().filter(|unit| is_unit(unit));
-    let mut complex: BTreeSet<Symbol> = units.map(|&(name, _)| Symbol::new(name)).collect();
-    if complex.is_empty() {
-        return;
-    }
-    for _ in 0..MOST_ROUNDS {
-        let before = complex.len();
-        for formula in &said {
-            complex.extend(given_by(formula, &complex));
-        }
-        if complex.len() == before {
-            break;
-        }
-    }
-    for &at in own {
-        pages[at].complex.clone_from(&complex);
+    let units: BTreeSet<Symbol> = units.map(|&(name, _)| Symbol::new(name)).collect();
+    if !units.is_empty() {
+        complex::take_apart(own, pages, equations, &units);
     }
 }
 
@@ -157,22 +141,4 @@ fn counts(formula: &Formula, letter: &Symbol) -> bool {
         numbers || part.binder() == Some(letter)
     };
     formula.terms().into_iter().any(|term| term.any(&binds))
-}
-
-/// What an equation gives by something complex: `\psi`, of `\psi = A e^{i k x}`.
-fn given_by(formula: &Formula, complex: &BTreeSet<Symbol>) -> Vec<Symbol> {
-    let Some((left, right)) = formula.as_equation() else {
-        return Vec::new();
-    };
-    let sides = [(left, right), (right, left)].into_iter();
-    let named = sides.filter_map(|(side, other)| {
-        let (Expr::Symbol(name) | Expr::Apply(name, _)) = side else {
-            return None;
-        };
-        complex
-            .iter()
-            .any(|own| other.mentions(own))
-            .then(|| name.clone())
-    });
-    named.collect()
 }

@@ -31,6 +31,11 @@ impl Said {
             .any(|own| own.value == Attribute::Constant)
     }
 
+    /// Whether it says where the symbol lies.
+    pub(super) fn has_sign(&self) -> bool {
+        self.attributes.iter().any(|own| is_sign(&own.value))
+    }
+
     /// A domain with that besides; as it was where nothing would be left of it.
     pub(super) fn narrowed(&self, domain: Option<Domain>) -> Domain {
         let before = domain.unwrap_or_default();

@@ -251,7 +251,9 @@ fn factor(expr: &Expr, last: bool) -> String {
             Expr::Symbol(_) => differential(&latex(body)),
             _ => format!("d{}", parentheses(body)),
         },
-        Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
+        // What ends in a parenthesis, `\text{Re}(Z)`, is differentiated as a value of a function is.
+        Expr::Derivative { body, variable } if matches!(&**body, Expr::Symbol(own) if !own.name().ends_with(')')) =>
+        {
             format!(
                 "\\frac{{{}}}{{{}}}",
                 differential(&latex(body)),

@@ -494,6 +494,9 @@ fn says_nothing(claim: &Claim, change: &Change, formula: &Formula) -> bool {
     else {
         return true;
     };
+    if times_nothing(formula) && !times_nothing(&claim.goal) {
+        return true;
+    }
     let bare = Claim {
         hypotheses: Vec::new(),
         goal: formula.clone(),
@@ -535,6 +538,16 @@ fn says_nothing(claim: &Claim, change: &Change, formula: &Formula) -> bool {
         standing: Standing::AtPoint,
     });
     model(&reached).is_none()
+}
+
+/// Whether something in a formula is multiplied by 0: `0 (a - b) = 0`.
+fn times_nothing(formula: &Formula) -> bool {
+    let is_nothing = |own: &Expr| matches!(own, Expr::Number(number) if number.is_zero());
+    let vanishes = |part: &Expr| match part {
+        Expr::Product(factors) => factors.iter().any(is_nothing),
+        _ => false,
+    };
+    formula.terms().into_iter().any(|term| term.any(&vanishes))
 }
 
 /// What may be written for a symbol, or beside it: nobody writes what is supposed to be 0.
