@@ -1,7 +1,7 @@
-//! What prose calls a function or an operator: "where $f$ and $g$ are arbitrary functions", "the operator $\hat H$".
+//! What prose calls a function, an operator or a four-vector: "where $f$ and $g$ are arbitrary functions", "the operator $\hat H$".
 //!
-//! `f(x - v t)` is then no product, and in `\hat H \psi` the order matters. Nothing else is drawn from such words, so where they are
-//! misunderstood a product is refused, and no more.
+//! `f(x - v t)` is then no product, in `\hat H \psi` the order matters, and `P^2` may vanish where `P` does not. Nothing else is drawn from
+//! such words, so where they are misunderstood a product is refused, and no more.
 
 use crate::algebra::{Expr, Symbol};
 use crate::document::{Inline, Prose, Span};
@@ -9,9 +9,22 @@ use crate::notation::{Clause, SyntaxError, read_symbol};
 use crate::sorted::Set;
 
 use super::Equation;
+use super::equation::terms;
 
 const FUNCTIONS: [&str; 2] = ["function", "functions"];
 const OPERATORS: [&str; 2] = ["operator", "operators"];
+const VECTORS: [&str; 10] = [
+    "four-vector",
+    "four-vectors",
+    "four-momentum",
+    "four-momenta",
+    "four-velocity",
+    "four-velocities",
+    "4-vector",
+    "4-vectors",
+    "4-momentum",
+    "4-momenta",
+];
 /// Between names that are called the same.
 const JOINING: [&str; 5] = ["and", "or", ",", ", and", ", or"];
 /// After names these say what they are.
@@ -26,6 +39,7 @@ const MOST_BETWEEN: usize = 5;
 pub(super) struct Called {
     pub functions: Set<Symbol>,
     pub operators: Set<Symbol>,
+    pub vectors: Set<Symbol>,
 }
 
 impl Called {
@@ -33,8 +47,9 @@ impl Called {
         let mut called = Called::default();
         for prose in all {
             let text = source.get(prose.span.range()).unwrap_or("");
-            // Most prose speaks of neither.
-            if text.contains("unction") || text.contains("perator") {
+            // Most prose speaks of none.
+            let parts = ["unction", "perator", "four-", "Four-", "4-"];
+            if parts.iter().any(|part| text.contains(part)) {
                 called.look(source, prose);
             }
         }
@@ -60,15 +75,15 @@ impl Called {
                 continue;
             }
             let own = |words: &[&str]| ends_with(before, words) || are(after, words);
-            let (functions, operators) = (own(&FUNCTIONS), own(&OPERATORS));
-            if functions || operators {
-                let symbols = names.iter().filter_map(|name| symbol(source, name.body));
-                let list = if operators {
-                    &mut self.operators
-                } else {
-                    &mut self.functions
-                };
-                list.extend(symbols);
+            let symbols = || names.iter().filter_map(|name| symbol(source, name.body));
+            // "and $Q$, $Q'$ those of the electron"
+            let mut spoken = after.split_whitespace();
+            let those = spoken.next() == Some("those") && !self.vectors.is_empty();
+            match () {
+                () if own(&OPERATORS) => self.operators.extend(symbols()),
+                () if own(&FUNCTIONS) => self.functions.extend(symbols()),
+                () if own(&VECTORS) || those => self.vectors.extend(symbols()),
+                () => {}
             }
         }
     }
@@ -95,7 +110,7 @@ fn are(after: &str, words: &[&str]) -> bool {
     let mut spoken = spoken.take(MOST_BETWEEN + 1).peekable();
     while let Some(word) = spoken.next() {
         if words.contains(&word) {
-            return any || words == OPERATORS || spoken.peek() != Some(&"of");
+            return any || words != FUNCTIONS || spoken.peek() != Some(&"of");
         }
         any |= ANY.contains(&word);
     }
@@ -126,6 +141,37 @@ pub(super) fn refuse_products(equations: &mut [Equation], operators: &Set<Symbol
                 help: Some(
                     "the notation has no states and operators: write what comes of it".to_owned(),
                 ),
+            });
+        }
+    }
+}
+
+/// Whether a term multiplies what are called vectors, `P \cdot Q` and `P^2`: the rules of numbers do not hold of it.
+pub(super) fn multiplies(term: &Expr, vectors: &Set<Symbol>) -> bool {
+    let speaks = |part: &Expr| !part.free_symbols().is_disjoint(vectors);
+    term.any(&|part| match part {
+        Expr::Product(factors) => factors.iter().filter(|own| speaks(own)).count() > 1,
+        Expr::Power(base, _) => speaks(base),
+        Expr::Quotient(_, below) => speaks(below),
+        Expr::Call(_, inner) => speaks(inner),
+        _ => false,
+    })
+}
+
+/// Refuses the equations that multiply what the text calls vectors.
+pub(super) fn refuse_products_of_vectors(equations: &mut [Equation], vectors: &Set<Symbol>) {
+    if vectors.is_empty() {
+        return;
+    }
+    for equation in equations {
+        let all = equation.statements().iter().flat_map(terms);
+        if all.into_iter().any(|term| multiplies(term, vectors)) {
+            equation.statements = Err(SyntaxError {
+                span: equation.body,
+                message: "the text calls factors in it four-vectors, and their products do not obey \
+                          the rules of numbers"
+                    .to_owned(),
+                help: Some("write it in components, or give the products names".to_owned()),
             });
         }
     }
