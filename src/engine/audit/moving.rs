@@ -51,7 +51,9 @@ impl Moving {
         for at in derivation.equations_of(page) {
             let equation = &derivation.equations[at];
             if !at_moment(equation) {
-                for formula in equation.statements().iter().flat_map(formulas) {
+                // What is so where a slope vanishes ties nothing to what moves either.
+                let said = equation.statements().iter().flat_map(formulas);
+                for formula in said.filter(|own| !equation.puts_to_nought(own)) {
                     found.learn(&formula);
                     let mut variables = Set::new();
                     for term in formula.terms() {

@@ -337,8 +337,11 @@ pub fn usable<'a>(
         };
         usable.cases.extend(offer.cases.into_iter().map(case));
         let stated = offer.formulas.into_iter().map(|formula| Assumed {
+            standing: match equation.puts_to_nought(&formula) {
+                true => Standing::AtPoint,
+                false => standing,
+            },
             formula,
-            standing,
             source: Source::Equation(premise),
         });
         let values = derivation.values_of_function(premise, &together);

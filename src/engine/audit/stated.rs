@@ -9,7 +9,7 @@
 use num_traits::Zero;
 
 use crate::algebra::{Expr, Formula, LimitPoint, Relation, Symbol};
-use crate::derivation::{Assumed, Equation, Goal, Kind, Source, TIME, is_put};
+use crate::derivation::{Assumed, Equation, Goal, Kind, Source, is_put, is_slope_in_place};
 use crate::document::Extent;
 use crate::kernel::Standing;
 use crate::notation::measured;
@@ -30,12 +30,17 @@ impl Judge<'_> {
             return false;
         };
         let mut body = &**body;
+        // `\frac{d^2 R}{dr^2}`, where `R` is given or its slope is.
+        let mut bodies = vec![body];
         while let Expr::Derivative { body: inner, .. } = body {
             body = inner;
+            bodies.push(body);
         }
         let gives = |own: &Assumed| match own.formula.as_equation() {
             Some((left, right)) => {
-                left == body && right.mentions(variable) && !right.any(&|part| part == body)
+                bodies.contains(&left)
+                    && right.mentions(variable)
+                    && !right.any(&|part| part == body)
             }
             None => false,
         };
@@ -216,11 +221,12 @@ impl Judge<'_> {
             return None;
         }
         // How something changes of which is known what it is follows from that.
-        if let Expr::Derivative { body, .. } = left
-            && !has_value
-            && self.is_explicit(body)
-        {
-            return None;
+        let mut slope = left;
+        while let Expr::Derivative { body, .. } = slope {
+            if !has_value && self.is_explicit(body) {
+                return None;
+            }
+            slope = body;
         }
         // What is wrong itself contradicts others already.
         let [sound, _] = self.others(&[]);
@@ -520,14 +526,15 @@ pub(super) fn leave_condition(entry: &mut Entry, equation: &Equation) {
     };
     let is_open = |judged: &Judged| matches!(judged.outcome, Outcome::Open(_));
     let put_to = match last.goal.formula.as_equation() {
-        Some((_, Expr::Number(number))) if last.outcome.is_refuted() => number,
+        Some((_, Expr::Number(number))) => number,
         _ => return,
     };
-    if before.iter().any(|own| own.outcome.is_refuted()) {
+    let (is_refuted, is_shown) = (last.outcome.is_refuted(), last.outcome.is_proven());
+    if is_shown || before.iter().any(|own| own.outcome.is_refuted()) {
         return;
     }
     last.outcome = match before.iter().any(is_open) {
-        true if equation.extent == Extent::Condition => {
+        true if equation.extent == Extent::Condition && is_refuted => {
             Outcome::open("it is a condition, and what it is one of is left open")
         }
         false if is_slope && put_to.is_zero() && !before.is_empty() => {
@@ -539,16 +546,6 @@ pub(super) fn leave_condition(entry: &mut Entry, equation: &Equation) {
     entry.implied = None;
     entry.mended = None;
     entry.missing.clear();
-}
-
-/// Whether a term is a slope by something else than time.
-fn is_slope_in_place(term: &Expr) -> bool {
-    match term {
-        Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
-            variable.name() != TIME
-        }
-        _ => false,
-    }
 }
 
 /// What a page begins with is given, as far as it is not concluded in the display itself.

@@ -230,11 +230,11 @@ impl Auditor<'_> {
                 links.contradicted = true;
                 Some(*found)
             }
-            Some(There::Shown) => {
+            Some(There::Shown) if how.defines || names_a_symbol(&goal.formula) => {
                 links.shown = true;
                 Some(self.defined(goal, how))
             }
-            None => how.defines.then(|| self.defined(goal, how)),
+            None | Some(There::Shown) => how.defines.then(|| self.defined(goal, how)),
         }
     }
 
@@ -557,4 +557,9 @@ fn is_put_to_nought(statement: &Statement, goal: &Goal) -> bool {
             .is_some_and(|last| last.formula == goal.formula);
     let sides = goal.formula.as_equation();
     ends && sides.is_some_and(|(_, right)| *right == Expr::integer(0))
+}
+
+/// Whether a formula says what a symbol is, and not what its square is.
+fn names_a_symbol(formula: &Formula) -> bool {
+    matches!(formula.as_equation(), Some((Expr::Symbol(_), _)))
 }

@@ -168,9 +168,10 @@ pub(super) fn refuse_products_of_vectors(equations: &mut [Equation], vectors: &S
         if all.into_iter().any(|term| multiplies(term, vectors)) {
             equation.statements = Err(SyntaxError {
                 span: equation.body,
-                message: "the text calls factors in it four-vectors, and their products do not obey \
+                message:
+                    "the text calls factors in it four-vectors, and their products do not obey \
                           the rules of numbers"
-                    .to_owned(),
+                        .to_owned(),
                 help: Some("write it in components, or give the products names".to_owned()),
             });
         }

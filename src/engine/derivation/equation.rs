@@ -1,5 +1,7 @@
 use std::ops::Range;
 
+use num_traits::Zero;
+
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use crate::document::{Citation, Extent, Span};
 use crate::notation::{
@@ -9,6 +11,7 @@ use crate::notation::{
 use super::Premises;
 use super::page::Page;
 use super::qualities::Said;
+use super::slopes::TIME;
 use crate::sorted::{Map, Set};
 
 /// An equation of a document, with all that its surroundings say about it.
@@ -154,6 +157,16 @@ impl Goal {
     /// Whether it says of a symbol what it is: `s = …`.
     pub fn is_of(&self, symbol: &Symbol) -> bool {
         says_of(&self.formula, symbol)
+    }
+}
+
+/// Whether a term is a slope by something else than time.
+pub(crate) fn is_slope_in_place(term: &Expr) -> bool {
+    match term {
+        Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
+            variable.name() != TIME
+        }
+        _ => false,
     }
 }
 
@@ -389,6 +402,24 @@ impl Equation {
     /// The number, or the name, or nothing.
     pub fn label(&self) -> Option<&str> {
         self.tag.as_deref().or(self.name.as_deref())
+    }
+
+    /// Whether it puts a slope to zero that it works out, `\frac{dR}{dr} = a - b/r^2 = 0`, and a formula of it says so: that is so at one place.
+    pub(crate) fn puts_to_nought(&self, formula: &Formula) -> bool {
+        let is_nought = |own: &Expr| matches!(own, Expr::Number(number) if number.is_zero());
+        let puts = |clause: &Clause| match clause {
+            Clause::Chain { sides, .. } => match &sides[..] {
+                [first, _, .., last] => is_slope_in_place(&first.expr) && is_nought(&last.expr),
+                _ => false,
+            },
+            Clause::AllEqual { .. } => false,
+        };
+        let sides = formula.as_equation();
+        sides.is_some_and(|(_, right)| is_nought(right))
+            && self
+                .statements()
+                .iter()
+                .any(|own| own.clauses.iter().any(puts))
     }
 
     /// The number in parentheses, or `claim name`, or `an unnumbered equation`.

@@ -211,7 +211,9 @@ pub(super) fn read_page(
     called::refuse_products_of_vectors(&mut equations, &called.vectors);
     for local in &mut page.locals {
         let multiplies = |own: &&Expr| called::multiplies(own, &called.vectors);
-        local.formulas.retain(|own| !own.terms().iter().any(multiplies));
+        local
+            .formulas
+            .retain(|own| !own.terms().iter().any(multiplies));
     }
     doubts::refuse(&mut equations, declared, spoken_of.iter().cloned());
     differentials::read(&mut page, &mut equations, &spoken_of);

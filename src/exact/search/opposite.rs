@@ -67,8 +67,14 @@ fn at_numbers(obligation: &Obligation, opposite: &Claim) -> Option<Refuted> {
     (0..MOST_POINTS).find_map(|turn| {
         let numbers = NUMBERS.iter().cycle().skip(turn);
         let symbols = open.iter().zip(numbers);
-        let symbols =
-            symbols.map(|(own, &number)| (own.clone(), BigRational::from_integer(number.into())));
+        let symbols = symbols.map(|(own, &number)| {
+            let number = if only_turned(opposite, own) {
+                0
+            } else {
+                number
+            };
+            (own.clone(), BigRational::from_integer(number.into()))
+        });
         let point = Assignment {
             symbols: symbols.collect(),
             unfold: unfold.clone(),
@@ -90,6 +96,19 @@ fn at_numbers(obligation: &Obligation, opposite: &Claim) -> Option<Refuted> {
         let proven = prove_posed(&there, Effort::Full)?.proven;
         obligation.refuted_by_opposite(&proven, point).ok()
     })
+}
+
+/// Whether of a symbol nothing but cosines is spoken of: of these one is known at a number, `\cos 0`.
+fn only_turned(claim: &Claim, symbol: &Symbol) -> bool {
+    fn is_bare(term: &Expr, symbol: &Symbol) -> bool {
+        match term {
+            Expr::Symbol(own) => own == symbol,
+            Expr::Call(Function::Cos, _) => false,
+            _ => term.binder() == Some(symbol) || term.children().any(|own| is_bare(own, symbol)),
+        }
+    }
+    let mut terms = claim.formulas().flat_map(Formula::terms);
+    !terms.any(|term| is_bare(term, symbol))
 }
 
 /// Whether what a term is made of, with what that is defined by, speaks of a symbol.

@@ -58,10 +58,17 @@ impl Judge<'_> {
         self.judged_there(goal, assumed, premises, &asked, may_fail)
     }
 
-    /// A new symbol that stands alone on the left, and what its value is made of, unless that is a number.
+    /// A new symbol that stands alone on the left, or a power of it, and what its value is made of, unless that is a number.
     pub(super) fn defined_anew<'g>(&self, goal: &'g Goal) -> Option<(&'g Symbol, Set<Symbol>)> {
-        let (Expr::Symbol(new), value) = goal.formula.as_equation()? else {
-            return None;
+        let (left, value) = goal.formula.as_equation()?;
+        let new = match left {
+            Expr::Symbol(new) => new,
+            // `\omega_r^2 = \omega_0^2 - g^2/2`
+            Expr::Power(base, exponent) => match (&**base, &**exponent) {
+                (Expr::Symbol(new), Expr::Number(_)) => new,
+                _ => return None,
+            },
+            _ => return None,
         };
         let named = quantities(value);
         let is_new = self.derivation.equations[self.at].introduces.contains(new);
