@@ -54,7 +54,16 @@ impl Judge<'_> {
         let by_itself = || self.said_of_itself(&asked, &cited, &words, premises);
         let by_itself = defines.then(by_itself).flatten();
         let at_a_place = || self.said_of_the_whole(&asked, cited, words, premises);
-        let (assumed, may_fail) = by_itself.or_else(at_a_place)?;
+        let (assumed, mut may_fail) = by_itself.or_else(at_a_place)?;
+        // What may be put for what there is not clear where it is a square that is said: "For circles $a = r$, so … Putting this in (1)".
+        let is_named_only = |own: &Assumed| {
+            let sides = own.formula.as_equation();
+            let names = matches!(sides, Some((Expr::Symbol(_), Expr::Symbol(_))));
+            names && matches!(own.source, Source::Local(..))
+        };
+        if !goal.is_of(new) && assumed.iter().any(is_named_only) {
+            may_fail = MayFail::Never;
+        }
         self.judged_there(goal, assumed, premises, &asked, may_fail)
     }
 
