@@ -166,6 +166,13 @@ pub(crate) fn is_slope_in_place(term: &Expr) -> bool {
         Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
             variable.name() != TIME
         }
+        // `\frac{dF}{d(w^2)}`
+        Expr::Quotient(_, below) => match &**below {
+            Expr::Derivative { body, variable } => {
+                variable.is_change() && !body.mentions(&Symbol::new(TIME))
+            }
+            _ => false,
+        },
         _ => false,
     }
 }
