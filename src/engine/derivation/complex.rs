@@ -34,6 +34,8 @@ struct Natures<'a> {
     beside_unit: BTreeSet<Symbol>,
     /// What is differentiated.
     moving: BTreeSet<Symbol>,
+    /// What is real, and given by something complex: of these nothing is decided.
+    disputed: BTreeSet<Symbol>,
 }
 
 /// Sides that are equal.
@@ -99,6 +101,9 @@ pub(super) fn take_apart(
         }
         natures.complex.extend(new);
     }
+    natures.disputed = (chains.iter().filter(|own| own.shown))
+        .flat_map(|own| natures.disputed_by(&own.sides))
+        .collect();
     for equation in of_pages(own, equations) {
         natures.take_equation_apart(equation);
     }
@@ -125,7 +130,11 @@ pub(super) fn take_apart(
                 }
             }
         }
-        page.complex = units.union(&natures.complex).cloned().collect();
+        let all = units
+            .iter()
+            .chain(&natures.complex)
+            .chain(&natures.disputed);
+        page.complex = all.cloned().collect();
     }
 }
 
@@ -143,10 +152,17 @@ impl<'a> Natures<'a> {
             likely_real: BTreeSet::new(),
             beside_unit: BTreeSet::new(),
             moving: BTreeSet::new(),
+            disputed: BTreeSet::new(),
         };
         for &at in own {
             let page = &pages[at];
-            natures.real.extend(page.domains.keys().cloned());
+            let confined = page
+                .domains
+                .iter()
+                .filter(|(_, own)| own.lower.is_some() || own.upper.is_some() || own.integer);
+            natures
+                .real
+                .extend(confined.map(|(symbol, _)| symbol.clone()));
             let told = page.locals.iter().flat_map(|local| &local.formulas);
             told.for_each(|formula| natures.see(formula));
             for equation in &equations[of_page(at, equations)] {
@@ -267,6 +283,19 @@ impl<'a> Natures<'a> {
         }
     }
 
+    /// The symbols that cannot be complex, and that sides which are equal give by something that is.
+    fn disputed_by(&self, sides: &[Expr]) -> Vec<Symbol> {
+        let is_complex = |side: &Expr| self.kind(side).is_some_and(|own| own == Kind::Mixed);
+        let is_disputed = |side: &Expr| match side {
+            Expr::Symbol(own) if self.real.contains(own) => Some(own.clone()),
+            _ => None,
+        };
+        match sides.iter().any(is_complex) {
+            true => sides.iter().filter_map(is_disputed).collect(),
+            false => Vec::new(),
+        }
+    }
+
     /// The symbols that sides which are equal give by something real, `\tau = R C`.
     fn given_as_real(&self, sides: &[Expr]) -> Vec<Symbol> {
         let is_real = |side: &Expr| {
@@ -329,7 +358,8 @@ impl<'a> Natures<'a> {
         let mut kinds = Vec::new();
         let mut all = Vec::new();
         for side in sides {
-            if is_rounded(side) && self.concerns(side) {
+            let is_disputed = || self.disputed.iter().any(|own| side.mentions(own));
+            if is_rounded(side) && self.concerns(side) || is_disputed() {
                 return None;
             }
             all.push(self.parts(side)?);

@@ -204,15 +204,17 @@ impl Complex<'_> {
             Expr::Call(function, inner) => {
                 Parts::real(Expr::Call(*function, self.real(inner)?.into()))
             }
-            Expr::Derivative { body, variable } => self.linear(body, &|body| Expr::Derivative {
-                body: body.into(),
-                variable: variable.clone(),
-            })?,
+            Expr::Derivative { body, variable } => {
+                self.linear(body, variable, &|body| Expr::Derivative {
+                    body: body.into(),
+                    variable: variable.clone(),
+                })?
+            }
             Expr::Partial {
                 body,
                 variable,
                 held,
-            } => self.linear(body, &|body| Expr::Partial {
+            } => self.linear(body, variable, &|body| Expr::Partial {
                 body: body.into(),
                 variable: variable.clone(),
                 held: held.clone(),
@@ -231,7 +233,7 @@ impl Complex<'_> {
                     variable: variable.clone(),
                     point: point.clone(),
                 };
-                self.linear(is_real.then_some(body)?, &limit)?
+                self.linear(is_real.then_some(body)?, variable, &limit)?
             }
             Expr::Series {
                 index,
@@ -240,7 +242,7 @@ impl Complex<'_> {
                 body,
             } => {
                 let (from, to) = (self.real(from)?, self.real(to)?);
-                self.linear(body, &|body| Expr::Series {
+                self.linear(body, index, &|body| Expr::Series {
                     index: index.clone(),
                     from: from.clone().into(),
                     to: to.clone().into(),
@@ -254,7 +256,7 @@ impl Complex<'_> {
                 to,
             } => {
                 let (from, to) = (self.real(from)?, self.real(to)?);
-                self.linear(body, &|body| Expr::Integral {
+                self.linear(body, variable, &|body| Expr::Integral {
                     body: body.into(),
                     variable: variable.clone(),
                     from: from.clone().into(),
@@ -271,7 +273,11 @@ impl Complex<'_> {
         parts.is_real().then_some(parts.re)
     }
 
-    fn linear(&self, body: &Expr, of: &dyn Fn(Expr) -> Expr) -> Option<Parts> {
+    /// What is taken part by part. What runs in it is real.
+    fn linear(&self, body: &Expr, runs: &Symbol, of: &dyn Fn(Expr) -> Expr) -> Option<Parts> {
+        if self.concerns(&Expr::Symbol(runs.clone())) {
+            return None;
+        }
         let parts = self.parts(body)?;
         let of = |own: Expr| match is_zero(&own) {
             true => own,
@@ -344,7 +350,10 @@ impl Complex<'_> {
         if let (Expr::Call(Function::Abs, inner), Some(2)) = (base, whole(exponent)) {
             return Some(Parts::real(self.modulus_squared(inner)?));
         }
-        if let Expr::Call(Function::Exp, inner) = base {
+        // Of a broken power there are several.
+        if let Expr::Call(Function::Exp, inner) = base
+            && whole(exponent).is_some()
+        {
             let inner = product([self.real(exponent)?, (**inner).clone()]);
             return self.parts(&Expr::Call(Function::Exp, inner.into()));
         }
