@@ -80,30 +80,25 @@ pub(super) fn take_apart(
         });
         displayed.chain(told).collect()
     };
+    let mut is_settled = false;
     for _ in 0..MOST_ROUNDS {
-        let given: Vec<Symbol> = chains
-            .iter()
-            .flat_map(|own| natures.given_by(own))
-            .collect();
-        let new = match given.is_empty() {
-            false => given,
-            true => {
-                let real = chains
-                    .iter()
-                    .flat_map(|own| natures.given_as_real(&own.sides));
-                let real: Set<Symbol> = real.collect();
-                let shown = chains.iter().map(|own| natures.shown_by(&own.sides, &real));
-                shown.flatten().collect()
-            }
-        };
-        if new.is_empty() {
+        is_settled = !natures.learn(&chains);
+        if is_settled {
             break;
         }
-        natures.complex.extend(new);
     }
-    natures.disputed = (chains.iter().filter(|own| own.shown))
+    if !is_settled {
+        // What else is complex is not known.
+        let names = chains
+            .iter()
+            .flat_map(|own| Formula::names_in(own.sides.iter()));
+        natures.disputed.extend(names);
+    }
+    let shown = chains.iter().filter(|own| own.shown);
+    let disputed: Vec<Symbol> = shown
         .flat_map(|own| natures.disputed_by(&own.sides))
         .collect();
+    natures.disputed.extend(disputed);
     for equation in of_pages(own, equations) {
         natures.take_equation_apart(equation);
     }
@@ -262,6 +257,25 @@ impl<'a> Natures<'a> {
         };
         let may_be = !self.units.contains(name) && !self.real.contains(name);
         may_be.then_some(name)
+    }
+
+    /// Goes through what is said once more; whether anything was found that is complex.
+    fn learn(&mut self, chains: &[Said]) -> bool {
+        let before = self.complex.len();
+        for own in chains {
+            let given = self.given_by(own);
+            self.complex.extend(given);
+        }
+        if self.complex.len() == before {
+            let real = chains.iter().flat_map(|own| self.given_as_real(&own.sides));
+            let real: Set<Symbol> = real.collect();
+            let shown = chains
+                .iter()
+                .flat_map(|own| self.shown_by(&own.sides, &real));
+            let shown: Vec<Symbol> = shown.collect();
+            self.complex.extend(shown);
+        }
+        self.complex.len() > before
     }
 
     /// The symbols that sides which are equal give by something complex.
