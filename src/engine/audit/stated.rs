@@ -6,10 +6,8 @@
 //! What is so taken is told. An equation that contradicts what stands before, or is one slip of the pen away from what
 //! follows, still fails.
 
-use num_traits::Zero;
-
 use crate::algebra::{Expr, Formula, LimitPoint, Relation, Symbol};
-use crate::derivation::{Assumed, Equation, Goal, Kind, Source, is_put, is_slope_in_place};
+use crate::derivation::{Assumed, Equation, Goal, Kind, Source, is_put};
 use crate::document::Extent;
 use crate::kernel::Standing;
 use crate::notation::measured;
@@ -517,27 +515,33 @@ pub(super) fn slips(entry: &Entry, equation: &Equation) -> bool {
 /// open. Of a slope by anything but time, `\frac{dR}{dr} = a - b/r^2 = 0`, it is one without words: nobody says of a term in a display that
 /// it vanishes for all values and leaves it standing.
 pub(super) fn leave_condition(entry: &mut Entry, equation: &Equation) {
-    let is_slope = entry.judged.first().is_some_and(|own| {
-        let sides = own.goal.formula.as_equation();
-        sides.is_some_and(|(left, _)| is_slope_in_place(left))
-    });
     let Some((last, before)) = entry.judged.split_last_mut() else {
         return;
     };
     let is_open = |judged: &Judged| matches!(judged.outcome, Outcome::Open(_));
-    let put_to = match last.goal.formula.as_equation() {
-        Some((_, Expr::Number(number))) => number,
-        _ => return,
-    };
     let (is_refuted, is_shown) = (last.outcome.is_refuted(), last.outcome.is_proven());
-    if is_shown || before.iter().any(|own| own.outcome.is_refuted()) {
+    let ends_in_a_number = {
+        let sides = last.goal.formula.as_equation();
+        sides.is_some_and(|(_, right)| matches!(right, Expr::Number(_)))
+    };
+    if !ends_in_a_number || is_shown || before.iter().any(|own| own.outcome.is_refuted()) {
         return;
     }
+    // What another clause says, `\Rightarrow y = 0`, is no end of the chain that begins with the slope.
+    let is_of_slope = || {
+        let clause = last.goal.clause;
+        let mut before = before.iter();
+        before
+            .next()
+            .is_some_and(|first| first.goal.clause == clause)
+            && before.all(|own| own.goal.clause == clause)
+            && equation.puts_to_nought(&last.goal.formula)
+    };
     last.outcome = match before.iter().any(is_open) {
         true if equation.extent == Extent::Condition && is_refuted => {
             Outcome::open("it is a condition, and what it is one of is left open")
         }
-        false if is_slope && put_to.is_zero() && !before.is_empty() => {
+        false if is_of_slope() => {
             last.assumed.clear();
             Outcome::Stated
         }

@@ -1,7 +1,5 @@
 use std::ops::Range;
 
-use num_traits::Zero;
-
 use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol};
 use crate::document::{Citation, Extent, Span};
 use crate::notation::{
@@ -161,7 +159,7 @@ impl Goal {
 }
 
 /// Whether a term is a slope by something else than time.
-pub(crate) fn is_slope_in_place(term: &Expr) -> bool {
+fn is_slope_in_place(term: &Expr) -> bool {
     match term {
         Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
             variable.name() != TIME
@@ -413,7 +411,7 @@ impl Equation {
 
     /// Whether it puts a slope to zero that it works out, `\frac{dR}{dr} = a - b/r^2 = 0`, and a formula of it says so: that is so at one place.
     pub(crate) fn puts_to_nought(&self, formula: &Formula) -> bool {
-        let is_nought = |own: &Expr| matches!(own, Expr::Number(number) if number.is_zero());
+        let is_nought = |own: &Expr| *own == Expr::integer(0);
         let puts = |clause: &Clause| match clause {
             Clause::Chain { sides, .. } => match &sides[..] {
                 [first, _, .., last] => is_slope_in_place(&first.expr) && is_nought(&last.expr),

@@ -63,7 +63,6 @@ pub use checker::{Checker, Point, values_at};
 pub use citations::Unknown;
 pub use claim::is_open;
 pub(crate) use complex::{is_part, parts_of};
-pub(crate) use equation::is_slope_in_place;
 pub use equation::{Equation, Goal, Kind, conditions, first_goal, formulas, goals, unconditional};
 pub(crate) use imaginary::is_imaginary_unit;
 pub(crate) use meanings::renamed;

@@ -128,6 +128,11 @@ impl Part {
     }
 }
 
+/// Whether a part is taken of a factor, as in `\text{Re} Z`: such a product is none of what its factors are.
+fn takes_a_part(factors: &[Expr]) -> bool {
+    factors.iter().any(|own| Part::of(own).is_some())
+}
+
 impl Complex<'_> {
     /// Whether a term speaks of anything that is complex here.
     pub fn concerns(&self, term: &Expr) -> bool {
@@ -390,7 +395,7 @@ impl Complex<'_> {
         Some(match term {
             Expr::Negate(inner) => self.modulus(inner)?,
             Expr::Quotient(above, below) => quotient(self.modulus(above)?, self.modulus(below)?),
-            Expr::Product(factors) => {
+            Expr::Product(factors) if !takes_a_part(factors) => {
                 let all: Vec<Expr> = factors
                     .iter()
                     .filter(|own| !self.is_unit_itself(own))
@@ -428,7 +433,7 @@ impl Complex<'_> {
             Expr::Quotient(above, below) => {
                 quotient(self.modulus_squared(above)?, self.modulus_squared(below)?)
             }
-            Expr::Product(factors) => {
+            Expr::Product(factors) if !takes_a_part(factors) => {
                 let all: Vec<Expr> = (factors.iter())
                     .map(|own| self.modulus_squared(own))
                     .collect::<Option<_>>()?;
