@@ -1,6 +1,6 @@
 //! One equation: what it may use, its statements one after another, and whether the page begins with it.
 
-use crate::algebra::{Expr, Formula, Symbol, effort};
+use crate::algebra::{Formula, Symbol, effort};
 use crate::derivation::{Assumed, Equation, Goal, Kind, Source, first_goal, formulas, goals};
 use crate::kernel::Standing;
 use crate::notation::Statement;
@@ -357,15 +357,7 @@ fn one_too_many(at: usize, part: usize, parts: usize, kind: Kind, statement: &St
 
 /// The new symbol of which a goal says what it means, or what a power of it is: `\omega^2 = k/m`.
 fn meant<'a>(goal: &'a Goal, equation: &Equation) -> Option<&'a Symbol> {
-    let (left, term) = goal.formula.as_equation()?;
-    let new = match left {
-        Expr::Symbol(new) => new,
-        Expr::Power(base, exponent) => match (&**base, &**exponent) {
-            (Expr::Symbol(new), Expr::Number(_)) => new,
-            _ => return None,
-        },
-        _ => return None,
-    };
+    let (new, term) = goal.formula.said_of()?;
     let is_new = equation.introduces.contains(new);
     (is_new && goal.rounding.is_none() && !term.mentions(new)).then_some(new)
 }

@@ -230,7 +230,7 @@ impl Auditor<'_> {
                 links.contradicted = true;
                 Some(*found)
             }
-            Some(There::Shown) if how.defines || names_a_symbol(&goal.formula) => {
+            Some(There::Shown) if names_a_symbol(&goal.formula) => {
                 links.shown = true;
                 Some(self.defined(goal, how))
             }

@@ -130,19 +130,11 @@ impl Auditor<'_> {
     /// "With no damping, (4) is simply".
     fn leaves_out_in_words(&self, at: usize, judged: &Judged) -> bool {
         const LEFT_OUT: [&str; 4] = ["without", "absence", "absent", "negligible"];
-        let said = self
-            .derivation
-            .leading(at)
-            .unwrap_or_default()
-            .to_lowercase();
-        let words: Vec<&str> = said
-            .split(|c: char| !c.is_alphabetic() && c != '-')
-            .filter(|word| !word.is_empty())
-            .collect();
+        let words = self.derivation.leading_words(at);
         let own = judged.goal.formula.names();
         let is_left = |premise: &Assumed| !premise.formula.names().is_subset(&own);
-        let says_none = |pair: &[&str]| pair == ["with", "no"];
-        (words.iter().any(|word| LEFT_OUT.contains(word)) || words.windows(2).any(says_none))
+        let says_none = |pair: &[String]| pair == ["with", "no"];
+        (words.iter().any(|word| LEFT_OUT.contains(&&**word)) || words.windows(2).any(says_none))
             && judged.assumed.iter().any(is_left)
     }
 

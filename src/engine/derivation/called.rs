@@ -3,13 +3,14 @@
 //! `f(x - v t)` is then no product, in `\hat H \psi` the order matters, and `P^2` may vanish where `P` does not. Nothing else is drawn from
 //! such words, so where they are misunderstood a product is refused, and no more.
 
-use crate::algebra::{Expr, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Inline, Prose, Span};
 use crate::notation::{Clause, SyntaxError, read_symbol};
 use crate::sorted::Set;
 
 use super::Equation;
 use super::equation::terms;
+use super::supposed::Local;
 
 const FUNCTIONS: [&str; 2] = ["function", "functions"];
 const OPERATORS: [&str; 2] = ["operator", "operators"];
@@ -147,7 +148,7 @@ pub(super) fn refuse_products(equations: &mut [Equation], operators: &Set<Symbol
 }
 
 /// Whether a term multiplies what are called vectors, `P \cdot Q` and `P^2`: the rules of numbers do not hold of it.
-pub(super) fn multiplies(term: &Expr, vectors: &Set<Symbol>) -> bool {
+fn multiplies(term: &Expr, vectors: &Set<Symbol>) -> bool {
     let speaks = |part: &Expr| !part.free_symbols().is_disjoint(vectors);
     term.any(&|part| match part {
         Expr::Product(factors) => factors.iter().filter(|own| speaks(own)).count() > 1,
@@ -158,10 +159,18 @@ pub(super) fn multiplies(term: &Expr, vectors: &Set<Symbol>) -> bool {
     })
 }
 
-/// Refuses the equations that multiply what the text calls vectors.
-pub(super) fn refuse_products_of_vectors(equations: &mut [Equation], vectors: &Set<Symbol>) {
+/// Refuses the equations that multiply what the text calls vectors, and leaves out what it supposes of such products.
+pub(super) fn refuse_products_of_vectors(
+    equations: &mut [Equation],
+    locals: &mut [Local],
+    vectors: &Set<Symbol>,
+) {
     if vectors.is_empty() {
         return;
+    }
+    for local in locals {
+        let is_refused = |own: &Formula| own.terms().iter().any(|term| multiplies(term, vectors));
+        local.formulas.retain(|own| !is_refused(own));
     }
     for equation in equations {
         let all = equation.statements().iter().flat_map(terms);

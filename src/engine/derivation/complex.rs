@@ -16,7 +16,7 @@ use crate::sorted::Set;
 use super::Equation;
 use super::equation::{conditions, formulas, of_page, of_pages, terms_of_clause};
 use super::page::Page;
-use parts::{Complex, Parts, is_zero, part_names};
+use parts::{Complex, Kind, Parts, is_zero, part_names};
 pub(crate) use parts::{is_part, parts_of};
 
 /// What is complex with what is complex, and so on: so many times at most.
@@ -45,15 +45,6 @@ struct Said {
     shown: bool,
 }
 
-/// What a side is, as far as it is written: the symbols in it may be given by others.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Zero,
-    Real,
-    Imaginary,
-    Mixed,
-}
-
 /// Takes apart what a document says of complex numbers; `own` are its pages, and `units` the letters for the imaginary unit. What is left
 /// complex is noted on the pages.
 pub(super) fn take_apart(
@@ -63,23 +54,7 @@ pub(super) fn take_apart(
     units: &BTreeSet<Symbol>,
 ) {
     let mut natures = Natures::of(own, pages, equations, units);
-    let chains: Vec<Said> = {
-        let statements = own
-            .iter()
-            .flat_map(|&at| &equations[of_page(at, equations)])
-            .flat_map(Equation::statements);
-        let displayed = statements
-            .flat_map(|own| own.clauses.iter().filter_map(equal_sides))
-            .map(|sides| Said { sides, shown: true });
-        let locals = own.iter().flat_map(|&at| &pages[at].locals);
-        let told = locals.flat_map(|local| &local.formulas);
-        let told = told.filter_map(|formula| {
-            let (left, right) = formula.as_equation()?;
-            let (sides, shown) = (vec![left.clone(), right.clone()], false);
-            Some(Said { sides, shown })
-        });
-        displayed.chain(told).collect()
-    };
+    let chains = said(own, pages, equations);
     let mut is_settled = false;
     for _ in 0..MOST_ROUNDS {
         is_settled = !natures.learn(&chains);
@@ -116,13 +91,13 @@ pub(super) fn take_apart(
         }
         for symbol in &natures.complex {
             let (re, im) = part_names(symbol);
-            for part in [re, im] {
-                if let Some(dimension) = page.dimensions.get(symbol).cloned() {
-                    page.dimensions.insert(part.clone(), dimension);
-                }
-                if let Some(quantity) = page.quantities.get(symbol).cloned() {
-                    page.quantities.insert(part, quantity);
-                }
+            if let Some(dimension) = page.dimensions.get(symbol).cloned() {
+                page.dimensions.insert(re.clone(), dimension.clone());
+                page.dimensions.insert(im.clone(), dimension);
+            }
+            if let Some(quantity) = page.quantities.get(symbol).copied() {
+                page.quantities.insert(re, quantity);
+                page.quantities.insert(im, quantity);
             }
         }
         let all = units
@@ -131,6 +106,27 @@ pub(super) fn take_apart(
             .chain(&natures.disputed);
         page.complex = all.cloned().collect();
     }
+}
+
+/// What the displays of some pages say is equal, and their text.
+fn said(own: &[usize], pages: &[Page], equations: &[Equation]) -> Vec<Said> {
+    let equations = own
+        .iter()
+        .flat_map(|&at| &equations[of_page(at, equations)]);
+    let clauses = equations
+        .flat_map(Equation::statements)
+        .flat_map(|own| &own.clauses);
+    let displayed = clauses
+        .filter_map(equal_sides)
+        .map(|sides| Said { sides, shown: true });
+    let locals = own.iter().flat_map(|&at| &pages[at].locals);
+    let told = locals.flat_map(|local| &local.formulas);
+    let told = told.filter_map(|formula| {
+        let (left, right) = formula.as_equation()?;
+        let (sides, shown) = (vec![left.clone(), right.clone()], false);
+        Some(Said { sides, shown })
+    });
+    displayed.chain(told).collect()
 }
 
 impl<'a> Natures<'a> {
@@ -218,20 +214,20 @@ impl<'a> Natures<'a> {
         }
     }
 
-    fn with<T>(&self, ask: impl FnOnce(&Complex) -> T) -> T {
-        ask(&Complex {
-            is_unit: &|own| self.units.contains(own),
-            is_complex: &|own| self.complex.contains(own),
-        })
+    fn complex(&self) -> Complex<'_> {
+        Complex {
+            units: self.units,
+            complex: &self.complex,
+        }
     }
 
     fn concerns(&self, term: &Expr) -> bool {
-        self.with(|own| own.concerns(term))
+        self.complex().concerns(term)
     }
 
     /// The parts of a term, with what comes to nothing left out.
     fn parts(&self, term: &Expr) -> Option<Parts> {
-        let mut parts = self.with(|own| own.parts(term))?;
+        let mut parts = self.complex().parts(term)?;
         for part in [&mut parts.re, &mut parts.im] {
             if !is_zero(part) && comes_to_nothing(part) {
                 *part = Expr::integer(0);
@@ -241,13 +237,7 @@ impl<'a> Natures<'a> {
     }
 
     fn kind(&self, term: &Expr) -> Option<Kind> {
-        let parts = self.parts(term)?;
-        Some(match (is_zero(&parts.re), is_zero(&parts.im)) {
-            (true, true) => Kind::Zero,
-            (false, true) => Kind::Real,
-            (true, false) => Kind::Imaginary,
-            (false, false) => Kind::Mixed,
-        })
+        Some(self.parts(term)?.kind())
     }
 
     /// What a side names, where it is nothing but a name that may be complex.
@@ -376,13 +366,12 @@ impl<'a> Natures<'a> {
             if is_rounded(side) && self.concerns(side) || is_disputed() {
                 return None;
             }
-            all.push(self.parts(side)?);
-            if self
-                .named(side)
-                .is_none_or(|own| !self.complex.contains(own))
-            {
-                kinds.push(self.kind(side)?);
+            let parts = self.parts(side)?;
+            let is_complex = |own: &Symbol| self.complex.contains(own);
+            if !self.named(side).is_some_and(is_complex) {
+                kinds.push(parts.kind());
             }
+            all.push(parts);
         }
         // "If $Z = U$": whether `U` is complex as well is not clear.
         let is_unclear = |side: &Expr| {

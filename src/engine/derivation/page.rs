@@ -208,13 +208,7 @@ pub(super) fn read_page(
     let in_text = || names::named_in_text(&page.document.source, inline(&items), &called);
     names::refuse(&mut equations, declared, in_text);
     called::refuse_products(&mut equations, &called.operators);
-    called::refuse_products_of_vectors(&mut equations, &called.vectors);
-    for local in &mut page.locals {
-        let multiplies = |own: &&Expr| called::multiplies(own, &called.vectors);
-        local
-            .formulas
-            .retain(|own| !own.terms().iter().any(multiplies));
-    }
+    called::refuse_products_of_vectors(&mut equations, &mut page.locals, &called.vectors);
     doubts::refuse(&mut equations, declared, spoken_of.iter().cloned());
     differentials::read(&mut page, &mut equations, &spoken_of);
     if let Some(beside) = page.beside.clone() {

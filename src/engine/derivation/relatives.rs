@@ -59,6 +59,15 @@ impl Derivation {
         source.get(own.said_last?.range())
     }
 
+    /// The words of that sentence, in small letters.
+    pub fn leading_words(&self, at: usize) -> Vec<String> {
+        let said = self.leading(at).unwrap_or_default();
+        // "no-slip" denies nothing.
+        let words = said.split(|c: char| !c.is_alphabetic() && c != '-');
+        let words = words.filter(|word| !word.is_empty());
+        words.map(str::to_lowercase).collect()
+    }
+
     /// The text between a display and the one before it, as it is written.
     pub fn text_before(&self, at: usize) -> &str {
         let own = &self.equations[at];

@@ -351,6 +351,15 @@ impl Expr {
             }
     }
 
+    /// Whether it has fewer parts than so many, itself included; no more of them are counted.
+    pub fn has_fewer_parts_than(&self, most: usize) -> bool {
+        fn takes(term: &Expr, left: &mut usize) -> bool {
+            *left = left.saturating_sub(1);
+            *left > 0 && term.children().all(|part| takes(part, left))
+        }
+        takes(self, &mut { most })
+    }
+
     /// Whether a symbol occurs anywhere, bound or free, as a sequence or as an index too.
     pub fn mentions(&self, symbol: &Symbol) -> bool {
         self.any(&|part| match part {

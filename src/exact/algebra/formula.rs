@@ -161,6 +161,20 @@ impl Formula {
         }
     }
 
+    /// The symbol of which it says what that is, or what a power of it is, and the right side: `\omega` and `k/m` of `\omega^2 = k/m`.
+    pub fn said_of(&self) -> Option<(&Symbol, &Expr)> {
+        let (left, right) = self.as_equation()?;
+        let symbol = match left {
+            Expr::Symbol(symbol) => symbol,
+            Expr::Power(base, exponent) => match (&**base, &**exponent) {
+                (Expr::Symbol(symbol), Expr::Number(_)) => symbol,
+                _ => return None,
+            },
+            _ => return None,
+        };
+        Some((symbol, right))
+    }
+
     /// The symbol of which this says what number it is.
     pub fn set_to_number(&self) -> Option<&Symbol> {
         Some(self.number_said()?.0)

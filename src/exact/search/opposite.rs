@@ -64,15 +64,15 @@ fn at_numbers(obligation: &Obligation, opposite: &Claim) -> Option<Refuted> {
         terms.any(|term| term.any(&raised))
     };
     let exponents: Set<&Symbol> = open.iter().filter(|own| is_exponent(own)).collect();
+    let turned: Set<&Symbol> = open
+        .iter()
+        .filter(|own| only_turned(opposite, own))
+        .collect();
     (0..MOST_POINTS).find_map(|turn| {
         let numbers = NUMBERS.iter().cycle().skip(turn);
         let symbols = open.iter().zip(numbers);
         let symbols = symbols.map(|(own, &number)| {
-            let number = if only_turned(opposite, own) {
-                0
-            } else {
-                number
-            };
+            let number = if turned.contains(own) { 0 } else { number };
             (own.clone(), BigRational::from_integer(number.into()))
         });
         let point = Assignment {

@@ -90,7 +90,11 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
             *formula = formula.map_terms(put_in).into();
         }
         // What is defined by what is defined may grow without end.
-        let is_great = |own: &Arc<Formula>| own.terms().into_iter().any(|term| !is_small(term));
+        let is_great = |own: &Arc<Formula>| {
+            own.terms()
+                .into_iter()
+                .any(|term| !term.has_fewer_parts_than(MOST_PARTS))
+        };
         if formulas.iter().any(is_great) {
             chosen.pop();
             return chosen;
@@ -100,15 +104,6 @@ pub fn definitions_to_unfold(claim: &Claim) -> Vec<usize> {
 
 /// Terms of more parts than these are not put in for symbols.
 const MOST_PARTS: usize = 2_000;
-
-/// Whether a term has few enough parts to be put in for a symbol.
-fn is_small(term: &Expr) -> bool {
-    fn takes(term: &Expr, left: &mut usize) -> bool {
-        *left = left.saturating_sub(1);
-        *left > 0 && term.children().all(|part| takes(part, left))
-    }
-    takes(term, &mut { MOST_PARTS })
-}
 
 fn is_exponential(part: &Expr) -> bool {
     matches!(part, Expr::Call(Function::Exp, _))

@@ -161,10 +161,8 @@ impl Judge<'_> {
 
     /// The same of the last sentence before another display.
     pub(in crate::audit) fn is_led_to_by(&self, at: usize, such: &[&str]) -> bool {
-        let said = self.derivation.leading(at).unwrap_or_default();
-        // "no-slip" denies nothing.
-        let mut words = said.split(|c: char| !c.is_alphabetic() && c != '-');
-        words.any(|word| such.contains(&&*word.to_lowercase()))
+        let mut words = self.derivation.leading_words(at).into_iter();
+        words.any(|word| such.contains(&&*word))
     }
 }
 

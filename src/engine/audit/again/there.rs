@@ -69,16 +69,7 @@ impl Judge<'_> {
 
     /// A new symbol that stands alone on the left, or a power of it, and what its value is made of, unless that is a number.
     pub(super) fn defined_anew<'g>(&self, goal: &'g Goal) -> Option<(&'g Symbol, Set<Symbol>)> {
-        let (left, value) = goal.formula.as_equation()?;
-        let new = match left {
-            Expr::Symbol(new) => new,
-            // `\omega_r^2 = \omega_0^2 - g^2/2`
-            Expr::Power(base, exponent) => match (&**base, &**exponent) {
-                (Expr::Symbol(new), Expr::Number(_)) => new,
-                _ => return None,
-            },
-            _ => return None,
-        };
+        let (new, value) = goal.formula.said_of()?;
         let named = quantities(value);
         let is_new = self.derivation.equations[self.at].introduces.contains(new);
         (is_new && !named.is_empty()).then_some((new, named))

@@ -3,6 +3,8 @@
 //! A complex symbol `Z` is `\text{Re}(Z) + i \text{Im}(Z)`. What has no parts that can be written so, a root of something complex or a power
 //! that is no small whole number, has none here.
 
+use std::collections::BTreeSet;
+
 use num_traits::{One, ToPrimitive, Zero};
 
 use crate::algebra::{BigRational, Expr, Function, LimitPoint, Symbol};
@@ -14,8 +16,10 @@ const MOST_TERMS: usize = 300;
 
 /// What is complex where terms are taken apart.
 pub(super) struct Complex<'a> {
-    pub is_unit: &'a dyn Fn(&Symbol) -> bool,
-    pub is_complex: &'a dyn Fn(&Symbol) -> bool,
+    /// The letters for the imaginary unit.
+    pub units: &'a BTreeSet<Symbol>,
+    /// The symbols that stand for complex numbers.
+    pub complex: &'a BTreeSet<Symbol>,
 }
 
 /// A term as real and imaginary part. What vanishes is the number 0.
@@ -25,6 +29,15 @@ pub(super) struct Parts {
     pub im: Expr,
 }
 
+/// What a term is, as far as it is written: the symbols in it may be given by others.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Zero,
+    Real,
+    Imaginary,
+    Mixed,
+}
+
 impl Parts {
     fn real(re: Expr) -> Parts {
         Parts { re, im: zero() }
@@ -32,6 +45,15 @@ impl Parts {
 
     pub fn is_real(&self) -> bool {
         is_zero(&self.im)
+    }
+
+    pub fn kind(&self) -> Kind {
+        match (is_zero(&self.re), is_zero(&self.im)) {
+            (true, true) => Kind::Zero,
+            (false, true) => Kind::Real,
+            (true, false) => Kind::Imaginary,
+            (false, false) => Kind::Mixed,
+        }
     }
 
     fn negative(self) -> Parts {
@@ -138,9 +160,11 @@ impl Complex<'_> {
     pub fn concerns(&self, term: &Expr) -> bool {
         term.any(&|part| match part {
             Expr::Symbol(own) | Expr::Apply(own, _) => {
-                (self.is_unit)(own) || (self.is_complex)(own) || self.conjugate_of(own).is_some()
+                self.units.contains(own)
+                    || self.complex.contains(own)
+                    || self.conjugate_of(own).is_some()
             }
-            Expr::Element { sequence, .. } => (self.is_complex)(sequence),
+            Expr::Element { sequence, .. } => self.complex.contains(sequence),
             _ => false,
         })
     }
@@ -165,7 +189,7 @@ impl Complex<'_> {
             Expr::Apply(own, arguments) => {
                 let arguments: Vec<Expr> = arguments.iter().map(real).collect::<Option<_>>()?;
                 let apply = |name| Expr::Apply(name, arguments.clone().into());
-                match (self.is_complex)(own) || self.conjugate_of(own).is_some() {
+                match self.complex.contains(own) || self.conjugate_of(own).is_some() {
                     true => self.of_symbol(own, &apply)?,
                     false => Parts::real(apply(own.clone())),
                 }
@@ -205,69 +229,23 @@ impl Complex<'_> {
                     },
                 }
             }
-            Expr::Call(Function::Abs, inner) => Parts::real(self.modulus(inner)?),
+            Expr::Call(Function::Abs, inner) => Parts::real(self.modulus(inner, false)?),
             Expr::Call(function, inner) => {
                 Parts::real(Expr::Call(*function, self.real(inner)?.into()))
             }
-            Expr::Derivative { body, variable } => {
-                self.linear(body, variable, &|body| Expr::Derivative {
-                    body: body.into(),
-                    variable: variable.clone(),
-                })?
-            }
-            Expr::Partial {
-                body,
-                variable,
-                held,
-            } => self.linear(body, variable, &|body| Expr::Partial {
-                body: body.into(),
-                variable: variable.clone(),
-                held: held.clone(),
-            })?,
             Expr::Limit {
+                point: LimitPoint::Finite(point),
+                ..
+            } if self.concerns(point) => return None,
+            Expr::Derivative { body, variable }
+            | Expr::Partial { body, variable, .. }
+            | Expr::Limit { body, variable, .. }
+            | Expr::Integral { body, variable, .. }
+            | Expr::Series {
                 body,
-                variable,
-                point,
-            } => {
-                let is_real = match point {
-                    LimitPoint::Finite(point) => !self.concerns(point),
-                    _ => true,
-                };
-                let limit = |body: Expr| Expr::Limit {
-                    body: body.into(),
-                    variable: variable.clone(),
-                    point: point.clone(),
-                };
-                self.linear(is_real.then_some(body)?, variable, &limit)?
-            }
-            Expr::Series {
-                index,
-                from,
-                to,
-                body,
-            } => {
-                let (from, to) = (self.real(from)?, self.real(to)?);
-                self.linear(body, index, &|body| Expr::Series {
-                    index: index.clone(),
-                    from: from.clone().into(),
-                    to: to.clone().into(),
-                    body: body.into(),
-                })?
-            }
-            Expr::Integral {
-                body,
-                variable,
-                from,
-                to,
-            } => {
-                let (from, to) = (self.real(from)?, self.real(to)?);
-                self.linear(body, variable, &|body| Expr::Integral {
-                    body: body.into(),
-                    variable: variable.clone(),
-                    from: from.clone().into(),
-                    to: to.clone().into(),
-                })?
-            }
+                index: variable,
+                ..
+            } => self.linear(term, body, variable)?,
             Expr::Number(_) => Parts::real(term.clone()),
         })
     }
@@ -278,24 +256,34 @@ impl Complex<'_> {
         parts.is_real().then_some(parts.re)
     }
 
-    /// What is taken part by part. What runs in it is real.
-    fn linear(&self, body: &Expr, runs: &Symbol, of: &dyn Fn(Expr) -> Expr) -> Option<Parts> {
+    /// What is taken part by part of a body. What runs in it, and from where to where, is real.
+    fn linear(&self, term: &Expr, body: &Expr, runs: &Symbol) -> Option<Parts> {
         if self.concerns(&Expr::Symbol(runs.clone())) {
             return None;
         }
         let parts = self.parts(body)?;
-        let of = |own: Expr| match is_zero(&own) {
-            true => own,
-            false => of(own),
+        let with = |part: Expr| {
+            if is_zero(&part) {
+                return Some(part);
+            }
+            let mut is_real = true;
+            let own = term.map_children(|child| match std::ptr::eq(child, body) {
+                true => part.clone(),
+                false => self.real(child).unwrap_or_else(|| {
+                    is_real = false;
+                    child.clone()
+                }),
+            });
+            is_real.then_some(own)
         };
         Some(Parts {
-            re: of(parts.re),
-            im: of(parts.im),
+            re: with(parts.re)?,
+            im: with(parts.im)?,
         })
     }
 
     fn of_symbol(&self, symbol: &Symbol, named: &dyn Fn(Symbol) -> Expr) -> Option<Parts> {
-        if (self.is_unit)(symbol) {
+        if self.units.contains(symbol) {
             return Some(Parts {
                 re: zero(),
                 im: Expr::integer(1),
@@ -320,7 +308,7 @@ impl Complex<'_> {
         let whole = (name.strip_suffix("^*"))
             .or_else(|| barred("\\bar{"))
             .or_else(|| barred("\\overline{"))?;
-        Some(Symbol::new(whole)).filter(|whole| (self.is_complex)(whole))
+        Some(Symbol::new(whole)).filter(|whole| self.complex.contains(whole))
     }
 
     fn of_product(&self, factors: &[Expr]) -> Option<Parts> {
@@ -353,7 +341,7 @@ impl Complex<'_> {
     fn of_power(&self, base: &Expr, exponent: &Expr) -> Option<Parts> {
         // The square of a modulus has no root in it.
         if let (Expr::Call(Function::Abs, inner), Some(2)) = (base, whole(exponent)) {
-            return Some(Parts::real(self.modulus_squared(inner)?));
+            return Some(Parts::real(self.modulus(inner, true)?));
         }
         // Of a broken power there are several.
         if let Expr::Call(Function::Exp, inner) = base
@@ -387,81 +375,54 @@ impl Complex<'_> {
         })
     }
 
-    /// `|a b| = |a| |b|`, and `|e^{i a}| = 1`; of a sum `\sqrt{a^2 + b^2}`.
-    fn modulus(&self, term: &Expr) -> Option<Expr> {
+    /// The modulus of a term, or its square: `|a b| = |a| |b|`, and `|e^{i a}| = 1`; of a sum `\sqrt{a^2 + b^2}`.
+    fn modulus(&self, term: &Expr, squared: bool) -> Option<Expr> {
+        let of = |own: &Expr| self.modulus(own, squared);
+        let of_real = |own: Expr| match squared {
+            true => square(&own),
+            false => Expr::Call(Function::Abs, own.into()),
+        };
         if !self.concerns(term) {
-            return Some(Expr::Call(Function::Abs, term.clone().into()));
+            return Some(of_real(term.clone()));
         }
         Some(match term {
-            Expr::Negate(inner) => self.modulus(inner)?,
-            Expr::Quotient(above, below) => quotient(self.modulus(above)?, self.modulus(below)?),
+            Expr::Negate(inner) => of(inner)?,
+            Expr::Quotient(above, below) => quotient(of(above)?, of(below)?),
             Expr::Product(factors) if !takes_a_part(factors) => {
-                let all: Vec<Expr> = factors
-                    .iter()
-                    .filter(|own| !self.is_unit_itself(own))
-                    .map(|own| self.modulus(own))
-                    .collect::<Option<_>>()?;
+                let factors = factors.iter().filter(|own| !self.is_unit_itself(own));
+                let all: Vec<Expr> = factors.map(of).collect::<Option<_>>()?;
                 product(all)
             }
-            Expr::Call(Function::Exp, _) => {
-                let square = self.modulus_squared(term)?;
-                match square {
-                    Expr::Call(Function::Exp, inner) => Expr::Call(
-                        Function::Exp,
-                        Expr::Quotient(inner, Expr::integer(2).into()).into(),
-                    ),
-                    one => one,
-                }
+            Expr::Call(Function::Exp, inner) => {
+                let power = match (self.parts(inner)?.re, squared) {
+                    (own, _) if is_zero(&own) => return Some(Expr::integer(1)),
+                    (own, true) => product([Expr::integer(2), own]),
+                    (own, false) => own,
+                };
+                Expr::Call(Function::Exp, power.into())
             }
             _ => {
                 let parts = self.parts(term)?;
-                match (is_zero(&parts.re), is_zero(&parts.im)) {
-                    (_, true) => Expr::Call(Function::Abs, parts.re.into()),
-                    (true, _) => Expr::Call(Function::Abs, parts.im.into()),
+                match (is_zero(&parts.re), parts.is_real()) {
+                    _ if squared => parts.squared(),
+                    (_, true) => of_real(parts.re),
+                    (true, _) => of_real(parts.im),
                     _ => Expr::Power(parts.squared().into(), half().into()),
                 }
             }
         })
     }
 
-    fn modulus_squared(&self, term: &Expr) -> Option<Expr> {
-        if !self.concerns(term) {
-            return Some(square(term));
-        }
-        Some(match term {
-            Expr::Negate(inner) => self.modulus_squared(inner)?,
-            Expr::Quotient(above, below) => {
-                quotient(self.modulus_squared(above)?, self.modulus_squared(below)?)
-            }
-            Expr::Product(factors) if !takes_a_part(factors) => {
-                let all: Vec<Expr> = (factors.iter())
-                    .map(|own| self.modulus_squared(own))
-                    .collect::<Option<_>>()?;
-                product(all)
-            }
-            Expr::Call(Function::Exp, inner) => {
-                let inner = self.parts(inner)?;
-                match is_zero(&inner.re) {
-                    true => Expr::integer(1),
-                    false => {
-                        Expr::Call(Function::Exp, product([Expr::integer(2), inner.re]).into())
-                    }
-                }
-            }
-            _ => self.parts(term)?.squared(),
-        })
-    }
-
     fn is_unit_itself(&self, term: &Expr) -> bool {
-        matches!(term, Expr::Symbol(own) if (self.is_unit)(own))
+        matches!(term, Expr::Symbol(own) if self.units.contains(own))
     }
 }
 
 /// The real and the imaginary part of a term in which nothing but the unit is complex.
 pub(crate) fn parts_of(term: &Expr, unit: &Symbol) -> Option<(Expr, Expr)> {
     let complex = Complex {
-        is_unit: &|own| own == unit,
-        is_complex: &|_| false,
+        units: &BTreeSet::from([unit.clone()]),
+        complex: &BTreeSet::new(),
     };
     complex.parts(term).map(|own| (own.re, own.im))
 }
@@ -576,9 +537,5 @@ fn square(term: &Expr) -> Expr {
 
 /// Whether a term has no more parts than are worth reading.
 fn is_small(term: &Expr) -> bool {
-    fn count(term: &Expr, left: &mut usize) -> bool {
-        *left = left.saturating_sub(1);
-        *left > 0 && term.children().all(|child| count(child, left))
-    }
-    count(term, &mut MOST_TERMS.clone())
+    term.has_fewer_parts_than(MOST_TERMS)
 }
