@@ -4,13 +4,14 @@
 //! much is judged as what is printed was. What is shown so is said, and that what is printed is false: at a point, by the kernel.
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
-use crate::derivation::{Assumed, Goal, values_at};
+use crate::derivation::{Assumed, Goal, formulas, values_at};
 use crate::kernel::{Assignment, Claim};
 use crate::notation::{Clause, Statement};
 use crate::sampling::Sample;
 use crate::search::{
     self, Change, Decision, Edit, Effort, InChain, Mended, Slips, Stop, UNDECIDED,
 };
+use crate::sorted::Set;
 
 use super::again::{ELEMENT, ELSEWHERE, NAMED, OPEN_ITSELF, UNSAID};
 use super::entry::Entry;
@@ -19,12 +20,15 @@ use super::warranted::is_supposed;
 use super::{Auditor, Judged, Note, Outcome, Verdict, judge};
 
 /// How much work may be done for that in all, and for one edit.
-const MOST_WORK: u64 = 2_000_000;
+const MOST_WORK: u64 = 3_000_000;
 const MOST_WORK_FOR_ONE: u64 = 60_000;
-/// The same for one that is right as far as floating point tells.
+/// The same for one that is right as far as floating point tells, or one of the likeliest where that tells nothing.
 const MOST_WORK_IF_LIKELY: u64 = 600_000;
+const LIKELIEST: usize = 3;
 /// So many edits are tried.
 const MOST_TRIED: usize = 60;
+/// So many displays before are looked at for what ties a symbol to others.
+const MOST_BEFORE: usize = 64;
 /// So many times it is tried to find out where all may be true; so many such places are enough, and so many are needed.
 const MOST_SEEDS: u32 = 20;
 const MOST_SAMPLES: usize = 3;
@@ -45,9 +49,15 @@ impl Auditor<'_> {
         let link = (entry, &judged.goal);
         let likely = || {
             let slips = slips().such_that(|own| is_true_in(&samples, own));
-            self.first_shown(statement, how, link, slips, MOST_WORK_IF_LIKELY)
+            self.first_shown(statement, how, link, slips, |_| MOST_WORK_IF_LIKELY)
         };
-        let any = || self.first_shown(statement, how, link, slips(), MOST_WORK_FOR_ONE);
+        let any = || {
+            let most_work = |tried| match tried < LIKELIEST {
+                true => MOST_WORK_IF_LIKELY,
+                false => MOST_WORK_FOR_ONE,
+            };
+            self.first_shown(statement, how, link, slips(), most_work)
+        };
         let found = match samples.len() < FEWEST_SAMPLES {
             true => None,
             false => effort::altogether(MOST_WORK, likely),
@@ -87,7 +97,7 @@ impl Auditor<'_> {
         let claim = self.derivation.claim(how.at, assumed, formula);
         let slips = slips(statement, &judged.goal, &claim, None);
         let slips = slips.such_that(|own| is_true_in(&samples, own));
-        let most_work = MOST_WORK_IF_LIKELY;
+        let most_work = |_| MOST_WORK_IF_LIKELY;
         let shown = || self.first_shown(statement, how, (&entry, &judged.goal), slips, most_work);
         let Some(shown) = effort::altogether(MOST_WORK, shown) else {
             return entry;
@@ -194,20 +204,20 @@ impl Auditor<'_> {
         how: &Circumstances,
         (entry, goal): (&Entry, &Goal),
         mut slips: Slips,
-        most_work: u64,
+        most_work: impl Fn(usize) -> u64,
     ) -> Option<Shown> {
         let mut tried = 0;
         while let Some(edit) = slips.next().filter(|_| tried < MOST_TRIED) {
             // What speaks of more may be said of more, and lack nothing.
             let is_less = matches!(edit.change, Change::Summand | Change::Factor)
                 && !goal.formula.names().is_subset(&edit.formula.names());
-            let likely = !is_less && self.is_likely(how.at, &edit.change);
+            let likely = !is_less && self.is_likely(how.at, &goal.formula, &edit.change);
             let edited = likely.then(|| edited(statement, goal, &edit));
             let Some(edited) = edited.flatten() else {
                 continue;
             };
+            let other = effort::altogether(most_work(tried), || self.step(&edited, how));
             tried += 1;
-            let other = effort::altogether(most_work, || self.step(&edited, how));
             if effort::is_exhausted() {
                 break;
             }
@@ -234,6 +244,11 @@ impl Auditor<'_> {
             let mut from = own.assumed.clone();
             from.retain(|own| !under.contains(&own.formula));
             from.extend(under.iter().map(judge::taken));
+            // Where nothing can be so, anything would have been shown: `\sqrt{-K p}` where `K > 0` and `p > 0`.
+            let judge = judge::Judge::new(self, how.at, how.usable);
+            if !under.is_empty() && judge.is_contradictory(&from, &own.goal) {
+                continue;
+            }
             return Some(Shown {
                 formula: own.goal.formula.clone(),
                 from,
@@ -259,8 +274,9 @@ impl Auditor<'_> {
         search::prove_unconditionally(claim, Effort::Light).is_some()
     }
 
-    /// Whether a change is one that a pen slips by: authors have more names for a thing than one, and new ones for what they come to.
-    pub(super) fn is_likely(&self, at: usize, change: &Change) -> bool {
+    /// Whether a change of a goal is one that a pen slips by: authors have more names for a thing than one, and new ones for what
+    /// they come to. What nothing before ties to the rest of a formula may be tied to it by the formula.
+    pub(super) fn is_likely(&self, at: usize, goal: &Formula, change: &Change) -> bool {
         let Change::Symbol { printed, meant } = change else {
             return true;
         };
@@ -269,6 +285,36 @@ impl Auditor<'_> {
         !is_kind
             && meant.name() != "\\pi"
             && !self.derivation.equations[at].introduces.contains(printed)
+            && self.is_tied(at, printed, goal)
+    }
+
+    /// Whether what stands before ties a symbol to something else in a formula.
+    fn is_tied(&self, at: usize, symbol: &Symbol, formula: &Formula) -> bool {
+        let first = self
+            .derivation
+            .equations_of(self.derivation.equations[at].page);
+        let before = (first.start..at).rev().take(MOST_BEFORE);
+        let displays = before.flat_map(|own| self.derivation.equations[own].statements());
+        let mut said: Vec<Set<Symbol>> = displays.flat_map(formulas).map(|f| f.names()).collect();
+        let told = self.derivation.told(at);
+        said.extend(told.iter().map(|own| own.formula.names()));
+        let others: Set<Symbol> = formula
+            .names()
+            .into_iter()
+            .filter(|own| own != symbol)
+            .collect();
+        let mut tied = Set::from([symbol.clone()]);
+        loop {
+            let ties = |own: &Set<Symbol>| own.iter().any(|name| tied.contains(name));
+            let Some(next) = said.iter().position(ties) else {
+                return false;
+            };
+            tied.extend(said.swap_remove(next));
+            tied.retain(|own| !own.is_unit() && own.name() != "\\pi");
+            if tied.iter().any(|own| others.contains(own)) {
+                return true;
+            }
+        }
     }
 }
 

@@ -96,7 +96,7 @@ impl Auditor<'_> {
         let mended = entry.mended.as_ref();
         mended.is_some_and(|mended| {
             !is_supposed(&judged.goal.formula, &mended.under)
-                && self.is_likely(entry.equation, &mended.change)
+                && self.is_likely(entry.equation, &judged.goal.formula, &mended.change)
         })
     }
 

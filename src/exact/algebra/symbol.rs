@@ -82,6 +82,17 @@ impl Symbol {
         added.is_some_and(|added| added.starts_with(['_', '\'', '^']))
     }
 
+    /// Whether it is the name of another symbol with more primes or fewer, whatever their indices: `w'_L` and `w`.
+    pub fn differs_by_primes(&self, other: &Symbol) -> bool {
+        let stem = |own: &Symbol| {
+            let own = split_subscript(own.name()).map_or(own.name(), |(stem, _)| stem);
+            let letter = own.trim_end_matches('\'');
+            (letter.to_owned(), own.len() - letter.len())
+        };
+        let (own, other) = (stem(self), stem(other));
+        own.0 == other.0 && own.1 != other.1
+    }
+
     /// Whether its name is written with brackets, and says what it is a value of: `\langle x^2 \rangle`, `\text{E}[X]`.
     pub fn is_bracketed(&self) -> bool {
         opens_bracket(self.name())

@@ -234,13 +234,14 @@ impl Judge<'_> {
         // What the text says besides may be of a case in which it is one, and of no moment: "**Critical damping** ($\gamma = \omega_0$)".
         let stands =
             |symbol: &Symbol| *symbol != own.variable && *symbol != of && own.is_of_law(symbol);
-        // "with $v(0) = 0$" is of one moment.
+        // "with $v(0) = 0$" is of one moment, and so is "Setting the left side of (2) to zero".
         let mut said = self.derivation.written_since(self.at);
         said.retain(|said| said.names().iter().all(stands) && !said.speaks_of_values());
         let supposed = self.usable.assumed.iter().filter(|said| {
             matches!(said.source, Source::Local(..))
                 && !said.formula.speaks_of_values()
                 && !said.formula.names().contains(&own.variable)
+                && !said.formula.names().contains(&of)
         });
         let said = said.iter().map(throughout).chain(supposed.cloned());
         let said: Vec<Assumed> = said.collect();

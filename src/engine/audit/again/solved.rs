@@ -86,7 +86,8 @@ impl Judge<'_> {
                 named_so.map_or(gone, |own| vec![own])
             }
         };
-        if gone.len() > MOST_UNKNOWNS {
+        // A slope is not what it is the slope of: `w'_L` is no value of `w`.
+        if gone.len() > MOST_UNKNOWNS || gone.iter().any(|own| new.differs_by_primes(own)) {
             return None;
         }
         let with = |unknown: &Symbol| {

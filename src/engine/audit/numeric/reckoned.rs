@@ -93,7 +93,14 @@ pub(super) fn agreed_loosely(goal: &Goal, source: &str) -> Option<Link> {
     let loosely = reckoned(goal.clone(), Some(source), FEWEST_DIGITS);
     let loosely = loosely.filter(|link| !is_wrong(link))?;
     let exactly = reckoned(goal.clone(), None, FEWEST_DIGITS)?;
-    is_wrong(&exactly).then_some(loosely)
+    (is_wrong(&exactly) || ends_in_whole(goal, &exactly)).then_some(loosely)
+}
+
+/// Whether a whole number is said to be what is worked out to none: `738 + \frac{1200}{0.718} = 2410`.
+fn ends_in_whole(goal: &Goal, exactly: &Link) -> bool {
+    let left = exactly.sides.as_ref().map(|(left, _)| left);
+    let is_whole = left.is_some_and(|own| own.low() == own.high() && own.low().is_integer());
+    goal.rounding.is_none() && !is_whole
 }
 
 /// A relation between numbers, weighed, those of the fewest digits or more as they may be rounded; as they stand where no text tells how many

@@ -52,6 +52,11 @@ impl Auditor<'_> {
         };
         let mut all = self.derivation.figures_before(at);
         all.retain(|own| !own.equation.is_some_and(wrong));
+        // What is printed behind a step came out, and was rounded: "The heats are $q = 1050$".
+        let end = self.derivation.equations[at].span.end;
+        for own in all.iter_mut().filter(|own| own.span.start > end) {
+            own.goal = near_whole(&own.goal);
+        }
         all
     }
 
@@ -102,8 +107,10 @@ impl Auditor<'_> {
             // Beside a link that is open the one that is refuted may only be rounded.
             let is_near = || {
                 let all = self.figures(at, usable);
+                let weighed = |said: &[Printed]| self.weighed(at, &refuted, &all, said);
                 refuted.iter().all(is_weighed)
-                    && self.weighed(at, &refuted, &all, &[]).is_supported()
+                    && (weighed(&[]).is_supported()
+                        || weighed(&self.printed_before(at)).is_supported())
             };
             if self.weigh_decimals(judge, premises, &open, entry) {
                 return;

@@ -202,10 +202,9 @@ fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
     if printed.starts_with('[') && matches!(before, Expr::Number(_)) {
         return true;
     }
-    // `[\text{H} \text{F}]` is a concentration.
-    if printed.starts_with("\\text{")
-        && stem(before).is_some_and(|own| own.name().starts_with("\\text{"))
-    {
+    // `[\text{H} \text{F}]` is a concentration, `\text{Re}(Z) \text{Im}(Z)` is none.
+    let is_word = |own: &Symbol| own.name().starts_with("\\text{") && !own.name().ends_with(')');
+    if printed.starts_with("\\text{") && stem(before).is_some_and(is_word) {
         return true;
     }
     let grouped = printed.starts_with('(') || printed.starts_with("\\left(");
