@@ -13,7 +13,7 @@ use crate::sorted::{Map, Set};
 /// More premises than this are not looked at.
 const MOST_PREMISES: usize = 80;
 /// So many terms are worked out for one sample, and with it, in all.
-const MOST_STEPS: u64 = 3_000_000;
+const MOST_STEPS: u64 = 1_000_000;
 /// Deeper terms are not.
 const DEEPEST: usize = 48;
 /// How near two values are that are taken for the same.
@@ -104,6 +104,11 @@ impl Sample {
             Relation::Greater | Relation::GreaterOrEqual => Some(left >= right),
             _ => None,
         }
+    }
+
+    /// How many terms were worked out.
+    pub fn steps(&self) -> u64 {
+        self.steps.get()
     }
 
     /// Whether all values that were chosen or found are positive.
@@ -240,7 +245,7 @@ impl Sample {
         if self.values.contains_key(symbol) {
             return;
         }
-        let share = share(symbol.name(), self.seed);
+        let share = share(symbol.name(), &[], self.seed);
         let value = match self.counted.contains(symbol) || symbol.name() == COUNTING {
             true => 2.0 + (3.0 * share).floor(),
             false => 0.4 + 1.2 * share,
@@ -311,7 +316,7 @@ impl Sample {
             Expr::Symbol(symbol) => self.symbol(symbol, scope, next),
             Expr::Element { sequence, index } => {
                 let index = self.symbol(index, scope, next)?;
-                Some(0.4 + 1.2 * share(&format!("{}_{index}", sequence.name()), self.seed))
+                Some(0.4 + 1.2 * share(sequence.name(), &index.to_le_bytes(), self.seed))
             }
             Expr::Sum(terms) => terms
                 .iter()
@@ -511,9 +516,10 @@ fn apply(function: Function, at: f64) -> f64 {
     }
 }
 
-/// A number from 0 to 1 that is always the same for a name and a seed (FNV-1a).
-fn share(name: &str, seed: u32) -> f64 {
-    let bytes = name.bytes().chain(seed.to_le_bytes());
+/// A number from 0 to 1 that is always the same for a name, an index and a seed (FNV-1a).
+fn share(name: &str, index: &[u8], seed: u32) -> f64 {
+    let bytes = name.bytes().chain(index.iter().copied());
+    let bytes = bytes.chain(seed.to_le_bytes());
     let hash = bytes.fold(0x811c_9dc5_u32, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     });

@@ -31,6 +31,8 @@ const MOST_TRIED: usize = 60;
 const MOST_BEFORE: usize = 64;
 /// So many times it is tried to find out where all may be true; so many such places are enough, and so many are needed.
 const MOST_SEEDS: u32 = 20;
+/// So many terms are worked out for that.
+const MOST_STEPS: u64 = 1_000_000;
 const MOST_SAMPLES: usize = 3;
 const FEWEST_SAMPLES: usize = 2;
 
@@ -320,8 +322,14 @@ impl Auditor<'_> {
 
 /// Places at which a goal has a value, from different seeds.
 fn seeds<'a>(premises: &'a [&Formula], goal: &'a Formula) -> impl Iterator<Item = Sample> + 'a {
-    let samples = (0..MOST_SEEDS).map(move |seed| Sample::of(premises.iter().copied(), goal, seed));
-    samples.filter(move |own| own.holds(goal).is_some())
+    let mut left = MOST_STEPS;
+    let samples = (0..MOST_SEEDS).map_while(move |seed| {
+        let own = (left > 0).then(|| Sample::of(premises.iter().copied(), goal, seed))?;
+        let has_value = own.holds(goal).is_some();
+        left = left.saturating_sub(own.steps());
+        Some((own, has_value))
+    });
+    samples.filter_map(|(own, has_value)| has_value.then_some(own))
 }
 
 /// Those of these places at which premises are true, as far as that can be told, until there are enough at which all is positive.

@@ -272,6 +272,7 @@ fn solved(goal: &Polynomial, strict: bool, mut columns: Vec<Column>) -> Option<D
     let positive: Vec<usize> = (0..columns.len())
         .filter(|&at| columns[at].strict)
         .collect();
+    let mut is_possible = false;
     for at in positive {
         for shift in [0, 2, 6, 12] {
             let epsilon = Rational::ratio(1, 1 << shift);
@@ -282,33 +283,84 @@ fn solved(goal: &Polynomial, strict: bool, mut columns: Vec<Column>) -> Option<D
                 found.terms.push(term);
                 return Some(found);
             }
+            // To try one costs as much as to find out whether any will do.
+            is_possible = is_possible || is_ever_strict(goal, &columns);
+            if !is_possible {
+                return None;
+            }
         }
     }
     None
 }
 
-fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
-    let mut rows: Map<Monomial, usize> = Map::new();
-    let all = columns.iter().map(|c| &c.value).chain([goal]);
-    for (monomial, _) in all.flat_map(|p| p.terms()) {
-        let next = rows.len();
-        rows.entry(monomial.clone()).or_insert(next);
-    }
-    if rows.len() > MOST_ROWS {
-        return None;
-    }
-    let entries = |p: &Polynomial| -> Vec<(usize, Rational)> {
-        p.terms().map(|(m, c)| (rows[m], c.clone())).collect()
+/// Whether a multiple of a goal, or 0, is a nonnegative combination in which something is positive.
+fn is_ever_strict(goal: &Polynomial, columns: &[Column]) -> bool {
+    let Some(mut system) = System::of(goal, columns) else {
+        return false;
     };
-    let mut matrix: Vec<_> = columns.iter().map(|c| entries(&c.value)).collect();
-    let free: Vec<usize> = (0..columns.len())
-        .filter(|&at| columns[at].is_equation())
-        .collect();
-    matrix.extend(free.iter().map(|&at| entries(&columns[at].value.negated())));
-    let mut right = vec![Rational::zero(); rows.len()];
-    for (row, value) in entries(goal) {
-        right[row] = value;
+    let rows = system.right.len();
+    let is_strict = |at: usize| columns.get(at).is_some_and(|own| own.strict);
+    for (at, column) in system.matrix.iter_mut().enumerate() {
+        if is_strict(at) {
+            column.push((rows, Rational::one()));
+        }
     }
+    // What is positive comes to 1 in all, and the goal has a weight of its own.
+    let right = system.right.iter().enumerate();
+    let right = right.filter(|(_, value)| !value.is_zero());
+    let own: Vec<(usize, Rational)> = right.map(|(row, value)| (row, -value.clone())).collect();
+    system.matrix.push(own);
+    let mut sum = vec![Rational::zero(); rows];
+    sum.push(Rational::one());
+    nonnegative_solution(&system.matrix, &sum).is_some()
+}
+
+/// Columns and a goal as linear equations, one for each monomial.
+struct System {
+    matrix: Vec<Vec<(usize, Rational)>>,
+    right: Vec<Rational>,
+    /// The equations among the columns, which come again with the other sign behind all others.
+    free: Vec<usize>,
+}
+
+impl System {
+    /// Nothing where there are too many monomials.
+    fn of(goal: &Polynomial, columns: &[Column]) -> Option<System> {
+        let mut rows: Map<Monomial, usize> = Map::new();
+        let all = columns.iter().map(|c| &c.value).chain([goal]);
+        for (monomial, _) in all.flat_map(|p| p.terms()) {
+            let next = rows.len();
+            rows.entry(monomial.clone()).or_insert(next);
+        }
+        if rows.len() > MOST_ROWS {
+            return None;
+        }
+        let entries = |p: &Polynomial| -> Vec<(usize, Rational)> {
+            p.terms().map(|(m, c)| (rows[m], c.clone())).collect()
+        };
+        let mut matrix: Vec<_> = columns.iter().map(|c| entries(&c.value)).collect();
+        let free: Vec<usize> = (0..columns.len())
+            .filter(|&at| columns[at].is_equation())
+            .collect();
+        matrix.extend(free.iter().map(|&at| entries(&columns[at].value.negated())));
+        let mut right = vec![Rational::zero(); rows.len()];
+        for (row, value) in entries(goal) {
+            right[row] = value;
+        }
+        Some(System {
+            matrix,
+            right,
+            free,
+        })
+    }
+}
+
+fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
+    let System {
+        matrix,
+        right,
+        free,
+    } = System::of(goal, columns)?;
     let solution = nonnegative_solution(&matrix, &right)?;
     let (mut terms, mut equations) = (Vec::new(), Vec::new());
     for (at, column) in columns.iter().enumerate() {
