@@ -65,9 +65,10 @@ impl Auditor<'_> {
         let Some(new) = meant(&goal, equation) else {
             return false;
         };
-        let is_alone = own
-            .first()
-            .is_some_and(|own| goals(own).len() == 1 && own.under.is_empty());
+        // It may go on: `m^2 = \frac{h P}{k A} = \frac{4 h}{k D}`.
+        let is_alone = own.first().is_some_and(|own| {
+            goals(own).iter().all(|goal| goal.clause == 0) && own.under.is_empty()
+        });
         let defines = |own: &Statement| first_goal(own).is_some_and(|own| own.is_of(new));
         let speaks = |own: &Statement| formulas(own).iter().any(|own| own.names().contains(new));
         is_alone && !before.iter().any(defines) && before.iter().any(speaks)

@@ -2,8 +2,8 @@
 
 use crate::algebra::{Expr, Formula, Place, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source};
-use crate::kernel::{ForEvery, HoldsForEvery};
-use crate::search;
+use crate::kernel::{Claim, ForEvery, HoldsForEvery, Hypothesis, Standing};
+use crate::search::{self, Effort};
 
 use super::Outcome;
 use super::judge::{Found, Judge, NEARBY, sources};
@@ -156,7 +156,8 @@ impl Judge<'_> {
 }
 
 /// Whether a claim speaks of elements at the index itself alone, and each hypothesis of every index says what another of them is: then
-/// there are such elements at the other indices whatever they are at this one.
+/// there are such elements at the other indices whatever they are at this one. Or it speaks of none, and says of any other index what it
+/// says of this one.
 fn is_of_one_index(claim: &ForEvery) -> bool {
     let is_own = |symbol: &Symbol| match symbol.place(&claim.index) {
         Some((_, place)) => place == Place::Running(0),
@@ -176,8 +177,34 @@ fn is_of_one_index(claim: &ForEvery) -> bool {
         own
     };
     let mut throughout = claim.throughout.iter();
-    throughout.all(|&at| defines(&claim.claim.hypotheses[at].formula))
-        && Formula::free_symbols_of(claim.claim.formulas())
-            .into_iter()
-            .all(is_own)
+    throughout.all(|&at| {
+        let formula = &claim.claim.hypotheses[at].formula;
+        defines(formula) || says_the_same_of_any(claim, formula)
+    }) && Formula::free_symbols_of(claim.claim.formulas())
+        .into_iter()
+        .all(is_own)
+}
+
+/// Whether a hypothesis speaks of no elements and is so at any index where it is so at one: `\frac{n^2 \hbar^2}{2} = \frac{n^2 h^2}{8 \pi^2}`.
+fn says_the_same_of_any(claim: &ForEvery, formula: &Formula) -> bool {
+    let own = &claim.index;
+    if formula.names().iter().any(|name| name.place(own).is_some()) {
+        return false;
+    }
+    let other = Symbol::new("\\another");
+    let mut domains = claim.claim.domains.clone();
+    if let Some(domain) = domains.get(own).cloned() {
+        domains.insert(other.clone(), domain);
+    }
+    let there = Expr::Symbol(other);
+    let so = Claim {
+        hypotheses: vec![Hypothesis {
+            formula: formula.clone().into(),
+            standing: Standing::AtPoint,
+        }],
+        goal: formula.map_terms(|term| term.substitute(own, &there)),
+        domains,
+        ..claim.claim.clone()
+    };
+    search::prove_unconditionally(so, Effort::Light).is_some()
 }

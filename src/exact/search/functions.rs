@@ -323,28 +323,52 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
         let equation = pending.remove(at);
         let vars = equation.vars();
         let mut candidates: Vec<Var> = vars.iter().rev().copied().collect();
+        candidates.retain(|&var| var != pi && is_symbol(var) && !lifted.contains_key(&var));
         sorted::sort_by_key(&mut candidates, |&var| spoken_of(var));
-        let solved = candidates.into_iter().find_map(|var| {
-            if var == pi || !is_symbol(var) || lifted.contains_key(&var) {
-                return None;
-            }
+        let value = |var: Var, lifted: &Map<Var, Polynomial>| match lifted.get(&var) {
+            Some(value) => Some(value.clone()),
+            None => Some(Polynomial::constant(values.get(&var)?.clone())),
+        };
+        let solved_for = |var: Var, lifted: &Map<Var, Polynomial>| {
             let mut left = equation.clone();
             for &other in vars.iter().filter(|&&v| v != var && v != pi) {
-                let value = match lifted.get(&other) {
-                    Some(value) => value.clone(),
-                    None => Polynomial::constant(values.get(&other)?.clone()),
-                };
-                left = left.substitute(other, &value).ok()?;
+                left = left.substitute(other, &value(other, lifted)?).ok()?;
             }
-            let parts = left.in_powers_of(var);
+            // What is put in may have brought π to all of it.
+            let parts = without_factor(&left, pi).in_powers_of(var);
             let [rest, slope] = parts.as_slice() else {
                 return None;
             };
             let slope = slope.as_constant().filter(|s| !s.is_zero())?;
             Some((var, rest.scaled(&-slope.recip())))
-        });
-        if let Some((var, value)) = solved {
+        };
+        let plainly = candidates.iter().find_map(|&var| solved_for(var, &lifted));
+        if let Some((var, value)) = plainly {
             lifted.insert(var, value);
+            continue;
+        }
+        // `4 \pi \epsilon F = q^2` can be solved for `\epsilon` where `q` is a multiple of π.
+        let is_settled = |var: Var| {
+            let left = pending.iter().filter(|own| own.degree_in(var) > 0);
+            left.count() + 1 < spoken_of(var)
+        };
+        let squares = candidates
+            .iter()
+            .filter(|&&var| equation.degree_in(var) > 1);
+        let with_multiple = squares
+            .copied()
+            .filter(|&var| !is_settled(var))
+            .find_map(|square| {
+                let mut with = lifted.clone();
+                let multiple = value(square, &lifted)?.times(&Polynomial::var(pi)).ok()?;
+                with.insert(square, multiple);
+                let others = candidates.iter().filter(|&&var| var != square);
+                let (var, value) = others.copied().find_map(|var| solved_for(var, &with))?;
+                with.insert(var, value);
+                Some(with)
+            });
+        if let Some(with) = with_multiple {
+            lifted = with;
         }
     }
     for (var, value) in lifted {
