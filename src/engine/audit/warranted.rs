@@ -9,7 +9,7 @@
 use num_traits::Signed;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Source, first_goal, goals, is_part};
+use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
 use crate::notation::{Statement, has_units, plain_formula};
 use crate::search::{self, Decision};
 use crate::sorted::Set;
@@ -178,7 +178,7 @@ pub(super) fn is_supposed(link: &Formula, under: &[Formula]) -> bool {
 /// the mean of a sum is the sum of the means, and none of them is known here.
 fn may_follow_from_laws(judged: &Judged) -> bool {
     let is_value =
-        |own: &Symbol| own.is_bracketed() && !own.name().starts_with('[') && !is_part(own);
+        |own: &Symbol| own.is_bracketed() && !own.name().starts_with('[') && !own.is_part();
     let values = |formula: &Formula| -> Set<Symbol> {
         formula.names().into_iter().filter(is_value).collect()
     };

@@ -16,8 +16,8 @@ use crate::sorted::Set;
 use super::Equation;
 use super::equation::{conditions, formulas, of_page, of_pages, terms_of_clause};
 use super::page::Page;
+pub(crate) use parts::parts_of;
 use parts::{Complex, Kind, Parts, is_zero, part_names};
-pub(crate) use parts::{is_part, parts_of};
 
 /// What is complex with what is complex, and so on: so many times at most.
 const MOST_ROUNDS: usize = 12;

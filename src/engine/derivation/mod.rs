@@ -62,7 +62,7 @@ pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use citations::Unknown;
 pub use claim::is_open;
-pub(crate) use complex::{is_part, parts_of};
+pub(crate) use complex::parts_of;
 pub use equation::{Equation, Goal, Kind, conditions, first_goal, formulas, goals, unconditional};
 pub(crate) use imaginary::is_imaginary_unit;
 pub(crate) use meanings::renamed;

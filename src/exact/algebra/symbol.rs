@@ -98,6 +98,12 @@ impl Symbol {
         opens_bracket(self.name())
     }
 
+    /// Whether it is the real or the imaginary part of something: `\text{Re}(Z)`.
+    pub fn is_part(&self) -> bool {
+        let parts = ["\\text{Re}(", "\\text{Im}("];
+        parts.iter().any(|own| self.name.starts_with(own))
+    }
+
     /// Whether it stands for a unit of measurement: `\unit{m}`.
     pub fn is_unit(&self) -> bool {
         self.name.starts_with("\\unit{")

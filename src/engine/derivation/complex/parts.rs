@@ -433,13 +433,6 @@ pub(super) fn part_names(symbol: &Symbol) -> (Symbol, Symbol) {
     (named("Re"), named("Im"))
 }
 
-/// Whether a symbol is the real or the imaginary part of another.
-pub(crate) fn is_part(symbol: &Symbol) -> bool {
-    ["\\text{Re}(", "\\text{Im}("]
-        .iter()
-        .any(|own| symbol.name().starts_with(own))
-}
-
 fn zero() -> Expr {
     Expr::integer(0)
 }

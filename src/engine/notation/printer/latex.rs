@@ -203,7 +203,7 @@ fn needs_dot(before: &Expr, item: &Expr, printed: &str) -> bool {
         return true;
     }
     // `[\text{H} \text{F}]` is a concentration, `\text{Re}(Z) \text{Im}(Z)` is none.
-    let is_word = |own: &Symbol| own.name().starts_with("\\text{") && !own.name().ends_with(')');
+    let is_word = |own: &Symbol| own.name().starts_with("\\text{") && !own.is_part();
     if printed.starts_with("\\text{") && stem(before).is_some_and(is_word) {
         return true;
     }
