@@ -96,11 +96,14 @@ pub(super) fn agreed_loosely(goal: &Goal, source: &str) -> Option<Link> {
     (is_wrong(&exactly) || ends_in_whole(goal, &exactly)).then_some(loosely)
 }
 
-/// Whether a whole number is said to be what is worked out to none: `738 + \frac{1200}{0.718} = 2410`.
+/// Whether a whole number of some digits is said to be what is worked out to none: `738 + \frac{1200}{0.718} = 2410`, and not `10/4 = 3`.
 fn ends_in_whole(goal: &Goal, exactly: &Link) -> bool {
     let left = exactly.sides.as_ref().map(|(left, _)| left);
     let is_whole = left.is_some_and(|own| own.low() == own.high() && own.low().is_integer());
-    goal.rounding.is_none() && !is_whole
+    // Half a unit of the last digit of 100 is a share of a 200th.
+    let most = BigRational::new(1.into(), 200.into());
+    let is_long = exactly.near.as_ref().is_some_and(|share| *share <= most);
+    goal.rounding.is_none() && !is_whole && is_long
 }
 
 /// A relation between numbers, weighed, those of the fewest digits or more as they may be rounded; as they stand where no text tells how many
