@@ -3,6 +3,8 @@
 //! Of all that is near to what is printed little is true where all is true that stands before it, as far as floating point tells; that
 //! much is judged as what is printed was. What is shown so is said, and that what is printed is false: at a point, by the kernel.
 
+use std::cell::LazyCell;
+
 use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal, formulas, values_at};
 use crate::kernel::{Assignment, Claim};
@@ -51,15 +53,9 @@ impl Auditor<'_> {
         let link = (entry, &judged.goal);
         let likely = || {
             let slips = slips().such_that(|own| is_true_in(&samples, own));
-            self.first_shown(statement, how, link, slips, |_| MOST_WORK_IF_LIKELY)
+            self.first_shown(statement, how, link, slips, MOST_TRIED)
         };
-        let any = || {
-            let most_work = |tried| match tried < LIKELIEST {
-                true => MOST_WORK_IF_LIKELY,
-                false => MOST_WORK_FOR_ONE,
-            };
-            self.first_shown(statement, how, link, slips(), most_work)
-        };
+        let any = || self.first_shown(statement, how, link, slips(), LIKELIEST);
         let found = match samples.len() < FEWEST_SAMPLES {
             true => None,
             false => effort::altogether(MOST_WORK, likely),
@@ -99,8 +95,8 @@ impl Auditor<'_> {
         let claim = self.derivation.claim(how.at, assumed, formula);
         let slips = slips(statement, &judged.goal, &claim, None);
         let slips = slips.such_that(|own| is_true_in(&samples, own));
-        let most_work = |_| MOST_WORK_IF_LIKELY;
-        let shown = || self.first_shown(statement, how, (&entry, &judged.goal), slips, most_work);
+        let link = (&entry, &judged.goal);
+        let shown = || self.first_shown(statement, how, link, slips, MOST_TRIED);
         let Some(shown) = effort::altogether(MOST_WORK, shown) else {
             return entry;
         };
@@ -199,27 +195,32 @@ impl Auditor<'_> {
         found
     }
 
-    /// The first of some edits with which a link would have been shown.
+    /// The first of some edits with which a link would have been shown; so many of them are tried in earnest.
     fn first_shown(
         &self,
         statement: &Statement,
         how: &Circumstances,
         (entry, goal): (&Entry, &Goal),
         mut slips: Slips,
-        most_work: impl Fn(usize) -> u64,
+        in_earnest: usize,
     ) -> Option<Shown> {
+        let untied = LazyCell::new(|| self.untied(how.at, &goal.formula));
         let mut tried = 0;
         while let Some(edit) = slips.next().filter(|_| tried < MOST_TRIED) {
             // What speaks of more may be said of more, and lack nothing.
             let is_less = matches!(edit.change, Change::Summand | Change::Factor)
                 && !goal.formula.names().is_subset(&edit.formula.names());
-            let likely = !is_less && self.is_likely(how.at, &goal.formula, &edit.change);
+            let likely = !is_less && self.is_likely(how.at, &edit.change, &untied);
             let edited = likely.then(|| edited(statement, goal, &edit));
             let Some(edited) = edited.flatten() else {
                 continue;
             };
-            let other = effort::altogether(most_work(tried), || self.step(&edited, how));
+            let most_work = match tried < in_earnest {
+                true => MOST_WORK_IF_LIKELY,
+                false => MOST_WORK_FOR_ONE,
+            };
             tried += 1;
+            let other = effort::altogether(most_work, || self.step(&edited, how));
             if effort::is_exhausted() {
                 break;
             }
@@ -247,8 +248,11 @@ impl Auditor<'_> {
             from.retain(|own| !under.contains(&own.formula));
             from.extend(under.iter().map(judge::taken));
             // Where nothing can be so, anything would have been shown: `\sqrt{-K p}` where `K > 0` and `p > 0`.
-            let judge = judge::Judge::new(self, how.at, how.usable);
-            if !under.is_empty() && judge.is_contradictory(&from, &own.goal) {
+            let is_contradictory = || {
+                let judge = judge::Judge::new(self, how.at, how.usable);
+                judge.is_contradictory(&from, &own.goal)
+            };
+            if !under.is_empty() && is_contradictory() {
                 continue;
             }
             return Some(Shown {
@@ -276,9 +280,14 @@ impl Auditor<'_> {
         search::prove_unconditionally(claim, Effort::Light).is_some()
     }
 
-    /// Whether a change of a goal is one that a pen slips by: authors have more names for a thing than one, and new ones for what
-    /// they come to. What nothing before ties to the rest of a formula may be tied to it by the formula.
-    pub(super) fn is_likely(&self, at: usize, goal: &Formula, change: &Change) -> bool {
+    /// Whether a change is one that a pen slips by: authors have more names for a thing than one, and new ones for what they come to. What
+    /// nothing before ties to the rest of a formula may be tied to it by the formula.
+    pub(super) fn is_likely(
+        &self,
+        at: usize,
+        change: &Change,
+        untied: &LazyCell<Set<Symbol>, impl FnOnce() -> Set<Symbol>>,
+    ) -> bool {
         let Change::Symbol { printed, meant } = change else {
             return true;
         };
@@ -287,36 +296,36 @@ impl Auditor<'_> {
         !is_kind
             && meant.name() != "\\pi"
             && !self.derivation.equations[at].introduces.contains(printed)
-            && self.is_tied(at, printed, goal)
+            && !untied.contains(printed)
     }
 
-    /// Whether what stands before ties a symbol to something else in a formula.
-    fn is_tied(&self, at: usize, symbol: &Symbol, formula: &Formula) -> bool {
-        let first = self
-            .derivation
-            .equations_of(self.derivation.equations[at].page);
-        let before = (first.start..at).rev().take(MOST_BEFORE);
-        let displays = before.flat_map(|own| self.derivation.equations[own].statements());
-        let mut said: Vec<Set<Symbol>> = displays.flat_map(formulas).map(|f| f.names()).collect();
+    /// The symbols of a formula that nothing that stands before ties to another one of them.
+    pub(super) fn untied(&self, at: usize, formula: &Formula) -> Set<Symbol> {
+        let page = self.derivation.equations[at].page;
+        let before = (self.derivation.equations_of(page).start..at).rev();
+        let displays = before.take(MOST_BEFORE);
+        let displays = displays.flat_map(|own| self.derivation.equations[own].statements());
         let told = self.derivation.told(at);
-        said.extend(told.iter().map(|own| own.formula.names()));
-        let others: Set<Symbol> = formula
-            .names()
-            .into_iter()
-            .filter(|own| own != symbol)
-            .collect();
-        let mut tied = Set::from([symbol.clone()]);
-        loop {
-            let ties = |own: &Set<Symbol>| own.iter().any(|name| tied.contains(name));
-            let Some(next) = said.iter().position(ties) else {
-                return false;
-            };
-            tied.extend(said.swap_remove(next));
-            tied.retain(|own| !own.is_unit() && own.name() != "\\pi");
-            if tied.iter().any(|own| others.contains(own)) {
-                return true;
-            }
+        let told = told.iter().map(|own| own.formula.names());
+        let said = displays.flat_map(formulas).map(|own| own.names());
+        let mut tied: Vec<Set<Symbol>> = Vec::new();
+        for mut own in said.chain(told) {
+            own.retain(|name| !name.is_unit() && name.name() != "\\pi");
+            let shares = |other: &mut Set<Symbol>| other.iter().any(|name| own.contains(name));
+            let joined: Vec<Set<Symbol>> = tied.extract_if(.., shares).collect();
+            own.extend(joined.into_iter().flatten());
+            tied.push(own);
         }
+        let names = formula.names();
+        let is_alone = |own: &Symbol| {
+            let mut of_it = tied.iter().filter(|all| all.contains(own));
+            !of_it.any(|all| {
+                names
+                    .iter()
+                    .any(|other| other != own && all.contains(other))
+            })
+        };
+        names.iter().filter(|own| is_alone(own)).cloned().collect()
     }
 }
 

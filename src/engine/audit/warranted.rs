@@ -6,6 +6,8 @@
 //! slip of: one small edit with which the same step would have been shown; or where nothing can have been left unsaid, as in a piece of
 //! algebra or arithmetic, or where the text cites what speaks of all of it.
 
+use std::cell::LazyCell;
+
 use num_traits::Signed;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
@@ -95,8 +97,10 @@ impl Auditor<'_> {
         }
         let mended = entry.mended.as_ref();
         mended.is_some_and(|mended| {
-            !is_supposed(&judged.goal.formula, &mended.under)
-                && self.is_likely(entry.equation, &judged.goal.formula, &mended.change)
+            let goal = &judged.goal.formula;
+            let untied = LazyCell::new(|| self.untied(entry.equation, goal));
+            !is_supposed(goal, &mended.under)
+                && self.is_likely(entry.equation, &mended.change, &untied)
         })
     }
 

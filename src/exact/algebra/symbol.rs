@@ -84,13 +84,12 @@ impl Symbol {
 
     /// Whether it is the name of another symbol with more primes or fewer, whatever their indices: `w'_L` and `w`.
     pub fn differs_by_primes(&self, other: &Symbol) -> bool {
-        let stem = |own: &Symbol| {
-            let own = split_subscript(own.name()).map_or(own.name(), |(stem, _)| stem);
-            let letter = own.trim_end_matches('\'');
-            (letter.to_owned(), own.len() - letter.len())
-        };
-        let (own, other) = (stem(self), stem(other));
-        own.0 == other.0 && own.1 != other.1
+        fn parts(name: &str) -> (&str, &str) {
+            let stem = split_subscript(name).map_or(name, |(stem, _)| stem);
+            stem.split_at(stem.trim_end_matches('\'').len())
+        }
+        let ((letter, primes), (other, others)) = (parts(self.name()), parts(other.name()));
+        letter == other && primes != others
     }
 
     /// Whether its name is written with brackets, and says what it is a value of: `\langle x^2 \rangle`, `\text{E}[X]`.

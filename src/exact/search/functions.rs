@@ -298,22 +298,27 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
         .collect();
     let mut pending: Vec<&Polynomial> = plain.iter().collect();
     let all = pending.clone();
-    // What few equations speak of can be changed with the least harm to the others.
-    let spoken_of = |var: Var| all.iter().filter(|p| p.degree_in(var) > 0).count();
-    let mut lifted: Map<Var, Polynomial> = Map::new();
+    let speak_of = |equations: &[&Polynomial], var: Var| {
+        let own = equations.iter().filter(|own| own.degree_in(var) > 0);
+        own.count()
+    };
+    let mut in_pi = InPi {
+        pi,
+        values,
+        lifted: Map::new(),
+    };
     let is_symbol = |var: Var| matches!(problem.atoms.atom(var), Atom::Symbol(_));
     loop {
         // What changes in one equation may stand in one before it.
         let depends = |equation: &Polynomial| {
             let mut vars = equation.vars().into_iter();
-            vars.any(|var| var == pi || lifted.contains_key(&var))
+            vars.any(|var| in_pi.is_settled(var))
         };
+        let is_open = |var: Var| is_symbol(var) && !in_pi.is_settled(var);
         // `V = \pi r^2` can be solved for `V` alone, `M = V + \pi u` for either side: the first has no other choice.
         let choices = |equation: &Polynomial| {
             let vars = equation.vars().into_iter();
-            let is_choice = |&var: &Var| {
-                is_symbol(var) && !lifted.contains_key(&var) && is_plain(equation, var)
-            };
+            let is_choice = |&var: &Var| is_open(var) && is_plain(equation, var);
             vars.filter(is_choice).count()
         };
         let next = (0..pending.len()).filter(|&at| depends(pending[at]));
@@ -321,57 +326,33 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
             break;
         };
         let equation = pending.remove(at);
-        let vars = equation.vars();
-        let mut candidates: Vec<Var> = vars.iter().rev().copied().collect();
-        candidates.retain(|&var| var != pi && is_symbol(var) && !lifted.contains_key(&var));
-        sorted::sort_by_key(&mut candidates, |&var| spoken_of(var));
-        let value = |var: Var, lifted: &Map<Var, Polynomial>| match lifted.get(&var) {
-            Some(value) => Some(value.clone()),
-            None => Some(Polynomial::constant(values.get(&var)?.clone())),
-        };
-        let solved_for = |var: Var, lifted: &Map<Var, Polynomial>| {
-            let mut left = equation.clone();
-            for &other in vars.iter().filter(|&&v| v != var && v != pi) {
-                left = left.substitute(other, &value(other, lifted)?).ok()?;
-            }
-            // What is put in may have brought π to all of it.
-            let parts = without_factor(&left, pi).in_powers_of(var);
-            let [rest, slope] = parts.as_slice() else {
-                return None;
-            };
-            let slope = slope.as_constant().filter(|s| !s.is_zero())?;
-            Some((var, rest.scaled(&-slope.recip())))
-        };
-        let plainly = candidates.iter().find_map(|&var| solved_for(var, &lifted));
-        if let Some((var, value)) = plainly {
-            lifted.insert(var, value);
+        let vars = equation.vars().into_iter().rev();
+        let mut candidates: Vec<Var> = vars.filter(|&var| is_open(var)).collect();
+        // What few equations speak of can be changed with the least harm to the others.
+        sorted::sort_by_key(&mut candidates, |&var| speak_of(&all, var));
+        if in_pi.solve(equation, &candidates) {
             continue;
         }
         // `4 \pi \epsilon F = q^2` can be solved for `\epsilon` where `q` is a multiple of π.
-        let is_settled = |var: Var| {
-            let left = pending.iter().filter(|own| own.degree_in(var) > 0);
-            left.count() + 1 < spoken_of(var)
+        let is_square = |&var: &Var| {
+            let is_new = speak_of(&pending, var) + 1 == speak_of(&all, var);
+            is_new && equation.degree_in(var) > 1
         };
-        let squares = candidates
-            .iter()
-            .filter(|&&var| equation.degree_in(var) > 1);
-        let with_multiple = squares
-            .copied()
-            .filter(|&var| !is_settled(var))
-            .find_map(|square| {
-                let mut with = lifted.clone();
-                let multiple = value(square, &lifted)?.times(&Polynomial::var(pi)).ok()?;
-                with.insert(square, multiple);
-                let others = candidates.iter().filter(|&&var| var != square);
-                let (var, value) = others.copied().find_map(|var| solved_for(var, &with))?;
-                with.insert(var, value);
-                Some(with)
-            });
-        if let Some(with) = with_multiple {
-            lifted = with;
-        }
+        let mut squares = candidates.iter().copied().filter(is_square);
+        let with_multiple = squares.find_map(|square| {
+            let mut with = in_pi.clone();
+            let multiple = with.value(square)?.times(&Polynomial::var(pi)).ok()?;
+            with.lifted.insert(square, multiple);
+            let others: Vec<Var> = candidates
+                .iter()
+                .copied()
+                .filter(|&v| v != square)
+                .collect();
+            with.solve(equation, &others).then_some(with)
+        });
+        in_pi = with_multiple.unwrap_or(in_pi);
     }
-    for (var, value) in lifted {
+    for (var, value) in in_pi.lifted {
         let Atom::Symbol(symbol) = problem.atoms.atom(var) else {
             continue;
         };
@@ -388,6 +369,53 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
                 }
             }
         }
+    }
+}
+
+/// Values of which some are polynomials in π.
+#[derive(Clone)]
+struct InPi<'a> {
+    pi: Var,
+    /// Those that are numbers, where nothing lifts them.
+    values: &'a Map<Var, Rational>,
+    lifted: Map<Var, Polynomial>,
+}
+
+impl InPi<'_> {
+    /// Whether it is π or a polynomial in it already.
+    fn is_settled(&self, var: Var) -> bool {
+        var == self.pi || self.lifted.contains_key(&var)
+    }
+
+    fn value(&self, var: Var) -> Option<Polynomial> {
+        match self.lifted.get(&var) {
+            Some(value) => Some(value.clone()),
+            None => Some(Polynomial::constant(self.values.get(&var)?.clone())),
+        }
+    }
+
+    /// Solves an equation for the first of some unknowns that is linear in it, with a factor that is a number. Whether there is one.
+    fn solve(&mut self, equation: &Polynomial, candidates: &[Var]) -> bool {
+        let mut candidates = candidates.iter();
+        let solved = candidates.find_map(|&var| Some((var, self.solved_for(equation, var)?)));
+        let found = solved.is_some();
+        self.lifted.extend(solved);
+        found
+    }
+
+    fn solved_for(&self, equation: &Polynomial, var: Var) -> Option<Polynomial> {
+        let mut left = equation.clone();
+        let others = equation.vars().into_iter();
+        for other in others.filter(|&other| other != var && other != self.pi) {
+            left = left.substitute(other, &self.value(other)?).ok()?;
+        }
+        // What is put in may have brought π to all of it.
+        let parts = without_factor(&left, self.pi).in_powers_of(var);
+        let [rest, slope] = parts.as_slice() else {
+            return None;
+        };
+        let slope = slope.as_constant().filter(|s| !s.is_zero())?;
+        Some(rest.scaled(&-slope.recip()))
     }
 }
 

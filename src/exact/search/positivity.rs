@@ -262,70 +262,44 @@ fn combination(goal: &Polynomial, strict: bool, known: &Known) -> Option<Decompo
 
 fn solved(goal: &Polynomial, strict: bool, mut columns: Vec<Column>) -> Option<Decomposition> {
     prune(&mut columns, goal);
-    if columns.len() > MOST_COLUMNS {
+    let is_possible = !strict || columns.iter().any(|column| column.strict);
+    if columns.len() > MOST_COLUMNS || !is_possible {
         return None;
     }
+    let system = System::of(goal, &columns)?;
     if !strict {
-        return solve(goal, &columns);
+        return system.solve(goal);
     }
     // goal = ε · (something positive) + the rest, for some ε = 1, 1/2, …
-    let positive: Vec<usize> = (0..columns.len())
-        .filter(|&at| columns[at].strict)
-        .collect();
-    let mut is_possible = false;
-    for at in positive {
-        for shift in [0, 2, 6, 12] {
-            let epsilon = Rational::ratio(1, 1 << shift);
-            let rest = goal.minus(&columns[at].value.scaled(&epsilon));
-            if let (Some(mut found), Some(term)) =
-                (solve(&rest, &columns), columns[at].term(epsilon))
-            {
-                found.terms.push(term);
-                return Some(found);
-            }
-            // To try one costs as much as to find out whether any will do.
-            is_possible = is_possible || is_ever_strict(goal, &columns);
-            if !is_possible {
-                return None;
-            }
+    let positive = columns.iter().filter(|column| column.strict);
+    let choices = positive.flat_map(|column| [0, 2, 6, 12].map(|shift| (column, shift)));
+    for (tried, (column, shift)) in choices.enumerate() {
+        // To try one costs as much as to find out whether any will do.
+        if tried == 1 && !system.is_ever_strict(goal) {
+            return None;
+        }
+        let epsilon = Rational::ratio(1, 1 << shift);
+        let rest = goal.minus(&column.value.scaled(&epsilon));
+        if let (Some(mut found), Some(term)) = (system.solve(&rest), column.term(epsilon)) {
+            found.terms.push(term);
+            return Some(found);
         }
     }
     None
 }
 
-/// Whether a multiple of a goal, or 0, is a nonnegative combination in which something is positive.
-fn is_ever_strict(goal: &Polynomial, columns: &[Column]) -> bool {
-    let Some(mut system) = System::of(goal, columns) else {
-        return false;
-    };
-    let rows = system.right.len();
-    let is_strict = |at: usize| columns.get(at).is_some_and(|own| own.strict);
-    for (at, column) in system.matrix.iter_mut().enumerate() {
-        if is_strict(at) {
-            column.push((rows, Rational::one()));
-        }
-    }
-    // What is positive comes to 1 in all, and the goal has a weight of its own.
-    let right = system.right.iter().enumerate();
-    let right = right.filter(|(_, value)| !value.is_zero());
-    let own: Vec<(usize, Rational)> = right.map(|(row, value)| (row, -value.clone())).collect();
-    system.matrix.push(own);
-    let mut sum = vec![Rational::zero(); rows];
-    sum.push(Rational::one());
-    nonnegative_solution(&system.matrix, &sum).is_some()
-}
-
-/// Columns and a goal as linear equations, one for each monomial.
-struct System {
+/// Columns as linear equations, one for each monomial that they or a goal have.
+struct System<'a> {
+    columns: &'a [Column],
+    rows: Map<Monomial, usize>,
     matrix: Vec<Vec<(usize, Rational)>>,
-    right: Vec<Rational>,
     /// The equations among the columns, which come again with the other sign behind all others.
     free: Vec<usize>,
 }
 
-impl System {
+impl<'a> System<'a> {
     /// Nothing where there are too many monomials.
-    fn of(goal: &Polynomial, columns: &[Column]) -> Option<System> {
+    fn of(goal: &Polynomial, columns: &'a [Column]) -> Option<System<'a>> {
         let mut rows: Map<Monomial, usize> = Map::new();
         let all = columns.iter().map(|c| &c.value).chain([goal]);
         for (monomial, _) in all.flat_map(|p| p.terms()) {
@@ -335,50 +309,65 @@ impl System {
         if rows.len() > MOST_ROWS {
             return None;
         }
-        let entries = |p: &Polynomial| -> Vec<(usize, Rational)> {
-            p.terms().map(|(m, c)| (rows[m], c.clone())).collect()
+        let free = (0..columns.len()).filter(|&at| columns[at].is_equation());
+        let mut system = System {
+            columns,
+            rows,
+            matrix: Vec::with_capacity(columns.len()),
+            free: free.collect(),
         };
-        let mut matrix: Vec<_> = columns.iter().map(|c| entries(&c.value)).collect();
-        let free: Vec<usize> = (0..columns.len())
-            .filter(|&at| columns[at].is_equation())
-            .collect();
-        matrix.extend(free.iter().map(|&at| entries(&columns[at].value.negated())));
-        let mut right = vec![Rational::zero(); rows.len()];
-        for (row, value) in entries(goal) {
+        let free = system.free.iter().map(|&at| columns[at].value.negated());
+        let free: Vec<Polynomial> = free.collect();
+        let all = columns.iter().map(|column| &column.value).chain(&free);
+        system.matrix = all.map(|value| system.entries(value)).collect();
+        Some(system)
+    }
+
+    fn entries(&self, polynomial: &Polynomial) -> Vec<(usize, Rational)> {
+        let terms = polynomial.terms();
+        terms.map(|(m, c)| (self.rows[m], c.clone())).collect()
+    }
+
+    /// A goal as a nonnegative combination of the columns. It has no other monomials than these, and the goal that the system is of.
+    fn solve(&self, goal: &Polynomial) -> Option<Decomposition> {
+        let mut right = vec![Rational::zero(); self.rows.len()];
+        for (row, value) in self.entries(goal) {
             right[row] = value;
         }
-        Some(System {
-            matrix,
-            right,
-            free,
-        })
-    }
-}
-
-fn solve(goal: &Polynomial, columns: &[Column]) -> Option<Decomposition> {
-    let System {
-        matrix,
-        right,
-        free,
-    } = System::of(goal, columns)?;
-    let solution = nonnegative_solution(&matrix, &right)?;
-    let (mut terms, mut equations) = (Vec::new(), Vec::new());
-    for (at, column) in columns.iter().enumerate() {
-        let mut weight = solution[at].clone();
-        if let Some(place) = free.iter().position(|&f| f == at) {
-            weight -= &solution[columns.len() + place];
-        }
-        if weight.is_zero() {
-            continue;
-        }
-        match &column.made {
-            Made::Product(..) => terms.extend(column.term(weight)),
-            Made::Equation(index, factor) => {
-                equations.push((*index, Polynomial::term(factor.clone(), weight)));
+        let solution = nonnegative_solution(&self.matrix, &right)?;
+        let (mut terms, mut equations) = (Vec::new(), Vec::new());
+        for (at, column) in self.columns.iter().enumerate() {
+            let mut weight = solution[at].clone();
+            if let Some(place) = self.free.iter().position(|&f| f == at) {
+                weight -= &solution[self.columns.len() + place];
+            }
+            if weight.is_zero() {
+                continue;
+            }
+            match &column.made {
+                Made::Product(..) => terms.extend(column.term(weight)),
+                Made::Equation(index, factor) => {
+                    equations.push((*index, Polynomial::term(factor.clone(), weight)));
+                }
             }
         }
+        Some(Decomposition { terms, equations })
     }
-    Some(Decomposition { terms, equations })
+
+    /// Whether a multiple of a goal, or 0, is a nonnegative combination in which something is positive.
+    fn is_ever_strict(&self, goal: &Polynomial) -> bool {
+        // What is positive comes to 1 in all, and the goal has a weight of its own.
+        let last = self.rows.len();
+        let mut matrix = self.matrix.clone();
+        let positive = self.columns.iter().zip(&mut matrix);
+        for (_, entries) in positive.filter(|(column, _)| column.strict) {
+            entries.push((last, Rational::one()));
+        }
+        matrix.push(self.entries(&goal.negated()));
+        let mut right = vec![Rational::zero(); last];
+        right.push(Rational::one());
+        nonnegative_solution(&matrix, &right).is_some()
+    }
 }
 
 /// Drops columns with a monomial that nothing else can cancel.

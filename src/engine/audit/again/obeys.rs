@@ -231,17 +231,17 @@ impl Judge<'_> {
             variable,
             constants,
         };
-        // What the text says besides may be of a case in which it is one, and of no moment: "**Critical damping** ($\gamma = \omega_0$)".
-        let stands =
-            |symbol: &Symbol| *symbol != own.variable && *symbol != of && own.is_of_law(symbol);
-        // "with $v(0) = 0$" is of one moment, and so is "Setting the left side of (2) to zero".
+        // What the text says besides may be of a case in which it is one, "**Critical damping** ($\gamma = \omega_0$)", and of no moment, as
+        // are "with $v(0) = 0$" and "Setting the left side of (2) to zero".
+        let is_of_a_moment = |said: &Formula| {
+            let names = said.names();
+            said.speaks_of_values() || names.contains(&own.variable) || names.contains(&of)
+        };
+        let is_of_law = |said: &Formula| said.names().iter().all(|name| own.is_of_law(name));
         let mut said = self.derivation.written_since(self.at);
-        said.retain(|said| said.names().iter().all(stands) && !said.speaks_of_values());
+        said.retain(|said| is_of_law(said) && !is_of_a_moment(said));
         let supposed = self.usable.assumed.iter().filter(|said| {
-            matches!(said.source, Source::Local(..))
-                && !said.formula.speaks_of_values()
-                && !said.formula.names().contains(&own.variable)
-                && !said.formula.names().contains(&of)
+            matches!(said.source, Source::Local(..)) && !is_of_a_moment(&said.formula)
         });
         let said = said.iter().map(throughout).chain(supposed.cloned());
         let said: Vec<Assumed> = said.collect();

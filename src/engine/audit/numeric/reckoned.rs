@@ -100,9 +100,9 @@ pub(super) fn agreed_loosely(goal: &Goal, source: &str) -> Option<Link> {
 fn ends_in_whole(goal: &Goal, exactly: &Link) -> bool {
     let left = exactly.sides.as_ref().map(|(left, _)| left);
     let is_whole = left.is_some_and(|own| own.low() == own.high() && own.low().is_integer());
-    // Half a unit of the last digit of 100 is a share of a 200th.
-    let most = BigRational::new(1.into(), 200.into());
-    let is_long = exactly.near.as_ref().is_some_and(|share| *share <= most);
+    // Of its digits half a unit of the last one is the share.
+    let digits = |share: &BigRational| (share.recip() / BigInt::from(2)).to_integer().to_string();
+    let is_long = (exactly.near.as_ref()).is_some_and(|own| digits(own).len() >= FEWEST_WHOLE);
     goal.rounding.is_none() && !is_whole && is_long
 }
 

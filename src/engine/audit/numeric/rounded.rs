@@ -101,6 +101,8 @@ impl Auditor<'_> {
                 judged.outcome = Outcome::open(ROUNDED);
             }
         }
+        let printed = OnceCell::new();
+        let printed = || printed.get_or_init(|| self.printed_before(at)).as_slice();
         if open.is_empty() || !open.iter().all(is_weighed) {
             let refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
             let refuted: Vec<Goal> = refuted.map(as_meant).collect();
@@ -109,8 +111,7 @@ impl Auditor<'_> {
                 let all = self.figures(at, usable);
                 let weighed = |said: &[Printed]| self.weighed(at, &refuted, &all, said);
                 refuted.iter().all(is_weighed)
-                    && (weighed(&[]).is_supported()
-                        || weighed(&self.printed_before(at)).is_supported())
+                    && (weighed(&[]).is_supported() || weighed(printed()).is_supported())
             };
             if self.weigh_decimals(judge, premises, &open, entry) {
                 return;
@@ -127,8 +128,6 @@ impl Auditor<'_> {
         let settled = entry.judged.iter().filter(is_settled);
         assumed.extend(settled.map(|own| judge::step(&own.goal.formula)));
         let mut numeric = self.weighed(at, &open, &assumed, &[]);
-        let printed = OnceCell::new();
-        let printed = || printed.get_or_init(|| self.printed_before(at)).as_slice();
         if !numeric.is_supported() {
             // What is printed elsewhere on the page may say more, and nearer to what is measured.
             let with = self.weighed(at, &open, &assumed, printed());
