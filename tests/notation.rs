@@ -1811,6 +1811,26 @@ fn a_difference_in_an_exponent_is_no_factor() {
     assert_eq!(latex(&read), text);
 }
 
+/// What such a term was shrunk to once.
+#[test]
+fn a_power_of_a_function_named_d_is_no_differential() {
+    let of = Expr::Apply(
+        Symbol::new("d"),
+        vec![Expr::Symbol(Symbol::new(r"\dot{\delta}"))].into(),
+    );
+    let letter = |name| Arc::new(Expr::Symbol(Symbol::new(name)));
+    let integral = Expr::Integral {
+        body: letter("e"),
+        variable: Symbol::new("x"),
+        from: letter("e"),
+        to: letter("a"),
+    };
+    let expr = Expr::Power(of.into(), integral.into());
+    let text = latex(&expr);
+    assert_eq!(text, r"d(\dot{\delta})^{\int_{e}^{a} e \, dx}");
+    assert_eq!(read_expr(&text, whole(&text)).as_ref(), Ok(&expr));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, cases: 4000, ..ProptestConfig::default() })]
 

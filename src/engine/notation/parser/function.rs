@@ -190,6 +190,8 @@ impl Parser<'_> {
                 Kind::Open => depth += 1,
                 Kind::Close if depth < 2 => return false,
                 Kind::Close => depth -= 1,
+                // The sign of a differential, `dx`, is no name.
+                _ if self.is_d(at) && self.starts_name(at + 1) => {}
                 kind if kind == name => {
                     return !matches!(self.kind(at + 1), Kind::Char('(' | '_' | '^'));
                 }
